@@ -1,0 +1,165 @@
+//! Every mistake and every doubt about a description, each with its place.
+//!
+//! In: a place, a sentence, a hint. Out: one [`Errors`] that holds them all, to be shown to a
+//! person or handed to the compiler. It never stops at the first mistake: the stages push, and
+//! ask once at the end whether anything was pushed.
+
+use std::fmt;
+
+use proc_macro2::{Span, TokenStream};
+use quote::quote_spanned;
+
+/// Where something was written.
+#[derive(Clone, Copy, Debug, Default)]
+pub enum Place {
+    /// Nowhere that could be pointed at: a default, or an option given in code.
+    #[default]
+    Unknown,
+    /// A line and a column of the description's file, both counted from 1.
+    File {
+        /// Line, from 1.
+        line: u32,
+        /// Column in characters, from 1.
+        column: u32,
+    },
+    /// A token of the user's Rust code.
+    Token(Span),
+}
+
+/// One mistake or one doubt: what is wrong, where, and what to do about it.
+#[derive(Clone, Debug)]
+pub struct Complaint {
+    /// Where the words stand that caused it.
+    pub place: Place,
+    /// What is wrong, as a sentence without a full stop that names the item.
+    pub message: String,
+    /// What the user could write instead.
+    pub hint: Option<String>,
+}
+
+/// The mistakes of one description, in the order in which they were found.
+#[derive(Clone, Debug, Default)]
+pub struct Errors {
+    file: Option<String>,
+    anchor: Option<Span>,
+    complaints: Vec<Complaint>,
+}
+
+impl Errors {
+    /// No mistakes yet, in a description without a file.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Names the file that every [`Place::File`] of this list belongs to, and the token of the
+    /// user's code that named it, under which the compiler shows such a mistake.
+    pub fn set_file(&mut self, file: impl Into<String>, anchor: Option<Span>) {
+        self.file = Some(file.into());
+        self.anchor = anchor;
+    }
+
+    /// Records a mistake.
+    pub fn push(&mut self, place: Place, message: impl Into<String>) {
+        self.complaints.push(Complaint {
+            place,
+            message: message.into(),
+            hint: None,
+        });
+    }
+
+    /// Records a mistake and what to do about it.
+    pub fn push_with_hint(
+        &mut self,
+        place: Place,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) {
+        let hint = Some(hint.into());
+        self.complaints.push(Complaint {
+            place,
+            message: message.into(),
+            hint,
+        });
+    }
+
+    /// Takes over what another list holds; a file named there is kept where none is named here.
+    pub fn append(&mut self, other: Errors) {
+        self.file = self.file.take().or(other.file);
+        self.anchor = self.anchor.or(other.anchor);
+        self.complaints.extend(other.complaints);
+    }
+
+    /// Whether nothing was pushed.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.complaints.is_empty()
+    }
+
+    /// The mistakes in the order in which they were found.
+    #[must_use]
+    pub fn complaints(&self) -> &[Complaint] {
+        &self.complaints
+    }
+
+    /// Gives `value` back if nothing was pushed.
+    ///
+    /// # Errors
+    /// All the mistakes, where there are any.
+    pub fn into_result<T>(self, value: T) -> Result<T, Errors> {
+        if self.is_empty() {
+            Ok(value)
+        } else {
+            Err(self)
+        }
+    }
+
+    /// One line for a complaint, as editors and people read it:
+    /// `arm.urdf:112:7: joint "elbow" has no <axis>`.
+    #[must_use]
+    pub fn locate(&self, complaint: &Complaint) -> String {
+        match (complaint.place, &self.file) {
+            (Place::File { line, column }, Some(file)) => {
+                format!("{file}:{line}:{column}: {}", complaint.message)
+            }
+            (Place::File { line, column }, None) => {
+                format!("{line}:{column}: {}", complaint.message)
+            }
+            (_, _) => complaint.message.clone(),
+        }
+    }
+
+    /// The mistakes as `compile_error!`s, each under the word that caused it.
+    #[must_use]
+    pub fn to_compile_errors(&self) -> TokenStream {
+        let anchor = self.anchor.unwrap_or_else(Span::call_site);
+        self.complaints
+            .iter()
+            .map(|complaint| {
+                let span = match complaint.place {
+                    Place::Token(span) => span,
+                    Place::File { .. } | Place::Unknown => anchor,
+                };
+                let mut message = self.locate(complaint);
+                if let Some(hint) = &complaint.hint {
+                    message = format!("{message}\nhint: {hint}");
+                }
+                quote_spanned!(span=> ::core::compile_error! { #message })
+            })
+            .collect()
+    }
+}
+
+impl fmt::Display for Errors {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for complaint in &self.complaints {
+            writeln!(out, "error: {}", self.locate(complaint))?;
+            if let Some(hint) = &complaint.hint {
+                writeln!(out, "  hint: {hint}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Errors {}

@@ -1,0 +1,13 @@
+//! Scalars that are not known yet: a hash-consed graph of arithmetic.
+//!
+//! In: numbers, inputs, operations. Out: a [`Graph`] in which children come before parents and equal
+//! expressions are one node, in a canonical form fixed at construction (see [`graph`]). It never
+//! knows what the numbers mean, and equal calls give equal graphs on every platform.
+
+mod double;
+mod graph;
+mod term;
+
+pub use double::Double;
+pub use graph::{Expr, Graph, Input, Node};
+pub use term::Term;

@@ -1,0 +1,103 @@
+//! A handle to an expression that computes with the usual operators, so that the matrices read
+//! like the mathematics they are.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::double::Double;
+use super::graph::{Expr, Graph};
+
+/// An expression together with the graph it lives in.
+#[derive(Clone, Copy)]
+pub struct Term<'g> {
+    graph: &'g Graph,
+    expr: Expr,
+}
+
+impl<'g> Term<'g> {
+    pub(super) const fn new(graph: &'g Graph, expr: Expr) -> Self {
+        Self { graph, expr }
+    }
+
+    /// The node.
+    #[must_use]
+    pub const fn expr(self) -> Expr {
+        self.expr
+    }
+
+    /// The graph it lives in.
+    #[must_use]
+    pub const fn graph(self) -> &'g Graph {
+        self.graph
+    }
+
+    /// The value, where no input enters it.
+    #[must_use]
+    pub fn value(self) -> Option<Double> {
+        self.graph.value(self.expr)
+    }
+
+    /// Whether it is known to be zero.
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        self.value().is_some_and(Double::is_zero)
+    }
+
+    /// Sine and cosine.
+    #[must_use]
+    pub fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.graph.sin_cos(self.expr);
+        (Self::new(self.graph, sine), Self::new(self.graph, cosine))
+    }
+
+    /// √x.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        Self::new(self.graph, self.graph.sqrt(self.expr))
+    }
+}
+
+impl std::fmt::Debug for Term<'_> {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.expr.fmt(out)
+    }
+}
+
+impl Add for Term<'_> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::new(self.graph, self.graph.add(self.expr, other.expr))
+    }
+}
+
+impl Neg for Term<'_> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self::new(self.graph, self.graph.neg(self.expr))
+    }
+}
+
+impl Sub for Term<'_> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Term<'_> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.graph, self.graph.mul(self.expr, other.expr))
+    }
+}
+
+impl Div for Term<'_> {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        Self::new(self.graph, self.graph.div(self.expr, other.expr))
+    }
+}

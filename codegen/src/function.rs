@@ -1,0 +1,160 @@
+//! The functions that can be generated: names, arguments, results.
+//!
+//! A shared noun: one table that every stage and every door reads, so that a function is added in
+//! one place and in its own file of the model stage. It never computes anything.
+
+/// A function of the state of a robot with N joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// M₀,tip.
+    ForwardKinematics,
+    /// Columns L₁…L_N in frame 0, pole at its origin.
+    SpatialJacobian,
+    /// Columns L₁…L_N in the frame of the tip, pole at its origin.
+    BodyJacobian,
+    /// Columns in the axes of frame 0, pole at the origin of the tip.
+    GeometricJacobian,
+    /// W₀,tip₍₀₎.
+    Velocity,
+    /// H₀,tip₍₀₎, without gravity.
+    Acceleration,
+    /// Joint forces and torques that produce q̈.
+    InverseDynamics,
+    /// Inverse dynamics at rest.
+    Gravity,
+    /// Inverse dynamics at q̈ = 0: Coriolis, centrifugal and gravity terms.
+    Bias,
+    /// The joint-space inertia matrix.
+    MassMatrix,
+}
+
+/// An argument of a generated function: an array of N numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Argument {
+    /// Joint coordinates [rad or m].
+    Q,
+    /// Their rates [rad/s or m/s].
+    Qd,
+    /// Their second rates [rad/s² or m/s²].
+    Qdd,
+}
+
+/// The shape of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A pose: 12 entries, row by row of the upper 3×4 block (r_xx, r_xy, r_xz, t_x, …).
+    Pose,
+    /// A velocity matrix: ω_x, ω_y, ω_z, v_x, v_y, v_z.
+    Velocity,
+    /// An acceleration matrix: 12 entries, row by row of the upper 3×4 block (G, a).
+    Acceleration,
+    /// N screws, each u_x, u_y, u_z, b_x, b_y, b_z.
+    Screws,
+    /// N numbers.
+    Vector,
+    /// N rows of N numbers, row by row.
+    Matrix,
+}
+
+impl Function {
+    /// All of them, in the order of the documentation.
+    pub const ALL: [Self; 10] = [
+        Self::ForwardKinematics,
+        Self::SpatialJacobian,
+        Self::BodyJacobian,
+        Self::GeometricJacobian,
+        Self::Velocity,
+        Self::Acceleration,
+        Self::InverseDynamics,
+        Self::Gravity,
+        Self::Bias,
+        Self::MassMatrix,
+    ];
+
+    /// The name in generated code, in attributes and on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ForwardKinematics => "forward_kinematics",
+            Self::SpatialJacobian => "spatial_jacobian",
+            Self::BodyJacobian => "body_jacobian",
+            Self::GeometricJacobian => "geometric_jacobian",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+            Self::InverseDynamics => "inverse_dynamics",
+            Self::Gravity => "gravity",
+            Self::Bias => "bias",
+            Self::MassMatrix => "mass_matrix",
+        }
+    }
+
+    /// The function of that name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|function| function.name() == name)
+    }
+
+    /// What it is a function of, in the order of its parameters.
+    #[must_use]
+    pub const fn arguments(self) -> &'static [Argument] {
+        match self {
+            Self::ForwardKinematics
+            | Self::SpatialJacobian
+            | Self::BodyJacobian
+            | Self::GeometricJacobian
+            | Self::Gravity
+            | Self::MassMatrix => &[Argument::Q],
+            Self::Velocity | Self::Bias => &[Argument::Q, Argument::Qd],
+            Self::Acceleration | Self::InverseDynamics => {
+                &[Argument::Q, Argument::Qd, Argument::Qdd]
+            }
+        }
+    }
+
+    /// The shape of its result.
+    #[must_use]
+    pub const fn shape(self) -> Shape {
+        match self {
+            Self::ForwardKinematics => Shape::Pose,
+            Self::SpatialJacobian | Self::BodyJacobian | Self::GeometricJacobian => Shape::Screws,
+            Self::Velocity => Shape::Velocity,
+            Self::Acceleration => Shape::Acceleration,
+            Self::InverseDynamics | Self::Gravity | Self::Bias => Shape::Vector,
+            Self::MassMatrix => Shape::Matrix,
+        }
+    }
+
+    /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
+    #[must_use]
+    pub const fn of_a_frame(self) -> bool {
+        !matches!(self.shape(), Shape::Vector | Shape::Matrix)
+    }
+}
+
+impl Argument {
+    /// Its name in generated code and in state files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Q => "q",
+            Self::Qd => "qd",
+            Self::Qdd => "qdd",
+        }
+    }
+}
+
+impl Shape {
+    /// How many numbers it holds for a robot with `joints` joints.
+    #[must_use]
+    pub const fn len(self, joints: usize) -> usize {
+        match self {
+            Self::Pose | Self::Acceleration => 12,
+            Self::Velocity => 6,
+            Self::Screws => 6 * joints,
+            Self::Vector => joints,
+            Self::Matrix => joints * joints,
+        }
+    }
+}

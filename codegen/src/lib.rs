@@ -1,0 +1,15 @@
+//! Expands the 4×4 matrices of a robot into straight-line Rust.
+//!
+//! ```text
+//! description ──► chain ──► model ──► simplify ──► schedule ──► emit
+//!  what the        what it    4×4       fewer         order,      tokens
+//!  user wrote      means      matrices  operations    live ranges
+//!                             of Expr
+//! ```
+
+pub mod description;
+pub mod error;
+pub mod expression;
+pub mod function;
+pub mod request;
+pub mod schedule;

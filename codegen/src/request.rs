@@ -1,0 +1,87 @@
+//! What the user asks for of a description: which part of it, which functions, which numbers stay
+//! free at run time.
+//!
+//! In: attributes of a derive, calls of the builder, options of the command line. Out: one
+//! [`Request`], the same whichever door it came through. It never looks at the description.
+
+use proc_macro2::{Ident, TokenStream};
+
+use crate::description::{Name, Number};
+use crate::function::Function;
+
+/// Everything that is asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The link taken as fixed; the root where none is named.
+    pub base: Option<Name>,
+    /// The link whose frame poses and Jacobians are of; the last one where there is only one.
+    pub tip: Option<Name>,
+    /// Lock every joint that does not move the tip.
+    pub path_only: bool,
+    /// Joints held still, at zero or at a given value; their bodies stay as mass.
+    pub lock: Vec<(Name, Option<Number>)>,
+    /// Links taken off with all that they carry, and with their mass.
+    pub drop: Vec<Name>,
+    /// Further links whose frames are computed.
+    pub frames: Vec<Name>,
+    /// Acceleration of gravity in the base frame [m/s²]; (0, 0, −9.81) where none is given.
+    pub gravity: Option<[Number; 3]>,
+    /// Keep `1.5708` as written instead of taking it for π/2.
+    pub exact: bool,
+    /// Refuse inertias that no body can have, instead of warning.
+    pub strict: bool,
+    /// What to generate: each item becomes one Rust function, and an item of several functions
+    /// (`all_of(…)`) one that shares their work and returns a tuple.
+    pub functions: Vec<Vec<Function>>,
+    /// The type of number in the generated code.
+    pub scalar: Real,
+    /// Struct fields that stay free at run time.
+    pub parameters: Vec<Parameter>,
+    /// The path under which the generated code finds the runtime crate; `::homogen` where none.
+    pub runtime: Option<TokenStream>,
+}
+
+/// The type of number in generated code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Real {
+    /// Every type that implements the runtime's `Scalar`.
+    #[default]
+    Generic,
+    /// Single precision.
+    F32,
+    /// Double precision.
+    F64,
+}
+
+/// A struct field that takes the place of a number of the description at run time.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// The field.
+    pub field: Ident,
+    /// The number it stands for.
+    pub target: Target,
+}
+
+/// What a struct field can stand for.
+#[derive(Clone, Debug)]
+pub enum Target {
+    /// The mass of a link [kg]; one number. The inertia about the centre of mass stays as described.
+    MassOf(Name),
+    /// The centre of mass of a link in the link's frame [m]; three numbers.
+    CenterOfMassOf(Name),
+    /// The acceleration of gravity in the base frame [m/s²]; three numbers.
+    Gravity,
+    /// The translation from the parent's frame to the joint's [m]; three numbers.
+    OriginOf(Name),
+}
+
+impl Target {
+    /// How many numbers the field holds.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        match self {
+            Self::MassOf(_) => 1,
+            Self::CenterOfMassOf(_) | Self::Gravity | Self::OriginOf(_) => 3,
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! The last form before tokens: a flat list of operations in the order in which they run.
+//!
+//! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
+//! nothing else; emission, evaluation and counting all read it and never look at the graph again.
+
+use crate::expression::Input;
+
+/// One generated function, ready to be printed, run or counted.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The arguments of all sines and cosines, evaluated together after `steps[..before_angles]`.
+    pub angles: Vec<Operand>,
+    /// How many steps come before the sines and cosines.
+    pub before_angles: usize,
+    /// The operations; an operand [`Operand::Step`] always refers to an earlier one.
+    pub steps: Vec<Step>,
+    /// The results, in the order of the function's shape; of several functions one after the other.
+    pub results: Vec<Operand>,
+}
+
+/// One operation and the name of its result.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The entry of a matrix that the result is (`w_0_3_in_3_x`); none where it is only a part of
+    /// one. A valid Rust identifier, not necessarily unique in a program.
+    pub label: Option<String>,
+    /// What is computed.
+    pub operation: Operation,
+}
+
+/// An operation of IEEE 754.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Operation {
+    /// a + b.
+    Add(Operand, Operand),
+    /// a − b.
+    Sub(Operand, Operand),
+    /// a b.
+    Mul(Operand, Operand),
+    /// a / b.
+    Div(Operand, Operand),
+    /// √a.
+    Sqrt(Operand),
+    /// −a.
+    Neg(Operand),
+    /// a b + c, rounded once where the target can.
+    MulAdd(Operand, Operand, Operand),
+    /// a b − c, rounded once where the target can.
+    MulSub(Operand, Operand, Operand),
+    /// c − a b, rounded once where the target can.
+    NegMulAdd(Operand, Operand, Operand),
+}
+
+/// What an operation acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Operand {
+    /// A number known at generation.
+    Literal(f64),
+    /// An argument or a run-time parameter.
+    Input(Input),
+    /// The sine of the angle of that index.
+    Sin(u32),
+    /// The cosine of the angle of that index.
+    Cos(u32),
+    /// The result of an earlier step.
+    Step(u32),
+}

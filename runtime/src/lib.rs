@@ -1,0 +1,2 @@
+//! Rigid bodies with 4x4 matrices.
+#![no_std]

@@ -3,6 +3,15 @@
 //! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
 //! nothing else; emission, evaluation and counting all read it and never look at the graph again.
 
+mod fuse;
+mod order;
+mod price;
+mod run;
+
+pub use order::schedule;
+pub use price::Price;
+pub use run::{Arithmetic, run};
+
 use crate::expression::Input;
 
 /// One generated function, ready to be printed, run or counted.
@@ -64,4 +73,18 @@ pub enum Operand {
     Cos(u32),
     /// The result of an earlier step.
     Step(u32),
+}
+
+impl Operation {
+    /// What it acts on.
+    #[must_use]
+    pub fn operands(&self) -> Vec<Operand> {
+        match *self {
+            Self::Sqrt(a) | Self::Neg(a) => vec![a],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::MulAdd(a, b, c) | Self::MulSub(a, b, c) | Self::NegMulAdd(a, b, c) => {
+                vec![a, b, c]
+            }
+        }
+    }
 }

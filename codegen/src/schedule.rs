@@ -3,7 +3,11 @@
 //! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
 //! nothing else; emission, evaluation and counting all read it and never look at the graph again.
 
+mod price;
+
 use crate::expression::Input;
+
+pub use price::Price;
 
 /// One generated function, ready to be printed, run or counted.
 #[derive(Clone, Debug)]
@@ -64,4 +68,31 @@ pub enum Operand {
     Cos(u32),
     /// The result of an earlier step.
     Step(u32),
+}
+
+impl Program {
+    /// Everything that is read, by steps, by angles and by results; with repetition.
+    pub fn operands(&self) -> impl Iterator<Item = Operand> {
+        let steps = self.steps.iter();
+        steps
+            .flat_map(|step| step.operation.operands())
+            .chain(self.angles.iter().copied())
+            .chain(self.results.iter().copied())
+    }
+}
+
+impl Operation {
+    /// What it acts on, in the order of its fields.
+    pub fn operands(self) -> impl Iterator<Item = Operand> {
+        let (a, b, c) = match self {
+            Self::Sqrt(a) | Self::Neg(a) => (a, None, None),
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => {
+                (a, Some(b), None)
+            }
+            Self::MulAdd(a, b, c) | Self::MulSub(a, b, c) | Self::NegMulAdd(a, b, c) => {
+                (a, Some(b), Some(c))
+            }
+        };
+        [Some(a), b, c].into_iter().flatten()
+    }
 }

@@ -8,6 +8,7 @@
 //! ```
 
 pub mod description;
+pub mod emit;
 pub mod error;
 pub mod expression;
 pub mod function;

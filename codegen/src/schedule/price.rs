@@ -120,13 +120,17 @@ impl fmt::Display for Price {
 fn depth(program: &Program) -> usize {
     let (before, after) = program.steps.split_at(program.before_angles);
     let mut depths = Depths::default();
-    before.iter().for_each(|step| depths.push(step.operation));
+    for step in before {
+        depths.push(step.operation);
+    }
     depths.angles = program
         .angles
         .iter()
         .map(|angle| depths.of(*angle))
         .collect();
-    after.iter().for_each(|step| depths.push(step.operation));
+    for step in after {
+        depths.push(step.operation);
+    }
     let results = program.results.iter();
     results.map(|result| depths.of(*result)).max().unwrap_or(0)
 }

@@ -7,10 +7,13 @@
 //!                             of Expr
 //! ```
 
+pub mod chain;
 pub mod description;
 pub mod emit;
 pub mod error;
 pub mod expression;
 pub mod function;
+pub mod matrix;
+pub mod model;
 pub mod request;
 pub mod schedule;

@@ -3,11 +3,16 @@
 //! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
 //! nothing else; emission, evaluation and counting all read it and never look at the graph again.
 
+mod fuse;
+mod order;
 mod price;
+mod run;
+
+pub use order::schedule;
+pub use price::Price;
+pub use run::{Arithmetic, run};
 
 use crate::expression::Input;
-
-pub use price::Price;
 
 /// One generated function, ready to be printed, run or counted.
 #[derive(Clone, Debug)]
@@ -70,6 +75,20 @@ pub enum Operand {
     Step(u32),
 }
 
+impl Operation {
+    /// What it acts on.
+    #[must_use]
+    pub fn operands(&self) -> Vec<Operand> {
+        match *self {
+            Self::Sqrt(a) | Self::Neg(a) => vec![a],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::MulAdd(a, b, c) | Self::MulSub(a, b, c) | Self::NegMulAdd(a, b, c) => {
+                vec![a, b, c]
+            }
+        }
+    }
+}
+
 impl Program {
     /// Everything that is read, by steps, by angles and by results; with repetition.
     pub fn operands(&self) -> impl Iterator<Item = Operand> {
@@ -78,21 +97,5 @@ impl Program {
             .flat_map(|step| step.operation.operands())
             .chain(self.angles.iter().copied())
             .chain(self.results.iter().copied())
-    }
-}
-
-impl Operation {
-    /// What it acts on, in the order of its fields.
-    pub fn operands(self) -> impl Iterator<Item = Operand> {
-        let (a, b, c) = match self {
-            Self::Sqrt(a) | Self::Neg(a) => (a, None, None),
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => {
-                (a, Some(b), None)
-            }
-            Self::MulAdd(a, b, c) | Self::MulSub(a, b, c) | Self::NegMulAdd(a, b, c) => {
-                (a, Some(b), Some(c))
-            }
-        };
-        [Some(a), b, c].into_iter().flatten()
     }
 }

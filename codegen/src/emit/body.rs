@@ -75,7 +75,7 @@ fn operation(operation: Operation, dialect: &Dialect, scope: &Scope) -> TokenStr
 
 /// The operands, and zeros where there are fewer than three.
 fn padded(operation: Operation) -> [Operand; 3] {
-    let mut operands = operation.operands();
+    let mut operands = operation.operands().into_iter();
     [(); 3].map(|()| operands.next().unwrap_or(Operand::Literal(0.0)))
 }
 

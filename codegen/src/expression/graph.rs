@@ -6,7 +6,8 @@
 //!   sign change is left only under a result or an angle;
 //! * a sum or product has its constant first, then the older operand; of a − b and b − a only the
 //!   one that starts with the older operand exists, the other is its `Neg`;
-//! * a product holds at most one constant factor, folded at 106 bits.
+//! * a product holds at most one constant factor, folded at 106 bits;
+//! * c x + c x is (2c) x.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -60,6 +61,8 @@ pub enum Node {
     Sin(Expr),
     /// cos a.
     Cos(Expr),
+    /// The angle of the point (b, a); of numbers only.
+    Atan2(Expr, Expr),
 }
 
 /// Scalars in the order in which they were made.
@@ -172,6 +175,26 @@ impl Graph {
     pub(super) fn sin_cos(&self, a: Expr) -> (Expr, Expr) {
         self.inner.borrow_mut().sin_cos(a)
     }
+
+    pub(super) fn atan2(&self, a: Expr, b: Expr) -> Option<Expr> {
+        self.inner.borrow_mut().atan2(a, b)
+    }
+}
+
+impl Node {
+    /// What it acts on.
+    #[must_use]
+    pub fn operands(self) -> Vec<Expr> {
+        match self {
+            Self::Literal(_) | Self::Input(_) => Vec::new(),
+            Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => vec![a],
+            Self::Add(a, b)
+            | Self::Sub(a, b)
+            | Self::Mul(a, b)
+            | Self::Div(a, b)
+            | Self::Atan2(a, b) => vec![a, b],
+        }
+    }
 }
 
 impl Expr {
@@ -264,6 +287,13 @@ impl Nodes {
 
     fn sum(&mut self, a: Expr, b: Expr) -> Expr {
         let (a, b) = self.ordered(a, b);
+        if let Node::Mul(factor, rest) = self.nodes[a.index()]
+            && a == b
+            && self.value(factor).is_some()
+        {
+            let factor = self.sum(factor, factor);
+            return self.product(factor, rest);
+        }
         let value = self.value(a).zip(self.value(b)).map(|(a, b)| a + b);
         self.intern(Node::Add(a, b), value)
     }
@@ -335,6 +365,11 @@ impl Nodes {
         let sine = self.intern_signed(Node::Sin(a), values.map(|(sine, _)| sine));
         let cosine = self.intern_signed(Node::Cos(a), values.map(|(_, cosine)| cosine));
         (self.signed(negative, sine), cosine)
+    }
+
+    fn atan2(&mut self, a: Expr, b: Expr) -> Option<Expr> {
+        let angle = Double::atan2(self.value(a)?, self.value(b)?);
+        Some(self.intern_signed(Node::Atan2(a, b), Some(angle)))
     }
 
     /// A node whose value may be anything: zero becomes the literal.

@@ -33,7 +33,7 @@ pub struct Price {
     pub fused: usize,
     /// The longest chain of operations of which each waits for the one before.
     pub depth: usize,
-    /// Distinct numbers that operations read.
+    /// Distinct numbers that operations read, whatever their signs.
     pub literals: usize,
     /// Products where every 4×4 matrix is multiplied out densely; 0 where that was not counted.
     pub naive_mul: usize,
@@ -50,10 +50,12 @@ impl Price {
         let mut sines = BTreeSet::new();
         let mut cosines = BTreeSet::new();
         let operations = program.steps.iter().map(|step| step.operation);
-        let operands = operations.clone().flat_map(Operation::operands);
+        let operands = operations
+            .clone()
+            .flat_map(|operation| operation.operands());
         for operand in operands.chain(program.angles.iter().copied()) {
             if let Operand::Literal(value) = operand {
-                literals.insert(value.to_bits());
+                literals.insert(value.abs().to_bits());
             }
         }
         for operand in program.operands() {
@@ -81,6 +83,13 @@ impl Price {
             naive_add,
             ..self
         }
+    }
+
+    /// One number to compare two programs for the same function by. A unit is roughly one
+    /// addition; only the order is meaningful.
+    #[must_use]
+    pub const fn weight(&self) -> usize {
+        self.mul + self.add + self.neg + 15 * (self.div + self.sqrt) + 10 * (self.sin + self.cos)
     }
 
     const fn charge(&mut self, operation: Operation) {
@@ -158,7 +167,11 @@ impl Depths {
             | Operation::NegMulAdd(a, b, c) => (self.of(a).max(self.of(b)) + 1).max(self.of(c)),
             _ => {
                 let operands = operation.operands();
-                operands.map(|operand| self.of(operand)).max().unwrap_or(0)
+                operands
+                    .iter()
+                    .map(|operand| self.of(*operand))
+                    .max()
+                    .unwrap_or(0)
             }
         };
         self.steps.push(ready + 1);

@@ -1,0 +1,117 @@
+//! What a description means: bodies that move against each other, one coordinate each.
+//!
+//! In: a [`Description`] and a [`Request`]. Out: a [`Chain`] of the moving joints, parents before
+//! children, in which everything that is held still is part of the body that carries it; every
+//! mistake that takes two items to see is found here. It never chooses what is cheap: that is for
+//! [`frames`] and [`regroup`], which a model asks for when it wants them.
+
+mod angle;
+mod check;
+pub mod frames;
+mod merge;
+mod physical;
+pub mod regroup;
+
+use crate::description::Description;
+use crate::error::{Complaint, Errors};
+use crate::expression::{Expr, Graph};
+use crate::matrix::{Inertia, Pose, Vector};
+use crate::request::Request;
+
+/// The moving joints of a robot and the bodies they carry.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    /// The scalars of all that follows: numbers, and the run-time parameters.
+    pub graph: Graph,
+    /// The joints in the order of q, parents before children.
+    pub joints: Vec<Joint>,
+    /// The frames asked for: the tip first, where there is one.
+    pub frames: Vec<Frame>,
+    /// Whether the first of `frames` is the tip.
+    pub has_tip: bool,
+    /// Acceleration of gravity in frame 0 [m/s²].
+    pub gravity: Vector<Expr>,
+    /// What became of the description on the way.
+    pub report: Report,
+}
+
+/// A joint and the body it carries.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// The joint's name.
+    pub name: String,
+    /// The joint that carries the body it hangs on; none for the fixed base.
+    pub parent: Option<usize>,
+    /// The motion it allows.
+    pub motion: Motion,
+    /// M from the parent body's frame to this body's at q = 0.
+    pub placement: Pose<Expr>,
+    /// Direction of the axis in this body's frame, through its origin; of length 1.
+    pub axis: Vector<Expr>,
+    /// J of the body in its frame, with all that is fixed to it.
+    pub inertia: Inertia<Expr>,
+}
+
+/// What a joint lets its body do.
+#[derive(Clone, Copy, Debug)]
+pub enum Motion {
+    /// Turn about the axis.
+    Revolute,
+    /// Slide along it.
+    Prismatic,
+    /// Do both, with a translation per angle [m/rad].
+    Screw(Expr),
+}
+
+/// A frame fixed to a body.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// The link whose frame it is.
+    pub name: String,
+    /// The joint that carries the body; none for the fixed base.
+    pub body: Option<usize>,
+    /// M from the body's frame to this one.
+    pub placement: Pose<Expr>,
+}
+
+/// What was merged, held, left out or repaired.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// The link taken as fixed.
+    pub base: String,
+    /// The links that are modelled, in the order of the description.
+    pub links: Vec<String>,
+    /// Links that became part of the body of another: (link, link that carries it).
+    pub merged: Vec<(String, String)>,
+    /// Joints held still, with their coordinate.
+    pub locked: Vec<(String, f64)>,
+    /// Links that were taken off, or that the base leaves behind.
+    pub dropped: Vec<String>,
+    /// Angles taken for right angles: where, as written, in quarter turns.
+    pub snapped: Vec<Snapped>,
+    /// Doubts, each with its place.
+    pub warnings: Vec<Complaint>,
+}
+
+/// An angle that was taken for a multiple of a right angle.
+#[derive(Clone, Debug)]
+pub struct Snapped {
+    /// The joint or link it belongs to.
+    pub item: String,
+    /// As written [rad].
+    pub written: f64,
+    /// Quarter turns.
+    pub quarters: i64,
+    /// Where it stands.
+    pub place: crate::error::Place,
+}
+
+/// Understands a description as the request wants it.
+///
+/// # Errors
+/// All the mistakes that are found.
+pub fn build(description: &Description, request: &Request) -> Result<Chain, Errors> {
+    let tree = check::check(description, request)?;
+    let chain = merge::merge(description, request, &tree);
+    physical::check(description, request, &tree, chain)
+}

@@ -1,0 +1,245 @@
+//! Fixed and locked joints vanish: what they connect becomes one body.
+//!
+//! In: the description and its tree. Out: a [`Chain`] whose bodies move against each other, with
+//! the mass of all that is fixed to them. Struct fields enter here as inputs; from here on they are
+//! scalars like all others. It never drops a mass.
+
+use super::check::{Branch, Tree};
+use super::{Chain, Frame, Joint, Motion, Report, Snapped, angle};
+use crate::description::{Axis, Description, Inertial, JointKind, Number, Step};
+use crate::expression::{Graph, Input, Term};
+use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
+use crate::request::{Request, Target};
+
+/// Standard gravity as robot software has it, in a base whose z points up [m/s²].
+const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
+
+/// Where a link ended up: in which body, and where in it.
+#[derive(Clone, Copy)]
+struct Seat<'g> {
+    body: Option<usize>,
+    pose: Pose<Term<'g>>,
+}
+
+struct Body<'g> {
+    joint: usize,
+    parent: Option<usize>,
+    motion: Motion,
+    placement: Pose<Term<'g>>,
+    axis: Vector<Term<'g>>,
+    inertia: Inertia<Term<'g>>,
+}
+
+/// Merges what does not move.
+pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain {
+    let graph = Graph::new();
+    let mut reader = Reader { graph: &graph, request, report: Report::default() };
+    let mut seats: Vec<Option<Seat<'_>>> = vec![None; description.links.len()];
+    seats[tree.base] = Some(Seat { body: None, pose: Pose::identity(&graph) });
+    let mut bodies: Vec<Body<'_>> = Vec::new();
+    reader.report.base.clone_from(&description.links[tree.base].name.text);
+
+    for branch in &tree.branches {
+        let joint = &description.joints[branch.joint];
+        let origin = reader.origin(description, branch);
+        let Some(parent) = seats[branch.parent] else { continue };
+        let axis = unit(&graph, &joint.axis);
+        let pose = parent.pose * origin;
+        let seat = if let Some(held) = branch.held {
+            Seat { body: parent.body, pose: pose * held_at(&graph, joint.kind, axis, &held) }
+        } else {
+            bodies.push(Body {
+                joint: branch.joint,
+                parent: parent.body,
+                motion: reader.motion(joint.kind),
+                placement: pose,
+                axis,
+                inertia: Inertia::zero(&graph),
+            });
+            Seat { body: Some(bodies.len() - 1), pose: Pose::identity(&graph) }
+        };
+        seats[branch.child] = Some(seat);
+        reader.note(description, branch);
+        if let (Some(body), Some(inertial)) = (seat.body, &description.links[branch.child].inertial)
+        {
+            let name = &description.links[branch.child].name.text;
+            let inertia = reader.inertia(name, inertial).change_frame(seat.pose);
+            bodies[body].inertia = bodies[body].inertia + inertia;
+        }
+    }
+
+    let frames = (tree.tip.iter().chain(&tree.frames))
+        .filter_map(|&link| {
+            let seat = seats[link]?;
+            let name = description.links[link].name.text.clone();
+            Some(Frame { name, body: seat.body, placement: seat.pose.map(Term::expr) })
+        })
+        .collect();
+    let gravity = reader.gravity().map(Term::expr);
+    reader.report.links = (description.links.iter().zip(&seats))
+        .filter(|(_, seat)| seat.is_some())
+        .map(|(link, _)| link.name.text.clone())
+        .collect();
+    reader.report.dropped =
+        tree.dropped.iter().map(|&link| description.links[link].name.text.clone()).collect();
+    let joints = bodies
+        .into_iter()
+        .map(|body| Joint {
+            name: description.joints[body.joint].name.text.clone(),
+            parent: body.parent,
+            motion: body.motion,
+            placement: body.placement.map(Term::expr),
+            axis: body.axis.map(Term::expr),
+            inertia: body.inertia.map(Term::expr),
+        })
+        .collect();
+    let report = reader.report;
+    Chain { joints, frames, has_tip: tree.tip.is_some(), gravity, report, graph }
+}
+
+/// Turns what was written into scalars, and keeps account of it.
+struct Reader<'g, 'r> {
+    graph: &'g Graph,
+    request: &'r Request,
+    report: Report,
+}
+
+impl<'g> Reader<'g, '_> {
+    fn number(&self, number: &Number) -> Term<'g> {
+        self.graph.constant(number.value)
+    }
+
+    /// The inputs of the struct field that stands for a target.
+    fn parameter<const N: usize>(&self, is: impl Fn(&Target) -> bool) -> Option<[Term<'g>; N]> {
+        let field = self.request.parameters.iter().position(|parameter| is(&parameter.target))?;
+        let index = |k: usize| u16::try_from(k).expect("few struct fields");
+        Some(std::array::from_fn(|entry| {
+            self.graph.input(Input::Parameter(index(field), index(entry)))
+        }))
+    }
+
+    fn gravity(&self) -> Vector<Term<'g>> {
+        match (self.parameter(|target| matches!(target, Target::Gravity)), &self.request.gravity) {
+            (Some(inputs), _) => Vector(inputs),
+            (None, Some(gravity)) => Vector(gravity.map(|entry| self.number(&entry))),
+            (None, None) => Vector::constant(self.graph, GRAVITY),
+        }
+    }
+
+    fn motion(&self, kind: JointKind) -> Motion {
+        match kind {
+            JointKind::Prismatic => Motion::Prismatic,
+            JointKind::Screw { pitch } => Motion::Screw(self.number(&pitch).expr()),
+            JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => Motion::Revolute,
+        }
+    }
+
+    /// The placement of a joint, its translation taken from a struct field where one stands for it.
+    fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
+        let joint = &description.joints[branch.joint];
+        let free = self.parameter(|target| {
+            matches!(target, Target::OriginOf(name) if name.text == joint.name.text)
+        });
+        let Some(free) = free else { return self.placement(&joint.name.text, &joint.origin) };
+        let turns: Vec<Step> = (joint.origin.iter().copied())
+            .filter(|step| matches!(step, Step::Rotate(..)))
+            .collect();
+        Pose::translation(Vector(free)) * self.placement(&joint.name.text, &turns)
+    }
+
+    fn placement(&mut self, item: &str, steps: &[Step]) -> Pose<Term<'g>> {
+        steps.iter().fold(Pose::identity(self.graph), |pose, step| match step {
+            Step::Translate(offset) => {
+                pose * Pose::translation(Vector(offset.map(|entry| self.number(&entry))))
+            }
+            Step::Rotate(axis, angle) => {
+                let angle = self.sin_cos(item, angle);
+                pose * Pose::rotation(match axis {
+                    Axis::X => Rotation::about_x(angle),
+                    Axis::Y => Rotation::about_y(angle),
+                    Axis::Z => Rotation::about_z(angle),
+                })
+            }
+        })
+    }
+
+    /// Sine and cosine of an angle, exact where it is a right angle.
+    fn sin_cos(&mut self, item: &str, angle: &Number) -> (Term<'g>, Term<'g>) {
+        let quarters = if self.request.exact { None } else { angle::quarters(angle) };
+        let Some(quarters) = quarters else { return self.number(angle).sin_cos() };
+        if quarters != 0 {
+            let (item, written, place) = (item.to_owned(), angle.value, angle.place);
+            self.report.snapped.push(Snapped { item, written, quarters, place });
+        }
+        let (sine, cosine) = match quarters.rem_euclid(4) {
+            0 => (0.0, 1.0),
+            1 => (1.0, 0.0),
+            2 => (0.0, -1.0),
+            _ => (-1.0, 0.0),
+        };
+        (self.graph.constant(sine), self.graph.constant(cosine))
+    }
+
+    /// J of a link in its own frame.
+    fn inertia(&mut self, link: &str, inertial: &Inertial) -> Inertia<Term<'g>> {
+        let is = |name: &crate::description::Name| name.text == link;
+        let mass = self.parameter(|target| matches!(target, Target::MassOf(name) if is(name)));
+        let center =
+            self.parameter(|target| matches!(target, Target::CenterOfMassOf(name) if is(name)));
+        let mass = mass.map_or_else(|| self.number(&inertial.mass), |[mass]| mass);
+        let tensor = inertial.inertia.map(|entry| self.number(&entry));
+        let mut origin = self.placement(link, &inertial.origin);
+        if let Some(center) = center {
+            origin.translation = Vector(center);
+        }
+        Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin)
+    }
+
+    fn note(&mut self, description: &Description, branch: &Branch) {
+        let Some(held) = branch.held else { return };
+        let joint = &description.joints[branch.joint];
+        let [parent, child]: [String; 2] = [branch.parent, branch.child]
+            .map(|link| description.links[link].name.text.clone());
+        if !matches!(joint.kind, JointKind::Fixed) {
+            self.report.locked.push((joint.name.text.clone(), held.value));
+        }
+        self.report.merged.push((child, parent));
+    }
+}
+
+/// The direction of an axis, of length 1 to all digits.
+fn unit<'g>(graph: &'g Graph, axis: &[Number; 3]) -> Vector<Term<'g>> {
+    let axis = Vector(axis.map(|entry| graph.constant(entry.value)));
+    let square = axis.dot(axis);
+    if square.is_zero() { axis } else { axis.map(|entry| entry / square.sqrt()) }
+}
+
+/// The displacement of a joint that is held at a coordinate.
+fn held_at<'g>(
+    graph: &'g Graph,
+    kind: JointKind,
+    axis: Vector<Term<'g>>,
+    at: &Number,
+) -> Pose<Term<'g>> {
+    let q = graph.constant(at.value);
+    let turn = || {
+        // R = 1 + u̲ sin φ + u̲² (1 − cos φ)
+        let (sine, cosine) = q.sin_cos();
+        let versine = graph.constant(1.0) - cosine;
+        let [x, y, z] = axis.0;
+        let outer = |a: Term<'g>, b: Term<'g>| a * b * versine;
+        Pose::rotation(Rotation([
+            [cosine + outer(x, x), outer(x, y) - z * sine, outer(x, z) + y * sine],
+            [outer(x, y) + z * sine, cosine + outer(y, y), outer(y, z) - x * sine],
+            [outer(x, z) - y * sine, outer(y, z) + x * sine, cosine + outer(z, z)],
+        ]))
+    };
+    match kind {
+        JointKind::Fixed => Pose::identity(graph),
+        JointKind::Revolute | JointKind::Continuous => turn(),
+        JointKind::Prismatic => Pose::translation(axis * q),
+        JointKind::Screw { pitch } => {
+            Pose { translation: axis * (q * graph.constant(pitch.value)), ..turn() }
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Whether a body can have the inertia that it is said to have.
+//!
+//! In: the description, its tree, the merged chain. Out: the same chain with doubts added to its
+//! report, or mistakes where the request is strict. It never changes a number: what no body can have
+//! is computed as given.
+
+use super::Chain;
+use super::check::Tree;
+use crate::description::{Description, Inertial};
+use crate::error::{Complaint, Errors};
+use crate::request::Request;
+
+/// What is within the rounding of the digits that vendors print.
+const TOLERANCE: f64 = 1e-9;
+
+/// Looks at the inertia of every link that moves.
+///
+/// # Errors
+/// Every doubt, where the request is strict.
+pub fn check(
+    description: &Description,
+    request: &Request,
+    tree: &Tree,
+    mut chain: Chain,
+) -> Result<Chain, Errors> {
+    let mut doubts = description.warnings.clone();
+    // Whether the body that a link belongs to moves, and whether any of its links has a mass.
+    let mut body: Vec<Option<usize>> = vec![None; description.links.len()];
+    let mut massive: Vec<bool> = Vec::new();
+    let mut carried: Vec<usize> = Vec::new();
+    for branch in &tree.branches {
+        if branch.held.is_some() {
+            body[branch.child] = body[branch.parent];
+        } else {
+            body[branch.child] = Some(massive.len());
+            massive.push(false);
+            carried.push(branch.child);
+        }
+        let Some(body) = body[branch.child] else { continue };
+        let link = &description.links[branch.child];
+        if let Some(inertial) = &link.inertial {
+            massive[body] = true;
+            doubts.extend(doubt(&link.name.text, inertial));
+        }
+    }
+    for (&link, _) in carried.iter().zip(&massive).filter(|(_, massive)| !**massive) {
+        let name = &description.links[link].name;
+        doubts.push(Complaint {
+            place: name.place,
+            message: format!("link \"{}\" moves and has no inertia: taken as massless", name.text),
+            hint: Some("give it an inertial, with mass 0 if it has none".into()),
+        });
+    }
+    if request.strict && !doubts.is_empty() {
+        let mut errors = Errors::new();
+        if let Some(file) = &description.source.file {
+            errors.set_file(file.clone(), description.source.anchor);
+        }
+        for doubt in doubts {
+            errors.push(doubt.place, format!("{} (refused: strict)", doubt.message));
+        }
+        return Err(errors);
+    }
+    chain.report.warnings = doubts;
+    Ok(chain)
+}
+
+/// What is wrong with an inertia, with the amount: the second moments about the centre of mass,
+/// ∫rrᵗdm, must not be negative in any direction.
+fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
+    let [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(|entry| entry.value);
+    let mass = inertial.mass.value;
+    let half = (xx + yy + zz) / 2.0;
+    let moments = eigenvalues([half - xx, half - yy, half - zz, -xy, -xz, -yz]);
+    let least = moments.into_iter().fold(f64::INFINITY, f64::min);
+    let size = moments.into_iter().fold(0.0_f64, |size, moment| size.max(moment.abs()));
+    let message = if least < -TOLERANCE * size {
+        format!(
+            "no body has the inertia of link \"{link}\": a second moment about its centre of mass \
+             is {least:.3e} kg m² ({:.1} % of the largest)",
+            100.0 * least / size
+        )
+    } else if mass == 0.0 && size > 0.0 {
+        format!("link \"{link}\" has no mass but an inertia")
+    } else {
+        return None;
+    };
+    let hint = Some("computed as given; correct the file, or refuse such files with strict".into());
+    Some(Complaint { place: inertial.place, message, hint })
+}
+
+/// Eigenvalues of a symmetric matrix xx, yy, zz, xy, xz, yz, by Jacobi's rotations.
+fn eigenvalues([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [f64; 3] {
+    let mut m = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    for _ in 0..12 {
+        for (p, q, r) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
+            if m[p][q] == 0.0 {
+                continue;
+            }
+            let cotangent = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
+            let t = 1.0_f64.copysign(cotangent) / (cotangent.abs() + cotangent.hypot(1.0));
+            let c = 1.0 / t.hypot(1.0);
+            let s = t * c;
+            m[p][p] -= t * m[p][q];
+            m[q][q] += t * m[p][q];
+            let (rp, rq) = (m[r][p], m[r][q]);
+            (m[r][p], m[p][r]) = (c * rp - s * rq, c * rp - s * rq);
+            (m[r][q], m[q][r]) = (s * rp + c * rq, s * rp + c * rq);
+            (m[p][q], m[q][p]) = (0.0, 0.0);
+        }
+    }
+    [m[0][0], m[1][1], m[2][2]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::eigenvalues;
+
+    #[test]
+    fn eigenvalues_have_the_trace_and_the_squares_of_the_matrix() {
+        let [a, b, c] = eigenvalues([2.0, 3.0, 5.0, 0.5, -0.25, 1.0]);
+        assert!((a + b + c - 10.0).abs() < 1e-14);
+        let squares = 4.0 + 9.0 + 25.0 + 2.0 * (0.25 + 0.0625 + 1.0);
+        assert!((a * a + b * b + c * c - squares).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_diagonal_matrix_has_its_entries() {
+        assert_eq!(eigenvalues([1.0, -2.0, 3.0, 0.0, 0.0, 0.0]), [1.0, -2.0, 3.0]);
+    }
+}

@@ -1,0 +1,68 @@
+//! H, the acceleration matrix (paper, eq. 7), carried by its parts: to rotate ω and ω̇ and rebuild
+//! G costs a third of rotating G.
+
+use super::{Pose, Rotation, Vector};
+use crate::expression::{Graph, Term};
+
+/// An acceleration matrix H: G, a₀; 0, 0 with G = ω̲̇ + ω̲².
+#[derive(Clone, Copy, Debug)]
+pub struct Acceleration<E> {
+    /// Angular velocity ω [rad/s].
+    pub omega: Vector<E>,
+    /// Angular acceleration ω̇ [rad/s²].
+    pub omega_dot: Vector<E>,
+    /// Acceleration of the pole [m/s²].
+    pub a: Vector<E>,
+}
+
+impl<'g> Acceleration<Term<'g>> {
+    /// Of a frame that does not turn and whose origin accelerates by `a`.
+    pub fn linear(a: Vector<Term<'g>>) -> Self {
+        let zero = Vector::zero(graph_of(a));
+        Self { omega: zero, omega_dot: zero, a }
+    }
+
+    /// The block G = ω̲̇ + ω̲², row by row.
+    pub fn g(self) -> [[Term<'g>; 3]; 3] {
+        let [x, y, z] = self.omega.0;
+        let [dx, dy, dz] = self.omega_dot.0;
+        let (xx, yy, zz) = (x * x, y * y, z * z);
+        let (xy, xz, yz) = (x * y, x * z, y * z);
+        [
+            [-(yy + zz), xy - dz, xz + dy],
+            [xy + dz, -(xx + zz), yz - dx],
+            [xz - dy, yz + dx, -(xx + yy)],
+        ]
+    }
+
+    /// Acceleration of a point of the body (eq. 7): G p + a.
+    pub fn point(self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
+        Vector(self.g().map(|row| Vector(row).dot(point))) + self.a
+    }
+
+    /// The same motion in other axes, with the same pole.
+    #[must_use]
+    pub fn rotate(self, rotation: Rotation<Term<'g>>) -> Self {
+        Self {
+            omega: rotation * self.omega,
+            omega_dot: rotation * self.omega_dot,
+            a: rotation * self.a,
+        }
+    }
+
+    /// The same motion told by another point of the body.
+    #[must_use]
+    pub fn move_pole(self, pole: Vector<Term<'g>>) -> Self {
+        Self { a: self.point(pole), ..self }
+    }
+
+    /// M H M⁻¹ (eq. 9): the new pole is the point of the body at the new origin.
+    #[must_use]
+    pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
+        self.rotate(pose.rotation).move_pole(-pose.translation)
+    }
+}
+
+fn graph_of(vector: Vector<Term<'_>>) -> &Graph {
+    vector.x().graph()
+}

@@ -1,0 +1,73 @@
+//! Φ, the action matrix (paper, eq. 14): a force and a couple.
+
+use std::ops::Add;
+
+use super::{Acceleration, Inertia, Pose, Screw, Vector};
+use crate::expression::{Graph, Term};
+
+/// An action Φ: c̲, f; −fᵗ, 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Action<E> {
+    /// Couple about the origin of the frame [N m].
+    pub c: Vector<E>,
+    /// Resultant force [N].
+    pub f: Vector<E>,
+}
+
+impl<'g> Action<Term<'g>> {
+    /// None.
+    pub fn zero(graph: &'g Graph) -> Self {
+        Self { c: Vector::zero(graph), f: Vector::zero(graph) }
+    }
+
+    /// What gives a body of inertia J the acceleration H: Φ = skew\[H J\] (eqs. 18 and 25).
+    pub fn of(h: Acceleration<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
+        let g = h.g();
+        let [[_, gxy, gxz], [gyx, _, gyz], [gzx, gzy, _]] = g;
+        let [xx, yy, zz, xy, xz, yz] = j.second.0;
+        // The diagonal of G enters by differences, in each of which one square of ω cancels.
+        let [ox, oy, oz] = h.omega.0.map(|entry| entry * entry);
+        let turning = Vector([
+            gzx * xy + gzy * yy - gyz * zz - gyx * xz + (oz - oy) * yz,
+            gxy * yz + gxz * zz - gzx * xx - gzy * xy + (ox - oz) * xz,
+            gyx * xx + gyz * xz - gxy * yy - gxz * yz + (oy - ox) * xy,
+        ]);
+        Self {
+            c: turning + j.q.cross(h.a),
+            f: Vector(g.map(|row| Vector(row).dot(j.q))) + h.a * j.mass,
+        }
+    }
+
+    /// What starts a body of inertia J along a screw from rest, per unit of acceleration:
+    /// skew\[L J\].
+    pub fn of_screw(l: Screw<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
+        let (c, f) = j.skew(l.u, l.b);
+        Self { c, f }
+    }
+
+    /// M Φ Mᵗ (eq. 17).
+    #[must_use]
+    pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
+        let f = pose.rotation * self.f;
+        Self { c: pose.rotation * self.c + pose.translation.cross(f), f }
+    }
+
+    /// The pseudo scalar product L ⊗ Φ = u·c + b·f: the power of the action at unit rate.
+    pub fn along(self, screw: Screw<Term<'g>>) -> Term<'g> {
+        screw.u.dot(self.c) + screw.b.dot(self.f)
+    }
+
+    /// Names the entries `{prefix}cx` … `{prefix}fz`.
+    pub fn label(self, prefix: impl Fn() -> String) {
+        self.c.label(|| prefix() + "c");
+        self.f.label(|| prefix() + "f");
+    }
+}
+
+impl Add for Action<Term<'_>> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { c: self.c + other.c, f: self.f + other.f }
+    }
+}

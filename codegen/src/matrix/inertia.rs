@@ -1,0 +1,206 @@
+//! J, the pseudo-inertia (paper, eq. 16): the mass of a body and where it is.
+
+use std::ops::{Add, Sub};
+
+use super::{Pose, Rotation, Vector};
+use crate::expression::{Graph, Term};
+
+/// A symmetric 3×3 block: xx, yy, zz, xy, xz, yz.
+#[derive(Clone, Copy, Debug)]
+pub struct Symmetric<E>(pub [E; 6]);
+
+/// A pseudo-inertia J = ∫PPᵗdm: ∫rrᵗdm, q; qᵗ, m.
+#[derive(Clone, Copy, Debug)]
+pub struct Inertia<E> {
+    /// Second moments ∫rrᵗdm about the origin of the frame [kg m²].
+    pub second: Symmetric<E>,
+    /// First moments q = ∫r dm [kg m].
+    pub q: Vector<E>,
+    /// Mass m [kg].
+    pub mass: E,
+}
+
+impl<E: Copy> Symmetric<E> {
+    /// Row by row.
+    pub const fn rows(self) -> [[E; 3]; 3] {
+        let [xx, yy, zz, xy, xz, yz] = self.0;
+        [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+    }
+
+    const fn from_rows([[xx, xy, xz], [_, yy, yz], [_, _, zz]]: [[E; 3]; 3]) -> Self {
+        Self([xx, yy, zz, xy, xz, yz])
+    }
+}
+
+impl<'g> Symmetric<Term<'g>> {
+    fn zero(graph: &'g Graph) -> Self {
+        Self([graph.constant(0.0); 6])
+    }
+
+    /// From the usual inertia tensor: ∫rrᵗdm = ½ Tr(I) − I (after eq. 16). Of a tensor given as
+    /// xx, xy, xz, yy, yz, zz.
+    #[must_use]
+    pub fn from_tensor([xx, xy, xz, yy, yz, zz]: [Term<'g>; 6]) -> Self {
+        let half = xx.graph().constant(0.5);
+        let trace = (xx + yy + zz) * half;
+        Self([trace - xx, trace - yy, trace - zz, -xy, -xz, -yz])
+    }
+
+    /// R S Rᵗ.
+    #[must_use]
+    pub fn rotate(self, rotation: Rotation<Term<'g>>) -> Self {
+        let rows = self.rows().map(|row| (rotation * Vector(row)).0);
+        Self::from_rows((rotation * Rotation(rows)).0)
+    }
+
+    /// R S Rᵗ for a rotation about z, with four multiplications for the plane and four for the
+    /// rest: with w = s(a − b) + 2ch the block (a, b, h) becomes (a − sw, b + sw, cw − h).
+    #[must_use]
+    pub fn rotate_about_z(self, (sine, cosine): (Term<'g>, Term<'g>)) -> Self {
+        let [xx, yy, zz, xy, xz, yz] = self.0;
+        let w = sine * (xx - yy) + cosine * (xy + xy);
+        let turned = sine * w;
+        Self([
+            xx - turned,
+            yy + turned,
+            zz,
+            cosine * w - xy,
+            cosine * xz - sine * yz,
+            sine * xz + cosine * yz,
+        ])
+    }
+
+    /// abᵗ + baᵗ.
+    fn product(a: Vector<Term<'g>>, b: Vector<Term<'g>>) -> Self {
+        let ([ax, ay, az], [bx, by, bz]) = (a.0, b.0);
+        let twice = |product| product + product;
+        Self([
+            twice(ax * bx),
+            twice(ay * by),
+            twice(az * bz),
+            ax * by + ay * bx,
+            ax * bz + az * bx,
+            ay * bz + az * by,
+        ])
+    }
+}
+
+impl<E: Copy> Inertia<E> {
+    /// Entry by entry.
+    pub fn map<F: Copy>(self, mut f: impl FnMut(E) -> F) -> Inertia<F> {
+        Inertia {
+            second: Symmetric(self.second.0.map(&mut f)),
+            q: self.q.map(&mut f),
+            mass: f(self.mass),
+        }
+    }
+
+    /// xx, yy, zz, xy, xz, yz; q; m.
+    pub const fn entries(self) -> [E; 10] {
+        let ([xx, yy, zz, xy, xz, yz], [x, y, z]) = (self.second.0, self.q.0);
+        [xx, yy, zz, xy, xz, yz, x, y, z, self.mass]
+    }
+}
+
+impl<'g> Inertia<Term<'g>> {
+    /// Of nothing.
+    pub fn zero(graph: &'g Graph) -> Self {
+        Self {
+            second: Symmetric::zero(graph),
+            q: Vector::zero(graph),
+            mass: graph.constant(0.0),
+        }
+    }
+
+    /// Of a mass at the origin with second moments about it.
+    pub fn central(mass: Term<'g>, second: Symmetric<Term<'g>>) -> Self {
+        Self { second, q: Vector::zero(mass.graph()), mass }
+    }
+
+    /// M J Mᵗ (eq. 17).
+    #[must_use]
+    pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
+        let turned = Self {
+            second: self.second.rotate(pose.rotation),
+            q: pose.rotation * self.q,
+            mass: self.mass,
+        };
+        turned.translate(pose.translation)
+    }
+
+    /// M J Mᵗ for a rotation about z.
+    #[must_use]
+    pub fn rotate_about_z(self, angle: (Term<'g>, Term<'g>)) -> Self {
+        Self {
+            second: self.second.rotate_about_z(angle),
+            q: Rotation::about_z(angle) * self.q,
+            mass: self.mass,
+        }
+    }
+
+    /// M J Mᵗ for a translation by t: ∫rrᵗ + t qᵗ + q tᵗ + m t tᵗ, which is ∫rrᵗ + t hᵗ + h tᵗ
+    /// with h = q + ½ m t.
+    #[must_use]
+    pub fn translate(self, t: Vector<Term<'g>>) -> Self {
+        let half = self.mass.graph().constant(0.5);
+        let shifted = t * self.mass;
+        Self {
+            second: self.second + Symmetric::product(t, self.q + shifted * half),
+            q: self.q + shifted,
+            mass: self.mass,
+        }
+    }
+
+    /// skew\[X J\] for X = u̲, b; 0, 0: the couple and the force, or the angular and the linear
+    /// momentum (eqs. 20 and 26).
+    pub fn skew(self, u: Vector<Term<'g>>, b: Vector<Term<'g>>) -> (Vector<Term<'g>>, Vector<Term<'g>>) {
+        let [x, y, z] = u.0;
+        let [xx, yy, zz, xy, xz, yz] = self.second.0;
+        let turning = Vector([
+            x * (yy + zz) - y * xy - z * xz,
+            y * (xx + zz) - x * xy - z * yz,
+            z * (xx + yy) - x * xz - y * yz,
+        ]);
+        (turning + self.q.cross(b), u.cross(self.q) + b * self.mass)
+    }
+
+    /// Names the entries `{prefix}xx` … `{prefix}m`.
+    pub fn label(self, prefix: impl Fn() -> String) {
+        let names = ["xx", "yy", "zz", "xy", "xz", "yz", "x", "y", "z", "m"];
+        for (entry, name) in self.entries().into_iter().zip(names) {
+            entry.graph().set_label(entry.expr(), || prefix() + name);
+        }
+    }
+}
+
+impl Add for Symmetric<Term<'_>> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] + other.0[k]))
+    }
+}
+
+impl Add for Inertia<Term<'_>> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            second: self.second + other.second,
+            q: self.q + other.q,
+            mass: self.mass + other.mass,
+        }
+    }
+}
+
+impl Sub for Inertia<Term<'_>> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self {
+            second: Symmetric(std::array::from_fn(|k| self.second.0[k] - other.second.0[k])),
+            q: self.q - other.q,
+            mass: self.mass - other.mass,
+        }
+    }
+}

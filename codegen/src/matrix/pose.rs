@@ -1,0 +1,143 @@
+//! M, the position matrix (paper, eq. 1): where a frame is, seen from another.
+
+use std::array;
+use std::ops::Mul;
+
+use super::Vector;
+use crate::expression::{Graph, Term};
+
+/// A rotation matrix R, row by row.
+#[derive(Clone, Copy, Debug)]
+pub struct Rotation<E>(pub [[E; 3]; 3]);
+
+/// A position matrix M: R, t; 0, 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose<E> {
+    /// Axes of the frame, as columns in the axes of the other.
+    pub rotation: Rotation<E>,
+    /// Origin of the frame in the other [m].
+    pub translation: Vector<E>,
+}
+
+impl<E: Copy> Rotation<E> {
+    /// Entry by entry.
+    pub fn map<F>(self, mut f: impl FnMut(E) -> F) -> Rotation<F> {
+        Rotation(self.0.map(|row| row.map(&mut f)))
+    }
+
+    /// A column: an axis of the frame.
+    pub const fn column(self, k: usize) -> Vector<E> {
+        Vector([self.0[0][k], self.0[1][k], self.0[2][k]])
+    }
+
+    /// The rotation with these columns.
+    pub fn from_columns(columns: [Vector<E>; 3]) -> Self {
+        Self(array::from_fn(|row| columns.map(|column| column.0[row])))
+    }
+
+    /// Rᵗ = R⁻¹.
+    #[must_use]
+    pub fn transposed(self) -> Self {
+        Self::from_columns(self.0.map(Vector))
+    }
+}
+
+impl<'g> Rotation<Term<'g>> {
+    /// No rotation.
+    pub fn identity(graph: &'g Graph) -> Self {
+        Self::about_z((graph.constant(0.0), graph.constant(1.0)))
+    }
+
+    /// About z by an angle of which sine and cosine are given.
+    pub fn about_z((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
+        let graph = sine.graph();
+        let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+        Self([[cosine, -sine, zero], [sine, cosine, zero], [zero, zero, one]])
+    }
+
+    /// About x by an angle of which sine and cosine are given.
+    pub fn about_x((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
+        let graph = sine.graph();
+        let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+        Self([[one, zero, zero], [zero, cosine, -sine], [zero, sine, cosine]])
+    }
+
+    /// About y by an angle of which sine and cosine are given.
+    pub fn about_y((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
+        let graph = sine.graph();
+        let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+        Self([[cosine, zero, sine], [zero, one, zero], [-sine, zero, cosine]])
+    }
+}
+
+impl<'g> Mul<Vector<Term<'g>>> for Rotation<Term<'g>> {
+    type Output = Vector<Term<'g>>;
+
+    fn mul(self, vector: Vector<Term<'g>>) -> Vector<Term<'g>> {
+        Vector(self.0.map(|row| Vector(row).dot(vector)))
+    }
+}
+
+impl Mul for Rotation<Term<'_>> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::from_columns(array::from_fn(|k| self * other.column(k)))
+    }
+}
+
+impl<E: Copy> Pose<E> {
+    /// Entry by entry.
+    pub fn map<F: Copy>(self, mut f: impl FnMut(E) -> F) -> Pose<F> {
+        Pose { rotation: self.rotation.map(&mut f), translation: self.translation.map(f) }
+    }
+
+    /// The upper three rows, one after the other.
+    pub fn entries(self) -> [E; 12] {
+        array::from_fn(|k| match (k / 4, k % 4) {
+            (row, 3) => self.translation.0[row],
+            (row, column) => self.rotation.0[row][column],
+        })
+    }
+}
+
+impl<'g> Pose<Term<'g>> {
+    /// The frame itself.
+    pub fn identity(graph: &'g Graph) -> Self {
+        Self { rotation: Rotation::identity(graph), translation: Vector::zero(graph) }
+    }
+
+    /// Parallel axes, another origin.
+    pub fn translation(translation: Vector<Term<'g>>) -> Self {
+        Self { rotation: Rotation::identity(translation.x().graph()), translation }
+    }
+
+    /// The same origin, other axes.
+    pub fn rotation(rotation: Rotation<Term<'g>>) -> Self {
+        Self { rotation, translation: Vector::zero(rotation.0[0][0].graph()) }
+    }
+
+    /// M⁻¹ = (Rᵗ, −Rᵗt).
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        let rotation = self.rotation.transposed();
+        Self { rotation, translation: -(rotation * self.translation) }
+    }
+
+    /// A point of the frame, seen from the other.
+    pub fn point(self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
+        self.rotation * point + self.translation
+    }
+}
+
+/// Mᵢₖ = Mᵢⱼ Mⱼₖ.
+impl Mul for Pose<Term<'_>> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self {
+            rotation: self.rotation * other.rotation,
+            translation: self.point(other.translation),
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! L, the screw axis matrix (paper, § 5): direction and moment of the axis of a motion.
+
+use super::{Pose, Vector};
+use crate::expression::Term;
+
+/// A screw axis L: u̲, b; 0, 0 with b = −u̲ p + pitch u for a point p of the axis.
+#[derive(Clone, Copy, Debug)]
+pub struct Screw<E> {
+    /// Direction of the axis; null for a translation.
+    pub u: Vector<E>,
+    /// Velocity of the pole at unit rate.
+    pub b: Vector<E>,
+}
+
+impl<'g> Screw<Term<'g>> {
+    /// The same screw seen from the frame in which the pose is given: M L M⁻¹ (eq. 8).
+    #[must_use]
+    pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
+        let u = pose.rotation * self.u;
+        Self { u, b: pose.rotation * self.b - u.cross(pose.translation) }
+    }
+
+    /// The six entries u, b.
+    pub fn entries(self) -> [Term<'g>; 6] {
+        let ([ux, uy, uz], [bx, by, bz]) = (self.u.0, self.b.0);
+        [ux, uy, uz, bx, by, bz]
+    }
+}

@@ -1,0 +1,101 @@
+//! Three numbers in the axes of one frame.
+
+use std::array;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::expression::{Graph, Term};
+
+/// A vector, or the coordinates of a point: x, y, z.
+#[derive(Clone, Copy, Debug)]
+pub struct Vector<E>(pub [E; 3]);
+
+impl<E: Copy> Vector<E> {
+    /// Entry by entry.
+    pub fn map<F>(self, f: impl FnMut(E) -> F) -> Vector<F> {
+        Vector(self.0.map(f))
+    }
+
+    /// The first entry.
+    pub const fn x(self) -> E {
+        self.0[0]
+    }
+
+    /// The second entry.
+    pub const fn y(self) -> E {
+        self.0[1]
+    }
+
+    /// The third entry.
+    pub const fn z(self) -> E {
+        self.0[2]
+    }
+}
+
+impl<'g> Vector<Term<'g>> {
+    /// A vector of numbers.
+    pub fn constant(graph: &'g Graph, entries: [f64; 3]) -> Self {
+        Self(entries.map(|entry| graph.constant(entry)))
+    }
+
+    /// The null vector.
+    pub fn zero(graph: &'g Graph) -> Self {
+        Self::constant(graph, [0.0; 3])
+    }
+
+    /// Scalar product.
+    pub fn dot(self, other: Self) -> Term<'g> {
+        let [x, y, z] = array::from_fn(|k| self.0[k] * other.0[k]);
+        x + y + z
+    }
+
+    /// Vector product, v̲w.
+    pub fn cross(self, other: Self) -> Self {
+        let [ax, ay, az] = self.0;
+        let [bx, by, bz] = other.0;
+        Self([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
+    }
+
+    /// Whether every entry is known to be zero.
+    pub fn is_zero(self) -> bool {
+        self.0.iter().all(|entry| entry.is_zero())
+    }
+
+    /// Names the entries `{prefix}x`, `{prefix}y`, `{prefix}z`.
+    pub fn label(self, prefix: impl Fn() -> String) {
+        for (entry, axis) in self.0.into_iter().zip(["x", "y", "z"]) {
+            entry.graph().set_label(entry.expr(), || prefix() + axis);
+        }
+    }
+}
+
+impl Add for Vector<Term<'_>> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(array::from_fn(|k| self.0[k] + other.0[k]))
+    }
+}
+
+impl Sub for Vector<Term<'_>> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self(array::from_fn(|k| self.0[k] - other.0[k]))
+    }
+}
+
+impl Neg for Vector<Term<'_>> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(self.0.map(Neg::neg))
+    }
+}
+
+impl<'g> Mul<Term<'g>> for Vector<Term<'g>> {
+    type Output = Self;
+
+    fn mul(self, factor: Term<'g>) -> Self {
+        Self(self.0.map(|entry| entry * factor))
+    }
+}

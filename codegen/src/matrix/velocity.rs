@@ -1,0 +1,44 @@
+//! W, the velocity matrix (paper, eq. 6): the angular velocity of a body and the velocity of its
+//! pole, the point of the body that passes the origin of the frame.
+
+use std::ops::Add;
+
+use super::{Pose, Screw, Vector};
+use crate::expression::{Graph, Term};
+
+/// A velocity matrix W: ω̲, v₀; 0, 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Velocity<E> {
+    /// Angular velocity ω [rad/s].
+    pub omega: Vector<E>,
+    /// Velocity of the pole [m/s].
+    pub v: Vector<E>,
+}
+
+impl<'g> Velocity<Term<'g>> {
+    /// At rest.
+    pub fn zero(graph: &'g Graph) -> Self {
+        Self { omega: Vector::zero(graph), v: Vector::zero(graph) }
+    }
+
+    /// L q̇.
+    pub fn of_screw(screw: Screw<Term<'g>>, rate: Term<'g>) -> Self {
+        Self { omega: screw.u * rate, v: screw.b * rate }
+    }
+
+    /// M W M⁻¹ (eq. 8).
+    #[must_use]
+    pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
+        let omega = pose.rotation * self.omega;
+        Self { omega, v: pose.rotation * self.v - omega.cross(pose.translation) }
+    }
+}
+
+/// Wᵢₖ = Wᵢⱼ + Wⱼₖ (eq. 10).
+impl Add for Velocity<Term<'_>> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { omega: self.omega + other.omega, v: self.v + other.v }
+    }
+}

@@ -1,0 +1,104 @@
+//! A joint at work: how matrices get from one side of it to the other.
+//!
+//! In: a body and the state. Out: the displacement of its joint as a turn and a slide, and the
+//! displacements met on the way from the base to a frame.
+
+use super::State;
+use crate::chain::Motion;
+use crate::chain::frames::{Bodies, Body};
+use crate::expression::Term;
+use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
+
+/// The displacement of a joint: a turn about z and a slide along it.
+#[derive(Clone, Copy)]
+pub struct Joint<'g> {
+    /// Index of the joint in q.
+    pub index: usize,
+    /// M from the parent's frame to where the displacement starts.
+    pub placement: Pose<Term<'g>>,
+    /// Sine and cosine of the turn.
+    pub angle: (Term<'g>, Term<'g>),
+    /// The slide [m].
+    pub slide: Term<'g>,
+    /// L of the joint in its body's frame.
+    pub screw: Screw<Term<'g>>,
+}
+
+impl<'g> Joint<'g> {
+    /// The joint of body `k`.
+    pub fn new(bodies: &Bodies<'g>, k: usize, state: &State<'g>) -> Self {
+        let body: &Body<'g> = &bodies.bodies[k];
+        let (zero, one) = (state.zero(), state.graph.constant(1.0));
+        let q = state.q(k);
+        let turned = || body.offset.map_or(q, |offset| q + offset).sin_cos();
+        let along_z = |entry| Vector([zero, zero, entry]);
+        let (angle, slide, u, b) = match body.motion {
+            Motion::Revolute => (turned(), zero, one, zero),
+            Motion::Prismatic => ((zero, one), q, zero, one),
+            Motion::Screw(pitch) => {
+                let pitch = state.graph.term(pitch);
+                (turned(), pitch * q, one, pitch)
+            }
+        };
+        let screw = Screw { u: along_z(u), b: along_z(b) };
+        Self { index: k, placement: body.placement, angle, slide, screw }
+    }
+
+    /// The turn as a matrix.
+    pub fn turn(&self) -> Rotation<Term<'g>> {
+        Rotation::about_z(self.angle)
+    }
+
+    /// The slide as a vector.
+    pub fn offset(&self) -> Vector<Term<'g>> {
+        let zero = self.slide.graph().constant(0.0);
+        Vector([zero, zero, self.slide])
+    }
+
+    /// A vector of the body's axes in its parent's.
+    pub fn vector_inboard(&self, vector: Vector<Term<'g>>) -> Vector<Term<'g>> {
+        self.placement.rotation * (self.turn() * vector)
+    }
+
+    /// A point of the body's frame in its parent's.
+    pub fn point_inboard(&self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
+        self.placement.point(self.turn() * point + self.offset())
+    }
+
+    /// A vector of the parent's axes in the body's.
+    pub fn vector_outboard(&self, vector: Vector<Term<'g>>) -> Vector<Term<'g>> {
+        self.turn().transposed() * (self.placement.rotation.transposed() * vector)
+    }
+
+    /// J of the body in its parent's frame.
+    pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
+        inertia.rotate_about_z(self.angle).translate(self.offset()).change_frame(self.placement)
+    }
+
+    /// The displacement as a pose, from where it starts.
+    pub fn displacement(&self) -> Pose<Term<'g>> {
+        Pose { rotation: self.turn(), translation: self.offset() }
+    }
+}
+
+/// The way from the base to a frame.
+pub struct Path<'g> {
+    /// The joints that move the frame, from the base outwards.
+    pub joints: Vec<Joint<'g>>,
+    /// How many joints the robot has.
+    pub count: usize,
+    /// M from the last body to the frame.
+    pub end: Pose<Term<'g>>,
+}
+
+/// The way to the frame of that index.
+pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>) -> Path<'g> {
+    let (mut at, end) = bodies.frames[frame];
+    let mut joints = Vec::new();
+    while let Some(k) = at {
+        joints.push(Joint::new(bodies, k, state));
+        at = bodies.bodies[k].parent;
+    }
+    joints.reverse();
+    Path { joints, count: bodies.bodies.len(), end }
+}

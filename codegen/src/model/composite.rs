@@ -1,0 +1,39 @@
+//! The mass matrix from composite pseudo-inertias: column i is the action skew\[Lᵢ J\] of everything
+//! outboard of joint i, seen by the joints inboard of it.
+
+use super::State;
+use super::carry::Joint;
+use crate::chain::frames::Bodies;
+use crate::expression::Term;
+use crate::matrix::Action;
+
+/// The mass matrix, row by row.
+pub fn mass_matrix<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+    let count = bodies.bodies.len();
+    let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
+    let mut composites: Vec<_> = bodies.bodies.iter().map(|body| body.inertia).collect();
+    let mut entries = vec![state.zero(); count * count];
+    for column in (0..count).rev() {
+        let index = column + 1;
+        composites[column].label(|| format!("j_{index}_in_{index}_"));
+        let mut action = Action::of_screw(joints[column].screw, composites[column]);
+        let mut at = column;
+        loop {
+            let seen = action.along(joints[at].screw);
+            entries[at * count + column] = seen;
+            entries[column * count + at] = seen;
+            let Some(parent) = bodies.bodies[at].parent else { break };
+            action = action
+                .change_frame(joints[at].displacement())
+                .change_frame(joints[at].placement);
+            let frame = parent + 1;
+            action.label(|| format!("phi_{index}_in_{frame}_"));
+            at = parent;
+        }
+        if let Some(parent) = bodies.bodies[column].parent {
+            composites[parent] =
+                composites[parent] + joints[column].inertia_inboard(composites[column]);
+        }
+    }
+    entries
+}

@@ -1,0 +1,39 @@
+//! Joint forces and torques that hold a robot at rest: the moment of the composite first moments
+//! about each axis. Only masses and first moments enter, and no force has to be carried.
+
+use super::State;
+use super::carry::Joint;
+use crate::chain::frames::Bodies;
+use crate::expression::Term;
+
+/// τ at rest, one entry a joint.
+pub fn gravity<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+    let count = bodies.bodies.len();
+    let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
+    // Acceleration of the base that has the effect of gravity, in each frame.
+    let mut accelerations = Vec::with_capacity(count);
+    for (body, joint) in bodies.bodies.iter().zip(&joints) {
+        let outer = body.parent.map_or(-bodies.gravity, |parent| accelerations[parent]);
+        let a = joint.vector_outboard(outer);
+        let index = joint.index + 1;
+        a.label(|| format!("h_0_{index}_in_{index}_"));
+        accelerations.push(a);
+    }
+    let mut masses: Vec<_> = bodies.bodies.iter().map(|body| body.inertia.mass).collect();
+    let mut moments: Vec<_> = bodies.bodies.iter().map(|body| body.inertia.q).collect();
+    let mut tau = vec![state.zero(); count];
+    for k in (0..count).rev() {
+        let (joint, a) = (&joints[k], accelerations[k]);
+        let index = k + 1;
+        moments[k].label(|| format!("j_{index}_in_{index}_"));
+        tau[k] = joint.screw.u.dot(moments[k].cross(a)) + joint.screw.b.dot(a) * masses[k];
+        if let Some(parent) = bodies.bodies[k].parent {
+            // q of the composite about the parent's origin: R q + m p.
+            let slid = joint.turn() * moments[k] + joint.offset() * masses[k];
+            let carried = joint.placement.rotation * slid + joint.placement.translation * masses[k];
+            moments[parent] = moments[parent] + carried;
+            masses[parent] = masses[parent] + masses[k];
+        }
+    }
+    tau
+}

@@ -1,0 +1,66 @@
+//! Inverse dynamics by Newton and Euler: accelerations H outwards, actions Φ = skew\[H J\] inwards,
+//! each in the frame of its link.
+
+use super::State;
+use super::carry::Joint;
+use crate::chain::frames::Bodies;
+use crate::expression::Term;
+use crate::matrix::{Acceleration, Action, Vector};
+
+/// τ of a motion, one entry a joint; without `accelerating`, at q̈ = 0.
+pub fn inverse_dynamics<'g>(
+    bodies: &Bodies<'g>,
+    state: &State<'g>,
+    accelerating: bool,
+) -> Vec<Term<'g>> {
+    let count = bodies.bodies.len();
+    let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
+    // Gravity is an acceleration of the base the other way.
+    let base = Acceleration::linear(-bodies.gravity);
+    let mut accelerations: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(count);
+    let mut actions: Vec<Action<Term<'g>>> = Vec::with_capacity(count);
+    for (k, (body, joint)) in bodies.bodies.iter().zip(&joints).enumerate() {
+        let outer = body.parent.map_or(base, |parent| accelerations[parent]);
+        let second = if accelerating { state.qdd(k) } else { state.zero() };
+        let h = beyond(outer, joint, state.qd(k), second);
+        let index = k + 1;
+        h.omega.label(|| format!("w_0_{index}_in_{index}_"));
+        h.omega_dot.label(|| format!("wd_0_{index}_in_{index}_"));
+        h.a.label(|| format!("h_0_{index}_in_{index}_"));
+        accelerations.push(h);
+        actions.push(Action::of(h, body.inertia));
+    }
+    let mut tau = vec![state.zero(); count];
+    for k in (0..count).rev() {
+        let (joint, action) = (&joints[k], actions[k]);
+        let index = k + 1;
+        action.label(|| format!("phi_{index}_in_{index}_"));
+        tau[k] = action.along(joint.screw);
+        if let Some(parent) = bodies.bodies[k].parent {
+            let carried = action.change_frame(joint.displacement()).change_frame(joint.placement);
+            carried.label(|| format!("phi_{index}_in_{parent}_", parent = parent + 1));
+            actions[parent] = actions[parent] + carried;
+        }
+    }
+    tau
+}
+
+/// H of the body beyond a joint, in its own frame: Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ (eq. 11) by its parts.
+fn beyond<'g>(
+    outer: Acceleration<Term<'g>>,
+    joint: &Joint<'g>,
+    rate: Term<'g>,
+    second: Term<'g>,
+) -> Acceleration<Term<'g>> {
+    let carried = outer
+        .move_pole(joint.placement.translation)
+        .rotate(joint.placement.rotation.transposed())
+        .rotate(joint.turn().transposed());
+    let (u, b) = (joint.screw.u, joint.screw.b);
+    let coriolis: Vector<Term<'g>> = carried.omega.cross(b * (rate + rate));
+    Acceleration {
+        omega: carried.omega + u * rate,
+        omega_dot: carried.omega_dot + u * second + carried.omega.cross(u * rate),
+        a: carried.point(joint.offset()) + b * second + coriolis,
+    }
+}

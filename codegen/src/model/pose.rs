@@ -1,0 +1,40 @@
+//! M₀,ₕ, carried inwards from the frame to the base, column by column.
+
+use super::carry::Path;
+use crate::expression::Term;
+use crate::matrix::{Pose, Rotation, Vector};
+
+/// M of the frame at the end of a path.
+pub fn forward_kinematics<'g>(path: &Path<'g>, by_product: Option<usize>) -> Vec<Term<'g>> {
+    let mut columns: [Vector<Term<'g>>; 3] =
+        std::array::from_fn(|k| path.end.rotation.column(k));
+    let mut origin = path.end.translation;
+    for joint in path.joints.iter().rev() {
+        for (k, column) in columns.iter_mut().enumerate() {
+            if by_product != Some(k) {
+                *column = joint.vector_inboard(*column);
+            }
+        }
+        origin = joint.point_inboard(origin);
+        label(joint.index, columns, origin, by_product);
+    }
+    if let Some(k) = by_product {
+        columns[k] = columns[(k + 1) % 3].cross(columns[(k + 2) % 3]);
+    }
+    Pose { rotation: Rotation::from_columns(columns), translation: origin }.entries().to_vec()
+}
+
+/// The entries of M from the body that carries joint `index` to the frame.
+fn label(
+    index: usize,
+    columns: [Vector<Term<'_>>; 3],
+    origin: Vector<Term<'_>>,
+    by_product: Option<usize>,
+) {
+    for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        if by_product != Some(k) {
+            columns[k].label(|| format!("m_{index}_n_{axis}"));
+        }
+    }
+    origin.label(|| format!("m_{index}_n_t"));
+}

@@ -1,0 +1,50 @@
+//! W₀,ₕ₍₀₎ and H₀,ₕ₍₀₎, by the composition rules (paper, eqs. 10 and 11), carried inwards so that no
+//! pose is needed.
+
+use super::State;
+use super::carry::Path;
+use crate::expression::Term;
+use crate::matrix::{Acceleration, Pose, Vector, Velocity};
+
+/// W of the frame at the end of a path: ω, v₀.
+pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+    let mut w = Velocity::zero(state.graph);
+    for joint in path.joints.iter().rev() {
+        w = Velocity::of_screw(joint.screw, state.qd(joint.index)) + w;
+        w = w.change_frame(joint.displacement()).change_frame(joint.placement);
+        let index = joint.index;
+        w.omega.label(|| format!("w_{index}_n_in_{index}_"));
+        w.v.label(|| format!("w_{index}_n_in_{index}_v"));
+    }
+    [w.omega.0, w.v.0].concat()
+}
+
+/// H of the frame at the end of a path, row by row of (G, a₀).
+pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+    let mut w = Velocity::zero(state.graph);
+    let mut h = Acceleration::linear(Vector::zero(state.graph));
+    for joint in path.joints.iter().rev() {
+        let (rate, second) = (state.qd(joint.index), state.qdd(joint.index));
+        let own = Velocity::of_screw(joint.screw, rate);
+        // Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ by its parts: the skew part of 2 W W is ω×ω', the rest is in
+        // the square of the sum.
+        let two = state.graph.constant(2.0);
+        h = Acceleration {
+            omega: own.omega + h.omega,
+            omega_dot: joint.screw.u * second + h.omega_dot + own.omega.cross(w.omega),
+            a: joint.screw.b * second + own.omega.cross(own.v) + h.a
+                + own.omega.cross(w.v) * two,
+        };
+        w = own + w;
+        h = inboard(inboard(h, joint.displacement()), joint.placement);
+        w = w.change_frame(joint.displacement()).change_frame(joint.placement);
+    }
+    let g = h.g();
+    (0..3).flat_map(|row| [g[row][0], g[row][1], g[row][2], h.a.0[row]]).collect()
+}
+
+/// M H M⁻¹ with G taken before the rotation, where it is sparser.
+fn inboard<'g>(h: Acceleration<Term<'g>>, pose: Pose<Term<'g>>) -> Acceleration<Term<'g>> {
+    let pole = -(pose.rotation.transposed() * pose.translation);
+    h.move_pole(pole).rotate(pose.rotation)
+}

@@ -1,0 +1,80 @@
+//! Which sums take a product with them into one fused operation.
+//!
+//! In: a graph and what is needed of it. Out: a choice for each sum. A difference of two products
+//! that can cancel while the program runs is left alone: fused on one side only, it would keep the
+//! rounding of the other.
+
+use crate::expression::{Expr, Graph, Node};
+
+/// How a product enters a sum.
+#[derive(Clone, Copy)]
+pub enum Form {
+    /// a b + c.
+    Plus,
+    /// a b − c.
+    Minus,
+    /// c − a b.
+    From,
+}
+
+/// The sums that are fused and the products that vanish in them.
+pub struct Fused {
+    product_of: Vec<Option<(Expr, Expr, Expr, Form)>>,
+    vanishes: Vec<bool>,
+}
+
+impl Fused {
+    /// The factors, the other term and the form, where the sum is fused.
+    pub fn product_of(&self, sum: Expr) -> Option<(Expr, Expr, Expr, Form)> {
+        self.product_of[sum.index()]
+    }
+
+    /// Whether a product is computed only inside a sum.
+    pub fn vanishes(&self, product: Expr) -> bool {
+        self.vanishes[product.index()]
+    }
+}
+
+/// Chooses one product a sum, among those that nothing else uses.
+pub fn choose(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Fused {
+    let count = uses.len();
+    let mut fused = Fused { product_of: vec![None; count], vanishes: vec![false; count] };
+    let product = |expr: Expr| match graph.node(expr) {
+        Node::Mul(a, b) if uses[expr.index()] == 1 && graph.value(expr).is_none() => Some((a, b)),
+        _ => None,
+    };
+    for &sum in needed {
+        let (a, b, forms) = match graph.node(sum) {
+            Node::Add(a, b) => (a, b, [Form::Plus, Form::Plus]),
+            Node::Sub(a, b) => (a, b, [Form::Minus, Form::From]),
+            _ => continue,
+        };
+        if graph.value(sum).is_some() || (matches!(forms[1], Form::From) && can_cancel(graph, a, b))
+        {
+            continue;
+        }
+        // The younger product waits longer for its factors: it goes with the sum.
+        let candidates = [(a, b, forms[0]), (b, a, forms[1])];
+        let best = candidates.into_iter().filter(|&(p, ..)| product(p).is_some()).max_by_key(|&(p, ..)| p);
+        if let Some((p, rest, form)) = best
+            && let Some((x, y)) = product(p)
+        {
+            fused.product_of[sum.index()] = Some((x, y, rest, form));
+            fused.vanishes[p.index()] = true;
+        }
+    }
+    fused
+}
+
+/// Whether both are products of values that only the state decides. A factor that is a number, a
+/// sine or a cosine keeps two products from being each other's mirror.
+fn can_cancel(graph: &Graph, a: Expr, b: Expr) -> bool {
+    let free = |expr: Expr| match graph.node(expr) {
+        Node::Mul(x, y) => [x, y].into_iter().all(|factor| {
+            graph.value(factor).is_none()
+                && !matches!(graph.node(factor), Node::Sin(_) | Node::Cos(_))
+        }),
+        _ => false,
+    };
+    free(a) && free(b)
+}

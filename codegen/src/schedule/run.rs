@@ -1,0 +1,121 @@
+//! A program run as it stands, without a compiler.
+//!
+//! In: a program and its inputs. Out: its results, in any arithmetic. It never reorders an operation, so
+//! that its results are those of the generated code on a target that does not fuse.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{Operand, Operation, Program};
+use crate::expression::{Double, Input};
+
+/// A type of number that programs run in.
+pub trait Arithmetic:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The number nearest to a literal.
+    fn literal(value: f64) -> Self;
+    /// √x.
+    #[must_use]
+    fn sqrt(self) -> Self;
+    /// Sine and cosine.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+}
+
+/// Runs a program on what `input` says.
+pub fn run<T: Arithmetic>(program: &Program, input: impl Fn(Input) -> T) -> Vec<T> {
+    let mut steps: Vec<T> = Vec::with_capacity(program.steps.len());
+    let mut angles: Vec<(T, T)> = Vec::new();
+    for (k, step) in program.steps.iter().enumerate() {
+        if k == program.before_angles {
+            angles = turn(program, &steps, &input);
+        }
+        let at = |operand| value(operand, &steps, &angles, &input);
+        steps.push(match step.operation {
+            Operation::Add(a, b) => at(a) + at(b),
+            Operation::Sub(a, b) => at(a) - at(b),
+            Operation::Mul(a, b) => at(a) * at(b),
+            Operation::Div(a, b) => at(a) / at(b),
+            Operation::Sqrt(a) => at(a).sqrt(),
+            Operation::Neg(a) => -at(a),
+            Operation::MulAdd(a, b, c) => at(a) * at(b) + at(c),
+            Operation::MulSub(a, b, c) => at(a) * at(b) - at(c),
+            Operation::NegMulAdd(a, b, c) => at(c) - at(a) * at(b),
+        });
+    }
+    if program.before_angles == program.steps.len() {
+        angles = turn(program, &steps, &input);
+    }
+    program.results.iter().map(|&result| value(result, &steps, &angles, &input)).collect()
+}
+
+fn turn<T: Arithmetic>(
+    program: &Program,
+    steps: &[T],
+    input: &impl Fn(Input) -> T,
+) -> Vec<(T, T)> {
+    program.angles.iter().map(|&angle| value(angle, steps, &[], input).sin_cos()).collect()
+}
+
+fn value<T: Arithmetic>(
+    operand: Operand,
+    steps: &[T],
+    angles: &[(T, T)],
+    input: &impl Fn(Input) -> T,
+) -> T {
+    match operand {
+        Operand::Literal(value) => T::literal(value),
+        Operand::Input(of) => input(of),
+        Operand::Sin(k) => angles[k as usize].0,
+        Operand::Cos(k) => angles[k as usize].1,
+        Operand::Step(k) => steps[k as usize],
+    }
+}
+
+impl Arithmetic for f64 {
+    fn literal(value: f64) -> Self {
+        value
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+}
+
+impl Arithmetic for f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
+    fn literal(value: f64) -> Self {
+        value as Self
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+}
+
+impl Arithmetic for Double {
+    fn literal(value: f64) -> Self {
+        Self::from(value)
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+}

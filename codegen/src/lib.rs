@@ -9,6 +9,7 @@
 
 pub mod chain;
 pub mod description;
+pub mod emit;
 pub mod error;
 pub mod expression;
 pub mod function;

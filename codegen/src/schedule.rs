@@ -88,3 +88,14 @@ impl Operation {
         }
     }
 }
+
+impl Program {
+    /// Everything that is read, by steps, by angles and by results; with repetition.
+    pub fn operands(&self) -> impl Iterator<Item = Operand> {
+        let steps = self.steps.iter();
+        steps
+            .flat_map(|step| step.operation.operands())
+            .chain(self.angles.iter().copied())
+            .chain(self.results.iter().copied())
+    }
+}

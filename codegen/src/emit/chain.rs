@@ -1,0 +1,116 @@
+//! The robot as data.
+//!
+//! In: [`ChainData`]. Out: the function `chain` that returns it as the runtime's `Chain`, for the
+//! generic recursions that generated code is checked against. It never reads the programs of the
+//! generated functions.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::{Body, body};
+use super::dialect::{Dialect, World};
+use super::method::count;
+use super::names::Names;
+use super::results::{square_and_column, two_vectors};
+use super::scope::Readable;
+use super::{ChainData, Listing, documentation};
+
+/// How many numbers a joint has, and how many of them are its placement and its screw.
+const JOINT: usize = 28;
+const PLACEMENT: usize = 12;
+const SCREW: usize = 6;
+
+/// `fn chain() -> ::homogen::Chain<N, F>`, a method where fields enter it.
+pub(super) fn chain(listing: &Listing, dialect: &Dialect) -> TokenStream {
+    let World::Runtime(runtime) = &dialect.world else {
+        return TokenStream::new();
+    };
+    let data = &listing.data;
+    let readable = Readable {
+        arguments: &[],
+        joints: data.names.len(),
+        parameters: &listing.parameters,
+    };
+    let names = Names::beside(&listing.item.generics);
+    let Body {
+        statements,
+        results,
+    } = body(&data.program, &readable, &dialect.of_data(), names);
+    let value = value(data, &results, runtime);
+
+    let about = documentation::of_chain(&listing.about);
+    let visibility = &listing.item.visibility;
+    let signature = signature(
+        &count(data.names.len()),
+        &count(data.frames.len()),
+        None,
+        !listing.parameters.is_empty(),
+        runtime,
+    );
+    // Without parameters there is nothing to compute.
+    let constant = listing.parameters.is_empty().then(|| quote! { const });
+    quote! {
+        #about
+        #[must_use]
+        #visibility #constant #signature { #statements #value }
+    }
+}
+
+/// The function's signature, for so many joints and frames; `unknown` is a generic parameter
+/// that stands for a number.
+pub(super) fn signature(
+    joints: &TokenStream,
+    frames: &TokenStream,
+    unknown: Option<&TokenStream>,
+    reads_fields: bool,
+    runtime: &TokenStream,
+) -> TokenStream {
+    let this = reads_fields.then(|| quote! { &self });
+    let generics = unknown.map(|unknown| quote! { <#unknown> });
+    quote! { fn chain #generics(#this) -> #runtime::Chain<#joints, #frames> }
+}
+
+fn value(data: &ChainData, numbers: &[TokenStream], runtime: &TokenStream) -> TokenStream {
+    let (joints, rest) = numbers.split_at((data.names.len() * JOINT).min(numbers.len()));
+    let (frames, gravity) = rest.split_at((data.frames.len() * PLACEMENT).min(rest.len()));
+    let joints = joints.chunks(JOINT).zip(&data.names).zip(&data.parents);
+    let joints = joints.map(|((numbers, name), parent)| joint(name, *parent, numbers, runtime));
+    let frames = frames.chunks(PLACEMENT).zip(&data.frames);
+    let frames = frames.map(|(numbers, (name, body))| {
+        let (body, placement) = (index(*body), square_and_column(numbers));
+        quote! { #runtime::Frame::new(#name, #body, #runtime::Pose::new(#placement)) }
+    });
+    quote! { #runtime::Chain::new([#(#joints),*], [#(#frames),*], [#(#gravity),*]) }
+}
+
+fn joint(
+    name: &str,
+    parent: Option<u16>,
+    numbers: &[TokenStream],
+    runtime: &TokenStream,
+) -> TokenStream {
+    let (placement, rest) = numbers.split_at(PLACEMENT);
+    let (screw, inertia) = rest.split_at(SCREW);
+    let (second, first_and_mass) = inertia.split_at(6);
+    let (first, mass) = first_and_mass.split_at(3);
+    let (parent, placement) = (index(parent), square_and_column(placement));
+    let screw = two_vectors(screw);
+    quote! {
+        #runtime::Joint::new(
+            #name,
+            #parent,
+            #runtime::Pose::new(#placement),
+            #runtime::Screw::new(#screw),
+            #runtime::Inertia::new([#(#second),*], [#(#first),*], #(#mass),*),
+        )
+    }
+}
+
+fn index(joint: Option<u16>) -> TokenStream {
+    if let Some(joint) = joint {
+        let joint = count(joint.into());
+        quote! { ::core::option::Option::Some(#joint) }
+    } else {
+        quote! { ::core::option::Option::None }
+    }
+}

@@ -1,0 +1,201 @@
+//! What differs between code for the runtime and code for `core` alone.
+//!
+//! In: a [`Listing`]. Out: the spellings of types, numbers and mathematical functions. The rest of
+//! the stage writes the same statements in every dialect and never asks which one it is.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
+
+use super::Listing;
+use super::item::Declaration;
+use super::literals::Numerals;
+use super::names::Names;
+use crate::request::Real;
+
+/// Where code without the runtime finds what `core` does not have.
+#[derive(Clone, Debug)]
+pub struct Library {
+    /// A function from an angle to its sine and cosine, as a pair.
+    pub sin_cos: TokenStream,
+    /// A function from a number to its square root.
+    pub sqrt: TokenStream,
+}
+
+impl Library {
+    /// The functions of the crate `libm`.
+    #[must_use]
+    pub fn libm(scalar: Real) -> Self {
+        let (sin_cos, sqrt) = match scalar {
+            Real::F32 => (quote! { ::libm::sincosf }, quote! { ::libm::sqrtf }),
+            Real::F64 | Real::Generic => (quote! { ::libm::sincos }, quote! { ::libm::sqrt }),
+        };
+        Self { sin_cos, sqrt }
+    }
+}
+
+/// The spellings of one output.
+#[derive(Clone, Debug)]
+pub(super) struct Dialect {
+    /// The path of the runtime, or what stands in for it.
+    pub world: World,
+    /// The type of number.
+    pub number: TokenStream,
+    /// The generic parameter that the number is, if it is one.
+    pub generic: Option<Ident>,
+    real: Real,
+    /// Whether the type of every number stands beside it.
+    bare: bool,
+    /// The type of the struct's fields, where the user has not chosen it.
+    fields: Option<Real>,
+}
+
+/// What the generated code can rely on.
+#[derive(Clone, Debug)]
+pub(super) enum World {
+    /// The runtime crate, at this path.
+    Runtime(TokenStream),
+    /// `core` and these functions.
+    Core(Library),
+}
+
+impl Dialect {
+    /// For a crate that has the runtime.
+    pub fn of_runtime(listing: &Listing) -> Self {
+        let mut names = Names::beside(&listing.item.generics);
+        let made = matches!(listing.item.declaration, Declaration::Made);
+        Self {
+            fields: made.then_some(listing.scalar),
+            ..Self::runtime(listing.scalar, listing.runtime.clone(), &mut names)
+        }
+    }
+
+    /// For a crate that has the runtime, with the name of a generic number taken from `names`.
+    pub fn runtime(real: Real, runtime: Option<TokenStream>, names: &mut Names) -> Self {
+        let runtime = runtime.unwrap_or_else(|| quote! { ::homogen });
+        let generic = (real == Real::Generic).then(|| names.fresh_type("T"));
+        let number = match (&generic, real) {
+            (Some(generic), _) => quote! { #generic },
+            (None, Real::F32) => quote! { ::core::primitive::f32 },
+            (None, _) => quote! { ::core::primitive::f64 },
+        };
+        Self {
+            world: World::Runtime(runtime),
+            number,
+            generic,
+            real,
+            bare: false,
+            fields: None,
+        }
+    }
+
+    /// For a crate that has nothing.
+    pub fn of_core(listing: &Listing, library: &Library) -> Self {
+        let (real, number) = match listing.scalar {
+            Real::F32 => (Real::F32, quote! { f32 }),
+            Real::F64 | Real::Generic => (Real::F64, quote! { f64 }),
+        };
+        Self {
+            world: World::Core(library.clone()),
+            number,
+            generic: None,
+            real,
+            bare: false,
+            fields: None,
+        }
+    }
+
+    /// The same world with plain `f64`s: the robot as data is not generic.
+    pub fn of_data(&self) -> Self {
+        Self {
+            world: self.world.clone(),
+            number: quote! { ::core::primitive::f64 },
+            generic: None,
+            real: Real::F64,
+            bare: true,
+            fields: self.fields,
+        }
+    }
+
+    /// The type of a struct field that holds a number.
+    pub fn field(&self) -> TokenStream {
+        match (&self.world, self.real) {
+            (World::Runtime(_), Real::Generic) => quote! { ::core::primitive::f64 },
+            _ => self.number.clone(),
+        }
+    }
+
+    /// How numbers are written, and the statement that this takes.
+    pub fn numerals(&self, names: &mut Names) -> (Numerals, TokenStream) {
+        match (&self.generic, &self.world, self.real) {
+            (Some(number), World::Runtime(runtime), _) => {
+                let k = names.fresh("k");
+                let statement = quote! { let #k = <#number as #runtime::Scalar>::constant; };
+                (Numerals::Through(k), statement)
+            }
+            (_, _, _) if self.bare => (Numerals::Bare, TokenStream::new()),
+            (_, _, Real::F32) => (Numerals::Single, TokenStream::new()),
+            (_, _, _) => (Numerals::Double, TokenStream::new()),
+        }
+    }
+
+    /// A field's number as a number of the code.
+    pub fn converted(&self, numerals: &Numerals, value: &TokenStream, span: Span) -> TokenStream {
+        let number = &self.number;
+        let double = match self.fields {
+            Some(Real::F64 | Real::Generic) => value.clone(),
+            Some(Real::F32) | None => quote_spanned! {span=>
+                <::core::primitive::f64 as ::core::convert::From<_>>::from(#value)
+            },
+        };
+        match (&self.world, numerals, self.real) {
+            (World::Core(_), _, _) => value.clone(),
+            (_, _, Real::F32) if self.fields == Some(Real::F32) => value.clone(),
+            // By way of f64, so that a field may be either; to f64 and back changes nothing.
+            (World::Runtime(runtime), _, Real::F32) => {
+                quote! { <#number as #runtime::Scalar>::constant(#double) }
+            }
+            (_, Numerals::Through(k), _) => quote! { #k(#double) },
+            (_, _, _) => double,
+        }
+    }
+
+    /// a b + c, rounded once where the target can; `plain` is the same without the runtime.
+    pub fn fused(
+        &self,
+        a: &TokenStream,
+        b: &TokenStream,
+        c: &TokenStream,
+        plain: TokenStream,
+    ) -> TokenStream {
+        match &self.world {
+            World::Runtime(runtime) => quote! { #runtime::Scalar::mul_add(#a, #b, #c) },
+            World::Core(_) => plain,
+        }
+    }
+
+    /// √a.
+    pub fn sqrt(&self, a: &TokenStream) -> TokenStream {
+        match &self.world {
+            World::Runtime(runtime) => quote! { #runtime::Scalar::sqrt(#a) },
+            World::Core(Library { sqrt, .. }) => quote! { #sqrt(#a) },
+        }
+    }
+
+    /// The statements that bind all sines and cosines.
+    pub fn sines_and_cosines(
+        &self,
+        sines: &[TokenStream],
+        cosines: &[TokenStream],
+        angles: &[TokenStream],
+    ) -> TokenStream {
+        match &self.world {
+            _ if angles.is_empty() => TokenStream::new(),
+            World::Runtime(runtime) => quote! {
+                let ([#(#sines),*], [#(#cosines),*]) = #runtime::Scalar::sin_cos_all([#(#angles),*]);
+            },
+            World::Core(Library { sin_cos, .. }) => quote! {
+                #(let (#sines, #cosines) = #sin_cos(#angles);)*
+            },
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! One generated function: its signature, its doc comment, its body, its trait.
+//!
+//! In: a [`Listed`] of a [`Listing`]. Out: an inherent method, and the implementation of a trait
+//! that calls it. It never prints an operation itself.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use syn::{GenericParam, parse_quote};
+
+use super::body::{Body, body};
+use super::dialect::{Dialect, World};
+use super::names::Names;
+use super::results::{result_type, result_value};
+use super::scope::Readable;
+use super::{Item, Listed, Listing, documentation, item};
+use crate::function::{Argument, Function};
+
+/// The method that computes `listed`.
+pub(super) fn method(
+    listing: &Listing,
+    listed: &Listed,
+    name: &Ident,
+    dialect: &Dialect,
+) -> TokenStream {
+    let joints = listing.about.joints.len();
+    let arguments = arguments(&listed.functions);
+    let readable = Readable {
+        arguments: &arguments,
+        joints,
+        parameters: &listing.parameters,
+    };
+    let names = Names::beside(&listing.item.generics);
+    let Body {
+        statements,
+        results,
+    } = body(&listed.program, &readable, dialect, names);
+    let result = result_value(&listed.functions, joints, &results, dialect);
+
+    let about = documentation::of_method(listing, listed, dialect);
+    let visibility = &listing.item.visibility;
+    let signature = signature(name, &listed.functions, &count(joints), None, dialect);
+    quote! {
+        #about
+        #[must_use]
+        #visibility #signature { #statements #result }
+    }
+}
+
+/// The implementation of a function's trait by the method `name`.
+pub(super) fn in_trait(
+    listing: &Listing,
+    function: Function,
+    name: &Ident,
+    dialect: &Dialect,
+) -> TokenStream {
+    let joints = listing.about.joints.len();
+    let arguments = function.arguments().iter();
+    let arguments = arguments.map(|argument| format_ident!("{}", argument.name()));
+    let call = quote! { Self::#name(self, #(#arguments),*) };
+    implementation(
+        &listing.item,
+        function,
+        &count(joints),
+        None,
+        &call,
+        dialect,
+    )
+}
+
+/// The implementation of a function's trait, with `count` joints (a number, or the parameter
+/// `unknown`) and the given body.
+pub(super) fn implementation(
+    item: &Item,
+    function: Function,
+    count: &TokenStream,
+    unknown: Option<GenericParam>,
+    call: &TokenStream,
+    dialect: &Dialect,
+) -> TokenStream {
+    let World::Runtime(runtime) = &dialect.world else {
+        return TokenStream::new();
+    };
+    let number = &dialect.number;
+    let generic: Option<GenericParam> = dialect
+        .generic
+        .as_ref()
+        .map(|generic| parse_quote! { #generic: #runtime::Scalar });
+    let more: Vec<_> = unknown.into_iter().chain(generic).collect();
+    // The traits are called as the functions are, in the case of types.
+    let name = format_ident!("{function:?}");
+    let of = quote! { #runtime::robot::#name<#count, #number> };
+    let head = item::implementation(item, &of, &more);
+    let method = format_ident!("{}", function.name());
+    let result = result_type(&[function], count, dialect);
+    let parameters = parameters(function.arguments(), count, dialect);
+    quote! {
+        #head {
+            #[inline]
+            fn #method(&self, #parameters) -> #result { #call }
+        }
+    }
+}
+
+/// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]`; `unknown` is a generic
+/// parameter that stands for the number of joints.
+pub(super) fn signature(
+    name: &Ident,
+    functions: &[Function],
+    count: &TokenStream,
+    unknown: Option<&TokenStream>,
+    dialect: &Dialect,
+) -> TokenStream {
+    let generic = dialect
+        .generic
+        .as_ref()
+        .map(|generic| match &dialect.world {
+            World::Runtime(runtime) => quote! { #generic: #runtime::Scalar, },
+            World::Core(_) => TokenStream::new(),
+        });
+    let generics = match (generic, unknown) {
+        (None, None) => TokenStream::new(),
+        (generic, unknown) => quote! { <#generic #unknown> },
+    };
+    let parameters = parameters(&arguments(functions), count, dialect);
+    let result = result_type(functions, count, dialect);
+    quote! { fn #name #generics(&self, #parameters) -> #result }
+}
+
+fn parameters(arguments: &[Argument], count: &TokenStream, dialect: &Dialect) -> TokenStream {
+    let number = &dialect.number;
+    let names = arguments
+        .iter()
+        .map(|argument| format_ident!("{}", argument.name()));
+    quote! { #(#names: &[#number; #count]),* }
+}
+
+/// A number of joints, as types have it.
+pub(super) fn count(joints: usize) -> TokenStream {
+    let joints = Literal::usize_unsuffixed(joints);
+    quote! { #joints }
+}
+
+/// What several functions together are functions of.
+fn arguments(functions: &[Function]) -> Vec<Argument> {
+    let all = functions.iter().flat_map(|function| function.arguments());
+    let mut all: Vec<_> = all.copied().collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// `mass_matrix_and_bias`, `forward_kinematics_of_camera`.
+pub(super) fn name(functions: &[Function], frame: Option<&str>) -> String {
+    let names: Vec<_> = functions.iter().map(|function| function.name()).collect();
+    let name = names.join("_and_");
+    match frame {
+        Some(frame) => format!("{name}_of_{frame}"),
+        None => name,
+    }
+}

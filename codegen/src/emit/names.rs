@@ -1,0 +1,164 @@
+//! Names that cannot clash.
+//!
+//! In: the name that a reader would like to see. Out: an identifier that is no keyword and that
+//! nothing else in the same scope has. It never invents a name that was not wished for: it appends
+//! underscores.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Span};
+use syn::ext::IdentExt;
+use syn::{GenericParam, Generics};
+
+/// The names of one scope.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Names {
+    taken: BTreeSet<String>,
+}
+
+impl Names {
+    /// Names beside those of the user's generic parameters.
+    pub fn beside(generics: &Generics) -> Self {
+        let mut names = Self::default();
+        for parameter in &generics.params {
+            match parameter {
+                GenericParam::Type(parameter) => names.take_ident(&parameter.ident),
+                GenericParam::Const(parameter) => names.take_ident(&parameter.ident),
+                // Lifetimes have a namespace of their own.
+                GenericParam::Lifetime(_) => {}
+            }
+        }
+        names
+    }
+
+    /// Keeps a name from being given away.
+    pub fn take(&mut self, name: &str) {
+        self.taken.insert(name.to_owned());
+    }
+
+    fn take_ident(&mut self, ident: &Ident) {
+        self.take(&ident.unraw().to_string());
+    }
+
+    /// The name wished for, in the alphabet of identifiers, with as many underscores behind it as
+    /// it takes to be alone.
+    pub fn fresh(&mut self, wish: &str) -> Ident {
+        self.alone(sanitize(wish))
+    }
+
+    /// The same for a type parameter, whose letters stay as they are.
+    pub fn fresh_type(&mut self, wish: &str) -> Ident {
+        self.alone(wish.to_owned())
+    }
+
+    fn alone(&mut self, mut name: String) -> Ident {
+        while self.taken.contains(&name) || KEYWORDS.contains(&name.as_str()) {
+            name.push('_');
+        }
+        let ident = Ident::new(&name, Span::call_site());
+        self.taken.insert(name);
+        ident
+    }
+}
+
+/// A text as an identifier: lower case, with one underscore for every run of what no identifier
+/// can hold. It may be a keyword.
+pub(super) fn sanitize(text: &str) -> String {
+    let mut name = String::with_capacity(text.len());
+    for letter in text.chars().flat_map(char::to_lowercase) {
+        if is_continue(letter) {
+            name.push(letter);
+        } else if !name.ends_with('_') {
+            name.push('_');
+        }
+    }
+    let trimmed = name.trim_matches('_');
+    // Whatever may continue a name may follow a letter.
+    let prefix = match trimmed.chars().next() {
+        Some(first) if first.is_alphabetic() => "",
+        Some(_) => "n",
+        None => "unnamed",
+    };
+    format!("{prefix}{trimmed}")
+}
+
+/// Whether a letter other than the underscore may stand within an identifier.
+fn is_continue(letter: char) -> bool {
+    if letter.is_ascii() {
+        letter.is_ascii_alphanumeric()
+    } else {
+        letter.is_alphanumeric() && syn::parse_str::<Ident>(&format!("a{letter}")).is_ok()
+    }
+}
+
+/// Reserved words of all editions up to 2024.
+#[rustfmt::skip]
+const KEYWORDS: [&str; 54] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
+    "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
+    "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
+    "return", "Self", "self", "static", "struct", "super", "trait", "true", "try", "type",
+    "typeof", "union", "unsafe", "unsized", "use", "virtual", "where", "while", "yield", "_",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::Names;
+    use proc_macro2::Ident;
+    use syn::parse_quote;
+
+    fn fresh(names: &mut Names, wishes: &[&str]) -> Vec<String> {
+        let idents = wishes.iter().map(|wish| names.fresh(wish));
+        idents.map(|ident: Ident| ident.to_string()).collect()
+    }
+
+    #[test]
+    fn no_two_are_equal() {
+        let mut names = Names::default();
+        assert_eq!(
+            fresh(&mut names, &["m_0_3", "m_0_3", "m_0_3_", "M-0-3"]),
+            ["m_0_3", "m_0_3_", "m_0_3__", "m_0_3___"]
+        );
+    }
+
+    #[test]
+    fn none_is_a_keyword_or_no_name_at_all() {
+        let wishes = [
+            "fn",
+            "gen",
+            "self",
+            "Self",
+            "",
+            "—",
+            "2nd",
+            "a  b",
+            "_x",
+            "Kamera-öse",
+            "x²",
+        ];
+        assert_eq!(
+            fresh(&mut Names::default(), &wishes),
+            [
+                "fn_",
+                "gen_",
+                "self_",
+                "self__",
+                "unnamed",
+                "unnamed_",
+                "n2nd",
+                "a_b",
+                "x",
+                "kamera_öse",
+                "x_"
+            ]
+        );
+    }
+
+    #[test]
+    fn generic_parameters_are_left_alone() {
+        let item: syn::DeriveInput = parse_quote! { struct Arm<'t_1, T, const q_1: usize>; };
+        let mut names = Names::beside(&item.generics);
+        assert_eq!(fresh(&mut names, &["q_1", "t_1"]), ["q_1_", "t_1"]);
+        assert_eq!(names.fresh_type("T"), "T_");
+    }
+}

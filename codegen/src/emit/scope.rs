@@ -1,0 +1,273 @@
+//! What the operands of a program are called.
+//!
+//! In: a program, the arguments and fields it can read. Out: the statements that bind what it does
+//! read, and from then on a name for each operand. It never binds what nobody reads.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
+use syn::ext::IdentExt;
+
+use super::dialect::Dialect;
+use super::literals::Numerals;
+use super::names::Names;
+use crate::expression::Input;
+use crate::function::Argument;
+use crate::request::Parameter;
+use crate::schedule::{Operand, Operation, Program, Step};
+
+/// What a function can read.
+pub(super) struct Readable<'a> {
+    /// Its arguments, each an array of as many numbers as there are joints.
+    pub arguments: &'a [Argument],
+    /// The number of joints.
+    pub joints: usize,
+    /// The fields of `self`.
+    pub parameters: &'a [Parameter],
+}
+
+/// The names of operands that are bound so far.
+pub(super) struct Scope {
+    names: Names,
+    numerals: Numerals,
+    inputs: BTreeMap<Input, Ident>,
+    sines: Vec<Option<Ident>>,
+    cosines: Vec<Option<Ident>>,
+    steps: Vec<Ident>,
+    /// The joints whose coordinates a step is the sum of.
+    sums: Vec<Option<Vec<u16>>>,
+    unnamed: usize,
+}
+
+impl Scope {
+    /// A scope in which everything that `program` reads from outside is bound, and the statements
+    /// that bind it.
+    pub fn open(
+        program: &Program,
+        readable: &Readable<'_>,
+        dialect: &Dialect,
+        mut names: Names,
+    ) -> (Self, TokenStream) {
+        for argument in readable.arguments {
+            names.take(argument.name());
+        }
+        let (numerals, constant) = dialect.numerals(&mut names);
+        let mut scope = Self {
+            names,
+            numerals,
+            inputs: BTreeMap::new(),
+            sines: Vec::new(),
+            cosines: Vec::new(),
+            steps: Vec::with_capacity(program.steps.len()),
+            sums: Vec::with_capacity(program.steps.len()),
+            unnamed: 0,
+        };
+        let used: BTreeSet<Input> = program.operands().filter_map(input).collect();
+        let mut statements = TokenStream::new();
+        let is_numeral = |operand| {
+            matches!(
+                operand,
+                Operand::Literal(_) | Operand::Input(Input::Parameter(..))
+            )
+        };
+        if program.operands().any(is_numeral) {
+            statements.extend(constant);
+        }
+        for argument in readable.arguments {
+            statements.extend(scope.unpack(*argument, readable.joints, &used));
+        }
+        for (index, parameter) in (0_u16..).zip(readable.parameters) {
+            statements.extend(scope.load(index, parameter, &used, dialect));
+        }
+        (scope, statements)
+    }
+
+    /// An operand as an expression that binds tighter than any infix operator.
+    pub fn read(&self, operand: Operand) -> TokenStream {
+        let ident = match operand {
+            Operand::Literal(value) => return self.numerals.write(value),
+            Operand::Input(input) => self.inputs.get(&input),
+            Operand::Sin(angle) => self.sines.get(angle as usize).and_then(Option::as_ref),
+            Operand::Cos(angle) => self.cosines.get(angle as usize).and_then(Option::as_ref),
+            Operand::Step(step) => self.steps.get(step as usize),
+        };
+        ident.map_or_else(
+            // A program that reads what it has not computed is a mistake of an earlier stage.
+            || quote! { ::core::compile_error!("homogen: an operand before its step") },
+            |ident| quote! { #ident },
+        )
+    }
+
+    /// The same with the opposite sign.
+    pub fn read_negative(&self, operand: Operand) -> TokenStream {
+        if let Operand::Literal(value) = operand {
+            return self.numerals.write(-value);
+        }
+        let positive = self.read(operand);
+        quote! { -#positive }
+    }
+
+    /// Names the result of the next step.
+    pub fn bind_step(&mut self, step: &Step) -> Ident {
+        let sum = self.sum(step.operation);
+        let wish = match (&step.label, &sum) {
+            (Some(label), _) => label.clone(),
+            (None, Some(joints)) => format!("q_{}", numbers(joints)),
+            (None, None) => {
+                self.unnamed += 1;
+                format!("t_{}", self.unnamed)
+            }
+        };
+        let name = self.names.fresh(&wish);
+        self.sums.push(sum);
+        self.steps.push(name.clone());
+        name
+    }
+
+    /// Names the sines and cosines: of a joint's own angle after the joint, of a sum of angles
+    /// after the joints. Those that nobody reads are `_`.
+    pub fn bind_angles(&mut self, program: &Program) -> (Vec<TokenStream>, Vec<TokenStream>) {
+        let read: Vec<_> = program.operands().collect();
+        let angles: Vec<u32> = (0..).zip(&program.angles).map(|(index, _)| index).collect();
+        let subjects: Vec<String> = program
+            .angles
+            .iter()
+            .map(|angle| self.subject(*angle))
+            .collect();
+        let mut bind = |letter: &str, operand: fn(u32) -> Operand| {
+            let pairs = angles.iter().zip(&subjects);
+            pairs
+                .map(|(angle, subject)| {
+                    let used = read.contains(&operand(*angle));
+                    used.then(|| self.names.fresh(&format!("{letter}_{subject}")))
+                })
+                .collect::<Vec<_>>()
+        };
+        let sines = bind("s", Operand::Sin);
+        let cosines = bind("c", Operand::Cos);
+        let patterns = (
+            sines.iter().map(Option::as_ref).map(pattern).collect(),
+            cosines.iter().map(Option::as_ref).map(pattern).collect(),
+        );
+        (self.sines, self.cosines) = (sines, cosines);
+        patterns
+    }
+
+    /// What an angle is of: `2`, `2_3` for q₂ + q₃, or the name of a step.
+    fn subject(&self, angle: Operand) -> String {
+        match (self.joints_of(angle), angle) {
+            (Some(joints), _) => numbers(&joints),
+            (None, Operand::Step(step)) => {
+                let name = self.steps.get(step as usize);
+                name.map_or_else(String::new, Ident::to_string)
+            }
+            (None, _) => "a".to_owned(),
+        }
+    }
+
+    /// The joints that an operation sums the coordinates of, if it does nothing else.
+    fn sum(&self, operation: Operation) -> Option<Vec<u16>> {
+        let Operation::Add(a, b) = operation else {
+            return None;
+        };
+        let mut joints = self.joints_of(a)?;
+        joints.extend(self.joints_of(b)?);
+        joints.sort_unstable();
+        Some(joints)
+    }
+
+    fn joints_of(&self, operand: Operand) -> Option<Vec<u16>> {
+        match operand {
+            Operand::Input(Input::Q(joint)) => Some(vec![joint]),
+            Operand::Step(step) => self.sums.get(step as usize)?.clone(),
+            _ => None,
+        }
+    }
+
+    /// `let [q_1, _, q_3] = *q;`, or `let _ = q;` where no entry is read.
+    fn unpack(&mut self, argument: Argument, joints: usize, used: &BTreeSet<Input>) -> TokenStream {
+        let array = format_ident!("{}", argument.name());
+        let entries = (0_u16..).take(joints).map(|joint| {
+            let wish = format!("{}_{}", argument.name(), joint + 1);
+            self.bind_input(entry(argument, joint), &wish, used)
+        });
+        let entries: Vec<_> = entries.collect();
+        if entries.iter().all(Option::is_none) {
+            return quote! { let _ = #array; };
+        }
+        let entries = entries.iter().map(Option::as_ref).map(pattern);
+        quote! { let [#(#entries),*] = *#array; }
+    }
+
+    /// `let payload = self.payload;` or `let [gravity_x, _, gravity_z] = self.gravity;`, converted.
+    fn load(
+        &mut self,
+        index: u16,
+        parameter: &Parameter,
+        used: &BTreeSet<Input>,
+        dialect: &Dialect,
+    ) -> TokenStream {
+        let field = &parameter.field;
+        let name = field.unraw().to_string();
+        let mut bind =
+            |entry, wish: &str| self.bind_input(Input::Parameter(index, entry), wish, used);
+        let bound = if parameter.target.len() == 1 {
+            vec![bind(0, &name)]
+        } else {
+            let axes = (0_u16..).zip(["x", "y", "z"]);
+            axes.map(|(entry, axis)| bind(entry, &format!("{name}_{axis}")))
+                .collect()
+        };
+        if bound.iter().all(Option::is_none) {
+            return TokenStream::new();
+        }
+        // The compiler's complaint about a field of another type belongs under the field.
+        let span = field.span().resolved_at(Span::call_site());
+        let value = quote_spanned! {span=> self.#field };
+        if let [Some(name)] = &*bound {
+            let value = dialect.converted(&self.numerals, &value, span);
+            return quote! { let #name = #value; };
+        }
+        let patterns = bound.iter().map(Option::as_ref).map(pattern);
+        let conversions = bound.iter().flatten().filter_map(|name| {
+            let value = quote! { #name };
+            let converted = dialect.converted(&self.numerals, &value, span);
+            // Without a conversion the pattern has said it all.
+            (converted.to_string() != value.to_string()).then(|| quote! { let #name = #converted; })
+        });
+        quote! { let [#(#patterns),*] = #value; #(#conversions)* }
+    }
+
+    fn bind_input(&mut self, input: Input, wish: &str, used: &BTreeSet<Input>) -> Option<Ident> {
+        let name = used.contains(&input).then(|| self.names.fresh(wish))?;
+        self.inputs.insert(input, name.clone());
+        Some(name)
+    }
+}
+
+fn entry(argument: Argument, joint: u16) -> Input {
+    match argument {
+        Argument::Q => Input::Q(joint),
+        Argument::Qd => Input::Qd(joint),
+        Argument::Qdd => Input::Qdd(joint),
+    }
+}
+
+fn input(operand: Operand) -> Option<Input> {
+    match operand {
+        Operand::Input(input) => Some(input),
+        _ => None,
+    }
+}
+
+/// What stands in a pattern for a value that may have no name.
+fn pattern(name: Option<&Ident>) -> TokenStream {
+    name.map_or_else(|| quote! { _ }, |name| quote! { #name })
+}
+
+/// Joints as the paper counts them, from 1.
+fn numbers(joints: &[u16]) -> String {
+    let numbers: Vec<_> = joints.iter().map(|joint| (joint + 1).to_string()).collect();
+    numbers.join("_")
+}

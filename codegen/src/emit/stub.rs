@@ -1,0 +1,94 @@
+//! What is emitted after an error, so that one bad joint does not raise forty more errors.
+//!
+//! In: what was asked for, and as much as is known of the robot. Out: the right signatures with
+//! bodies that type-check and never run. It never says what the mistake was; that is in
+//! [`Errors`](crate::error::Errors).
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::{GenericParam, parse_quote};
+
+use super::dialect::{Dialect, World};
+use super::item::{Declaration, Item};
+use super::names::Names;
+use super::{chain, item, method};
+use crate::request::Request;
+
+/// What the user's code may call.
+#[derive(Clone, Copy)]
+pub struct Wanted<'a> {
+    /// The struct.
+    pub item: &'a Item,
+    /// What was asked for, as far as it could be read.
+    pub request: &'a Request,
+    /// The number of joints, where the description was good enough to tell.
+    pub joints: Option<usize>,
+}
+
+/// Every method, trait and `chain` that was asked for, for a crate that has the runtime.
+///
+/// Where the number of joints is unknown it is a parameter of each function, so that calls with
+/// arrays of any length type-check.
+#[must_use]
+pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
+    let Wanted { item, request, .. } = wanted;
+    let mut names = Names::beside(&item.generics);
+    let dialect = Dialect::runtime(request.scalar, request.runtime.clone(), &mut names);
+    let unknown = wanted.joints.is_none().then(|| names.fresh_type("N"));
+    let count = match (&unknown, wanted.joints) {
+        (None, Some(joints)) => {
+            let joints = Literal::usize_unsuffixed(joints);
+            quote! { #joints }
+        }
+        (name, _) => quote! { #name },
+    };
+    let parameter = unknown.map(|name| quote! { const #name: ::core::primitive::usize });
+
+    let mut methods = TokenStream::new();
+    let mut traits = TokenStream::new();
+    let mut names = Names::default();
+    names.take("chain");
+    for functions in &request.functions {
+        let frames = request.frames.iter().map(|frame| Some(frame.text.as_str()));
+        for frame in [None].into_iter().chain(frames) {
+            if frame.is_some() && !functions.iter().all(|function| function.of_a_frame()) {
+                continue;
+            }
+            let name = names.fresh(&method::name(functions, frame));
+            let signature =
+                method::signature(&name, functions, &count, parameter.as_ref(), &dialect);
+            methods.extend(unreachable(item, &signature));
+            if let ([function], None) = (&**functions, frame) {
+                let parameter: Option<GenericParam> = parameter
+                    .as_ref()
+                    .map(|parameter| parse_quote! { #parameter });
+                let call = quote! { ::core::unreachable!() };
+                traits.extend(method::implementation(
+                    item, *function, &count, parameter, &call, &dialect,
+                ));
+            }
+        }
+    }
+    if let World::Runtime(runtime) = &dialect.world {
+        let reads_fields = !request.parameters.is_empty();
+        let frames = Literal::usize_unsuffixed(request.frames.len() + 1);
+        let frames = quote! { #frames };
+        let signature =
+            chain::signature(&count, &frames, parameter.as_ref(), reads_fields, runtime);
+        methods.extend(unreachable(item, &signature));
+    }
+    let declaration = match &item.declaration {
+        Declaration::Written(tokens) => tokens.clone(),
+        Declaration::Exists | Declaration::Made => TokenStream::new(),
+    };
+    let block = item::block(item, &methods);
+    quote! { #declaration #block #traits }
+}
+
+fn unreachable(item: &Item, signature: &TokenStream) -> TokenStream {
+    let visibility = &item.visibility;
+    quote! {
+        /// Not generated: the description has errors.
+        #visibility #signature { ::core::unreachable!() }
+    }
+}

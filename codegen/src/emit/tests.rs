@@ -1,0 +1,344 @@
+//! Hand-made programs as text: a reader of these tests sees what a user of the crate gets.
+
+use proc_macro2::TokenStream;
+use quote::format_ident;
+use syn::{DeriveInput, parse_quote};
+
+use super::{
+    About, ChainData, Item, Library, Listed, Listing, Source, Wanted, emit, header, standalone,
+    stub,
+};
+use crate::description::Name;
+use crate::expression::Input;
+use crate::function::Function;
+use crate::request::{Parameter, Real, Request, Target};
+use crate::schedule::{Operand, Operation, Price, Program, Step};
+
+const Q: [Operand; 2] = [Operand::Input(Input::Q(0)), Operand::Input(Input::Q(1))];
+
+fn step(label: &str, operation: Operation) -> Step {
+    let label = (!label.is_empty()).then(|| label.to_owned());
+    Step { label, operation }
+}
+
+fn literal(value: f64) -> Operand {
+    Operand::Literal(value)
+}
+
+fn name(text: &str) -> Name {
+    Name {
+        text: text.to_owned(),
+        ..Name::default()
+    }
+}
+
+/// Two links in a vertical plane, the mass of the second one (or of its payload) in `mass`.
+fn gravity(mass: Operand) -> Program {
+    Program {
+        angles: vec![Q[0], Operand::Step(0)],
+        before_angles: 1,
+        steps: vec![
+            step("", Operation::Add(Q[0], Q[1])),
+            step("", Operation::Mul(mass, literal(2.4525))),
+            step("phi_2", Operation::Mul(Operand::Step(1), Operand::Cos(1))),
+            step(
+                "phi_1",
+                Operation::MulAdd(literal(9.81), Operand::Cos(0), Operand::Step(2)),
+            ),
+        ],
+        results: vec![Operand::Step(3), Operand::Step(2)],
+    }
+}
+
+fn listed(functions: &[Function], program: Program) -> Listed {
+    let price = Price::of(&program).beside_dense(384, 288);
+    Listed {
+        functions: functions.to_vec(),
+        frame: None,
+        program,
+        price,
+    }
+}
+
+fn constant(results: &[f64]) -> Program {
+    Program {
+        angles: Vec::new(),
+        before_angles: 0,
+        steps: Vec::new(),
+        results: results.iter().map(|value| literal(*value)).collect(),
+    }
+}
+
+fn listing(item: Item, scalar: Real) -> Listing {
+    let identity = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let axis = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let inertia = [0.0833, 0.0, 0.0, 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.5];
+    let joint = [&identity[..], &axis[..], &inertia[..]].concat();
+    let data = [
+        &joint[..],
+        &joint[..],
+        &identity[..],
+        &[0.0, -9.81, 0.0][..],
+    ]
+    .concat();
+    Listing {
+        item,
+        about: About {
+            robot: "double pendulum".to_owned(),
+            source: Some(("pendulum.urdf".to_owned(), 0x00c0_ffee)),
+            base: "world".to_owned(),
+            tip: "rod-2".to_owned(),
+            joints: vec!["shoulder".to_owned(), "elbow".to_owned()],
+            facts: vec![
+                "1 link merged".to_owned(),
+                "gravity only along −y".to_owned(),
+            ],
+        },
+        functions: vec![listed(&[Function::Gravity], gravity(literal(0.5)))],
+        data: ChainData {
+            names: vec!["shoulder".to_owned(), "elbow".to_owned()],
+            parents: vec![None, Some(0)],
+            frames: vec![("rod-2".to_owned(), Some(1))],
+            program: constant(&data),
+        },
+        scalar,
+        parameters: Vec::new(),
+        runtime: None,
+        watched: None,
+    }
+}
+
+fn pendulum() -> Item {
+    let input: DeriveInput = parse_quote! { pub struct Pendulum; };
+    Item::derived(&input)
+}
+
+fn pretty(tokens: &TokenStream) -> String {
+    Source::new("", tokens).to_string()
+}
+
+/// The listing with the mass of the second rod as a field.
+fn with_payload(mut listing: Listing) -> Listing {
+    let payload = Operand::Input(Input::Parameter(0, 0));
+    listing.functions = vec![listed(&[Function::Gravity], gravity(payload))];
+    listing.parameters = vec![Parameter {
+        field: format_ident!("payload"),
+        target: Target::MassOf(name("rod-2")),
+    }];
+    listing
+}
+
+/// The text of the method or function `name`, without its doc comment and attributes.
+fn function<'a>(text: &'a str, name: &str) -> &'a str {
+    let start = text
+        .find(&format!("fn {name}"))
+        .expect("the function is there");
+    let length = text[start..].find("\n    }\n").expect("it ends");
+    &text[start..start + length]
+}
+
+#[test]
+fn the_methods_of_a_struct_that_exists() {
+    let text = pretty(&emit(&listing(pendulum(), Real::Generic)));
+    let start = r#"#[allow(
+    clippy::similar_names,
+    clippy::too_many_lines,
+    clippy::trivially_copy_pass_by_ref,
+    clippy::unreadable_literal,
+    clippy::unused_self,
+    reason = "generated code has one form for every robot"
+)]
+impl Pendulum {
+    /// Joint torques and forces τ that hold the robot at rest against gravity; N m, N.
+    ///
+    /// q in rad or m.
+    /// Robot `double pendulum` from `pendulum.urdf` (FNV-1a 0000000000c0ffee); q: `shoulder`, `elbow`.
+    /// Modelled: 1 link merged; gravity only along −y.
+    ///
+    /// 3 mul, 2 add, 0 div, 2 sin and cos; depth 4; dense 4×4 products: 384 mul, 288 add.
+    #[must_use]
+    pub fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2] {
+        let k = <T as ::homogen::Scalar>::constant;
+        let [q_1, q_2] = *q;
+        let q_1_2 = q_1 + q_2;
+        let ([_, _], [c_1, c_1_2]) = ::homogen::Scalar::sin_cos_all([q_1, q_1_2]);
+        let t_1 = k(0.5) * k(2.4525);
+        let phi_2 = t_1 * c_1_2;
+        let phi_1 = ::homogen::Scalar::mul_add(k(9.81), c_1, phi_2);
+        [phi_1, phi_2]
+    }
+"#;
+    assert!(text.starts_with(start), "{text}");
+    let end = r"
+#[automatically_derived]
+impl<T: ::homogen::Scalar> ::homogen::robot::Gravity<2, T> for Pendulum {
+    #[inline]
+    fn gravity(&self, q: &[T; 2]) -> [T; 2] {
+        Self::gravity(self, q)
+    }
+}
+";
+    assert!(text.ends_with(end), "{text}");
+}
+
+#[test]
+fn the_robot_as_data() {
+    let text = pretty(&emit(&listing(pendulum(), Real::F32)));
+    let chain = function(&text, "chain");
+    assert!(
+        chain.starts_with("fn chain() -> ::homogen::Chain<2, 1> {"),
+        "{chain}"
+    );
+    let elbow = r#"
+                ::homogen::Joint::new(
+                    "elbow",
+                    ::core::option::Option::Some(0),
+                    ::homogen::Pose::new(
+                        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                        [0.0, 0.0, 0.0],
+                    ),
+                    ::homogen::Screw::new([0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
+                    ::homogen::Inertia::new(
+                        [0.0833, 0.0, 0.0, 0.0, 0.0, 0.0],
+                        [0.25, 0.0, 0.0],
+                        0.5,
+                    ),
+                ),
+            ],"#;
+    assert!(chain.contains(elbow), "{chain}");
+    assert!(chain.ends_with("[0.0, -9.81, 0.0],\n        )"), "{chain}");
+}
+
+#[test]
+fn a_field_is_converted_whatever_its_type() {
+    let load = |real| {
+        let text = pretty(&emit(&with_payload(listing(pendulum(), real))));
+        let statements = function(&text, "gravity").to_owned();
+        let start = statements.find("let payload").expect("the field is read");
+        let end = statements
+            .find("let q_1_2")
+            .expect("the sum comes after it");
+        let statement = statements[start..end].split_whitespace();
+        statement
+            .collect::<String>()
+            .replace(",)", ")")
+            .replace(",>", ">")
+    };
+    let double = "<::core::primitive::f64as::core::convert::From<_>>::from(self.payload)";
+    assert_eq!(load(Real::Generic), format!("letpayload=k({double});"));
+    assert_eq!(load(Real::F64), format!("letpayload={double};"));
+    let single = "<::core::primitive::f32as::homogen::Scalar>::constant";
+    assert_eq!(load(Real::F32), format!("letpayload={single}({double});"));
+}
+
+#[test]
+fn a_file_for_core_alone() {
+    let listing = with_payload(listing(Item::made(format_ident!("Pendulum")), Real::F32));
+    let tokens = standalone(&listing, &Library::libm(Real::F32));
+    let text = Source::new(header(&listing, "f32"), &tokens).to_string();
+    let start = r"// @generated by homogen-codegen 0.1.0; do not edit.
+// Robot `double pendulum` from `pendulum.urdf` (FNV-1a 0000000000c0ffee); q: `shoulder`, `elbow`.
+// Options: f32.
+// Modelled: 1 link merged; gravity only along −y.
+// gravity: 3 mul, 2 add, 0 div, 2 sin and cos; depth 4; dense 4×4 products: 384 mul, 288 add.
+
+/// Robot `double pendulum` from `pendulum.urdf` (FNV-1a 0000000000c0ffee); q: `shoulder`, `elbow`.
+/// Modelled: 1 link merged; gravity only along −y.
+#[derive(Clone, Copy, Debug)]
+pub struct Pendulum {
+    /// Mass of `rod-2` in kg.
+    pub payload: f32,
+}
+";
+    assert!(text.starts_with(start), "{text}");
+    let gravity = r"fn gravity(&self, q: &[f32; 2]) -> [f32; 2] {
+        let [q_1, q_2] = *q;
+        let payload = self.payload;
+        let q_1_2 = q_1 + q_2;
+        let (_, c_1) = ::libm::sincosf(q_1);
+        let (_, c_1_2) = ::libm::sincosf(q_1_2);
+        let t_1 = payload * 2.4525_f32;
+        let phi_2 = t_1 * c_1_2;
+        let phi_1 = 9.81_f32 * c_1 + phi_2;
+        [phi_1, phi_2]";
+    assert_eq!(function(&text, "gravity"), gravity);
+    assert!(!text.contains("homogen::"), "{text}");
+}
+
+#[test]
+fn several_functions_are_a_tuple_and_have_no_trait() {
+    let mut listing = listing(pendulum(), Real::F64);
+    let together = [Function::MassMatrix, Function::Gravity];
+    listing.functions = vec![listed(
+        &together,
+        constant(&[1.0, 0.5, 0.5, 0.25, 0.0, 0.0]),
+    )];
+    let text = pretty(&emit(&listing));
+    let body = function(&text, "mass_matrix_and_gravity");
+    let end = "let _ = q;\n        ([[1.0_f64, 0.5_f64], [0.5_f64, 0.25_f64]], [0.0_f64, 0.0_f64])";
+    assert!(body.ends_with(end), "{body}");
+    assert!(!text.contains("::homogen::robot::"), "{text}");
+}
+
+#[test]
+fn further_frames_have_methods_of_their_own() {
+    let mut listing = listing(pendulum(), Real::F64);
+    listing.functions = ["hand-eye", "hand eye"]
+        .map(|frame| Listed {
+            frame: Some(frame.to_owned()),
+            ..listed(&[Function::Velocity], constant(&[0.0; 6]))
+        })
+        .to_vec();
+    let text = pretty(&emit(&listing));
+    let body = function(&text, "velocity_of_hand_eye(");
+    assert!(body.contains("::homogen::Velocity::new("), "{body}");
+    function(&text, "velocity_of_hand_eye_(");
+    assert!(!text.contains("::homogen::robot::"), "{text}");
+}
+
+#[test]
+fn a_change_of_the_file_makes_the_compiler_expand_again() {
+    let mut listing = listing(pendulum(), Real::F64);
+    listing.watched = Some("/robots/pendulum.urdf".to_owned());
+    let text = pretty(&emit(&listing));
+    let watch = r#"
+const _: &[::core::primitive::u8] = ::core::include_bytes!("/robots/pendulum.urdf");
+"#;
+    assert!(text.ends_with(watch), "{text}");
+}
+
+#[test]
+fn a_stub_has_the_signatures_of_what_was_asked_for() {
+    let item = pendulum();
+    let request = Request {
+        functions: vec![
+            vec![Function::Gravity],
+            vec![Function::MassMatrix, Function::Bias],
+        ],
+        frames: vec![name("eye")],
+        ..Request::default()
+    };
+    let text = |joints| {
+        let wanted = Wanted {
+            item: &item,
+            request: &request,
+            joints,
+        };
+        let text = pretty(&stub(&wanted));
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let unknown = text(None);
+    for signature in [
+        "pub fn gravity<T: ::homogen::Scalar, const N: ::core::primitive::usize>",
+        "( &self, q: &[T; N], qd: &[T; N], ) -> ([[T; N]; N], [T; N]) { ::core::unreachable!() }",
+        "pub fn chain<const N: ::core::primitive::usize>() -> ::homogen::Chain<N, 2> {",
+        "::homogen::robot::Gravity<N, T> for Pendulum {",
+    ] {
+        assert!(unknown.contains(signature), "{unknown}");
+    }
+    let known = text(Some(2));
+    assert!(
+        known.contains("fn chain() -> ::homogen::Chain<2, 2>"),
+        "{known}"
+    );
+}

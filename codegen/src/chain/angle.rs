@@ -23,9 +23,8 @@ pub fn quarters(angle: &Number) -> Option<i64> {
     // Half a unit of the last written digit, and the rounding of both sides to f64.
     let tolerance = angle.resolution / 2.0 * (1.0 + 1e-9) + angle.value.abs() * f64::EPSILON;
     let exact = quarters * FRAC_PI_2;
-    let close = quarters != 0.0
-        && angle.resolution <= COARSEST
-        && (angle.value - exact).abs() <= tolerance;
+    let close =
+        quarters != 0.0 && angle.resolution <= COARSEST && (angle.value - exact).abs() <= tolerance;
     #[expect(clippy::cast_possible_truncation, reason = "at most a million")]
     close.then_some(quarters as i64)
 }
@@ -36,7 +35,11 @@ mod tests {
     use crate::description::Number;
 
     fn written(value: f64, resolution: f64) -> Number {
-        Number { value, resolution, ..Number::default() }
+        Number {
+            value,
+            resolution,
+            ..Number::default()
+        }
     }
 
     #[test]
@@ -65,9 +68,15 @@ mod tests {
 
     #[test]
     fn what_only_comes_close_stays() {
-        for (value, resolution) in
-            [(1.5707, 1e-4), (1.5709, 1e-4), (1.58, 1e-2), (1.6, 1e-1), (2.0, 1.0), (3.0, 1.0), (1e-9, 1e-9)]
-        {
+        for (value, resolution) in [
+            (1.5707, 1e-4),
+            (1.5709, 1e-4),
+            (1.58, 1e-2),
+            (1.6, 1e-1),
+            (2.0, 1.0),
+            (3.0, 1.0),
+            (1e-9, 1e-9),
+        ] {
             assert_eq!(quarters(&written(value, resolution)), None, "{value}");
         }
     }

@@ -23,8 +23,6 @@ pub struct Tree {
     pub frames: Vec<usize>,
     /// Links that are not modelled.
     pub dropped: Vec<usize>,
-    /// Fixed ends of the tree, which a missing tip could be.
-    pub ends: Vec<usize>,
 }
 
 /// A joint of the tree.
@@ -49,8 +47,16 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     if let Some(file) = &description.source.file {
         errors.set_file(file.clone(), description.source.anchor);
     }
-    let links = index(description.links.iter().map(|link| &link.name), "link", &mut errors);
-    let joints = index(description.joints.iter().map(|joint| &joint.name), "joint", &mut errors);
+    let links = index(
+        description.links.iter().map(|link| &link.name),
+        "link",
+        &mut errors,
+    );
+    let joints = index(
+        description.joints.iter().map(|joint| &joint.name),
+        "joint",
+        &mut errors,
+    );
     let connections = connect(description, &links, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
@@ -77,15 +83,30 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     };
 
     let find = |name: &Name, errors: &mut Errors| find(name, &links, "link", errors);
-    let dropped: Vec<usize> =
-        request.drop.iter().filter_map(|name| find(name, &mut errors)).collect();
-    if let Some(name) = request.drop.iter().find(|name| links.get(name.text.as_str()) == Some(&base))
+    let dropped: Vec<usize> = request
+        .drop
+        .iter()
+        .filter_map(|name| find(name, &mut errors))
+        .collect();
+    if let Some(name) = request
+        .drop
+        .iter()
+        .find(|name| links.get(name.text.as_str()) == Some(&base))
     {
-        errors.push(name.place, format!("the base \"{}\" cannot be dropped", name.text));
+        errors.push(
+            name.place,
+            format!("the base \"{}\" cannot be dropped", name.text),
+        );
     }
-    let tip = request.tip.as_ref().and_then(|name| find(name, &mut errors));
-    let frames: Vec<usize> =
-        request.frames.iter().filter_map(|name| find(name, &mut errors)).collect();
+    let tip = request
+        .tip
+        .as_ref()
+        .and_then(|name| find(name, &mut errors));
+    let frames: Vec<usize> = request
+        .frames
+        .iter()
+        .filter_map(|name| find(name, &mut errors))
+        .collect();
     let locks = locks(description, request, &joints, &mut errors);
 
     let mut branches = downstream(&connections, base, &dropped);
@@ -100,13 +121,22 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     for branch in &branches {
         kept[branch.child] = true;
     }
-    for (name, what) in request.tip.iter().map(|name| (name, "tip")).chain(
-        request.frames.iter().map(|name| (name, "frame")),
-    ) {
-        if links.get(name.text.as_str()).is_some_and(|&link| !kept[link]) {
+    for (name, what) in request
+        .tip
+        .iter()
+        .map(|name| (name, "tip"))
+        .chain(request.frames.iter().map(|name| (name, "frame")))
+    {
+        if links
+            .get(name.text.as_str())
+            .is_some_and(|&link| !kept[link])
+        {
             errors.push_with_hint(
                 name.place,
-                format!("the {what} \"{}\" does not hang on the base \"{}\"", name.text, description.links[base].name.text),
+                format!(
+                    "the {what} \"{}\" does not hang on the base \"{}\"",
+                    name.text, description.links[base].name.text
+                ),
                 "choose a base upstream of it, and do not drop it",
             );
         }
@@ -124,13 +154,20 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         match tip {
             Some(tip) => hold_off_path(&mut branches, base, tip),
             None => errors.push_with_hint(
-                request.tip.as_ref().map_or(description.name.place, |name| name.place),
+                request
+                    .tip
+                    .as_ref()
+                    .map_or(description.name.place, |name| name.place),
                 "path_only needs a tip, and the robot has more than one end",
                 format!("name one of: {}", list(description, &ends)),
             ),
         }
     }
-    let asks_for_frame = request.functions.iter().flatten().any(|function| function.of_a_frame());
+    let asks_for_frame = request
+        .functions
+        .iter()
+        .flatten()
+        .any(|function| function.of_a_frame());
     if asks_for_frame && tip.is_none() && frames.is_empty() && request.tip.is_none() {
         errors.push_with_hint(
             description.name.place,
@@ -144,21 +181,28 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
             format!("no joint of \"{}\" moves", description.name.text),
         );
     }
-    let dropped = (0..description.links.len()).filter(|&link| !kept[link]).collect();
-    errors.into_result(Tree { base, branches, tip, frames, dropped, ends })
+    let dropped = (0..description.links.len())
+        .filter(|&link| !kept[link])
+        .collect();
+    errors.into_result(Tree {
+        base,
+        branches,
+        tip,
+        frames,
+        dropped,
+    })
 }
 
 type Index<'a> = HashMap<&'a str, usize>;
 
-fn index<'a>(
-    names: impl Iterator<Item = &'a Name>,
-    what: &str,
-    errors: &mut Errors,
-) -> Index<'a> {
+fn index<'a>(names: impl Iterator<Item = &'a Name>, what: &str, errors: &mut Errors) -> Index<'a> {
     let mut index = Index::new();
     for (k, name) in names.enumerate() {
         if index.contains_key(name.text.as_str()) {
-            errors.push(name.place, format!("two {what}s are called \"{}\"", name.text));
+            errors.push(
+                name.place,
+                format!("two {what}s are called \"{}\"", name.text),
+            );
         } else {
             index.insert(&name.text, k);
         }
@@ -171,7 +215,9 @@ fn find(name: &Name, index: &Index<'_>, what: &str, errors: &mut Errors) -> Opti
     if found.is_none() {
         let message = format!("there is no {what} \"{}\"", name.text);
         match nearest(&name.text, index) {
-            Some(near) => errors.push_with_hint(name.place, message, format!("did you mean \"{near}\"?")),
+            Some(near) => {
+                errors.push_with_hint(name.place, message, format!("did you mean \"{near}\"?"))
+            }
             None => errors.push(name.place, message),
         }
     }
@@ -185,8 +231,10 @@ fn nearest<'a>(name: &str, index: &Index<'a>) -> Option<&'a str> {
     }
     let mut names: Vec<&str> = index.keys().copied().collect();
     names.sort_unstable();
-    let (distance, near) =
-        names.into_iter().map(|known| (distance(name, known), known)).min()?;
+    let (distance, near) = names
+        .into_iter()
+        .map(|known| (distance(name, known), known))
+        .min()?;
     (distance <= 1 + name.chars().count() / 4).then_some(near)
 }
 
@@ -240,7 +288,10 @@ fn check_cycles(
                 let name = &description.joints[joint].name;
                 errors.push(
                     name.place,
-                    format!("joint \"{}\" closes a cycle: link \"{}\" hangs on itself", name.text, description.links[link].name.text),
+                    format!(
+                        "joint \"{}\" closes a cycle: link \"{}\" hangs on itself",
+                        name.text, description.links[link].name.text
+                    ),
                 );
                 break;
             }
@@ -258,7 +309,9 @@ fn find_base(
     if let Some(name) = &request.base {
         return find(name, links, "link", errors);
     }
-    let roots: Vec<usize> = (0..carrier.len()).filter(|&link| carrier[link].is_none()).collect();
+    let roots: Vec<usize> = (0..carrier.len())
+        .filter(|&link| carrier[link].is_none())
+        .collect();
     match roots[..] {
         [root] => Some(root),
         [] => {
@@ -302,11 +355,19 @@ fn locks(
 ) -> HashMap<usize, Number> {
     let mut locks = HashMap::new();
     for (name, value) in &request.lock {
-        let Some(joint) = find(name, joints, "joint", errors) else { continue };
+        let Some(joint) = find(name, joints, "joint", errors) else {
+            continue;
+        };
         if matches!(description.joints[joint].kind, JointKind::Fixed) {
-            errors.push(name.place, format!("joint \"{}\" is fixed and cannot be locked", name.text));
+            errors.push(
+                name.place,
+                format!("joint \"{}\" is fixed and cannot be locked", name.text),
+            );
         } else if locks.insert(joint, value.unwrap_or_default()).is_some() {
-            errors.push(name.place, format!("joint \"{}\" is locked twice", name.text));
+            errors.push(
+                name.place,
+                format!("joint \"{}\" is locked twice", name.text),
+            );
         }
     }
     locks
@@ -314,7 +375,11 @@ fn locks(
 
 /// The joints that hang on the base, branch by branch.
 fn downstream(connections: &[(usize, usize)], base: usize, dropped: &[usize]) -> Vec<Branch> {
-    let links = connections.iter().flat_map(|&(parent, child)| [parent, child]).max().unwrap_or(0);
+    let links = connections
+        .iter()
+        .flat_map(|&(parent, child)| [parent, child])
+        .max()
+        .unwrap_or(0);
     let mut children = vec![Vec::new(); links.max(base) + 1];
     for (joint, &(parent, child)) in connections.iter().enumerate() {
         if !dropped.contains(&child) {
@@ -324,11 +389,21 @@ fn downstream(connections: &[(usize, usize)], base: usize, dropped: &[usize]) ->
     let mut branches = Vec::new();
     let mut waiting: Vec<(usize, usize, usize)> = Vec::new();
     let push = |parent: usize, waiting: &mut Vec<(usize, usize, usize)>| {
-        waiting.extend(children[parent].iter().rev().map(|&(joint, child)| (joint, parent, child)));
+        waiting.extend(
+            children[parent]
+                .iter()
+                .rev()
+                .map(|&(joint, child)| (joint, parent, child)),
+        );
     };
     push(base, &mut waiting);
     while let Some((joint, parent, child)) = waiting.pop() {
-        branches.push(Branch { joint, parent, child, held: None });
+        branches.push(Branch {
+            joint,
+            parent,
+            child,
+            held: None,
+        });
         push(child, &mut waiting);
     }
     branches
@@ -361,14 +436,20 @@ fn check_targets(
                 if let Some(link) = find(name, links, "link", errors)
                     && !kept[link]
                 {
-                    errors.push(name.place, format!("link \"{}\" is not modelled", name.text));
+                    errors.push(
+                        name.place,
+                        format!("link \"{}\" is not modelled", name.text),
+                    );
                 }
             }
             Target::OriginOf(name) => {
                 if let Some(joint) = find(name, joints, "joint", errors)
                     && branches.iter().all(|branch| branch.joint != joint)
                 {
-                    errors.push(name.place, format!("joint \"{}\" is not modelled", name.text));
+                    errors.push(
+                        name.place,
+                        format!("joint \"{}\" is not modelled", name.text),
+                    );
                 }
             }
         }

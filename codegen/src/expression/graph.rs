@@ -152,6 +152,24 @@ impl Graph {
         self.term(expr)
     }
 
+    /// The expressions that the results need, children first, and how often each node is used.
+    #[must_use]
+    pub fn needed(&self, results: &[Expr]) -> (Vec<Expr>, Vec<u32>) {
+        let inner = self.inner.borrow();
+        let mut uses = vec![0; inner.nodes.len()];
+        let mut waiting = results.to_vec();
+        let mut needed = Vec::new();
+        while let Some(expr) = waiting.pop() {
+            uses[expr.index()] += 1;
+            if uses[expr.index()] == 1 {
+                needed.push(expr);
+                waiting.extend(inner.nodes[expr.index()].operands());
+            }
+        }
+        needed.sort_unstable();
+        (needed, uses)
+    }
+
     pub(super) fn neg(&self, a: Expr) -> Expr {
         self.inner.borrow_mut().neg(a)
     }

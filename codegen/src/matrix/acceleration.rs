@@ -19,7 +19,11 @@ impl<'g> Acceleration<Term<'g>> {
     /// Of a frame that does not turn and whose origin accelerates by `a`.
     pub fn linear(a: Vector<Term<'g>>) -> Self {
         let zero = Vector::zero(graph_of(a));
-        Self { omega: zero, omega_dot: zero, a }
+        Self {
+            omega: zero,
+            omega_dot: zero,
+            a,
+        }
     }
 
     /// The block G = ω̲̇ + ω̲², row by row.
@@ -53,7 +57,10 @@ impl<'g> Acceleration<Term<'g>> {
     /// The same motion told by another point of the body.
     #[must_use]
     pub fn move_pole(self, pole: Vector<Term<'g>>) -> Self {
-        Self { a: self.point(pole), ..self }
+        Self {
+            a: self.point(pole),
+            ..self
+        }
     }
 
     /// M H M⁻¹ (eq. 9): the new pole is the point of the body at the new origin.

@@ -17,7 +17,10 @@ pub struct Action<E> {
 impl<'g> Action<Term<'g>> {
     /// None.
     pub fn zero(graph: &'g Graph) -> Self {
-        Self { c: Vector::zero(graph), f: Vector::zero(graph) }
+        Self {
+            c: Vector::zero(graph),
+            f: Vector::zero(graph),
+        }
     }
 
     /// What gives a body of inertia J the acceleration H: Φ = skew\[H J\] (eqs. 18 and 25).
@@ -49,7 +52,10 @@ impl<'g> Action<Term<'g>> {
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
         let f = pose.rotation * self.f;
-        Self { c: pose.rotation * self.c + pose.translation.cross(f), f }
+        Self {
+            c: pose.rotation * self.c + pose.translation.cross(f),
+            f,
+        }
     }
 
     /// The pseudo scalar product L ⊗ Φ = u·c + b·f: the power of the action at unit rate.
@@ -68,6 +74,9 @@ impl Add for Action<Term<'_>> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self { c: self.c + other.c, f: self.f + other.f }
+        Self {
+            c: self.c + other.c,
+            f: self.f + other.f,
+        }
     }
 }

@@ -23,6 +23,9 @@ impl<'g> Momentum<Term<'g>> {
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
         let rho = pose.rotation * self.rho;
-        Self { gamma: pose.rotation * self.gamma + pose.translation.cross(rho), rho }
+        Self {
+            gamma: pose.rotation * self.gamma + pose.translation.cross(rho),
+            rho,
+        }
     }
 }

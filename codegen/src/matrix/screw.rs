@@ -17,7 +17,10 @@ impl<'g> Screw<Term<'g>> {
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
         let u = pose.rotation * self.u;
-        Self { u, b: pose.rotation * self.b - u.cross(pose.translation) }
+        Self {
+            u,
+            b: pose.rotation * self.b - u.cross(pose.translation),
+        }
     }
 
     /// The six entries u, b.

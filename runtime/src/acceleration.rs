@@ -79,7 +79,7 @@ impl<T: Scalar> Acceleration<T> {
         )
     }
 
-    /// H from ω̇, ω and the acceleration [m/s²] of the point of the body at `point` [m].
+    /// H from ω̇, ω and the acceleration [m/s²] of the point of the body at `point` \[m\].
     ///
     /// SPACELIB: `velacctoWH`.
     #[inline]

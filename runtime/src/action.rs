@@ -9,7 +9,7 @@ use core::ops::{Add, Neg, Sub};
 
 /// The action matrix Φᵢ₍ₖ₎ = (c̲, f; −fᵗ, 0) (§ 4.1, (14)).
 ///
-/// c is the torque about the origin of frame (k) [N m], f the resultant of the forces [N].
+/// c is the torque about the origin of frame (k) [N m], f the resultant of the forces \[N\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Action<T> {
     c: [T; 3],
@@ -35,7 +35,7 @@ impl<T: Copy> Action<T> {
         self.c
     }
 
-    /// f, the resultant of the forces [N].
+    /// f, the resultant of the forces \[N\].
     #[inline]
     #[must_use]
     pub const fn f(&self) -> [T; 3] {
@@ -51,7 +51,7 @@ impl<T: Scalar> Action<T> {
         Self::new([T::constant(0.0); 3], [T::constant(0.0); 3])
     }
 
-    /// f Pᵗ − P fᵗ, the action of a `force` [N] applied at `position` [m]: the integrand of Φ (§ 4.1).
+    /// f Pᵗ − P fᵗ, the action of a `force` \[N\] applied at `position` \[m\]: the integrand of Φ (§ 4.1).
     #[inline]
     #[must_use]
     pub fn of_force(force: [T; 3], position: [T; 3]) -> Self {

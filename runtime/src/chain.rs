@@ -30,7 +30,7 @@ pub struct Joint {
     pub name: &'static str,
     /// The joint that carries the body it stands on; `None` is the base.
     pub parent: Option<usize>,
-    /// M_parent,i at q = 0 [m].
+    /// M_parent,i at q = 0 \[m\].
     pub placement: Pose<f64>,
     /// L of the joint, in frame (i).
     pub screw: Screw<f64>,
@@ -45,7 +45,7 @@ pub struct Frame {
     pub name: &'static str,
     /// The joint whose body carries it; `None` is the base.
     pub body: Option<usize>,
-    /// Its pose in the frame of that body [m].
+    /// Its pose in the frame of that body \[m\].
     pub placement: Pose<f64>,
 }
 

@@ -13,7 +13,7 @@ use core::ops::Mul;
 /// where they are, both in frame (k) (§ 2.3, (2)).
 ///
 /// It has the blocks of a [`Pose`] and another change of frame, M Q M⁻¹: the two are not to be mixed
-/// up, hence two types. t is the displacement of the pole [m], the point of the body that was in the
+/// up, hence two types. t is the displacement of the pole \[m\], the point of the body that was in the
 /// origin of (k).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Displacement<T> {
@@ -21,7 +21,7 @@ pub struct Displacement<T> {
 }
 
 impl<T> Displacement<T> {
-    /// The displacement with the rows `rotation` of R and t = `translation` [m]; nothing is checked.
+    /// The displacement with the rows `rotation` of R and t = `translation` \[m\]; nothing is checked.
     #[inline]
     #[must_use]
     pub const fn new(rotation: [[T; 3]; 3], translation: [T; 3]) -> Self {
@@ -39,7 +39,7 @@ impl<T> Displacement<T> {
 }
 
 impl<T: Copy> Displacement<T> {
-    /// t, the displacement of the pole [m].
+    /// t, the displacement of the pole \[m\].
     #[inline]
     #[must_use]
     pub const fn translation(&self) -> [T; 3] {

@@ -101,7 +101,7 @@ pub fn acceleration<T: RealField + Copy, const N: usize, const F: usize>(
     Acceleration::new(block(&h), column(&h))
 }
 
-/// The torques [N m] and forces [N] of the joints that produce q̈ (Part II, Newton–Euler).
+/// The torques [N m] and forces \[N\] of the joints that produce q̈ (Part II, Newton–Euler).
 ///
 /// The action through joint i is the sum of Φ = skew[(H − H_g) J] over the bodies it carries, its
 /// torque the pseudo scalar product L ⊗ Φ.
@@ -140,7 +140,7 @@ pub fn gravity<T: RealField + Copy, const N: usize, const F: usize>(
     bias(chain, q, &rest)
 }
 
-/// Inverse dynamics at q̈ = 0: C[m] = Tr(Σ (H̃ₕ − H_g) Jₕ Lₘᵗ) over the bodies h that joint m
+/// Inverse dynamics at q̈ = 0: C\[m\] = Tr(Σ (H̃ₕ − H_g) Jₕ Lₘᵗ) over the bodies h that joint m
 /// carries (Part II, Lagrange).
 #[must_use]
 pub fn bias<T: RealField + Copy, const N: usize, const F: usize>(
@@ -159,7 +159,7 @@ pub fn bias<T: RealField + Copy, const N: usize, const F: usize>(
     })
 }
 
-/// The joint-space inertia M[i][m] = Tr(Σ Lᵢ Jₕ Lₘᵗ), over the bodies h that both joints carry
+/// The joint-space inertia M\[i\]\[m\] = Tr(Σ Lᵢ Jₕ Lₘᵗ), over the bodies h that both joints carry
 /// (Part II, Lagrange).
 #[must_use]
 pub fn mass_matrix<T: RealField + Copy, const N: usize, const F: usize>(
@@ -177,7 +177,7 @@ pub fn mass_matrix<T: RealField + Copy, const N: usize, const F: usize>(
     })
 }
 
-/// The kinetic energy Σ ½ Tr(W J Wᵗ) [J] (22).
+/// The kinetic energy Σ ½ Tr(W J Wᵗ) \[J\] (22).
 #[must_use]
 pub fn kinetic_energy<T: RealField + Copy, const N: usize, const F: usize>(
     chain: &Chain<N, F>,
@@ -193,7 +193,7 @@ pub fn kinetic_energy<T: RealField + Copy, const N: usize, const F: usize>(
     }))
 }
 
-/// The potential energy Σ −Tr(H_g J) [J], zero at the origin of frame 0 (§ 4.5).
+/// The potential energy Σ −Tr(H_g J) \[J\], zero at the origin of frame 0 (§ 4.5).
 #[must_use]
 pub fn potential_energy<T: RealField + Copy, const N: usize, const F: usize>(
     chain: &Chain<N, F>,

@@ -19,7 +19,7 @@ use core::ops::{Add, Sub};
 /// (§ 4.3, (16)).
 ///
 /// The 3×3 block holds second moments ∫ x² dm, ∫ x y dm … [kg m²] (not the usual moments of
-/// inertia), q is the mass times the position of its centre [kg m], m the mass [kg].
+/// inertia), q is the mass times the position of its centre [kg m], m the mass \[kg\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia<T> {
     second_moments: [T; 6],
@@ -28,7 +28,7 @@ pub struct Inertia<T> {
 }
 
 impl<T> Inertia<T> {
-    /// J from ∫xx, ∫yy, ∫zz, ∫xy, ∫xz, ∫yz dm [kg m²] in this order, q [kg m] and the mass [kg];
+    /// J from ∫xx, ∫yy, ∫zz, ∫xy, ∫xz, ∫yz dm [kg m²] in this order, q [kg m] and the mass \[kg\];
     /// nothing is checked, so that it can be a constant.
     #[inline]
     #[must_use]
@@ -49,7 +49,7 @@ impl<T: Copy> Inertia<T> {
         self.q
     }
 
-    /// m [kg].
+    /// m \[kg\].
     #[inline]
     #[must_use]
     pub const fn mass(&self) -> T {
@@ -74,7 +74,7 @@ impl<T: Scalar> Inertia<T> {
         Self::new([zero; 6], [zero; 3], zero)
     }
 
-    /// P Pᵗ dm, the inertia of a particle of `mass` [kg] at `position` [m]: the integrand of J (§ 4.3).
+    /// P Pᵗ dm, the inertia of a particle of `mass` \[kg\] at `position` \[m\]: the integrand of J (§ 4.3).
     #[inline]
     #[must_use]
     pub fn of_particle(mass: T, position: [T; 3]) -> Self {
@@ -123,7 +123,7 @@ impl<T: Scalar> Inertia<T> {
         )
     }
 
-    /// The centre of mass q / m [m]; meaningless (not finite) for a body without mass.
+    /// The centre of mass q / m \[m\]; meaningless (not finite) for a body without mass.
     #[inline]
     #[must_use]
     pub fn center_of_mass(&self) -> [T; 3] {
@@ -192,7 +192,7 @@ impl<T: Scalar> Inertia<T> {
         Action::new(cross(self.q, g), scale(self.mass, g))
     }
 
-    /// The kinetic energy t = ½ Tr(W J Wᵗ) = ½ W ⊗ Γ [J] at velocity `w` (22).
+    /// The kinetic energy t = ½ Tr(W J Wᵗ) = ½ W ⊗ Γ \[J\] at velocity `w` (22).
     ///
     /// SPACELIB: `trac_ljlt4`.
     #[inline]
@@ -201,7 +201,7 @@ impl<T: Scalar> Inertia<T> {
         T::constant(0.5) * w.pseudo_scalar_product(&self.momentum(w))
     }
 
-    /// The potential energy p = −Tr(H_g J) = −g · q [J], zero at the origin of the frame (§ 4.5).
+    /// The potential energy p = −Tr(H_g J) = −g · q \[J\], zero at the origin of the frame (§ 4.5).
     #[inline]
     #[must_use]
     pub fn potential_energy(&self, g: [T; 3]) -> T {

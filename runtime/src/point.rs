@@ -7,10 +7,10 @@ use crate::scalar::Scalar;
 use crate::vector;
 use core::ops::{Add, Neg, Sub};
 
-/// A point P = (x, y, z, 1)ᵗ [m] in some frame (§ 2.2).
+/// A point P = (x, y, z, 1)ᵗ \[m\] in some frame (§ 2.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point<T>(
-    /// x, y, z [m].
+    /// x, y, z \[m\].
     pub [T; 3],
 );
 

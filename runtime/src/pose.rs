@@ -27,7 +27,7 @@ pub struct Pose<T> {
 }
 
 impl<T> Pose<T> {
-    /// The pose with the rows `rotation` of Rᵢⱼ and tᵢⱼ = `translation` [m].
+    /// The pose with the rows `rotation` of Rᵢⱼ and tᵢⱼ = `translation` \[m\].
     ///
     /// Nothing is checked, so that it can be a constant.
     #[inline]
@@ -48,7 +48,7 @@ impl<T> Pose<T> {
 }
 
 impl<T: Copy> Pose<T> {
-    /// tᵢⱼ, the origin of frame (j) in frame (i) [m].
+    /// tᵢⱼ, the origin of frame (j) in frame (i) \[m\].
     #[inline]
     #[must_use]
     pub const fn translation(&self) -> [T; 3] {
@@ -64,7 +64,7 @@ impl<T: Scalar> Pose<T> {
         Self::new(identity(), [T::constant(0.0); 3])
     }
 
-    /// A frame with parallel axes, its origin at `translation` [m].
+    /// A frame with parallel axes, its origin at `translation` \[m\].
     ///
     /// SPACELIB: `traslat`, `traslat2`, `traslat24`.
     #[inline]

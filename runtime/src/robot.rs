@@ -62,7 +62,7 @@ pub trait Acceleration<const N: usize, T = f64> {
 
 /// The joint torques and forces of a motion.
 pub trait InverseDynamics<const N: usize, T = f64> {
-    /// The torques [N m] and forces [N] of the joints that produce q̈ under gravity.
+    /// The torques [N m] and forces \[N\] of the joints that produce q̈ under gravity.
     #[must_use]
     fn inverse_dynamics(&self, q: &[T; N], qd: &[T; N], qdd: &[T; N]) -> [T; N];
 }

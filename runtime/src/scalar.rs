@@ -37,11 +37,11 @@ pub trait Scalar:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// Sine and cosine of an angle [rad].
+    /// Sine and cosine of an angle \[rad\].
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
-    /// The sines and the cosines of all angles of a call [rad].
+    /// The sines and the cosines of all angles of a call \[rad\].
     ///
     /// Evaluating them together lets an implementation vectorise them.
     #[inline]
@@ -70,7 +70,7 @@ pub trait Real: Scalar + PartialOrd + Debug + Display {
     #[must_use]
     fn abs(self) -> Self;
 
-    /// The angle of the point (`x`, `self`) from the x axis [rad], in (−π, π].
+    /// The angle of the point (`x`, `self`) from the x axis \[rad\], in (−π, π].
     #[must_use]
     fn atan2(self, x: Self) -> Self;
 

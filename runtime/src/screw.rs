@@ -51,7 +51,7 @@ impl<T: Copy> Screw<T> {
 }
 
 impl<T: Scalar> Screw<T> {
-    /// A revolute pair about the unit vector `axis` through `point` [m]: (u̲, −u̲ p_ax) (§ 5, and
+    /// A revolute pair about the unit vector `axis` through `point` \[m\]: (u̲, −u̲ p_ax) (§ 5, and
     /// Part II).
     ///
     /// SPACELIB: `makeL`.
@@ -70,7 +70,7 @@ impl<T: Scalar> Screw<T> {
         Self::new([T::constant(0.0); 3], direction)
     }
 
-    /// A screw pair about the unit vector `axis` through `point` [m] with `pitch` [m/rad]:
+    /// A screw pair about the unit vector `axis` through `point` \[m\] with `pitch` [m/rad]:
     /// (u̲, −u̲ p_ax + p u) (§ 5, and Part II).
     ///
     /// SPACELIB: `makeL`, `makeL2`.

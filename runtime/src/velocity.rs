@@ -56,7 +56,7 @@ impl<T: Scalar> Velocity<T> {
         Self::new([T::constant(0.0); 3], [T::constant(0.0); 3])
     }
 
-    /// The velocity of a body that turns with `omega` [rad/s] while its point at `point` [m] moves
+    /// The velocity of a body that turns with `omega` [rad/s] while its point at `point` \[m\] moves
     /// with `velocity` [m/s].
     ///
     /// SPACELIB: `velacctoWH`.
@@ -66,7 +66,7 @@ impl<T: Scalar> Velocity<T> {
         Self::new(omega, sub(velocity, cross(omega, point)))
     }
 
-    /// The power [W] of `action` on the body: W ⊗ Φ = ω · c + v₀ · f, both in one frame.
+    /// The power \[W\] of `action` on the body: W ⊗ Φ = ω · c + v₀ · f, both in one frame.
     ///
     /// SPACELIB: `psedot`.
     #[inline]
@@ -75,7 +75,7 @@ impl<T: Scalar> Velocity<T> {
         dot(self.omega, action.c()) + dot(self.v, action.f())
     }
 
-    /// W ⊗ Γ = ω · γ + v₀ · ρ [J]: twice the kinetic energy when Γ is the momentum of W.
+    /// W ⊗ Γ = ω · γ + v₀ · ρ \[J\]: twice the kinetic energy when Γ is the momentum of W.
     ///
     /// SPACELIB: `psedot`.
     #[inline]

@@ -20,6 +20,7 @@ use core::ops::Mul;
 /// G = ω̲̇ + ω̲² [rad/s²], and a₀ is the acceleration [m/s²] of the pole: the point of the body that
 /// is passing through the origin of (k). H = Ẇ + W².
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Acceleration<T> {
     g: [[T; 3]; 3],
     a: [T; 3],

@@ -11,6 +11,7 @@ use core::ops::{Add, Neg, Sub};
 ///
 /// c is the torque about the origin of frame (k) [N m], f the resultant of the forces \[N\].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Action<T> {
     c: [T; 3],
     f: [T; 3],

@@ -16,6 +16,7 @@ use core::ops::Mul;
 /// up, hence two types. t is the displacement of the pole \[m\], the point of the body that was in the
 /// origin of (k).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Displacement<T> {
     blocks: Pose<T>,
 }

@@ -2,7 +2,7 @@
 //!
 //! In: second moments, or the usual tensor with mass and centre of mass. Out: momenta, actions,
 //! weights and energies of a body. It never asks whether a body with these numbers can exist;
-//! `check` does.
+//! [`Inertia::check`] does.
 
 use crate::acceleration::Acceleration;
 use crate::action::Action;
@@ -21,6 +21,7 @@ use core::ops::{Add, Sub};
 /// The 3×3 block holds second moments ∫ x² dm, ∫ x y dm … [kg m²] (not the usual moments of
 /// inertia), q is the mass times the position of its centre [kg m], m the mass \[kg\].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Inertia<T> {
     second_moments: [T; 6],
     q: [T; 3],

@@ -13,6 +13,7 @@ use core::ops::{Add, Neg, Sub};
 /// γ is the angular momentum about the origin of frame (k) [kg m²/s], ρ the linear momentum
 /// [kg m/s].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Momentum<T> {
     gamma: [T; 3],
     rho: [T; 3],

@@ -9,6 +9,7 @@ use core::ops::{Add, Neg, Sub};
 
 /// A point P = (x, y, z, 1)ᵗ \[m\] in some frame (§ 2.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Point<T>(
     /// x, y, z \[m\].
     pub [T; 3],
@@ -17,6 +18,7 @@ pub struct Point<T>(
 /// A point at infinity (x, y, z, 0)ᵗ in some frame (§ 2.2): a free vector, such as an axis, the
 /// difference of two points, a velocity Ṗ or an acceleration P̈.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Direction<T>(
     /// x, y, z in the unit of what it stands for.
     pub [T; 3],

@@ -2,7 +2,7 @@
 //!
 //! In: a rotation and a translation. Out: the pose of frame (j) in frame (i), with the product that
 //! composes poses and the change of frame of every other matrix. It never orthogonalises by itself;
-//! `normalize` does, when asked.
+//! [`crate::normalize`] does, when asked.
 
 use crate::point::{Direction, Point};
 use crate::scalar::Scalar;
@@ -21,6 +21,7 @@ use core::ops::Mul;
 /// assert_eq!(m_0_1 * m_0_1.inverse(), Pose::identity());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pose<T> {
     rotation: [[T; 3]; 3],
     translation: [T; 3],

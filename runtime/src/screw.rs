@@ -2,7 +2,7 @@
 //!
 //! In: an axis, a point and a pitch, or Plücker coordinates. Out: the unit motion of a joint or of
 //! an instantaneous screw axis, and what it does in finite time. The way back from a displacement to
-//! its screw is in `logarithm`.
+//! its screw is in [`Displacement::log`].
 
 use crate::acceleration::Acceleration;
 use crate::action::Action;
@@ -20,6 +20,7 @@ use core::ops::{Mul, Neg};
 /// vector of the direction. The six numbers are the Plücker coordinates of the axis.
 /// The pole is the origin of the frame in which L is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Screw<T> {
     u: [T; 3],
     b: [T; 3],

@@ -2,7 +2,7 @@
 //!
 //! In: an angular velocity and the velocity of the pole. Out: the velocity of every point of a body,
 //! and the composition of relative motions. The instantaneous screw axis of W is in
-//! `logarithm`.
+//! [`Velocity::instantaneous_screw_axis`].
 
 use crate::action::Action;
 use crate::momentum::Momentum;
@@ -18,6 +18,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// ω is the angular velocity [rad/s] and v₀ the velocity [m/s] of the pole: the point of the body
 /// that is passing through the origin of (k).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Velocity<T> {
     omega: [T; 3],
     v: [T; 3],

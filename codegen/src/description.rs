@@ -4,8 +4,17 @@
 //! and names know their place. It never merges, drops, orders or repairs anything, and checks only
 //! what can be seen in one item alone; what takes two items belongs to the chain stage.
 
+mod axis;
+mod file;
+mod names;
+mod number;
+mod position;
+pub mod urdf;
+mod wording;
+
 use proc_macro2::Span;
 
+pub use self::file::{read_file, read_text};
 use crate::error::{Complaint, Place};
 
 /// A robot as it was described: links and joints in the order of the text.

@@ -43,7 +43,12 @@ pub struct Errors {
     file: Option<String>,
     anchor: Option<Span>,
     complaints: Vec<Complaint>,
+    left_out: usize,
 }
+
+/// How many mistakes are kept; of the others, which only a broken file of megabytes has, the
+/// number.
+const KEPT: usize = 1000;
 
 impl Errors {
     /// No mistakes yet, in a description without a file.
@@ -61,7 +66,7 @@ impl Errors {
 
     /// Records a mistake.
     pub fn push(&mut self, place: Place, message: impl Into<String>) {
-        self.complaints.push(Complaint {
+        self.record(Complaint {
             place,
             message: message.into(),
             hint: None,
@@ -76,7 +81,7 @@ impl Errors {
         hint: impl Into<String>,
     ) {
         let hint = Some(hint.into());
-        self.complaints.push(Complaint {
+        self.record(Complaint {
             place,
             message: message.into(),
             hint,
@@ -87,7 +92,18 @@ impl Errors {
     pub fn append(&mut self, other: Errors) {
         self.file = self.file.take().or(other.file);
         self.anchor = self.anchor.or(other.anchor);
-        self.complaints.extend(other.complaints);
+        self.left_out += other.left_out;
+        for complaint in other.complaints {
+            self.record(complaint);
+        }
+    }
+
+    fn record(&mut self, complaint: Complaint) {
+        if self.complaints.len() < KEPT {
+            self.complaints.push(complaint);
+        } else {
+            self.left_out += 1;
+        }
     }
 
     /// Whether nothing was pushed.
@@ -96,7 +112,7 @@ impl Errors {
         self.complaints.is_empty()
     }
 
-    /// The mistakes in the order in which they were found.
+    /// The mistakes in the order in which they were found; the first thousand, if they are more.
     #[must_use]
     pub fn complaints(&self) -> &[Complaint] {
         &self.complaints
@@ -157,6 +173,9 @@ impl fmt::Display for Errors {
             if let Some(hint) = &complaint.hint {
                 writeln!(out, "  hint: {hint}")?;
             }
+        }
+        if self.left_out > 0 {
+            writeln!(out, "and {} more", self.left_out)?;
         }
         Ok(())
     }

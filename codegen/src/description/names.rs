@@ -1,0 +1,36 @@
+//! Names that are given twice.
+//!
+//! In: a description. Out: a complaint for every second link and every second joint of a name.
+//! Links and joints may share names, as they do in many files. It never looks at which link a
+//! joint hangs on.
+
+use std::collections::HashMap;
+
+use super::wording::quoted;
+use super::{Description, Name};
+use crate::error::{Errors, Place};
+
+/// Complains of names that are given twice.
+pub(super) fn check(description: &Description, errors: &mut Errors) {
+    let links = description.links.iter().map(|link| &link.name);
+    let joints = description.joints.iter().map(|joint| &joint.name);
+    check_kind("link", links, errors);
+    check_kind("joint", joints, errors);
+}
+
+fn check_kind<'d>(kind: &str, names: impl Iterator<Item = &'d Name>, errors: &mut Errors) {
+    let mut seen: HashMap<&str, Place> = HashMap::new();
+    for name in names {
+        let Some(first) = seen.insert(&name.text, name.place) else {
+            continue;
+        };
+        let message = format!("there is another {kind} {}", quoted(&name.text));
+        match first {
+            Place::File { line, .. } => {
+                let hint = format!("the other one is in line {line}");
+                errors.push_with_hint(name.place, message, hint);
+            }
+            Place::Token(_) | Place::Unknown => errors.push(name.place, message),
+        }
+    }
+}

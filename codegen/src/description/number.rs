@@ -1,0 +1,180 @@
+//! Numbers as people write them.
+//!
+//! In: one word. Out: the nearest `f64` and one unit of its last written digit, or what is wrong
+//! with the word. It never lets a NaN or an infinity through, and never guesses what a word that
+//! is not a number could have meant, except in a hint.
+
+use super::Number;
+use super::wording::quoted;
+use crate::error::Place;
+
+/// What is wrong with a number: the end of a sentence that begins with the number's name.
+pub(super) struct Refusal {
+    pub(super) what: String,
+    pub(super) hint: Option<&'static str>,
+}
+
+/// Reads one word.
+pub(super) fn read(word: &str, place: Place) -> Result<Number, Refusal> {
+    let Some(last_digit) = last_digit(word) else {
+        return Err(refuse(word));
+    };
+    match word.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(Number {
+            value,
+            resolution: power_of_ten(last_digit),
+            place,
+        }),
+        _ => Err(Refusal {
+            what: format!("is too large for 64 bits: {}", quoted(word)),
+            hint: None,
+        }),
+    }
+}
+
+/// Reads a word that may be infinite, for bounds that need not exist.
+pub(super) fn read_bound(word: &str) -> Result<f64, Refusal> {
+    let (sign, name) = match word.strip_prefix('-') {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, word.strip_prefix('+').unwrap_or(word)),
+    };
+    if is_infinity(name) {
+        return Ok(sign * f64::INFINITY);
+    }
+    read(word, Place::Unknown).map(|number| number.value)
+}
+
+/// A number that was computed and not written.
+pub(super) const fn computed(value: f64, place: Place) -> Number {
+    Number {
+        value,
+        resolution: 0.0,
+        place,
+    }
+}
+
+/// The power of ten of the last digit, if the word has the form of a number: sign, digits with at
+/// most one point among them, exponent.
+fn last_digit(word: &str) -> Option<i64> {
+    let unsigned = word.strip_prefix(['+', '-']).unwrap_or(word);
+    let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, read_exponent(exponent)?),
+        None => (unsigned, 0),
+    };
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    if !digits(whole) || !digits(fraction) || whole.len() + fraction.len() == 0 {
+        return None;
+    }
+    Some(exponent - i64::try_from(fraction.len()).ok()?)
+}
+
+/// An exponent, kept within what an `f64` can tell apart.
+fn read_exponent(text: &str) -> Option<i64> {
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
+    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let size = digits.parse::<i64>().unwrap_or(i64::MAX).min(1_000_000);
+    Some(if text.starts_with('-') { -size } else { size })
+}
+
+/// 10ⁿ to the last bit on every machine, and never 0 or infinite: a resolution of 0 means that the
+/// number was not read from digits.
+fn power_of_ten(n: i64) -> f64 {
+    // Most numbers have few digits, and a file has many numbers.
+    const USUAL: [f64; 13] = [
+        1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12,
+    ];
+    if let Some(power) = usize::try_from(-n).ok().and_then(|n| USUAL.get(n)) {
+        return *power;
+    }
+    let power: f64 = format!("1e{n}").parse().unwrap_or(f64::MAX);
+    power.clamp(f64::from_bits(1), f64::MAX)
+}
+
+fn is_infinity(name: &str) -> bool {
+    name.eq_ignore_ascii_case("inf") || name.eq_ignore_ascii_case("infinity")
+}
+
+fn refuse(word: &str) -> Refusal {
+    let name = word.trim_start_matches(['+', '-', '.']);
+    let (what, hint) = if name.eq_ignore_ascii_case("nan") || name == "1.#QNAN" || name == "1.#IND"
+    {
+        ("is not finite", None)
+    } else if is_infinity(name) || name == "1.#INF" {
+        ("is infinite", None)
+    } else if word.contains(',') {
+        let hint = "write a decimal point, and spaces between numbers";
+        ("is not a number", Some(hint))
+    } else if word.is_empty() {
+        return Refusal {
+            what: "is empty".to_owned(),
+            hint: None,
+        };
+    } else {
+        ("is not a number", None)
+    };
+    Refusal {
+        what: format!("{what}: {}", quoted(word)),
+        hint,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn resolution(word: &str) -> (f64, f64) {
+        match read(word, Place::Unknown) {
+            Ok(number) => (number.value, number.resolution),
+            Err(refusal) => panic!("{word} {}", refusal.what),
+        }
+    }
+
+    fn refusal(word: &str) -> String {
+        match read(word, Place::Unknown) {
+            Ok(number) => panic!("{word} was read as {number:?}"),
+            Err(refusal) => refusal.what,
+        }
+    }
+
+    #[test]
+    #[expect(clippy::float_cmp, reason = "reading is exact")]
+    fn the_last_written_digit_gives_the_resolution() {
+        assert_eq!(resolution("1.5708"), (1.5708, 1e-4));
+        assert_eq!(resolution("1.5e-5"), (1.5e-5, 1e-6));
+        assert_eq!(resolution("+1"), (1.0, 1.0));
+        assert_eq!(resolution("1e-3"), (1e-3, 1e-3));
+        assert_eq!(resolution(".5"), (0.5, 0.1));
+        assert_eq!(resolution("1."), (1.0, 1.0));
+        assert_eq!(resolution("-3.14E2"), (-314.0, 1.0));
+        assert_eq!(resolution("0"), (0.0, 1.0));
+        assert_eq!(resolution("0e999999999999999999999").0, 0.0);
+        assert!(resolution("1e-400").1 > 0.0);
+    }
+
+    #[test]
+    fn what_is_no_finite_number_is_refused_by_name() {
+        assert_eq!(refusal("nan"), "is not finite: \"nan\"");
+        assert_eq!(refusal("-NaN"), "is not finite: \"-NaN\"");
+        assert_eq!(refusal("inf"), "is infinite: \"inf\"");
+        assert_eq!(refusal("-Infinity"), "is infinite: \"-Infinity\"");
+        assert_eq!(refusal("1e999"), "is too large for 64 bits: \"1e999\"");
+        assert_eq!(refusal("0,5"), "is not a number: \"0,5\"");
+        assert_eq!(refusal(""), "is empty");
+        for word in [
+            "abc", "1.2.3", "1e", "e5", ".", "+", "--1", "1 2", "0x10", "1_0", "１",
+        ] {
+            assert_eq!(refusal(word), format!("is not a number: \"{word}\""));
+        }
+    }
+
+    #[test]
+    fn a_bound_may_be_infinite() {
+        assert!(matches!(read_bound("-inf"), Ok(bound) if bound == f64::NEG_INFINITY));
+        assert!(matches!(read_bound("Infinity"), Ok(bound) if bound == f64::INFINITY));
+        assert!(matches!(read_bound("2.5"), Ok(2.5)));
+        assert!(read_bound("nan").is_err());
+    }
+}

@@ -1,0 +1,96 @@
+//! Lines and columns.
+//!
+//! In: a text, once, and offsets into it, as often as wished. Out: places, counted in lines and
+//! characters from 1. A mark every 64 bytes keeps each look-up short, however long the lines are:
+//! a file may well be one line of five megabytes.
+
+use crate::error::Place;
+
+/// Bytes between two marks.
+const STRIDE: usize = 64;
+
+/// A text and the places of its bytes.
+pub(super) struct Positions<'t> {
+    text: &'t str,
+    /// Line and column of every byte whose offset is a multiple of [`STRIDE`].
+    marks: Vec<(u32, u32)>,
+}
+
+impl<'t> Positions<'t> {
+    pub(super) fn new(text: &'t str) -> Self {
+        let mut marks = Vec::with_capacity(text.len() / STRIDE + 1);
+        let mut at = (1, 1);
+        for chunk in text.as_bytes().chunks(STRIDE) {
+            marks.push(at);
+            at = after(at, chunk);
+        }
+        if text.len().is_multiple_of(STRIDE) {
+            marks.push(at);
+        }
+        Self { text, marks }
+    }
+
+    /// The text whose places these are.
+    pub(super) const fn text(&self) -> &'t str {
+        self.text
+    }
+
+    /// The place of the character at an offset; of the end for every offset beyond it.
+    pub(super) fn place(&self, offset: usize) -> Place {
+        let offset = offset.min(self.text.len());
+        let mark = offset / STRIDE;
+        let passed = &self.text.as_bytes()[mark * STRIDE..offset];
+        let (line, column) = after(self.marks[mark], passed);
+        Place::File { line, column }
+    }
+}
+
+/// Where one stands after some more bytes; the second and later bytes of a character count nothing.
+fn after((mut line, mut column): (u32, u32), bytes: &[u8]) -> (u32, u32) {
+    for &byte in bytes {
+        if byte == b'\n' {
+            line += 1;
+            column = 1;
+        } else if byte & 0b1100_0000 != 0b1000_0000 {
+            column += 1;
+        }
+    }
+    (line, column)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(text: &str, offset: usize) -> (u32, u32) {
+        match Positions::new(text).place(offset) {
+            Place::File { line, column } => (line, column),
+            place => panic!("{place:?}"),
+        }
+    }
+
+    #[test]
+    fn lines_and_characters_are_counted_from_one() {
+        assert_eq!(at("", 0), (1, 1));
+        assert_eq!(at("ab\ncd", 0), (1, 1));
+        assert_eq!(at("ab\ncd", 2), (1, 3));
+        assert_eq!(at("ab\ncd", 3), (2, 1));
+        assert_eq!(at("αβ\nγδ", 7), (2, 2));
+        assert_eq!(at("ab", 99), (1, 3));
+    }
+
+    #[test]
+    fn marks_agree_with_counting() {
+        let text = "αβγ x\n".repeat(300) + &"y".repeat(STRIDE * 3);
+        let positions = Positions::new(&text);
+        for (offset, _) in text.char_indices() {
+            let before = &text[..offset];
+            let line = before.matches('\n').count() + 1;
+            let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
+            let Place::File { line: l, column: c } = positions.place(offset) else {
+                panic!("no place");
+            };
+            assert_eq!((l as usize, c as usize), (line, column), "offset {offset}");
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! URDF, the Unified Robot Description Format.
+//!
+//! In: the text of a file. Out: a [`Description`], as far as it could be read, with a complaint
+//! for every mistake, each at its line and column. Everything that is not mechanics (meshes,
+//! transmissions, simulators' settings) is passed over. It never takes time or memory out of
+//! proportion to the text, and never guesses a number that is not there.
+
+mod element;
+mod joint;
+mod link;
+mod xml;
+
+use proc_macro2::Span;
+use roxmltree::Node;
+
+use self::element::Reader;
+use super::position::Positions;
+use super::wording::quoted;
+use super::{Description, Name, Source, file, names};
+use crate::error::{Errors, Place};
+
+pub(super) use self::xml::LARGEST_FILE;
+
+/// What a robot may hold, mechanics or not.
+const PARTS: [&str; 6] = [
+    "link",
+    "joint",
+    "material",
+    "gazebo",
+    "transmission",
+    "sensor",
+];
+
+/// Reads the text of a file named `file`; `anchor` is the token that named it, for the compiler.
+///
+/// Where something was pushed, the description holds what could be read all the same: enough to
+/// know how many joints there are, not to be computed with.
+pub fn read(
+    text: &str,
+    file: &str,
+    anchor: Option<Span>,
+    errors: &mut Errors,
+) -> Option<Description> {
+    errors.set_file(file, anchor);
+    let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
+    let document = xml::parse(&positions, errors)?;
+    let mut reader = Reader {
+        positions: &positions,
+        errors: Errors::new(),
+        warnings: Vec::new(),
+        unknown: 0,
+        xacro: None,
+    };
+    let mut description = robot(&mut reader, document.root_element());
+    if let Some(place) = reader.xacro {
+        // Whatever else is wrong is likely to be so because of that.
+        errors.push_with_hint(place, xml::XACRO.0, xml::XACRO.1);
+        return None;
+    }
+    errors.append(reader.errors);
+    if let Some(description) = &mut description {
+        description.source = Source {
+            file: Some(file.to_owned()),
+            anchor,
+            hash: file::fingerprint(text.as_bytes()),
+        };
+        description.warnings = reader.warnings;
+        names::check(description, errors);
+    }
+    description
+}
+
+fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Description> {
+    let tag = root.tag_name().name();
+    if tag != "robot" {
+        let hint = match tag {
+            "sdf" | "mujoco" => "convert it to URDF first",
+            _ => "a URDF file begins with <robot name=\"…\">",
+        };
+        reader.errors.push_with_hint(
+            reader.place(root),
+            format!("this is not a URDF: the root element is <{tag}>"),
+            hint,
+        );
+        return None;
+    }
+    let name = reader.name(root, "name", "the robot").unwrap_or(Name {
+        text: "robot".to_owned(),
+        place: Place::Unknown,
+    });
+    let subject = format!("robot {}", quoted(&name.text));
+    let mut links = Vec::new();
+    let mut joints = Vec::new();
+    for child in reader.children(root, &subject, &PARTS) {
+        match child.tag_name().name() {
+            "link" => links.extend(link::read(reader, child)),
+            "joint" => joints.extend(joint::read(reader, child)),
+            _ => {}
+        }
+    }
+    if links.is_empty() && reader.errors.is_empty() {
+        reader
+            .errors
+            .push(reader.place(root), format!("{subject} has no links"));
+    }
+    Some(Description {
+        name,
+        source: Source::default(),
+        links,
+        joints,
+        warnings: Vec::new(),
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,209 @@
+//! `<joint>`: what moves, about or along which axis, from which link to which.
+//!
+//! In: one element. Out: a [`Joint`], as far as it could be read, and complaints. The joints that
+//! are not modelled are refused by name; a screw joint has `<thread pitch="…"/>` in metres per
+//! radian, since URDF itself knows none.
+
+use roxmltree::Node;
+
+use super::element::Reader;
+use crate::description::wording::{known, list, quoted};
+use crate::description::{Joint, JointKind, Limits, Name, Number, axis, number};
+
+/// What a joint may hold, mechanics or not.
+const PARTS: [&str; 10] = [
+    "origin",
+    "parent",
+    "child",
+    "axis",
+    "limit",
+    "thread",
+    "mimic",
+    "dynamics",
+    "calibration",
+    "safety_controller",
+];
+
+/// The types this reader knows.
+const TYPES: [&str; 5] = ["revolute", "continuous", "prismatic", "screw", "fixed"];
+
+/// Reads a joint; none where it has no name or hangs nowhere.
+pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Joint> {
+    let name = reader.name(node, "name", "a joint");
+    let subject = match &name {
+        Some(name) => format!("joint {}", quoted(&name.text)),
+        None => "the joint without a name".to_owned(),
+    };
+    let children = reader.children(node, &subject, &PARTS);
+    let kind = kind(reader, node, &children, &subject);
+    let parent = end(reader, node, &children, "parent", &subject);
+    let child = end(reader, node, &children, "child", &subject);
+    if let (Some(parent), Some(child)) = (&parent, &child)
+        && parent.text == child.text
+    {
+        reader.errors.push(
+            child.place,
+            format!("{subject} joins link {} to itself", quoted(&child.text)),
+        );
+    }
+    let origin = reader.only(&children, "origin", &subject);
+    let origin = reader.origin(origin, &subject);
+    let axis = axis(reader, node, &children, kind, &subject);
+    let limits = limits(reader, &children, kind, &subject);
+    if let Some(mimic) = reader.only(&children, "mimic", &subject) {
+        let other = mimic.attribute("joint").unwrap_or_default();
+        reader.errors.push_with_hint(
+            reader.place(mimic),
+            format!(
+                "{subject} mimics joint {}, and mimic joints are not modelled",
+                quoted(other)
+            ),
+            "make it fixed, or remove <mimic> to give it a coordinate of its own",
+        );
+    }
+    Some(Joint {
+        name: name?,
+        kind: kind.unwrap_or(JointKind::Fixed),
+        parent: parent?,
+        child: child?,
+        origin,
+        axis,
+        limits,
+        place: reader.place(node),
+    })
+}
+
+/// What the joint allows; none where that was refused.
+fn kind<'t>(
+    reader: &mut Reader<'_, 't>,
+    node: Node<'_, 't>,
+    children: &[Node<'_, 't>],
+    subject: &str,
+) -> Option<JointKind> {
+    let name = reader.name(node, "type", subject)?;
+    match name.text.as_str() {
+        "revolute" => Some(JointKind::Revolute),
+        "continuous" => Some(JointKind::Continuous),
+        "prismatic" => Some(JointKind::Prismatic),
+        "fixed" => Some(JointKind::Fixed),
+        "screw" => {
+            let hint = "<thread pitch=\"…\"/>, in metres per radian";
+            let thread = reader.required(node, children, "thread", subject, hint)?;
+            let pitch = reader.number(thread, "pitch", &format!("the pitch of {subject}"))?;
+            Some(JointKind::Screw { pitch })
+        }
+        "floating" | "planar" | "spherical" | "ball" | "universal" | "cylindrical" => {
+            reader.errors.push_with_hint(
+                name.place,
+                format!(
+                    "{subject} is {}, and such joints are not modelled",
+                    name.text
+                ),
+                format!("known types: {}", list(TYPES)),
+            );
+            None
+        }
+        other => {
+            reader.errors.push_with_hint(
+                name.place,
+                format!("{subject} has the unknown type {}", quoted(other)),
+                known(other, "types", &TYPES),
+            );
+            None
+        }
+    }
+}
+
+/// The link at one end.
+fn end<'t>(
+    reader: &mut Reader<'_, 't>,
+    node: Node<'_, 't>,
+    children: &[Node<'_, 't>],
+    end: &str,
+    subject: &str,
+) -> Option<Name> {
+    let hint = format!("<{end} link=\"…\"/>");
+    let element = reader.required(node, children, end, subject, &hint)?;
+    reader.name(element, "link", &format!("the {end} of {subject}"))
+}
+
+/// The axis with length 1; along x where the text gives none, as URDF has it.
+fn axis<'t>(
+    reader: &mut Reader<'_, 't>,
+    node: Node<'_, 't>,
+    children: &[Node<'_, 't>],
+    kind: Option<JointKind>,
+    subject: &str,
+) -> [Number; 3] {
+    let along_x = |place| [1.0, 0.0, 0.0].map(|value| number::computed(value, place));
+    let element = reader.only(children, "axis", subject);
+    // The axis of a fixed joint means nothing, and is often written as zero.
+    if !kind.is_some_and(|kind| !matches!(kind, JointKind::Fixed)) {
+        return along_x(reader.place(node));
+    }
+    let Some(element) = element else {
+        let place = reader.place(node);
+        reader.warn(
+            place,
+            format!("{subject} has no <axis>: it moves about or along x, as URDF has it"),
+            Some("write <axis xyz=\"1 0 0\"/>".to_owned()),
+        );
+        return along_x(place);
+    };
+    let subject = format!("the axis of {subject}");
+    let place = reader.place(element);
+    let Some(xyz) = element.attribute_node("xyz") else {
+        reader.errors.push_with_hint(
+            place,
+            format!("{subject} has no attribute \"xyz\""),
+            "write <axis xyz=\"0 0 1\"/>",
+        );
+        return along_x(place);
+    };
+    let Some(numbers) = reader.numbers(&xyz, &subject) else {
+        return along_x(place);
+    };
+    axis::unit(numbers).unwrap_or_else(|refusal| {
+        let place = reader.value_place(&xyz);
+        let message = format!("{subject} {}", refusal.what);
+        reader.errors.push_with_hint(place, message, refusal.hint);
+        along_x(place)
+    })
+}
+
+/// The limits, where there are any; those of the angle mean nothing for a continuous joint.
+fn limits<'t>(
+    reader: &mut Reader<'_, 't>,
+    children: &[Node<'_, 't>],
+    kind: Option<JointKind>,
+    subject: &str,
+) -> Option<Limits> {
+    let node = reader.only(children, "limit", subject)?;
+    let mut bound = |name: &str, otherwise: f64| {
+        let Some(attribute) = node.attribute_node(name) else {
+            return otherwise;
+        };
+        number::read_bound(attribute.value().trim()).unwrap_or_else(|refusal| {
+            let place = reader.value_place(&attribute);
+            reader.refuse(place, &format!("the {name} limit of {subject}"), &refusal);
+            otherwise
+        })
+    };
+    let velocity = bound("velocity", f64::INFINITY);
+    let (lower, upper) = match kind {
+        Some(JointKind::Continuous | JointKind::Fixed) | None => (f64::NEG_INFINITY, f64::INFINITY),
+        // A limit that is not written is zero, says URDF.
+        Some(_) => (bound("lower", 0.0), bound("upper", 0.0)),
+    };
+    if lower > upper {
+        reader.errors.push(
+            reader.place(node),
+            format!("the lower limit of {subject}, {lower}, is above the upper one, {upper}"),
+        );
+    }
+    Some(Limits {
+        lower,
+        upper,
+        velocity,
+    })
+}

@@ -7,13 +7,19 @@
 //!                             of Expr
 //! ```
 
+pub mod builder;
 pub mod chain;
 pub mod description;
 pub mod emit;
 pub mod error;
+pub mod expand;
 pub mod expression;
 pub mod function;
 pub mod matrix;
 pub mod model;
 pub mod request;
 pub mod schedule;
+
+pub use builder::Builder;
+pub use function::Function;
+pub use request::Real;

@@ -4,6 +4,8 @@
 //! needs `core` and a way to compute sines, and nothing else. It never reads or writes anything
 //! before [`Builder::write`], [`Builder::to_tokens`] or [`Builder::to_source`].
 
+#[cfg(feature = "pretty")]
+mod file;
 mod output;
 #[cfg(all(test, feature = "pretty"))]
 mod tests;

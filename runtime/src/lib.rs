@@ -1,2 +1,52 @@
-//! Rigid bodies with 4x4 matrices.
+//! Rigid bodies with 4×4 matrices.
 #![no_std]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+mod acceleration;
+mod action;
+pub mod angles;
+mod chain;
+#[cfg(feature = "nalgebra")]
+mod conversion;
+mod displacement;
+mod error;
+pub mod frames;
+#[cfg(feature = "nalgebra")]
+pub mod generic;
+pub mod geometry;
+mod inertia;
+mod jacobian;
+mod logarithm;
+mod momentum;
+pub mod newton_euler;
+pub mod normalize;
+mod physical;
+mod point;
+mod pose;
+pub mod robot;
+pub mod rotation;
+mod scalar;
+mod screw;
+mod symmetric;
+mod tensor;
+#[cfg(feature = "approx")]
+mod tolerance;
+pub mod vector;
+mod velocity;
+
+pub use acceleration::Acceleration;
+pub use action::Action;
+pub use chain::{Chain, Frame, Joint};
+pub use displacement::Displacement;
+pub use error::Error;
+pub use inertia::Inertia;
+pub use jacobian::Jacobian;
+pub use momentum::Momentum;
+pub use point::{Direction, Point};
+pub use pose::Pose;
+pub use scalar::{Real, Scalar};
+pub use screw::Screw;
+pub use tensor::Tensor;
+pub use velocity::Velocity;

@@ -1,0 +1,219 @@
+//! The numbers that everything is generic over.
+//!
+//! In: a type with the four operations. Out: [`Scalar`], enough for straight-line code, and
+//! [`Real`], which adds order and the inverse tangent for the few functions that must branch.
+//! This is the only file that knows the standard library from `libm`; it never allocates and
+//! never decides anything by the value of a number.
+
+use core::fmt::{Debug, Display};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number as straight-line code needs it.
+///
+/// The trait is open: SIMD packs, dual numbers and double-double numbers implement it as `f32` and
+/// `f64` do here. It asks for no order, because a pack of numbers has none; functions that must
+/// compare ask for [`Real`].
+///
+/// `f32` and `f64` implement it with the feature `std` or, without a standard library, `libm`.
+/// With neither the types of this crate still exist, for scalars of one's own.
+pub trait Scalar:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The number `value`, rounded to this type (and repeated in every lane of a pack).
+    fn constant(value: f64) -> Self;
+
+    /// `self · factor + term`, fused into one rounding only where the target has the instruction.
+    ///
+    /// It is never a call of a library routine: elsewhere it is a product and a sum.
+    #[must_use]
+    fn mul_add(self, factor: Self, term: Self) -> Self;
+
+    /// The square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine of an angle \[rad\].
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The sines and the cosines of all angles of a call \[rad\].
+    ///
+    /// Evaluating them together lets an implementation vectorise them.
+    #[inline]
+    #[must_use]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        let pairs = angles.map(Self::sin_cos);
+        (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
+    }
+}
+
+/// A [`Scalar`] with an order: what logarithms, checks and normalisations need.
+pub trait Real: Scalar + PartialOrd + Debug + Display {
+    /// The distance from 1 to the next larger number: twice the unit roundoff.
+    const EPSILON: Self;
+
+    /// The smallest positive number of full precision.
+    const MIN_POSITIVE: Self;
+
+    /// The number as `f64`, for messages.
+    fn to_f64(self) -> f64;
+
+    /// Whether the number is neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+
+    /// The magnitude.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// The angle of the point (`x`, `self`) from the x axis \[rad\], in (−π, π].
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+
+    /// The larger of two numbers.
+    #[inline]
+    #[must_use]
+    fn max(self, other: Self) -> Self {
+        if self < other { other } else { self }
+    }
+}
+
+/// Implements [`Scalar`] and [`Real`] for a primitive type with the functions named.
+#[cfg(any(feature = "std", feature = "libm"))]
+macro_rules! implement {
+    ($float:ident, $sqrt:path, $sin_cos:path, $atan2:path, $constant:expr, $to_f64:expr) => {
+        impl Scalar for $float {
+            #[inline]
+            fn constant(value: f64) -> Self {
+                $constant(value)
+            }
+
+            // The inherent method becomes a library call where the instruction is missing, so it
+            // is named only where the target is known to have it.
+            #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+            #[inline]
+            fn mul_add(self, factor: Self, term: Self) -> Self {
+                $float::mul_add(self, factor, term)
+            }
+
+            #[cfg(not(all(
+                feature = "std",
+                any(target_feature = "fma", target_arch = "aarch64")
+            )))]
+            #[inline]
+            fn mul_add(self, factor: Self, term: Self) -> Self {
+                self * factor + term
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                $sin_cos(self)
+            }
+        }
+
+        impl Real for $float {
+            const EPSILON: Self = $float::EPSILON;
+            const MIN_POSITIVE: Self = $float::MIN_POSITIVE;
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                $to_f64(self)
+            }
+
+            #[inline]
+            fn is_finite(self) -> bool {
+                $float::is_finite(self)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                $atan2(self, x)
+            }
+        }
+    };
+}
+
+/// Rounds to single precision.
+#[cfg(any(feature = "std", feature = "libm"))]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rounding to the type is the purpose"
+)]
+#[inline]
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
+#[cfg(feature = "std")]
+mod backend {
+    use super::{Real, Scalar, single};
+    use core::convert::identity;
+
+    implement!(f32, f32::sqrt, f32::sin_cos, f32::atan2, single, f64::from);
+    implement!(f64, f64::sqrt, f64::sin_cos, f64::atan2, identity, identity);
+}
+
+#[cfg(all(feature = "libm", not(feature = "std")))]
+mod backend {
+    use super::{Real, Scalar, single};
+    use core::convert::identity;
+
+    implement!(
+        f32,
+        libm::sqrtf,
+        libm::sincosf,
+        libm::atan2f,
+        single,
+        f64::from
+    );
+    implement!(
+        f64,
+        libm::sqrt,
+        libm::sincos,
+        libm::atan2,
+        identity,
+        identity
+    );
+}
+
+#[cfg(all(test, any(feature = "std", feature = "libm")))]
+mod tests {
+    use super::Scalar;
+
+    #[test]
+    fn all_sines_equal_one_by_one() {
+        let angles = [0.0, 1e-300, 0.5, -2.0, 1e8];
+        let (sines, cosines) = f64::sin_cos_all(angles);
+        for i in 0..angles.len() {
+            assert_eq!((sines[i], cosines[i]), Scalar::sin_cos(angles[i]));
+        }
+    }
+
+    #[test]
+    fn product_and_sum_are_rounded_once_or_twice() {
+        let (a, b, c) = (1.0 + f64::EPSILON, 1.0 - f64::EPSILON, -1.0);
+        let once = -f64::EPSILON * f64::EPSILON;
+        let result = Scalar::mul_add(a, b, c).to_bits();
+        assert!([0.0_f64, once].map(f64::to_bits).contains(&result));
+    }
+
+    #[test]
+    fn constants_are_rounded_to_the_type() {
+        assert_eq!(<f32 as Scalar>::constant(0.1).to_bits(), 0.1_f32.to_bits());
+        assert_eq!(<f64 as Scalar>::constant(0.1).to_bits(), 0.1_f64.to_bits());
+    }
+}

@@ -18,7 +18,7 @@ mod results;
 mod scope;
 mod stub;
 #[cfg(all(test, feature = "pretty"))]
-mod tests;
+pub(crate) mod tests;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -32,6 +32,7 @@ use names::Names;
 pub use dialect::Library;
 pub use documentation::header;
 pub use item::{Declaration, Item};
+pub use names::type_name;
 #[cfg(feature = "pretty")]
 pub use pretty::Source;
 pub use stub::{Wanted, stub};
@@ -72,8 +73,10 @@ pub struct About {
     pub tip: String,
     /// The joints in the order of q.
     pub joints: Vec<String>,
-    /// What is modelled and what is not: `2 links merged`, `gravity only along −z`, warnings.
+    /// What is modelled and what is not: `2 links merged`, `gravity only along −z`.
     pub facts: Vec<String>,
+    /// Doubts about the description, each a sentence with its place.
+    pub warnings: Vec<String>,
 }
 
 /// One generated method.

@@ -7,6 +7,7 @@
 //!                             of Expr
 //! ```
 
+pub mod builder;
 pub mod chain;
 pub mod description;
 pub mod emit;
@@ -19,3 +20,7 @@ pub mod model;
 pub mod request;
 pub mod schedule;
 pub mod simplify;
+
+pub use builder::Builder;
+pub use function::Function;
+pub use request::Real;

@@ -196,9 +196,13 @@ fn origin(about: &About) -> String {
     line
 }
 
-fn facts(about: &About) -> Option<String> {
-    let facts = about.facts.join("; ");
-    (!facts.is_empty()).then(|| format!("Modelled: {facts}."))
+/// What is modelled and what is doubted, a line each.
+fn facts(about: &About) -> Vec<String> {
+    let lines = [("Modelled", &about.facts), ("Doubts", &about.warnings)];
+    let lines = lines.into_iter().filter(|(_, items)| !items.is_empty());
+    lines
+        .map(|(title, items)| format!("{title}: {}.", items.join("; ")))
+        .collect()
 }
 
 /// A name of the user's, so that neither Markdown nor a lint takes it for prose.

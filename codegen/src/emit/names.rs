@@ -82,6 +82,23 @@ pub(super) fn sanitize(text: &str) -> String {
     format!("{prefix}{trimmed}")
 }
 
+/// A text as the name of a type: `double pendulum` is `DoublePendulum`.
+#[must_use]
+pub fn type_name(text: &str) -> String {
+    let words = sanitize(text);
+    let words = words.split('_').map(|word| {
+        let mut letters = word.chars();
+        let first = letters.next().into_iter().flat_map(char::to_uppercase);
+        first.chain(letters).collect::<String>()
+    });
+    let name: String = words.collect();
+    if KEYWORDS.contains(&name.as_str()) {
+        format!("{name}_")
+    } else {
+        name
+    }
+}
+
 /// Whether a letter other than the underscore may stand within an identifier.
 fn is_continue(letter: char) -> bool {
     if letter.is_ascii() {
@@ -103,7 +120,7 @@ const KEYWORDS: [&str; 54] = [
 
 #[cfg(test)]
 mod tests {
-    use super::Names;
+    use super::{Names, type_name};
     use proc_macro2::Ident;
     use syn::parse_quote;
 
@@ -150,6 +167,22 @@ mod tests {
                 "x",
                 "kamera_öse",
                 "x_"
+            ]
+        );
+    }
+
+    #[test]
+    fn types_have_names_of_their_own() {
+        let names = ["panda", "double pendulum", "ur5e-robot", "2nd", "self", ""];
+        assert_eq!(
+            names.map(type_name),
+            [
+                "Panda",
+                "DoublePendulum",
+                "Ur5eRobot",
+                "N2nd",
+                "Self_",
+                "Unnamed"
             ]
         );
     }

@@ -69,7 +69,8 @@ fn constant(results: &[f64]) -> Program {
     }
 }
 
-fn listing(item: Item, scalar: Real) -> Listing {
+/// The arm, its gravity torques, and its data.
+pub(crate) fn listing(item: Item, scalar: Real) -> Listing {
     let identity = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let axis = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
     let inertia = [0.0833, 0.0, 0.0, 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.5];
@@ -93,6 +94,7 @@ fn listing(item: Item, scalar: Real) -> Listing {
                 "1 link merged".to_owned(),
                 "gravity only along −y".to_owned(),
             ],
+            warnings: Vec::new(),
         },
         functions: vec![listed(&[Function::Gravity], gravity(literal(0.5)))],
         data: ChainData {

@@ -1,0 +1,236 @@
+//! The door for build scripts.
+//!
+//! In: calls, in the vocabulary of the derive's attributes. Out: a readable file in `OUT_DIR` that
+//! needs `core` and a way to compute sines, and nothing else. It never reads or writes anything
+//! before [`Builder::write`], [`Builder::to_tokens`] or [`Builder::to_source`].
+
+#[cfg(feature = "pretty")]
+mod file;
+mod output;
+#[cfg(all(test, feature = "pretty"))]
+mod tests;
+
+use std::path::PathBuf;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::ToTokens;
+use syn::parse::Parse;
+
+use crate::description::{Description, Name, Number};
+use crate::emit::{Item, Listing};
+use crate::error::{Errors, Place};
+use crate::expand;
+use crate::function::Function;
+use crate::request::{Parameter, Real, Request, Target};
+
+/// Reads a robot and writes its functions.
+///
+/// ```no_run
+/// # fn main() -> Result<(), homogen_codegen::error::Errors> {
+/// use homogen_codegen::{Builder, Function::*, Real};
+///
+/// Builder::from_urdf("arm.urdf")
+///     .tip("tool0")
+///     .scalar(Real::F32)
+///     .generate([InverseDynamics, Gravity])
+///     .write("arm.rs")?;
+/// # Ok(())
+/// # }
+/// ```
+///
+/// In the crate: `include!(concat!(env!("OUT_DIR"), "/arm.rs"));`.
+#[derive(Clone)]
+#[must_use = "nothing is generated before `write`, `to_tokens` or `to_source`"]
+pub struct Builder {
+    origin: Origin,
+    name: Option<Ident>,
+    request: Request,
+    sin_cos: Option<TokenStream>,
+    sqrt: Option<TokenStream>,
+    /// Options that are not what they should be; told with all other mistakes.
+    mistakes: Errors,
+    expand: Expand,
+}
+
+/// Where the description comes from.
+#[derive(Clone)]
+enum Origin {
+    File(PathBuf),
+    Description(Box<Description>),
+}
+
+/// All stages but the last.
+type Expand = fn(&Description, &Request, Item) -> Result<Listing, Errors>;
+
+impl Builder {
+    /// A robot in a URDF file; a relative path begins at the package of the build script.
+    pub fn from_urdf(path: impl Into<PathBuf>) -> Self {
+        Self::new(Origin::File(path.into()))
+    }
+
+    /// A robot in a file with a Denavit–Hartenberg table.
+    pub fn from_denavit_hartenberg(path: impl Into<PathBuf>) -> Self {
+        Self::new(Origin::File(path.into()))
+    }
+
+    /// A robot that is described already.
+    pub fn from_description(description: Description) -> Self {
+        Self::new(Origin::Description(Box::new(description)))
+    }
+
+    fn new(origin: Origin) -> Self {
+        Self {
+            origin,
+            name: None,
+            request: Request::default(),
+            sin_cos: None,
+            sqrt: None,
+            mistakes: Errors::new(),
+            expand: expand::expand,
+        }
+    }
+
+    /// The name of the struct that is written; the robot's own where none is given.
+    pub fn name(mut self, name: &str) -> Self {
+        self.name = self.parsed(name);
+        self
+    }
+
+    /// The link taken as fixed; the root where none is named.
+    pub fn base(mut self, link: impl Into<String>) -> Self {
+        self.request.base = Some(named(link));
+        self
+    }
+
+    /// The link whose frame poses and Jacobians are of.
+    pub fn tip(mut self, link: impl Into<String>) -> Self {
+        self.request.tip = Some(named(link));
+        self
+    }
+
+    /// Locks every joint that does not move the tip.
+    pub fn path_only(mut self) -> Self {
+        self.request.path_only = true;
+        self
+    }
+
+    /// Holds a joint still at zero; the bodies it carries stay as mass.
+    pub fn lock(mut self, joint: impl Into<String>) -> Self {
+        self.request.lock.push((named(joint), None));
+        self
+    }
+
+    /// Holds a joint still at a coordinate, in rad or m.
+    pub fn lock_at(mut self, joint: impl Into<String>, coordinate: f64) -> Self {
+        let coordinate = Some(number(coordinate));
+        self.request.lock.push((named(joint), coordinate));
+        self
+    }
+
+    /// Takes a link off with all that it carries, and with their mass.
+    pub fn drop(mut self, link: impl Into<String>) -> Self {
+        self.request.drop.push(named(link));
+        self
+    }
+
+    /// Further links whose frames the functions of a frame are generated for.
+    pub fn frames<L: Into<String>>(mut self, links: impl IntoIterator<Item = L>) -> Self {
+        self.request.frames.extend(links.into_iter().map(named));
+        self
+    }
+
+    /// The acceleration of gravity in the base frame, in m/s²; (0, 0, −9.81) where none is given.
+    pub fn gravity(mut self, gravity: [f64; 3]) -> Self {
+        self.request.gravity = Some(gravity.map(number));
+        self
+    }
+
+    /// Keeps `1.5708` as written instead of taking it for π/2.
+    pub fn exact(mut self) -> Self {
+        self.request.exact = true;
+        self
+    }
+
+    /// Refuses inertias that no body can have, instead of warning.
+    pub fn strict(mut self) -> Self {
+        self.request.strict = true;
+        self
+    }
+
+    /// The type of number; without the runtime [`Real::Generic`] is taken for `f64`.
+    pub fn scalar(mut self, scalar: Real) -> Self {
+        self.request.scalar = scalar;
+        self
+    }
+
+    /// Functions, each a method of its own.
+    pub fn generate(mut self, functions: impl IntoIterator<Item = Function>) -> Self {
+        let functions = functions.into_iter().map(|function| vec![function]);
+        self.request.functions.extend(functions);
+        self
+    }
+
+    /// Functions that become one method: they share their work and are returned as a tuple.
+    pub fn all_of(mut self, functions: impl IntoIterator<Item = Function>) -> Self {
+        self.request.functions.push(functions.into_iter().collect());
+        self
+    }
+
+    /// A public field of the struct that takes the place of a number of the description.
+    pub fn parameter(mut self, field: &str, target: Target) -> Self {
+        if let Some(field) = self.parsed(field) {
+            self.request.parameters.push(Parameter { field, target });
+        }
+        self
+    }
+
+    /// The path of a function from an angle to its sine and cosine; `::libm::sincos` or
+    /// `::libm::sincosf` where none is given.
+    pub fn sin_cos(mut self, path: &str) -> Self {
+        self.sin_cos = self.path(path);
+        self
+    }
+
+    /// The path of a function from a number to its square root; `::libm::sqrt` or `::libm::sqrtf`
+    /// where none is given.
+    pub fn sqrt(mut self, path: &str) -> Self {
+        self.sqrt = self.path(path);
+        self
+    }
+
+    /// Writes what the derive would: code for a crate that has the runtime, at `path`
+    /// (`::homogen`), with typed matrices and traits.
+    pub fn runtime(mut self, path: &str) -> Self {
+        self.request.runtime = self.path(path);
+        self
+    }
+
+    fn path(&mut self, text: &str) -> Option<TokenStream> {
+        let path: Option<syn::Path> = self.parsed(text);
+        path.map(ToTokens::into_token_stream)
+    }
+
+    /// A part of Rust, or a mistake.
+    fn parsed<T: Parse>(&mut self, text: &str) -> Option<T> {
+        let parsed = syn::parse_str(text);
+        if let Err(reason) = &parsed {
+            let message = format!("`{text}` is not what an option wants: {reason}");
+            self.mistakes.push(Place::Unknown, message);
+        }
+        parsed.ok()
+    }
+}
+
+fn named(text: impl Into<String>) -> Name {
+    Name {
+        text: text.into(),
+        place: Place::Unknown,
+    }
+}
+
+fn number(value: f64) -> Number {
+    Number {
+        value,
+        ..Number::default()
+    }
+}

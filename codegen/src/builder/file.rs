@@ -1,0 +1,101 @@
+//! The file that a [`Builder`] writes.
+//!
+//! In: its options and its tokens. Out: formatted text under a head that tells origin, options and
+//! prices, in `OUT_DIR`; and what cargo wants to hear. It never writes anywhere else.
+
+use std::path::Path;
+use std::{env, fs};
+
+use super::{Builder, Origin};
+use crate::emit::{self, Listing};
+use crate::error::{Errors, Place};
+use crate::request::Real;
+
+impl Builder {
+    /// The same as [`Builder::to_tokens`], formatted, under a head that tells origin, options and
+    /// prices.
+    ///
+    /// # Errors
+    /// All the mistakes of the description and of the request.
+    pub fn to_source(&self) -> Result<emit::Source, Errors> {
+        self.listing().map(|listing| self.source(&listing))
+    }
+
+    /// Writes [`Builder::to_source`] to a file in `OUT_DIR`, and tells cargo which file to watch
+    /// and what is doubtful about it.
+    ///
+    /// # Errors
+    /// All the mistakes of the description and of the request, each of which cargo shows; a file
+    /// that cannot be written.
+    pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
+        if let Origin::File(path) = &self.origin {
+            println!("cargo::rerun-if-changed={}", path.display());
+        }
+        let written = self.listing().and_then(|listing| {
+            for warning in &listing.about.warnings {
+                println!("cargo::warning={warning}");
+            }
+            write(file.as_ref(), &self.source(&listing))
+        });
+        if let Err(errors) = &written {
+            for line in errors.to_string().lines() {
+                println!("cargo::error={}", line.trim_start_matches("error: "));
+            }
+        }
+        written
+    }
+
+    fn source(&self, listing: &Listing) -> emit::Source {
+        let header = emit::header(listing, &self.options());
+        emit::Source::new(header, &self.print(listing))
+    }
+
+    /// What was asked for, as the command line would say it.
+    fn options(&self) -> String {
+        let request = &self.request;
+        let number = match (request.scalar, &request.runtime) {
+            (Real::F32, _) => "f32",
+            (Real::Generic, Some(_)) => "any scalar",
+            (Real::F64 | Real::Generic, _) => "f64",
+        };
+        let mut options = vec![number.to_owned()];
+        options.extend(
+            request
+                .base
+                .iter()
+                .map(|link| format!("base {}", link.text)),
+        );
+        options.extend(request.tip.iter().map(|link| format!("tip {}", link.text)));
+        options.extend(request.path_only.then(|| "path only".to_owned()));
+        options.extend(request.lock.iter().map(|(joint, at)| {
+            let at = at.map_or(0.0, |at| at.value);
+            format!("lock {}={at:?}", joint.text)
+        }));
+        options.extend(
+            request
+                .drop
+                .iter()
+                .map(|link| format!("drop {}", link.text)),
+        );
+        options.extend(request.gravity.map(|gravity| {
+            let gravity = gravity.map(|number| number.value);
+            format!("gravity {gravity:?}")
+        }));
+        options.extend(request.exact.then(|| "exact".to_owned()));
+        options.extend(request.strict.then(|| "strict".to_owned()));
+        options.join(", ")
+    }
+}
+
+fn write(file: &Path, source: &emit::Source) -> Result<(), Errors> {
+    let refuse = |message: String| {
+        let mut errors = Errors::new();
+        errors.push(Place::Unknown, message);
+        errors
+    };
+    let folder = env::var_os("OUT_DIR")
+        .ok_or_else(|| refuse("OUT_DIR is not set: this is for build scripts".to_owned()))?;
+    let path = Path::new(&folder).join(file);
+    fs::write(&path, source.to_string())
+        .map_err(|reason| refuse(format!("cannot write {}: {reason}", path.display())))
+}

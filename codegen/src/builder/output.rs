@@ -1,0 +1,57 @@
+//! What a [`Builder`] makes of its options.
+//!
+//! In: the options. Out: tokens. It never changes an option.
+
+use proc_macro2::{Ident, Span, TokenStream};
+
+use super::{Builder, Origin};
+use crate::description::{self, Description};
+use crate::emit::{self, Item, Library, Listing};
+use crate::error::Errors;
+use crate::request::Real;
+
+impl Builder {
+    /// The struct and its methods.
+    ///
+    /// # Errors
+    /// All the mistakes of the description and of the request.
+    pub fn to_tokens(&self) -> Result<TokenStream, Errors> {
+        Ok(self.print(&self.listing()?))
+    }
+
+    pub(super) fn print(&self, listing: &Listing) -> TokenStream {
+        if self.request.runtime.is_some() {
+            return emit::emit(listing);
+        }
+        let mut library = Library::libm(listing.scalar);
+        if let Some(sin_cos) = &self.sin_cos {
+            library.sin_cos.clone_from(sin_cos);
+        }
+        if let Some(sqrt) = &self.sqrt {
+            library.sqrt.clone_from(sqrt);
+        }
+        emit::standalone(listing, &library)
+    }
+
+    pub(super) fn listing(&self) -> Result<Listing, Errors> {
+        let mut errors = self.mistakes.clone();
+        let description = match self.description(&mut errors) {
+            Some(description) if errors.is_empty() => description,
+            _ => return Err(errors),
+        };
+        let name = || Ident::new(&emit::type_name(&description.name.text), Span::call_site());
+        let item = Item::made(self.name.clone().unwrap_or_else(name));
+        let mut request = self.request.clone();
+        if request.runtime.is_none() && request.scalar == Real::Generic {
+            request.scalar = Real::F64;
+        }
+        (self.expand)(&description, &request, item)
+    }
+
+    fn description(&self, errors: &mut Errors) -> Option<Description> {
+        match &self.origin {
+            Origin::File(path) => description::read_file(path, None, errors),
+            Origin::Description(description) => Some((**description).clone()),
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The options of a build script, and what they lead to; the stages between are made by hand.
+
+use super::Builder;
+use crate::description::Description;
+use crate::emit::tests::listing;
+use crate::emit::{Item, Listing};
+use crate::error::{Errors, Place};
+use crate::function::Function;
+use crate::request::{Real, Request, Target};
+
+const URDF: &str = r#"<robot name="double pendulum"><link name="world"/></robot>"#;
+
+fn arm(expand: fn(&Description, &Request, Item) -> Result<Listing, Errors>) -> Builder {
+    let mut errors = Errors::new();
+    let description = crate::description::read_text(URDF, "pendulum.urdf", None, &mut errors);
+    let builder = Builder::from_description(description.expect("it is a robot"));
+    Builder { expand, ..builder }
+}
+
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "the stages it stands for can fail"
+)]
+fn as_asked(_: &Description, request: &Request, item: Item) -> Result<Listing, Errors> {
+    let runtime = request.runtime.clone();
+    Ok(Listing {
+        parameters: request.parameters.clone(),
+        runtime,
+        ..listing(item, request.scalar)
+    })
+}
+
+fn text(builder: &Builder) -> String {
+    builder.to_source().expect("no mistakes").to_string()
+}
+
+#[test]
+fn a_file_needs_nothing_but_core_and_sines() {
+    let builder = arm(as_asked).generate([Function::Gravity]);
+    let text = text(&builder.sin_cos("crate::fast::sin_cos").tip("rod-2"));
+    for part in [
+        "// Options: f64, tip rod-2.\n",
+        "pub struct DoublePendulum;\n",
+        "pub fn gravity(&self, q: &[f64; 2]) -> [f64; 2] {\n",
+        "let (_, c_1) = crate::fast::sin_cos(q_1);\n",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
+}
+
+#[test]
+fn with_the_runtime_it_is_what_a_derive_expands_to() {
+    let builder = arm(as_asked).name("Arm").runtime("::homogen");
+    let text = text(&builder);
+    assert!(text.contains("pub struct Arm;\n"), "{text}");
+    assert!(
+        text.contains("::homogen::robot::Gravity<2, T> for Arm {"),
+        "{text}"
+    );
+}
+
+#[test]
+fn every_option_reaches_the_stages() {
+    let builder = arm(|_, request, _| {
+        assert_eq!(request.scalar, Real::F32);
+        assert_eq!(
+            request.functions,
+            [vec![Function::MassMatrix, Function::Bias]]
+        );
+        assert_eq!(request.base.as_ref().map(|base| &*base.text), Some("world"));
+        assert!(request.exact && request.strict && request.path_only);
+        assert_eq!(request.lock.len(), 2);
+        assert_eq!(request.parameters.len(), 1);
+        let mut errors = Errors::new();
+        errors.push(Place::Unknown, "as asked");
+        Err(errors)
+    });
+    let builder = builder
+        .scalar(Real::F32)
+        .base("world")
+        .all_of([Function::MassMatrix, Function::Bias])
+        .path_only()
+        .exact()
+        .strict()
+        .lock("shoulder")
+        .lock_at("elbow", 0.5)
+        .parameter("field", Target::Gravity);
+    let errors = builder.to_tokens().expect_err("as asked");
+    assert_eq!(errors.to_string(), "error: as asked\n");
+}
+
+#[test]
+fn options_that_are_no_rust_are_all_told() {
+    let builder = arm(as_asked)
+        .name("fn")
+        .sin_cos("1 + 1")
+        .parameter("a b", Target::Gravity);
+    let errors = builder.to_tokens().expect_err("three mistakes");
+    assert_eq!(errors.complaints().len(), 3, "{errors}");
+}
+
+#[test]
+fn a_file_that_is_not_there_is_told() {
+    let errors = Builder::from_urdf("no/such.urdf")
+        .to_tokens()
+        .expect_err("no file");
+    assert!(errors.to_string().contains("such.urdf"), "{errors}");
+}

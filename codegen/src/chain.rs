@@ -9,8 +9,10 @@ mod angle;
 mod check;
 pub mod frames;
 mod merge;
+mod names;
 mod physical;
 pub mod regroup;
+mod shape;
 
 use crate::description::Description;
 use crate::error::{Complaint, Errors};

@@ -18,7 +18,6 @@ mod position;
 mod settings;
 mod tokens;
 pub mod urdf;
-mod wording;
 
 use proc_macro2::Span;
 

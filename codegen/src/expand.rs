@@ -1,4 +1,3 @@
-<<<<<<< HEAD
 //! The way through the house: from a description to everything that is printed for it.
 //!
 //! In: a description, a request, the struct that gets the functions. Out: a [`Listing`]. It only
@@ -9,7 +8,7 @@ use crate::chain::{self, Chain};
 use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::Errors;
-use crate::expression::{Expr, Term};
+use crate::expression::{Double, Expr, Term};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::Request;
@@ -39,6 +38,9 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
 }
 
 /// The cheapest program found for some functions together, of a frame of the chain.
+///
+/// # Panics
+/// Where a function of a frame is asked for and the chain has none.
 #[must_use]
 pub fn program(chain: &Chain, functions: &[Function], frame: usize) -> Program {
     let dynamic = functions.iter().any(|function| !function.of_a_frame());
@@ -168,7 +170,16 @@ fn about(description: &Description, chain: &Chain) -> About {
             .map(|joint| joint.name.clone())
             .collect(),
         facts: facts(chain),
+        warnings: warnings(description, chain),
     }
+}
+
+fn warnings(description: &Description, chain: &Chain) -> Vec<String> {
+    let mut places = Errors::new();
+    if let Some(file) = &description.source.file {
+        places.set_file(file.clone(), None);
+    }
+    chain.report.warnings.iter().map(|warning| places.locate(warning)).collect()
 }
 
 fn facts(chain: &Chain) -> Vec<String> {
@@ -193,19 +204,13 @@ fn facts(chain: &Chain) -> Vec<String> {
         "{used} of {} inertial parameters used",
         10 * chain.joints.len()
     ));
-    facts.extend(
-        report
-            .warnings
-            .iter()
-            .map(|warning| warning.message.clone()),
-    );
     facts
 }
 
 fn gravity(chain: &Chain) -> String {
     let entries = chain
         .gravity
-        .map(|entry| chain.graph.value(entry).map(|value| value.to_f64()));
+        .map(|entry| chain.graph.value(entry).map(Double::to_f64));
     match entries.0 {
         [Some(x), Some(y), Some(z)] => {
             let names = ["x", "y", "z"];
@@ -244,41 +249,4 @@ fn base_parameters(chain: &Chain) -> usize {
         .flat_map(|body| body.inertia.entries())
         .filter(|entry| !entry.is_zero())
         .count()
-=======
-//! The six lines from a description to tokens.
-//!
-//! In: what a door has read. Out: what the last stage prints. It never does a stage's work.
-
-use proc_macro2::TokenStream;
-
-use crate::description::Description;
-use crate::emit::{Item, Listing};
-use crate::error::{Errors, Place};
-use crate::request::Request;
-
-/// A description and what is asked of it, as far as tokens.
-///
-/// # Errors
-/// All the mistakes of the description and of the request.
-pub fn expand(_: &Description, _: &Request, _: Item) -> Result<Listing, Errors> {
-    Err(not_joined())
-}
-
-/// What `#[derive(Robot)]` adds to the struct in `input`.
-#[must_use]
-pub fn derive(_input: TokenStream) -> TokenStream {
-    not_joined().to_compile_errors()
-}
-
-/// What `chain! { … }` expands to.
-#[must_use]
-pub fn chain(_input: TokenStream) -> TokenStream {
-    not_joined().to_compile_errors()
-}
-
-fn not_joined() -> Errors {
-    let mut errors = Errors::new();
-    errors.push(Place::Unknown, "the stages are not joined yet");
-    errors
->>>>>>> emit
 }

@@ -34,6 +34,9 @@ impl<'g> Site<'g> {
 }
 
 /// Makes the expressions anew with fewer operations.
+///
+/// # Panics
+/// Where an expression is not of this graph.
 #[must_use]
 pub fn simplify(graph: &Graph, results: &[Expr]) -> (Graph, Vec<Expr>) {
     let made = Graph::new();

@@ -6,7 +6,7 @@
 //! is best: that is counted, function by function.
 
 use super::{Chain, Motion, regroup};
-use crate::expression::{Graph, Term};
+use crate::expression::{Double, Graph, Term};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 
 /// The bodies of a chain with their frames.
@@ -177,11 +177,10 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         for k in 0..count {
             let body = bodies.bodies[k];
             let end = bodies.first_child(k).is_none();
-            if end && !matches!(body.motion, Motion::Prismatic) {
-                if let Some(turn) = towards_mass_center(&body.inertia) {
+            if end && !matches!(body.motion, Motion::Prismatic)
+                && let Some(turn) = towards_mass_center(&body.inertia) {
                     bodies.move_frame(k, turn);
                 }
-            }
         }
     }
     for body in &mut bodies.bodies {
@@ -247,14 +246,14 @@ fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
 }
 
 /// A rotation whose third column is the given direction, made of the axes themselves where it can.
-fn z_along<'g>(direction: Vector<Term<'g>>) -> Rotation<Term<'g>> {
+fn z_along(direction: Vector<Term<'_>>) -> Rotation<Term<'_>> {
     let graph = direction.x().graph();
     let axis = |k: usize| {
         let mut entries = [0.0; 3];
         entries[k] = 1.0;
         Vector::constant(graph, entries)
     };
-    let size = |k: usize| direction.0[k].value().map_or(0.0, |value| value.to_f64());
+    let size = |k: usize| direction.0[k].value().map_or(0.0, Double::to_f64);
     for k in 0..3 {
         let (next, last) = (axis((k + 1) % 3), axis((k + 2) % 3));
         if direction.0[(k + 1) % 3].is_zero() && direction.0[(k + 2) % 3].is_zero() {
@@ -269,7 +268,7 @@ fn z_along<'g>(direction: Vector<Term<'g>>) -> Rotation<Term<'g>> {
     Rotation::from_columns([x, direction.cross(x), direction])
 }
 
-fn normalized<'g>(vector: Vector<Term<'g>>) -> Vector<Term<'g>> {
+fn normalized(vector: Vector<Term<'_>>) -> Vector<Term<'_>> {
     let length = vector.dot(vector).sqrt();
     vector.map(|entry| entry / length)
 }

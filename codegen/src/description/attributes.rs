@@ -14,7 +14,7 @@ use syn::{Attribute, Data, DeriveInput, Field, Fields, Ident, Meta};
 use super::inline::{self, Contents};
 use super::item::Item;
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use super::wording::{known, quoted};
+use crate::wording::{known, quoted};
 use crate::error::Errors;
 use crate::request::{Parameter, Target};
 

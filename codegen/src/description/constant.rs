@@ -6,7 +6,7 @@
 
 use super::Number;
 use super::number::{self, Refusal};
-use super::wording::quoted;
+use crate::wording::quoted;
 use crate::error::Place;
 use crate::expression::Double;
 

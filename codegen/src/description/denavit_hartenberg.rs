@@ -12,7 +12,7 @@
 
 use proc_macro2::Span;
 
-use super::wording::known;
+use crate::wording::known;
 use super::{Axis, Inertial, Joint, JointKind, Limits, Link, Name, Number, Step, number};
 use crate::error::Place;
 
@@ -47,7 +47,7 @@ impl Convention {
             "standard" => Ok(Self::Standard),
             "modified" => Ok(Self::Modified),
             other => Err((
-                format!("unknown convention {}", super::wording::quoted(other)),
+                format!("unknown convention {}", crate::wording::quoted(other)),
                 known(other, "conventions", &["standard", "modified"]),
             )),
         }

@@ -25,7 +25,7 @@ use self::joint::Joint;
 use super::item::Item;
 use super::settings::{self, Settings};
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use super::wording::quoted;
+use crate::wording::quoted;
 use super::{Description, Link, Name, Source, file, names};
 use crate::error::{Errors, Place};
 

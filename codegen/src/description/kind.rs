@@ -2,7 +2,7 @@
 //!
 //! In: a word of a description. Out: the type it names, or the sentence that refuses it.
 
-use super::wording::{known, list, quoted};
+use crate::wording::{known, list, quoted};
 
 /// A type of joint, before its axis and pitch are known.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -10,7 +10,7 @@ use syn::{Ident, LitStr, Path, Token, token};
 
 use super::number;
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use super::wording::{known, quoted};
+use crate::wording::{known, quoted};
 use crate::error::{Errors, Place};
 use crate::function::Function;
 use crate::request::{Real, Request};

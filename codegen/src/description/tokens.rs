@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, LitFloat, LitInt, LitStr, Token, token};
 
-use super::wording::{known, quoted};
+use crate::wording::{known, quoted};
 use super::{Name, Number, constant};
 use crate::error::{Complaint, Errors, Place};
 
@@ -185,20 +185,20 @@ fn exactly<const N: usize>(numbers: Vec<Number>, span: Span, subject: &str) -> P
 }
 
 /// What stands in parentheses.
-pub(super) fn parentheses<'a>(input: ParseStream<'a>) -> syn::Result<ParseBuffer<'a>> {
+pub(super) fn parentheses(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
     let content;
     syn::parenthesized!(content in input);
     Ok(content)
 }
 
 /// What stands in braces.
-pub(super) fn braces<'a>(input: ParseStream<'a>) -> syn::Result<ParseBuffer<'a>> {
+pub(super) fn braces(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
     let content;
     syn::braced!(content in input);
     Ok(content)
 }
 
-fn brackets<'a>(input: ParseStream<'a>) -> syn::Result<ParseBuffer<'a>> {
+fn brackets(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
     let content;
     syn::bracketed!(content in input);
     Ok(content)

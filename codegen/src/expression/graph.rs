@@ -68,11 +68,11 @@ pub enum Node {
 /// Scalars in the order in which they were made.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
-    inner: RefCell<Nodes>,
+    inner: RefCell<Inner>,
 }
 
 #[derive(Clone, Debug, Default)]
-struct Nodes {
+struct Inner {
     nodes: Vec<Node>,
     /// The value of each node that no input enters.
     values: Vec<Option<Double>>,
@@ -223,7 +223,7 @@ impl Expr {
     }
 }
 
-impl Nodes {
+impl Inner {
     fn intern(&mut self, node: Node, value: Option<Double>) -> Expr {
         if let Some(&known) = self.memo.get(&node) {
             return known;

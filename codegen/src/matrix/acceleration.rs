@@ -17,6 +17,7 @@ pub struct Acceleration<E> {
 
 impl<'g> Acceleration<Term<'g>> {
     /// Of a frame that does not turn and whose origin accelerates by `a`.
+    #[must_use]
     pub fn linear(a: Vector<Term<'g>>) -> Self {
         let zero = Vector::zero(graph_of(a));
         Self {
@@ -27,6 +28,7 @@ impl<'g> Acceleration<Term<'g>> {
     }
 
     /// The block G = ω̲̇ + ω̲², row by row.
+    #[must_use]
     pub fn g(self) -> [[Term<'g>; 3]; 3] {
         let [x, y, z] = self.omega.0;
         let [dx, dy, dz] = self.omega_dot.0;
@@ -40,6 +42,7 @@ impl<'g> Acceleration<Term<'g>> {
     }
 
     /// Acceleration of a point of the body (eq. 7): G p + a.
+    #[must_use]
     pub fn point(self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
         Vector(self.g().map(|row| Vector(row).dot(point))) + self.a
     }

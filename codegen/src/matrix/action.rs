@@ -24,6 +24,7 @@ impl<'g> Action<Term<'g>> {
     }
 
     /// What gives a body of inertia J the acceleration H: Φ = skew\[H J\] (eqs. 18 and 25).
+    #[must_use]
     pub fn of(h: Acceleration<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let g = h.g();
         let [[_, gxy, gxz], [gyx, _, gyz], [gzx, gzy, _]] = g;
@@ -43,6 +44,7 @@ impl<'g> Action<Term<'g>> {
 
     /// What starts a body of inertia J along a screw from rest, per unit of acceleration:
     /// skew\[L J\].
+    #[must_use]
     pub fn of_screw(l: Screw<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let (c, f) = j.skew(l.u, l.b);
         Self { c, f }
@@ -59,6 +61,7 @@ impl<'g> Action<Term<'g>> {
     }
 
     /// The pseudo scalar product L ⊗ Φ = u·c + b·f: the power of the action at unit rate.
+    #[must_use]
     pub fn along(self, screw: Screw<Term<'g>>) -> Term<'g> {
         screw.u.dot(self.c) + screw.b.dot(self.f)
     }

@@ -113,6 +113,7 @@ impl<'g> Inertia<Term<'g>> {
     }
 
     /// Of a mass at the origin with second moments about it.
+    #[must_use]
     pub fn central(mass: Term<'g>, second: Symmetric<Term<'g>>) -> Self {
         Self {
             second,
@@ -157,6 +158,7 @@ impl<'g> Inertia<Term<'g>> {
 
     /// skew\[X J\] for X = u̲, b; 0, 0: the couple and the force, or the angular and the linear
     /// momentum (eqs. 20 and 26).
+    #[must_use]
     pub fn skew(
         self,
         u: Vector<Term<'g>>,

@@ -14,6 +14,7 @@ pub struct Momentum<E> {
 
 impl<'g> Momentum<Term<'g>> {
     /// Γ = skew\[W J\] (eqs. 20 and 26).
+    #[must_use]
     pub fn of(w: Velocity<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let (gamma, rho) = j.skew(w.omega, w.v);
         Self { gamma, rho }

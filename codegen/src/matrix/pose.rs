@@ -49,6 +49,7 @@ impl<'g> Rotation<Term<'g>> {
     }
 
     /// About z by an angle of which sine and cosine are given.
+    #[must_use]
     pub fn about_z((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
@@ -60,6 +61,7 @@ impl<'g> Rotation<Term<'g>> {
     }
 
     /// About x by an angle of which sine and cosine are given.
+    #[must_use]
     pub fn about_x((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
@@ -71,6 +73,7 @@ impl<'g> Rotation<Term<'g>> {
     }
 
     /// About y by an angle of which sine and cosine are given.
+    #[must_use]
     pub fn about_y((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
@@ -126,6 +129,7 @@ impl<'g> Pose<Term<'g>> {
     }
 
     /// Parallel axes, another origin.
+    #[must_use]
     pub fn translation(translation: Vector<Term<'g>>) -> Self {
         Self {
             rotation: Rotation::identity(translation.x().graph()),
@@ -134,6 +138,7 @@ impl<'g> Pose<Term<'g>> {
     }
 
     /// The same origin, other axes.
+    #[must_use]
     pub fn rotation(rotation: Rotation<Term<'g>>) -> Self {
         Self {
             rotation,
@@ -152,6 +157,7 @@ impl<'g> Pose<Term<'g>> {
     }
 
     /// A point of the frame, seen from the other.
+    #[must_use]
     pub fn point(self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
         self.rotation * point + self.translation
     }

@@ -24,6 +24,7 @@ impl<'g> Screw<Term<'g>> {
     }
 
     /// The six entries u, b.
+    #[must_use]
     pub fn entries(self) -> [Term<'g>; 6] {
         let ([ux, uy, uz], [bx, by, bz]) = (self.u.0, self.b.0);
         [ux, uy, uz, bx, by, bz]

@@ -25,6 +25,7 @@ impl<'g> Velocity<Term<'g>> {
     }
 
     /// L q̇.
+    #[must_use]
     pub fn of_screw(screw: Screw<Term<'g>>, rate: Term<'g>) -> Self {
         Self {
             omega: screw.u * rate,

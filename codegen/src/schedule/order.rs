@@ -7,6 +7,9 @@ use super::{Operand, Operation, Program, Step, fuse};
 use crate::expression::{Expr, Graph, Node};
 
 /// The program that computes the given expressions and nothing else.
+///
+/// # Panics
+/// Where an expression is not of this graph.
 #[must_use]
 pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
     let (needed, uses) = graph.needed(results);

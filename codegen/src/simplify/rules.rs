@@ -66,6 +66,11 @@ fn sum<'g>(site: &Site<'g>, term: Term<'g>) -> Option<Sum<'g>> {
 }
 
 impl<'g> Sum<'g> {
+    /// Both operands, each with whether a minus stands before it.
+    const fn signed(&self) -> [(bool, Term<'g>); 2] {
+        [(false, self.a), (self.minus, self.b)]
+    }
+
     fn of(&self, a: Term<'g>, b: Term<'g>) -> Term<'g> {
         if self.minus { a - b } else { a + b }
     }
@@ -93,27 +98,15 @@ fn pythagoras<'g>(site: &Site<'g>, sum: &Sum<'g>) -> Option<Term<'g>> {
 }
 
 fn cancel<'g>(site: &Site<'g>, outer: &Sum<'g>) -> Option<Term<'g>> {
-    let inside = |term| sum(site, term);
-    let same = |a: Term<'g>, b: Term<'g>| a.expr() == b.expr();
-    if let Some(inner) = inside(outer.a) {
-        match (inner.minus, outer.minus) {
-            (false, true) if same(inner.b, outer.b) => return Some(inner.a),
-            (false, true) if same(inner.a, outer.b) => return Some(inner.b),
-            (true, false) if same(inner.b, outer.b) => return Some(inner.a),
-            (true, true) if same(inner.a, outer.b) => return Some(-inner.b),
-            _ => {}
-        }
-    }
-    if let Some(inner) = inside(outer.b) {
-        match (inner.minus, outer.minus) {
-            (true, false) if same(inner.b, outer.a) => return Some(inner.a),
-            (false, true) if same(inner.a, outer.a) => return Some(-inner.b),
-            (false, true) if same(inner.b, outer.a) => return Some(-inner.a),
-            (true, true) if same(inner.a, outer.a) => return Some(inner.b),
-            _ => {}
-        }
-    }
-    None
+    let [a, b] = outer.signed();
+    [(a, b), (b, a)].into_iter().find_map(|((minus, group), (other_minus, other))| {
+        let [x, y] = sum(site, group)?.signed();
+        [(x, y), (y, x)].into_iter().find_map(|((x_minus, x), (y_minus, y))| {
+            let opposite = (minus != x_minus) != other_minus;
+            let rest = if minus == y_minus { y } else { -y };
+            (opposite && x.expr() == other.expr()).then_some(rest)
+        })
+    })
 }
 
 fn gather_constants<'g>(site: &Site<'g>, outer: &Sum<'g>) -> Option<Term<'g>> {

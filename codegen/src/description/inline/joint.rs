@@ -9,7 +9,7 @@ use syn::{Token, token};
 use super::body;
 use crate::description::kind::{self, Kind};
 use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
-use crate::description::wording::{known, quoted};
+use crate::wording::{known, quoted};
 use crate::description::{Axis, JointKind, Limits, Name, Number, Step, axis, number};
 use crate::error::{Errors, Place};
 

@@ -12,7 +12,7 @@ use super::joint::Range;
 use crate::description::denavit_hartenberg::{self, Convention, Row};
 use crate::description::kind::{self, Kind};
 use crate::description::tokens::{self, Parsed, complaint_with_hint};
-use crate::description::wording::quoted;
+use crate::wording::quoted;
 use crate::description::{Joint, JointKind, Link, Name, Number, number};
 use crate::error::Errors;
 

@@ -8,7 +8,7 @@ use roxmltree::Node;
 
 use super::element::Reader;
 use crate::description::kind::{self, Kind};
-use crate::description::wording::quoted;
+use crate::wording::quoted;
 use crate::description::{Joint, JointKind, Limits, Name, Number, axis, number};
 
 /// What a joint may hold, mechanics or not.

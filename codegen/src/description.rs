@@ -22,7 +22,7 @@ mod wording;
 
 use proc_macro2::Span;
 
-pub use self::file::{read_file, read_text};
+pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;
 use crate::error::{Complaint, Place};
 

@@ -82,7 +82,6 @@ mod tests {
     }
 
     #[test]
-    #[expect(clippy::float_cmp, reason = "the nearest number is one number")]
     fn right_angles_are_the_nearest_numbers() {
         assert_eq!(value("pi/2"), (FRAC_PI_2, 0.0));
         assert_eq!(value("-pi/2"), (-FRAC_PI_2, 0.0));

@@ -36,6 +36,9 @@ const REQUIRED: usize = 6;
 /// The most rows: more joints than any robot has, and a bound on memory.
 const MOST_ROWS: usize = 10_000;
 
+/// The most lines, with and without rows in them.
+const MOST_LINES: usize = 100_000;
+
 /// What to do where the columns are not named.
 const HEADER: &str = "name the columns first: joint kind a alpha d theta";
 
@@ -60,7 +63,12 @@ pub fn read(
     let mut convention = None;
     let mut columns: Option<Vec<&str>> = None;
     let mut rows = Vec::new();
-    let mut lines = 0;
+    if let Some((offset, _)) = positions.text().match_indices('\n').nth(MOST_LINES) {
+        let message = format!("the table has more than {MOST_LINES} lines");
+        errors.push(positions.place(offset), message);
+        return None;
+    }
+    let mut joints = 0;
     for cells in lines_of(&positions) {
         let first = cells[0];
         if first.text == "convention" {
@@ -69,8 +77,8 @@ pub fn read(
             }
             convention = Some(read_convention(&cells, errors));
         } else if let Some(columns) = &columns {
-            lines += 1;
-            if lines > MOST_ROWS {
+            joints += 1;
+            if joints > MOST_ROWS {
                 let message = format!("the table has more than {MOST_ROWS} rows");
                 errors.push(first.place, message);
                 return None;

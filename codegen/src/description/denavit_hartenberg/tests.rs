@@ -308,6 +308,10 @@ fn hostile_tables_are_refused_quickly() {
         errors_in(&rows),
         "error: arm.dh:10003:1: the table has more than 10000 rows\n"
     );
+    assert_eq!(
+        errors_in(&"\n".repeat(100_000)),
+        "error: arm.dh:100001:1: the table has more than 100000 lines\n"
+    );
     let wide = "joint ".repeat(100_000);
     assert!(
         try_read(&wide)

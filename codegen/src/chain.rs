@@ -100,7 +100,7 @@ pub struct Report {
 pub struct Snapped {
     /// The joint or link it belongs to.
     pub item: String,
-    /// As written [rad].
+    /// As written \[rad\].
     pub written: f64,
     /// Quarter turns.
     pub quarters: i64,

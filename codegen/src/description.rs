@@ -21,7 +21,7 @@ pub mod urdf;
 
 use proc_macro2::Span;
 
-pub use self::file::{read_file, read_text};
+pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;
 use crate::error::{Complaint, Place};
 
@@ -87,7 +87,7 @@ pub struct Inertial {
     /// From the link's frame to the frame whose origin is the centre of mass and in whose axes
     /// the tensor is given [m, rad].
     pub origin: Vec<Step>,
-    /// Mass [kg].
+    /// Mass \[kg\].
     pub mass: Number,
     /// The usual inertia tensor about the centre of mass [kg m²]: xx, xy, xz, yy, yz, zz.
     pub inertia: [Number; 6],
@@ -99,9 +99,9 @@ pub struct Inertial {
 /// from left to right.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
-    /// Along x, y and z [m].
+    /// Along x, y and z \[m\].
     Translate([Number; 3]),
-    /// About one axis [rad].
+    /// About one axis \[rad\].
     Rotate(Axis, Number),
 }
 
@@ -141,13 +141,13 @@ pub struct Joint {
 /// The motions this version knows. A reader refuses every other by name.
 #[derive(Clone, Copy, Debug)]
 pub enum JointKind {
-    /// Rotation within limits [rad].
+    /// Rotation within limits \[rad\].
     Revolute,
-    /// Rotation without limits [rad].
+    /// Rotation without limits \[rad\].
     Continuous,
-    /// Translation [m].
+    /// Translation \[m\].
     Prismatic,
-    /// Rotation [rad] with a translation of `pitch` metres per radian.
+    /// Rotation \[rad\] with a translation of `pitch` metres per radian.
     Screw {
         /// Translation per radian [m/rad].
         pitch: Number,

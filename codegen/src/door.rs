@@ -19,7 +19,7 @@ use crate::{chain, request};
 pub fn derive(tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::new();
     match attributes::read(tokens, &folder(), &mut errors) {
-        Some(item) => open(item, errors, |_| Declaration::Exists),
+        Some(item) => open(&item, errors, |_| Declaration::Exists),
         None => errors.to_compile_errors(),
     }
 }
@@ -29,22 +29,26 @@ pub fn derive(tokens: TokenStream) -> TokenStream {
 pub fn chain(tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::new();
     match inline::read(tokens, &folder(), &mut errors) {
-        Some(item) => open(item, errors, |item| Declaration::Written(declaration(item))),
+        Some(item) => open(&item, errors, |item| {
+            Declaration::Written(declaration(item))
+        }),
         None => errors.to_compile_errors(),
     }
 }
 
 /// Where relative paths in macros begin: the folder of the user's `Cargo.toml`.
 fn folder() -> PathBuf {
-    std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default()
+    std::env::var_os("CARGO_MANIFEST_DIR")
+        .map(PathBuf::from)
+        .unwrap_or_default()
 }
 
-fn open(item: Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> TokenStream {
+fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> TokenStream {
     let target = emit::Item {
         visibility: item.visibility.clone(),
         ident: item.ident.clone(),
         generics: item.generics.clone(),
-        declaration: declare(&item),
+        declaration: declare(item),
     };
     if let (Some(description), true) = (&item.description, errors.is_empty()) {
         match expand(description, &item.request, target.clone()) {
@@ -57,8 +61,15 @@ fn open(item: Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> To
         }
     }
     let mistakes = errors.to_compile_errors();
-    let joints = item.description.as_ref().and_then(|robot| count(robot, &item.request));
-    let stub = emit::stub(&Wanted { item: &target, request: &item.request, joints });
+    let joints = item
+        .description
+        .as_ref()
+        .and_then(|robot| count(robot, &item.request));
+    let stub = emit::stub(&Wanted {
+        item: &target,
+        request: &item.request,
+        joints,
+    });
     quote! { #mistakes #stub }
 }
 
@@ -70,11 +81,18 @@ fn count(description: &Description, request: &request::Request) -> Option<usize>
         drop: request.drop.clone(),
         ..request::Request::default()
     };
-    chain::build(description, &shape).ok().map(|chain| chain.joints.len())
+    chain::build(description, &shape)
+        .ok()
+        .map(|chain| chain.joints.len())
 }
 
 fn declaration(item: &Item) -> TokenStream {
-    let Item { attributes, visibility, ident, .. } = item;
+    let Item {
+        attributes,
+        visibility,
+        ident,
+        ..
+    } = item;
     quote! {
         #(#attributes)*
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]

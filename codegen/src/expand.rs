@@ -179,7 +179,12 @@ fn warnings(description: &Description, chain: &Chain) -> Vec<String> {
     if let Some(file) = &description.source.file {
         places.set_file(file.clone(), None);
     }
-    chain.report.warnings.iter().map(|warning| places.locate(warning)).collect()
+    chain
+        .report
+        .warnings
+        .iter()
+        .map(|warning| places.locate(warning))
+        .collect()
 }
 
 fn facts(chain: &Chain) -> Vec<String> {

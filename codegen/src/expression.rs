@@ -1,7 +1,7 @@
 //! Scalars that are not known yet: a hash-consed graph of arithmetic.
 //!
 //! In: numbers, inputs, operations. Out: a [`Graph`] in which children come before parents and equal
-//! expressions are one node, in a canonical form fixed at construction (see [`graph`]). It never
+//! expressions are one node, in a canonical form fixed at construction (`graph.rs` lists it). It never
 //! knows what the numbers mean, and equal calls give equal graphs on every platform.
 
 mod double;

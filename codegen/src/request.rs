@@ -65,13 +65,13 @@ pub struct Parameter {
 /// What a struct field can stand for.
 #[derive(Clone, Debug)]
 pub enum Target {
-    /// The mass of a link [kg]; one number. The inertia about the centre of mass stays as described.
+    /// The mass of a link \[kg\]; one number. The inertia about the centre of mass stays as described.
     MassOf(Name),
-    /// The centre of mass of a link in the link's frame [m]; three numbers.
+    /// The centre of mass of a link in the link's frame \[m\]; three numbers.
     CenterOfMassOf(Name),
     /// The acceleration of gravity in the base frame [m/s²]; three numbers.
     Gravity,
-    /// The translation from the parent's frame to the joint's [m]; three numbers.
+    /// The translation from the parent's frame to the joint's \[m\]; three numbers.
     OriginOf(Name),
 }
 

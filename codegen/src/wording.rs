@@ -42,7 +42,7 @@ pub(crate) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str>
     if letters > LONGEST {
         return None;
     }
-    let slips = (letters / 3).max(1);
+    let slips = letters.div_ceil(3);
     candidates
         .iter()
         .map(|candidate| (distance(&word, candidate), *candidate))
@@ -85,6 +85,7 @@ mod tests {
         assert_eq!(nearest("revolut", &known), Some("revolute"));
         assert_eq!(nearest("Revolute", &known), Some("revolute"));
         assert_eq!(nearest("rveolute", &known), Some("revolute"));
+        assert_eq!(nearest("alfa", &["a", "alpha"]), Some("alpha"));
         assert_eq!(nearest("hinge", &known), None);
         assert_eq!(nearest("", &known), None);
         assert_eq!(nearest("x", &["y"]), None);

@@ -55,7 +55,10 @@ mod tests {
     fn a_right_angle_at_any_sufficient_number_of_digits() {
         for decimals in 2..17 {
             for count in [-3, -2, -1, 1, 2, 3] {
-                assert_eq!(quarters(&rounded(f64::from(count), decimals)), Some(count.into()));
+                assert_eq!(
+                    quarters(&rounded(f64::from(count), decimals)),
+                    Some(count.into())
+                );
             }
         }
         assert_eq!(quarters(&written(FRAC_PI_2, 0.0)), Some(1));

@@ -50,8 +50,16 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     if let Some(file) = &description.source.file {
         errors.set_file(file.clone(), description.source.anchor);
     }
-    let links = Names::of(description.links.iter().map(|link| &link.name), "link", &mut errors);
-    let joints = Names::of(description.joints.iter().map(|joint| &joint.name), "joint", &mut errors);
+    let links = Names::of(
+        description.links.iter().map(|link| &link.name),
+        "link",
+        &mut errors,
+    );
+    let joints = Names::of(
+        description.joints.iter().map(|joint| &joint.name),
+        "joint",
+        &mut errors,
+    );
     let connected = Joints::connect(description, &links, &mut errors);
     let base = match connected {
         Some(ref connected) => find_base(description, request, connected, &links, &mut errors),
@@ -70,29 +78,36 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         .into_iter()
         .map(|branch| {
             let fixed = matches!(description.joints[branch.joint].kind, JointKind::Fixed);
-            let held = locks.get(&branch.joint).copied().or(fixed.then(Number::default));
+            let held = locks
+                .get(&branch.joint)
+                .copied()
+                .or(fixed.then(Number::default));
             Branch { held, ..branch }
         })
         .collect();
     let dropped = modelled(description, base, &branches, false);
-    let mut tree = Tree { base, branches, tip, frames, dropped };
+    let mut tree = Tree {
+        base,
+        branches,
+        tip,
+        frames,
+        dropped,
+    };
     check_kept(description, request, &tree, &links, &mut errors);
     check_targets(request, &tree, &links, &joints, &mut errors);
     choose_tip(description, request, &mut tree, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
-        errors.push(robot.place, format!("no joint of {} moves", quoted(&robot.text)));
+        errors.push(
+            robot.place,
+            format!("no joint of {} moves", quoted(&robot.text)),
+        );
     }
     errors.into_result(tree)
 }
 
 /// The links that are part of the tree, or that are not.
-fn modelled(
-    description: &Description,
-    base: usize,
-    branches: &[Branch],
-    are: bool,
-) -> Vec<usize> {
+fn modelled(description: &Description, base: usize, branches: &[Branch], are: bool) -> Vec<usize> {
     let mut kept = vec![false; description.links.len()];
     kept[base] = true;
     for branch in branches {
@@ -109,10 +124,15 @@ fn locks(
 ) -> HashMap<usize, Number> {
     let mut locks = HashMap::new();
     for (name, value) in &request.lock {
-        let Some(joint) = joints.find(name, errors) else { continue };
+        let Some(joint) = joints.find(name, errors) else {
+            continue;
+        };
         let called = quoted(&name.text);
         if matches!(description.joints[joint].kind, JointKind::Fixed) {
-            errors.push(name.place, format!("joint {called} is fixed and cannot be locked"));
+            errors.push(
+                name.place,
+                format!("joint {called} is fixed and cannot be locked"),
+            );
         } else if locks.insert(joint, value.unwrap_or_default()).is_some() {
             errors.push(name.place, format!("joint {called} is locked twice"));
         }
@@ -137,10 +157,16 @@ fn check_kept(
     let tips = request.tip.iter().map(|name| ("tip", name));
     let frames = request.frames.iter().map(|name| ("frame", name));
     for (what, name) in tips.chain(frames) {
-        if links.get(name).is_some_and(|link| tree.dropped.contains(&link)) {
+        if links
+            .get(name)
+            .is_some_and(|link| tree.dropped.contains(&link))
+        {
             errors.push_with_hint(
                 name.place,
-                format!("the {what} {} does not hang on the base {base}", quoted(&name.text)),
+                format!(
+                    "the {what} {} does not hang on the base {base}",
+                    quoted(&name.text)
+                ),
                 "choose a base upstream of it, and do not drop it",
             );
         }
@@ -168,19 +194,17 @@ fn check_targets(
                 .then_some(("joint", name)),
         };
         if let Some((what, name)) = missing {
-            errors.push(name.place, format!("{what} {} is not modelled", quoted(&name.text)));
+            errors.push(
+                name.place,
+                format!("{what} {} is not modelled", quoted(&name.text)),
+            );
         }
     }
 }
 
 /// The tip is the one end of the tree where none is named; what needs it says so where there are
 /// several.
-fn choose_tip(
-    description: &Description,
-    request: &Request,
-    tree: &mut Tree,
-    errors: &mut Errors,
-) {
+fn choose_tip(description: &Description, request: &Request, tree: &mut Tree, errors: &mut Errors) {
     let mut ends = modelled(description, tree.base, &tree.branches, true);
     let mut carries = vec![false; description.links.len()];
     for branch in &tree.branches {
@@ -192,7 +216,10 @@ fn choose_tip(
     }
     let names = || {
         const SHOWN: usize = 8;
-        let shown = ends.iter().take(SHOWN).map(|&end| quoted(&description.links[end].name.text));
+        let shown = ends
+            .iter()
+            .take(SHOWN)
+            .map(|&end| quoted(&description.links[end].name.text));
         let more = ends.len().saturating_sub(SHOWN);
         let more = (more > 0).then(|| format!("and {more} more"));
         shown.chain(more).collect::<Vec<_>>().join(", ")

@@ -29,7 +29,7 @@ pub struct Body<'g> {
     pub motion: Motion,
     /// M from the parent's frame to this one at q + offset = 0.
     pub placement: Pose<Term<'g>>,
-    /// What is added to q to give the angle about z [rad].
+    /// What is added to q to give the angle about z \[rad\].
     pub offset: Option<Term<'g>>,
     /// J of the body in its frame.
     pub inertia: Inertia<Term<'g>>,
@@ -177,10 +177,12 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         for k in 0..count {
             let body = bodies.bodies[k];
             let end = bodies.first_child(k).is_none();
-            if end && !matches!(body.motion, Motion::Prismatic)
-                && let Some(turn) = towards_mass_center(&body.inertia) {
-                    bodies.move_frame(k, turn);
-                }
+            if end
+                && !matches!(body.motion, Motion::Prismatic)
+                && let Some(turn) = towards_mass_center(&body.inertia)
+            {
+                bodies.move_frame(k, turn);
+            }
         }
     }
     for body in &mut bodies.bodies {

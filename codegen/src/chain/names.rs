@@ -26,7 +26,11 @@ impl<'a> Names<'a> {
         what: &'static str,
         errors: &mut Errors,
     ) -> Self {
-        let mut known = Self { what, order: Vec::new(), index: HashMap::new() };
+        let mut known = Self {
+            what,
+            order: Vec::new(),
+            index: HashMap::new(),
+        };
         for (k, name) in names.enumerate() {
             known.order.push(&name.text);
             if known.index.insert(&name.text, k).is_some() {

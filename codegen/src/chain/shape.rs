@@ -61,7 +61,9 @@ impl Joints {
             let mut link = start;
             while seen[link] == 0 {
                 seen[link] = start + 1;
-                let Some(joint) = self.carrier[link] else { break };
+                let Some(joint) = self.carrier[link] else {
+                    break;
+                };
                 link = self.ends[joint].0;
                 if seen[link] == start + 1 {
                     let name = &description.joints[joint].name;
@@ -109,7 +111,10 @@ pub fn find_base(
             None
         }
         (None, _) if description.links.is_empty() => {
-            errors.push(robot.place, format!("robot {} has no links", quoted(&robot.text)));
+            errors.push(
+                robot.place,
+                format!("robot {} has no links", quoted(&robot.text)),
+            );
             None
         }
         // Every link hangs on another: the cycle has been complained about.
@@ -122,14 +127,23 @@ pub fn downstream(joints: &Joints, base: usize, dropped: &[usize]) -> Vec<Branch
     let mut children: Vec<Vec<Branch>> = joints.carrier.iter().map(|_| Vec::new()).collect();
     for (joint, &(parent, child)) in joints.ends.iter().enumerate() {
         if !dropped.contains(&child) {
-            children[parent].push(Branch { joint, parent, child, held: None });
+            children[parent].push(Branch {
+                joint,
+                parent,
+                child,
+                held: None,
+            });
         }
     }
     let mut branches = Vec::new();
     let mut waiting = std::mem::take(&mut children[base]);
     waiting.reverse();
     while let Some(branch) = waiting.pop() {
-        waiting.extend(std::mem::take(&mut children[branch.child]).into_iter().rev());
+        waiting.extend(
+            std::mem::take(&mut children[branch.child])
+                .into_iter()
+                .rev(),
+        );
         branches.push(branch);
     }
     branches

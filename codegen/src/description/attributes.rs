@@ -14,9 +14,9 @@ use syn::{Attribute, Data, DeriveInput, Field, Fields, Ident, Meta};
 use super::inline::{self, Contents};
 use super::item::Item;
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use crate::wording::{known, quoted};
 use crate::error::Errors;
 use crate::request::{Parameter, Target};
+use crate::wording::{known, quoted};
 
 /// What a field can stand for.
 const TARGETS: [&str; 4] = ["mass_of", "com_of", "gravity", "origin_of"];

@@ -6,14 +6,20 @@
 
 use super::Number;
 use super::number::{self, Refusal};
-use crate::wording::quoted;
 use crate::error::Place;
 use crate::expression::Double;
+use crate::wording::quoted;
+
+/// The longest product that anyone means, in bytes.
+const LONGEST: usize = 1000;
 
 /// Reads a product or quotient of numbers and π, written without blanks.
 pub(super) fn read(word: &str, place: Place) -> Result<Number, Refusal> {
     if !word.contains(['*', '/']) && !word.ends_with("pi") {
         return number::read(word, place);
+    }
+    if word.len() > LONGEST {
+        return Err(refuse("is not a number", word));
     }
     let unsigned = word.strip_prefix(['+', '-']).unwrap_or(word);
     let mut product = Double::from(1.0);
@@ -82,7 +88,6 @@ mod tests {
     }
 
     #[test]
-    #[expect(clippy::float_cmp, reason = "the nearest number is one number")]
     fn right_angles_are_the_nearest_numbers() {
         assert_eq!(value("pi/2"), (FRAC_PI_2, 0.0));
         assert_eq!(value("-pi/2"), (-FRAC_PI_2, 0.0));
@@ -103,6 +108,7 @@ mod tests {
             refusal("1e300*1e300"),
             "is too large for 64 bits: \"1e300*1e300\""
         );
+        assert!(refusal(&"1/".repeat(501)).starts_with("is not a number"));
         assert_eq!(refusal("Pi"), "is not a number: \"Pi\"");
         assert_eq!(refusal("2pi"), "is not a number: \"2pi\"");
         assert_eq!(refusal("nan"), "is not finite: \"nan\"");

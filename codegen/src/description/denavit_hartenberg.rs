@@ -1,6 +1,6 @@
 //! Tables of Denavit and Hartenberg, standard and modified.
 //!
-//! In: rows (a, α, d, θ), from tokens. Out: links and joints. The link of a row has
+//! In: rows (a, α, d, θ), from a file or from tokens. Out: links and joints. The link of a row has
 //! the row's frame i of the convention in question, so that poses, masses and inertias mean what
 //! they mean in the book; its name is that of the joint with `_link` behind it, unless the row
 //! says otherwise. What the table hangs on is the link `base`.
@@ -10,11 +10,12 @@
 //! at Rz(θ) Tz(d) Tx(a) Rx(α). What moves is then a frame on the joint's axis, Rz(θ) Tz(d), called
 //! as the joint with `_axis` behind it, which carries frame i at Tx(a) Rx(α).
 
-use proc_macro2::Span;
+mod table;
 
-use crate::wording::known;
+pub use self::table::read;
 use super::{Axis, Inertial, Joint, JointKind, Limits, Link, Name, Number, Step, number};
 use crate::error::Place;
+use crate::wording::{known, quoted};
 
 /// Which of the two conventions a table follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,16 +48,10 @@ impl Convention {
             "standard" => Ok(Self::Standard),
             "modified" => Ok(Self::Modified),
             other => Err((
-                format!("unknown convention {}", crate::wording::quoted(other)),
+                format!("unknown convention {}", quoted(other)),
                 known(other, "conventions", &["standard", "modified"]),
             )),
         }
-    }
-}
-
-impl From<Span> for Place {
-    fn from(span: Span) -> Self {
-        Self::Token(span)
     }
 }
 
@@ -156,3 +151,6 @@ fn massless(place: Place) -> Inertial {
         place,
     }
 }
+
+#[cfg(test)]
+mod tests;

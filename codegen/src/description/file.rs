@@ -1,4 +1,4 @@
-//! Files and their fingerprint.
+//! Files: which language they are written in, and their fingerprint.
 //!
 //! In: a path, or a text and a name. Out: a [`Description`] read by the reader of that language.
 //! It never looks into the environment: whoever calls says where a relative path begins.
@@ -9,10 +9,11 @@ use std::path::Path;
 
 use proc_macro2::Span;
 
-use super::{Description, urdf};
+use super::{Description, denavit_hartenberg, urdf};
 use crate::error::{Errors, Place};
 
-/// Reads a URDF file.
+/// Reads a file: a table for `.dh`, URDF for `.urdf` and `.xml`, and what its text looks like for
+/// every other ending.
 pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Option<Description> {
     let name = path
         .file_name()
@@ -33,10 +34,21 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
             return None;
         }
     };
-    match String::from_utf8(bytes) {
-        Ok(text) => read_text(&text, &name, anchor, errors),
+    read_bytes(&bytes, &name, anchor, errors)
+}
+
+/// Reads the bytes of a file of that name, or of standard input under any name.
+pub fn read_bytes(
+    bytes: &[u8],
+    file: &str,
+    anchor: Option<Span>,
+    errors: &mut Errors,
+) -> Option<Description> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => read_text(text, file, anchor, errors),
         Err(error) => {
-            refuse_encoding(error.as_bytes(), error.utf8_error().valid_up_to(), errors);
+            errors.set_file(file, anchor);
+            refuse_encoding(bytes, error.valid_up_to(), errors);
             None
         }
     }
@@ -49,7 +61,19 @@ pub fn read_text(
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
-    urdf::read(text, file, anchor, errors)
+    let is_table = match file.rsplit_once('.') {
+        Some((_, "dh")) => true,
+        Some((_, "urdf" | "xml" | "xacro")) => false,
+        _ => !text
+            .trim_start_matches('\u{feff}')
+            .trim_start()
+            .starts_with('<'),
+    };
+    if is_table {
+        denavit_hartenberg::read(text, file, anchor, errors)
+    } else {
+        urdf::read(text, file, anchor, errors)
+    }
 }
 
 /// FNV-1a hash of 64 bits.

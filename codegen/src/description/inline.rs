@@ -18,6 +18,7 @@ mod table;
 use std::path::Path;
 
 use proc_macro2::TokenStream;
+use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Generics, Ident, Token, Visibility, token};
 
@@ -25,9 +26,9 @@ use self::joint::Joint;
 use super::item::Item;
 use super::settings::{self, Settings};
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use crate::wording::quoted;
 use super::{Description, Link, Name, Source, file, names};
 use crate::error::{Errors, Place};
+use crate::wording::quoted;
 
 /// What was read between the braces or the parentheses.
 #[derive(Default)]
@@ -134,7 +135,12 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
             settings::read(input, &mut contents.settings, errors)?;
             if !input.is_empty() && !input.peek(Token![,]) && !input.peek(Token![;]) {
                 let message = format!("expected `,` after the setting `{word}`");
-                return Err(complaint(input.span(), message));
+                let complaint = complaint(input.span(), message);
+                if !input.peek(Ident::peek_any) {
+                    return Err(complaint);
+                }
+                // Only the comma is missing: the next entry is as good as any.
+                tokens::push(errors, complaint);
             }
         }
     }
@@ -228,3 +234,6 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
     names::check(&description, errors);
     description
 }
+
+#[cfg(test)]
+mod tests;

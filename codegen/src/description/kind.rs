@@ -2,6 +2,7 @@
 //!
 //! In: a word of a description. Out: the type it names, or the sentence that refuses it.
 
+use super::{JointKind, Number};
 use crate::wording::{known, list, quoted};
 
 /// A type of joint, before its axis and pitch are known.
@@ -12,6 +13,22 @@ pub(super) enum Kind {
     Prismatic,
     Screw,
     Fixed,
+}
+
+impl Kind {
+    /// What the joint allows; `pitch` is asked for a screw alone.
+    pub(super) fn with_pitch<E>(
+        self,
+        pitch: impl FnOnce() -> Result<Number, E>,
+    ) -> Result<JointKind, E> {
+        Ok(match self {
+            Self::Revolute => JointKind::Revolute,
+            Self::Continuous => JointKind::Continuous,
+            Self::Prismatic => JointKind::Prismatic,
+            Self::Screw => JointKind::Screw { pitch: pitch()? },
+            Self::Fixed => JointKind::Fixed,
+        })
+    }
 }
 
 const WORDS: [(&str, Kind); 5] = [

@@ -6,9 +6,9 @@
 
 use std::collections::HashMap;
 
-use crate::wording::quoted;
 use super::{Description, Name};
 use crate::error::{Errors, Place};
+use crate::wording::quoted;
 
 /// Complains of names that are given twice.
 pub(super) fn check(description: &Description, errors: &mut Errors) {

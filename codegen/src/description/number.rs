@@ -5,8 +5,8 @@
 //! is not a number could have meant, except in a hint.
 
 use super::Number;
-use crate::wording::quoted;
 use crate::error::Place;
+use crate::wording::quoted;
 
 /// What is wrong with a number: the end of a sentence that begins with the number's name.
 pub(super) struct Refusal {
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     #[expect(clippy::float_cmp, reason = "reading is exact")]
     fn the_last_written_digit_gives_the_resolution() {
-        assert_eq!(resolution("1.5708"), (1.5708, 1e-4));
+        assert_eq!(resolution("1.2345"), (1.2345, 1e-4));
         assert_eq!(resolution("1.5e-5"), (1.5e-5, 1e-6));
         assert_eq!(resolution("+1"), (1.0, 1.0));
         assert_eq!(resolution("1e-3"), (1e-3, 1e-3));

@@ -10,13 +10,14 @@ use syn::{Ident, LitStr, Path, Token, token};
 
 use super::number;
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use crate::wording::{known, quoted};
 use crate::error::{Errors, Place};
 use crate::function::Function;
 use crate::request::{Real, Request};
+use crate::wording::{known, quoted};
 
-/// The keys, in the order of the documentation.
-const KEYS: [&str; 14] = [
+/// What may stand in the attribute: the keys of settings, in the order of the documentation, and
+/// the words that describe a robot in place.
+const WORDS: [&str; 17] = [
     "urdf",
     "dh",
     "base",
@@ -31,7 +32,13 @@ const KEYS: [&str; 14] = [
     "scalar",
     "generate",
     "crate",
+    "link",
+    "joint",
+    "denavit_hartenberg",
 ];
+
+/// How many of the words are keys of settings.
+const KEYS: usize = 14;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -55,12 +62,12 @@ impl Settings {
 pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Errors) -> Parsed<()> {
     let key = tokens::word(input)?;
     let text = key.to_string();
-    if !KEYS.contains(&text.as_str()) {
+    if !WORDS[..KEYS].contains(&text.as_str()) {
         let message = format!("unknown key {}", quoted(&text));
         return Err(complaint_with_hint(
             key.span(),
             message,
-            known(&text, "keys", &KEYS),
+            known(&text, "keys", &WORDS),
         ));
     }
     if settings.span(&text).is_some() {
@@ -185,14 +192,14 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
         let mut item = Vec::new();
         if word == "all_of" {
             let content = in_parentheses(input, &word, "all_of(mass_matrix, bias)")?;
+            if content.is_empty() {
+                tokens::push(errors, complaint(word.span(), "`all_of` of no functions"));
+            }
             tokens::list(&content, |input| {
                 let word = tokens::word(input)?;
                 add(&word, &mut item, errors);
                 Ok(())
             })?;
-            if item.is_empty() && content.is_empty() && errors.is_empty() {
-                tokens::push(errors, complaint(word.span(), "`all_of` of no functions"));
-            }
         } else {
             add(&word, &mut item, errors);
         }

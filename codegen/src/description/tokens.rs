@@ -9,9 +9,9 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, LitFloat, LitInt, LitStr, Token, token};
 
-use crate::wording::{known, quoted};
 use super::{Name, Number, constant};
 use crate::error::{Complaint, Errors, Place};
+use crate::wording::{known, quoted};
 
 /// What was parsed, or why not.
 pub(super) type Parsed<T> = Result<T, Complaint>;
@@ -164,8 +164,8 @@ pub(super) fn vector<const N: usize>(input: ParseStream, subject: &str) -> Parse
 
 /// N numbers in parentheses.
 pub(super) fn arguments<const N: usize>(input: ParseStream, subject: &str) -> Parsed<[Number; N]> {
+    let span = input.span();
     let content = parentheses(input)?;
-    let span = content.span();
     exactly(
         list(&content, |input| number(input, subject))?,
         span,
@@ -248,14 +248,17 @@ pub(super) fn fields(
             }
             seen.push(key.clone());
             separator(&content, &key)?;
-            field(&text, &content)?;
-            if !content.is_empty() && !content.peek(Token![,]) {
-                return Err(complaint(content.span(), "expected `,` between two fields"));
-            }
-            Ok(())
+            field(&text, &content)
         };
         if let Err(complaint) = read() {
             push(errors, complaint);
+        } else if content.peek(Ident::peek_any) {
+            // Only the comma is missing: the next field is as good as any.
+            let message = "expected `,` between two fields";
+            push(errors, complaint(content.span(), message));
+            continue;
+        } else if !content.is_empty() && !content.peek(Token![,]) {
+            push(errors, complaint(content.span(), "expected `,`"));
         }
         skip(&content, |token| is_punctuation(token, ','));
     }
@@ -282,17 +285,18 @@ pub(super) fn is_braces(token: &TokenTree) -> bool {
 /// Messages with line and column of their tokens, as the tests of the grammar compare them.
 #[cfg(test)]
 pub(super) fn show(errors: &Errors) -> String {
-    let mut text = String::new();
-    for complaint in errors.complaints() {
-        if let Place::Token(span) = complaint.place {
-            let start = span.start();
-            text += &format!("{}:{}: ", start.line, start.column + 1);
-        }
-        text += &errors.locate(complaint);
-        if let Some(hint) = &complaint.hint {
-            text += &format!("\n  hint: {hint}");
-        }
-        text.push('\n');
-    }
-    text
+    let line = |complaint: &Complaint| {
+        let place = match complaint.place {
+            Place::Token(span) => {
+                let start = span.start();
+                format!("{}:{}: ", start.line, start.column + 1)
+            }
+            _ => String::new(),
+        };
+        let hint = complaint.hint.as_ref();
+        let hint = hint.map_or(String::new(), |hint| format!("\n  hint: {hint}"));
+        format!("{place}{}{hint}\n", errors.locate(complaint))
+    };
+    let lines: Vec<String> = errors.complaints().iter().map(line).collect();
+    lines.concat()
 }

@@ -15,9 +15,9 @@ use roxmltree::Node;
 
 use self::element::Reader;
 use super::position::Positions;
-use crate::wording::quoted;
 use super::{Description, Name, Source, file, names};
 use crate::error::{Errors, Place};
+use crate::wording::quoted;
 
 pub(super) use self::xml::LARGEST_FILE;
 

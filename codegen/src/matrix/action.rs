@@ -10,7 +10,7 @@ use crate::expression::{Graph, Term};
 pub struct Action<E> {
     /// Couple about the origin of the frame [N m].
     pub c: Vector<E>,
-    /// Resultant force [N].
+    /// Resultant force \[N\].
     pub f: Vector<E>,
 }
 

@@ -16,7 +16,7 @@ pub struct Inertia<E> {
     pub second: Symmetric<E>,
     /// First moments q = ∫r dm [kg m].
     pub q: Vector<E>,
-    /// Mass m [kg].
+    /// Mass m \[kg\].
     pub mass: E,
 }
 

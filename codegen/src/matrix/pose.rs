@@ -15,7 +15,7 @@ pub struct Rotation<E>(pub [[E; 3]; 3]);
 pub struct Pose<E> {
     /// Axes of the frame, as columns in the axes of the other.
     pub rotation: Rotation<E>,
-    /// Origin of the frame in the other [m].
+    /// Origin of the frame in the other \[m\].
     pub translation: Vector<E>,
 }
 

@@ -18,7 +18,7 @@ pub struct Joint<'g> {
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of the turn.
     pub angle: (Term<'g>, Term<'g>),
-    /// The slide [m].
+    /// The slide \[m\].
     pub slide: Term<'g>,
     /// L of the joint in its body's frame.
     pub screw: Screw<Term<'g>>,

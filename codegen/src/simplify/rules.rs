@@ -99,14 +99,18 @@ fn pythagoras<'g>(site: &Site<'g>, sum: &Sum<'g>) -> Option<Term<'g>> {
 
 fn cancel<'g>(site: &Site<'g>, outer: &Sum<'g>) -> Option<Term<'g>> {
     let [a, b] = outer.signed();
-    [(a, b), (b, a)].into_iter().find_map(|((minus, group), (other_minus, other))| {
-        let [x, y] = sum(site, group)?.signed();
-        [(x, y), (y, x)].into_iter().find_map(|((x_minus, x), (y_minus, y))| {
-            let opposite = (minus != x_minus) != other_minus;
-            let rest = if minus == y_minus { y } else { -y };
-            (opposite && x.expr() == other.expr()).then_some(rest)
+    [(a, b), (b, a)]
+        .into_iter()
+        .find_map(|((minus, group), (other_minus, other))| {
+            let [x, y] = sum(site, group)?.signed();
+            [(x, y), (y, x)]
+                .into_iter()
+                .find_map(|((x_minus, x), (y_minus, y))| {
+                    let opposite = (minus != x_minus) != other_minus;
+                    let rest = if minus == y_minus { y } else { -y };
+                    (opposite && x.expr() == other.expr()).then_some(rest)
+                })
         })
-    })
 }
 
 fn gather_constants<'g>(site: &Site<'g>, outer: &Sum<'g>) -> Option<Term<'g>> {

@@ -9,9 +9,9 @@ use syn::{Token, token};
 use super::body;
 use crate::description::kind::{self, Kind};
 use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
-use crate::wording::{known, quoted};
 use crate::description::{Axis, JointKind, Limits, Name, Number, Step, axis, number};
 use crate::error::{Errors, Place};
+use crate::wording::{known, quoted};
 
 /// A joint, its links known as far as they were named.
 pub(super) struct Joint {
@@ -140,25 +140,17 @@ fn in_parentheses(input: ParseStream, kind: Kind, subject: &str) -> Parsed<Motio
         return Err(complaint(input.span(), message));
     }
     let axis = direction(input, subject)?;
-    let kind = match kind {
-        Kind::Revolute => JointKind::Revolute,
-        Kind::Continuous => JointKind::Continuous,
-        Kind::Prismatic => JointKind::Prismatic,
-        Kind::Fixed => JointKind::Fixed,
-        Kind::Screw => {
-            let hint = "write screw(z, pitch: 0.01), in metres per radian";
-            let missing =
-                || complaint_with_hint(input.span(), format!("{subject} has no pitch"), hint);
-            input.parse::<Token![,]>().map_err(|_| missing())?;
-            let key = tokens::word(input).map_err(|_| missing())?;
-            if key != "pitch" {
-                return Err(missing());
-            }
-            tokens::separator(input, &key)?;
-            let pitch = tokens::number(input, &format!("the pitch of {subject}"))?;
-            JointKind::Screw { pitch }
+    let kind = kind.with_pitch(|| -> Parsed<Number> {
+        let hint = "write screw(z, pitch: 0.01), in metres per radian";
+        let missing = || complaint_with_hint(input.span(), format!("{subject} has no pitch"), hint);
+        input.parse::<Token![,]>().map_err(|_| missing())?;
+        let key = tokens::word(input).map_err(|_| missing())?;
+        if key != "pitch" {
+            return Err(missing());
         }
-    };
+        tokens::separator(input, &key)?;
+        tokens::number(input, &format!("the pitch of {subject}"))
+    })?;
     if !input.is_empty() {
         let message = format!("expected `)` after the axis of {subject}");
         return Err(complaint(input.span(), message));

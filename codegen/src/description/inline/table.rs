@@ -10,11 +10,11 @@ use syn::parse::ParseStream;
 use super::body::{self, Inertia};
 use super::joint::Range;
 use crate::description::denavit_hartenberg::{self, Convention, Row};
-use crate::description::kind::{self, Kind};
+use crate::description::kind;
 use crate::description::tokens::{self, Parsed, complaint_with_hint};
+use crate::description::{Joint, Link, Name, Number, number};
+use crate::error::{Errors, Place};
 use crate::wording::quoted;
-use crate::description::{Joint, JointKind, Link, Name, Number, number};
-use crate::error::Errors;
 
 /// The keys of a row, mass and inertia first.
 const KEYS: [&str; 12] = [
@@ -67,7 +67,7 @@ pub(super) fn read(
     Ok(denavit_hartenberg::assemble(
         convention,
         rows,
-        name.span().into(),
+        Place::Token(name.span()),
     ))
 }
 
@@ -111,21 +111,17 @@ fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
     })?;
     let subject_link = format!("the link of {subject}");
     let inertial = inertia.finish(&joint, &subject_link, errors);
-    let kind = match kind {
-        Some(Kind::Revolute) => JointKind::Revolute,
-        Some(Kind::Continuous) => JointKind::Continuous,
-        Some(Kind::Prismatic) => JointKind::Prismatic,
-        Some(Kind::Fixed) => JointKind::Fixed,
-        Some(Kind::Screw) => {
-            let pitch = pitch.ok_or_else(|| {
+    let kind = kind.and_then(|kind| {
+        kind.with_pitch(|| {
+            pitch.ok_or_else(|| {
                 let hint = "add pitch: 0.01, in metres per radian";
-                complaint_with_hint(word.span(), format!("{subject} has no pitch"), hint)
-            })?;
-            JointKind::Screw { pitch }
-        }
-        None => return Ok(None),
-    };
-    Ok(Some(Row {
+                let message = format!("{subject} has no pitch");
+                tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+            })
+        })
+        .ok()
+    });
+    Ok(kind.map(|kind| Row {
         joint,
         link,
         kind,

@@ -10,9 +10,9 @@ use roxmltree::{Attribute, Node};
 
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
-use crate::wording::{nearest, quoted};
 use crate::description::{Axis, Name, Number, Step};
 use crate::error::{Complaint, Errors, Place};
+use crate::wording::{nearest, quoted};
 
 /// The most warnings, and the most unknown elements that are looked at.
 const MOST_DOUBTS: usize = 1000;

@@ -7,9 +7,9 @@
 use roxmltree::Node;
 
 use super::element::Reader;
-use crate::description::kind::{self, Kind};
-use crate::wording::quoted;
+use crate::description::kind;
 use crate::description::{Joint, JointKind, Limits, Name, Number, axis, number};
+use crate::wording::quoted;
 
 /// What a joint may hold, mechanics or not.
 const PARTS: [&str; 10] = [
@@ -80,16 +80,17 @@ fn kind<'t>(
 ) -> Option<JointKind> {
     let name = reader.name(node, "type", subject)?;
     match kind::read(&name.text, subject) {
-        Ok(Kind::Revolute) => Some(JointKind::Revolute),
-        Ok(Kind::Continuous) => Some(JointKind::Continuous),
-        Ok(Kind::Prismatic) => Some(JointKind::Prismatic),
-        Ok(Kind::Fixed) => Some(JointKind::Fixed),
-        Ok(Kind::Screw) => {
-            let hint = "<thread pitch=\"…\"/>, in metres per radian";
-            let thread = reader.required(node, children, "thread", subject, hint)?;
-            let pitch = reader.number(thread, "pitch", &format!("the pitch of {subject}"))?;
-            Some(JointKind::Screw { pitch })
-        }
+        Ok(kind) => kind
+            .with_pitch(|| {
+                let hint = "<thread pitch=\"…\"/>, in metres per radian";
+                let thread = reader.required(node, children, "thread", subject, hint);
+                thread
+                    .and_then(|node| {
+                        reader.number(node, "pitch", &format!("the pitch of {subject}"))
+                    })
+                    .ok_or(())
+            })
+            .ok(),
         Err((message, hint)) => {
             reader.errors.push_with_hint(name.place, message, hint);
             None

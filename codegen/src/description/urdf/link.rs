@@ -6,8 +6,8 @@
 use roxmltree::Node;
 
 use super::element::Reader;
-use crate::wording::quoted;
 use crate::description::{Inertial, Link, Name, Number};
+use crate::wording::quoted;
 
 /// What a link may hold, mechanics or not.
 const PARTS: [&str; 6] = [

@@ -7,8 +7,8 @@
 use roxmltree::{Document, Error, ParsingOptions};
 
 use crate::description::position::Positions;
-use crate::wording::quoted;
 use crate::error::{Errors, Place};
+use crate::wording::quoted;
 
 /// The most bytes of a file.
 pub(in crate::description) const LARGEST_FILE: usize = 64 << 20;

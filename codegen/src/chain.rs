@@ -9,13 +9,15 @@ mod angle;
 mod check;
 pub mod frames;
 mod merge;
+mod names;
 mod physical;
 pub mod regroup;
+mod shape;
 
 use crate::description::Description;
 use crate::error::{Complaint, Errors};
-use crate::expression::{Expr, Graph};
-use crate::matrix::{Inertia, Pose, Vector};
+use crate::expression::{Expr, Graph, Term};
+use crate::matrix::{Inertia, Pose, Screw, Vector};
 use crate::request::Request;
 
 /// The moving joints of a robot and the bodies they carry.
@@ -104,6 +106,33 @@ pub struct Snapped {
     pub quarters: i64,
     /// Where it stands.
     pub place: crate::error::Place,
+}
+
+impl Chain {
+    /// L of a joint in its body's frame: u, b.
+    #[must_use]
+    pub fn screw(&self, joint: &Joint) -> [Term<'_>; 6] {
+        let zero = self.graph.constant(0.0);
+        let axis = joint.axis.map(|entry| self.graph.term(entry));
+        let (u, b) = match joint.motion {
+            Motion::Revolute => (axis, axis * zero),
+            Motion::Prismatic => (axis * zero, axis),
+            Motion::Screw(pitch) => (axis, axis * self.graph.term(pitch)),
+        };
+        Screw { u, b }.entries()
+    }
+
+    /// How many joints move a frame.
+    #[must_use]
+    pub fn joints_to(&self, frame: usize) -> usize {
+        let mut at = self.frames.get(frame).and_then(|frame| frame.body);
+        let mut count = 0;
+        while let Some(joint) = at {
+            count += 1;
+            at = self.joints[joint].parent;
+        }
+        count
+    }
 }
 
 /// Understands a description as the request wants it.

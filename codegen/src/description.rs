@@ -4,17 +4,25 @@
 //! and names know their place. It never merges, drops, orders or repairs anything, and checks only
 //! what can be seen in one item alone; what takes two items belongs to the chain stage.
 
+pub mod attributes;
 mod axis;
+mod constant;
+pub mod denavit_hartenberg;
 mod file;
+pub mod inline;
+mod item;
+mod kind;
 mod names;
 mod number;
 mod position;
+mod settings;
+mod tokens;
 pub mod urdf;
-mod wording;
 
 use proc_macro2::Span;
 
 pub use self::file::{read_file, read_text};
+pub use self::item::Item;
 use crate::error::{Complaint, Place};
 
 /// A robot as it was described: links and joints in the order of the text.

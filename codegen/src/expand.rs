@@ -1,36 +1,252 @@
-//! The six lines from a description to tokens.
+//! The way through the house: from a description to everything that is printed for it.
 //!
-//! In: what a door has read. Out: what the last stage prints. It never does a stage's work.
+//! In: a description, a request, the struct that gets the functions. Out: a [`Listing`]. It only
+//! connects the stages, and chooses by count where they offer more than one way.
 
-use proc_macro2::TokenStream;
-
+use crate::chain::frames::{Layout, arrange};
+use crate::chain::{self, Chain};
 use crate::description::Description;
-use crate::emit::{Item, Listing};
-use crate::error::{Errors, Place};
+use crate::emit::{About, ChainData, Item, Listed, Listing};
+use crate::error::Errors;
+use crate::expression::{Double, Expr, Term};
+use crate::function::Function;
+use crate::model::{self, Way};
 use crate::request::Request;
+use crate::schedule::{Price, Program, schedule};
+use crate::simplify::simplify;
 
-/// A description and what is asked of it, as far as tokens.
+/// Expands a robot.
 ///
 /// # Errors
-/// All the mistakes of the description and of the request.
-pub fn expand(_: &Description, _: &Request, _: Item) -> Result<Listing, Errors> {
-    Err(not_joined())
+/// Every mistake of the description and of the request.
+pub fn expand(description: &Description, request: &Request, item: Item) -> Result<Listing, Errors> {
+    let chain = chain::build(description, request)?;
+    let functions = wanted(&chain, request)
+        .into_iter()
+        .map(|(functions, frame)| list(&chain, functions, frame))
+        .collect();
+    Ok(Listing {
+        item,
+        about: about(description, &chain),
+        functions,
+        data: data(&chain),
+        scalar: request.scalar,
+        parameters: request.parameters.clone(),
+        runtime: request.runtime.clone(),
+        watched: None,
+    })
 }
 
-/// What `#[derive(Robot)]` adds to the struct in `input`.
+/// The cheapest program found for some functions together, of a frame of the chain.
+///
+/// # Panics
+/// Where a function of a frame is asked for and the chain has none.
 #[must_use]
-pub fn derive(_input: TokenStream) -> TokenStream {
-    not_joined().to_compile_errors()
+pub fn program(chain: &Chain, functions: &[Function], frame: usize) -> Program {
+    let dynamic = functions.iter().any(|function| !function.of_a_frame());
+    let layouts = if dynamic {
+        Layout::for_dynamics(chain)
+    } else {
+        Layout::for_kinematics(chain)
+    };
+    let ways = functions
+        .iter()
+        .map(|&function| Way::all(function))
+        .max_by_key(|ways| ways.len());
+    let mut best: Option<(usize, Program)> = None;
+    for layout in layouts {
+        for &way in ways.unwrap_or_default() {
+            let program = program_by(chain, functions, frame, layout, way);
+            let weight = Price::of(&program).weight();
+            if best.as_ref().is_none_or(|(least, _)| weight < *least) {
+                best = Some((weight, program));
+            }
+        }
+    }
+    best.expect("there is at least one layout and one way").1
 }
 
-/// What `chain! { … }` expands to.
+/// The program that a layout and a way give.
 #[must_use]
-pub fn chain(_input: TokenStream) -> TokenStream {
-    not_joined().to_compile_errors()
+pub fn program_by(
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    layout: Layout,
+    way: Way,
+) -> Program {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, layout);
+    let results: Vec<Expr> = (functions.iter())
+        .flat_map(|&function| model::build(&graph, &bodies, function, frame, way))
+        .map(Term::expr)
+        .collect();
+    let (graph, results) = simplify(&graph, &results);
+    schedule(&graph, &results)
 }
 
-fn not_joined() -> Errors {
-    let mut errors = Errors::new();
-    errors.push(Place::Unknown, "the stages are not joined yet");
-    errors
+/// What becomes a Rust function: each item of the request for the tip, or for the robot as a
+/// whole, and again for each further frame.
+fn wanted<'r>(chain: &Chain, request: &'r Request) -> Vec<(&'r [Function], usize)> {
+    let mut wanted = Vec::new();
+    for functions in &request.functions {
+        let of_a_frame = functions.iter().all(|function| function.of_a_frame());
+        let frames = if of_a_frame { chain.frames.len() } else { 1 };
+        let first = usize::from(of_a_frame && !chain.has_tip && frames == 0);
+        wanted.extend((first..frames).map(|frame| (functions.as_slice(), frame)));
+    }
+    wanted
+}
+
+fn list(chain: &Chain, functions: &[Function], frame: usize) -> Listed {
+    let program = program(chain, functions, frame);
+    let (mut mul, mut add) = (0, 0);
+    for &function in functions {
+        let (more_mul, more_add) =
+            model::dense(function, chain.joints.len(), chain.joints_to(frame));
+        mul += more_mul;
+        add += more_add;
+    }
+    let price = Price::of(&program).beside_dense(mul, add);
+    let of_a_frame = functions.iter().all(|function| function.of_a_frame());
+    let further = of_a_frame && (frame > 0 || !chain.has_tip);
+    let frame = further.then(|| chain.frames[frame].name.clone());
+    Listed {
+        functions: functions.to_vec(),
+        frame,
+        program,
+        price,
+    }
+}
+
+/// The chain as data: numbers, and sums of run-time parameters.
+fn data(chain: &Chain) -> ChainData {
+    let narrow = |k: usize| u16::try_from(k).expect("fewer than 65536 joints");
+    let mut results: Vec<Expr> = Vec::new();
+    for joint in &chain.joints {
+        results.extend(joint.placement.entries());
+        results.extend(chain.screw(joint).map(Term::expr));
+        results.extend(joint.inertia.entries());
+    }
+    for frame in &chain.frames {
+        results.extend(frame.placement.entries());
+    }
+    results.extend(chain.gravity.0);
+    ChainData {
+        names: chain
+            .joints
+            .iter()
+            .map(|joint| joint.name.clone())
+            .collect(),
+        parents: chain
+            .joints
+            .iter()
+            .map(|joint| joint.parent.map(narrow))
+            .collect(),
+        frames: chain
+            .frames
+            .iter()
+            .map(|frame| (frame.name.clone(), frame.body.map(narrow)))
+            .collect(),
+        program: schedule(&chain.graph, &results),
+    }
+}
+
+/// What the doc comments say of the robot.
+fn about(description: &Description, chain: &Chain) -> About {
+    let source = &description.source;
+    let report = &chain.report;
+    About {
+        robot: description.name.text.clone(),
+        source: source.file.as_ref().map(|file| (file.clone(), source.hash)),
+        base: report.base.clone(),
+        tip: match chain.frames.first() {
+            Some(tip) if chain.has_tip => tip.name.clone(),
+            _ => String::new(),
+        },
+        joints: chain
+            .joints
+            .iter()
+            .map(|joint| joint.name.clone())
+            .collect(),
+        facts: facts(chain),
+        warnings: warnings(description, chain),
+    }
+}
+
+fn warnings(description: &Description, chain: &Chain) -> Vec<String> {
+    let mut places = Errors::new();
+    if let Some(file) = &description.source.file {
+        places.set_file(file.clone(), None);
+    }
+    chain.report.warnings.iter().map(|warning| places.locate(warning)).collect()
+}
+
+fn facts(chain: &Chain) -> Vec<String> {
+    let report = &chain.report;
+    let mut facts = Vec::new();
+    let mut count = |number: usize, one: &str, many: &str| match number {
+        0 => {}
+        1 => facts.push(format!("1 {one}")),
+        _ => facts.push(format!("{number} {many}")),
+    };
+    count(report.merged.len(), "link merged", "links merged");
+    count(report.locked.len(), "joint locked", "joints locked");
+    count(report.dropped.len(), "link left out", "links left out");
+    count(
+        report.snapped.len(),
+        "angle taken for a right angle",
+        "angles taken for right angles",
+    );
+    facts.push(gravity(chain));
+    let used = base_parameters(chain);
+    facts.push(format!(
+        "{used} of {} inertial parameters used",
+        10 * chain.joints.len()
+    ));
+    facts
+}
+
+fn gravity(chain: &Chain) -> String {
+    let entries = chain
+        .gravity
+        .map(|entry| chain.graph.value(entry).map(Double::to_f64));
+    match entries.0 {
+        [Some(x), Some(y), Some(z)] => {
+            let names = ["x", "y", "z"];
+            let along: Vec<(usize, f64)> = [x, y, z]
+                .into_iter()
+                .enumerate()
+                .filter(|(_, entry)| *entry != 0.0)
+                .collect();
+            match along[..] {
+                [] => "no gravity".into(),
+                [(k, entry)] => {
+                    let sign = if entry < 0.0 { "−" } else { "" };
+                    format!(
+                        "gravity only along {sign}{} ({} m/s²)",
+                        names[k],
+                        entry.abs()
+                    )
+                }
+                _ => format!("gravity ({x}, {y}, {z}) m/s²"),
+            }
+        }
+        _ => "gravity given at run time".into(),
+    }
+}
+
+/// How many inertial parameters are left after regrouping.
+fn base_parameters(chain: &Chain) -> usize {
+    let graph = chain.graph.clone();
+    let layout = Layout {
+        regroup: true,
+        ..Layout::DESCRIBED
+    };
+    let bodies = arrange(&graph, chain, layout).bodies;
+    bodies
+        .iter()
+        .flat_map(|body| body.inertia.entries())
+        .filter(|entry| !entry.is_zero())
+        .count()
 }

@@ -10,6 +10,7 @@
 pub mod builder;
 pub mod chain;
 pub mod description;
+pub mod door;
 pub mod emit;
 pub mod error;
 pub mod expand;
@@ -19,6 +20,8 @@ pub mod matrix;
 pub mod model;
 pub mod request;
 pub mod schedule;
+pub mod simplify;
+mod wording;
 
 pub use builder::Builder;
 pub use function::Function;

@@ -6,11 +6,14 @@
 
 mod carry;
 mod composite;
+mod dense;
 mod gravity;
 mod jacobian;
 mod newton_euler;
 mod pose;
 mod twist;
+
+pub use dense::dense;
 
 use crate::chain::frames::Bodies;
 use crate::expression::{Graph, Input, Term};
@@ -32,26 +35,33 @@ impl Way {
         match function {
             Function::ForwardKinematics => &[
                 CARRY_ALL,
-                Way { by_product: Some(0) },
-                Way { by_product: Some(1) },
-                Way { by_product: Some(2) },
+                Way {
+                    by_product: Some(0),
+                },
+                Way {
+                    by_product: Some(1),
+                },
+                Way {
+                    by_product: Some(2),
+                },
             ],
             _ => &[CARRY_ALL],
         }
     }
 }
 
-/// The results of a function in the order of its shape; of the given frame where it is of one.
+/// The results of a function in the order of its shape; of the frame of that index where it is of
+/// one.
 #[must_use]
 pub fn build<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
     function: Function,
-    frame: Option<usize>,
+    frame: usize,
     way: Way,
 ) -> Vec<Term<'g>> {
     let state = State { graph };
-    let path = || carry::path(bodies, frame.expect("a function of a frame is given one"), &state);
+    let path = || carry::path(bodies, frame, &state);
     match function {
         Function::ForwardKinematics => pose::forward_kinematics(&path(), way.by_product),
         Function::SpatialJacobian => jacobian::spatial(&path()),

@@ -78,7 +78,7 @@ pub enum Target {
 impl Target {
     /// How many numbers the field holds.
     #[must_use]
-    pub const fn len(&self) -> usize {
+    pub const fn entries(&self) -> usize {
         match self {
             Self::MassOf(_) => 1,
             Self::CenterOfMassOf(_) | Self::Gravity | Self::OriginOf(_) => 3,

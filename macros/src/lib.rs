@@ -8,11 +8,11 @@ use proc_macro::TokenStream;
 /// Adds the functions of a robot to a struct, as methods and as traits.
 #[proc_macro_derive(Robot, attributes(robot))]
 pub fn derive(input: TokenStream) -> TokenStream {
-    homogen_codegen::expand::derive(input.into()).into()
+    homogen_codegen::door::derive(input.into()).into()
 }
 
 /// Describes a robot in place, and declares the struct that has its functions.
 #[proc_macro]
 pub fn chain(input: TokenStream) -> TokenStream {
-    homogen_codegen::expand::chain(input.into()).into()
+    homogen_codegen::door::chain(input.into()).into()
 }

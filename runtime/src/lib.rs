@@ -50,3 +50,6 @@ pub use scalar::{Real, Scalar};
 pub use screw::Screw;
 pub use tensor::Tensor;
 pub use velocity::Velocity;
+
+#[cfg(feature = "derive")]
+pub use homogen_macros::{Robot, chain};

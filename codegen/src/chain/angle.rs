@@ -23,51 +23,60 @@ pub fn quarters(angle: &Number) -> Option<i64> {
     // Half a unit of the last written digit, and the rounding of both sides to f64.
     let tolerance = angle.resolution / 2.0 * (1.0 + 1e-9) + angle.value.abs() * f64::EPSILON;
     let exact = quarters * FRAC_PI_2;
-    let close = quarters != 0.0
-        && angle.resolution <= COARSEST
-        && (angle.value - exact).abs() <= tolerance;
+    let close =
+        quarters != 0.0 && angle.resolution <= COARSEST && (angle.value - exact).abs() <= tolerance;
     #[expect(clippy::cast_possible_truncation, reason = "at most a million")]
     close.then_some(quarters as i64)
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
     use super::quarters;
     use crate::description::Number;
 
     fn written(value: f64, resolution: f64) -> Number {
-        Number { value, resolution, ..Number::default() }
-    }
-
-    #[test]
-    fn pi_over_two_at_any_sufficient_number_of_digits() {
-        for (value, resolution) in [
-            (1.57, 1e-2),
-            (1.571, 1e-3),
-            (1.5708, 1e-4),
-            (1.570_796, 1e-6),
-            (1.570_796_326_79, 1e-11),
-            (1.570_796_326_794_896_6, 1e-16),
-            (1.570_796_326_794_896_619, 1e-18),
-            (std::f64::consts::FRAC_PI_2, 0.0),
-        ] {
-            assert_eq!(quarters(&written(value, resolution)), Some(1), "{value}");
-            assert_eq!(quarters(&written(-value, resolution)), Some(-1), "{value}");
+        Number {
+            value,
+            resolution,
+            ..Number::default()
         }
     }
 
+    /// π/2 or a multiple of it with so many decimals, as a person would write it.
+    fn rounded(quarters: f64, decimals: usize) -> Number {
+        let text = format!("{:.decimals$}", quarters * FRAC_PI_2);
+        let resolution = 10_f64.powi(-i32::try_from(decimals).expect("few decimals"));
+        written(text.parse().expect("a number"), resolution)
+    }
+
     #[test]
-    fn multiples_and_zero() {
-        assert_eq!(quarters(&written(3.141_59, 1e-5)), Some(2));
-        assert_eq!(quarters(&written(-4.712_389, 1e-6)), Some(-3));
+    fn a_right_angle_at_any_sufficient_number_of_digits() {
+        for decimals in 2..17 {
+            for count in [-3, -2, -1, 1, 2, 3] {
+                assert_eq!(quarters(&rounded(f64::from(count), decimals)), Some(count.into()));
+            }
+        }
+        assert_eq!(quarters(&written(FRAC_PI_2, 0.0)), Some(1));
+    }
+
+    #[test]
+    fn zero_is_no_turn() {
         assert_eq!(quarters(&written(0.0, 1.0)), Some(0));
     }
 
     #[test]
     fn what_only_comes_close_stays() {
-        for (value, resolution) in
-            [(1.5707, 1e-4), (1.5709, 1e-4), (1.58, 1e-2), (1.6, 1e-1), (2.0, 1.0), (3.0, 1.0), (1e-9, 1e-9)]
-        {
+        for (value, resolution) in [
+            (FRAC_PI_2 - 9.6e-5, 1e-4),
+            (FRAC_PI_2 + 1e-4, 1e-4),
+            (FRAC_PI_2 + 1e-2, 1e-2),
+            (1.6, 1e-1),
+            (2.0, 1.0),
+            (3.0, 1.0),
+            (1e-9, 1e-9),
+        ] {
             assert_eq!(quarters(&written(value, resolution)), None, "{value}");
         }
     }

@@ -6,7 +6,7 @@
 //! is best: that is counted, function by function.
 
 use super::{Chain, Motion, regroup};
-use crate::expression::{Graph, Term};
+use crate::expression::{Double, Graph, Term};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 
 /// The bodies of a chain with their frames.
@@ -64,13 +64,20 @@ pub enum Sliding {
 
 impl Layout {
     /// Frames and parameters as the description has them.
-    pub const DESCRIBED: Self =
-        Self { normals: false, sliding: Sliding::AsDescribed, turn_ends: false, regroup: false };
+    pub const DESCRIBED: Self = Self {
+        normals: false,
+        sliding: Sliding::AsDescribed,
+        turn_ends: false,
+        regroup: false,
+    };
 
     /// Layouts worth counting for functions that need no inertia.
     #[must_use]
     pub fn for_kinematics(chain: &Chain) -> Vec<Self> {
-        let seats = Self::seats(chain, &[Sliding::AsDescribed, Sliding::AtParent, Sliding::AtChild]);
+        let seats = Self::seats(
+            chain,
+            &[Sliding::AsDescribed, Sliding::AtParent, Sliding::AtChild],
+        );
         Self::all(&seats, &[false], false)
     }
 
@@ -79,14 +86,26 @@ impl Layout {
     pub fn for_dynamics(chain: &Chain) -> Vec<Self> {
         let seats = Self::seats(
             chain,
-            &[Sliding::AsDescribed, Sliding::AtParent, Sliding::AtChild, Sliding::AtMassCenter],
+            &[
+                Sliding::AsDescribed,
+                Sliding::AtParent,
+                Sliding::AtChild,
+                Sliding::AtMassCenter,
+            ],
         );
         Self::all(&seats, &[false, true], true)
     }
 
     fn seats(chain: &Chain, all: &[Sliding]) -> Vec<Sliding> {
-        let slides = chain.joints.iter().any(|joint| matches!(joint.motion, Motion::Prismatic));
-        if slides { all.to_vec() } else { vec![Sliding::AsDescribed] }
+        let slides = chain
+            .joints
+            .iter()
+            .any(|joint| matches!(joint.motion, Motion::Prismatic));
+        if slides {
+            all.to_vec()
+        } else {
+            vec![Sliding::AsDescribed]
+        }
     }
 
     fn all(seats: &[Sliding], turns: &[bool], regroup: bool) -> Vec<Self> {
@@ -94,7 +113,12 @@ impl Layout {
         for normals in [false, true] {
             for &sliding in seats {
                 for &turn_ends in turns {
-                    layouts.push(Self { normals, sliding, turn_ends, regroup });
+                    layouts.push(Self {
+                        normals,
+                        sliding,
+                        turn_ends,
+                        regroup,
+                    });
                 }
             }
         }
@@ -122,9 +146,9 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
                     let placement = bodies.bodies[k].placement;
                     Some(-(placement.rotation.transposed() * placement.translation))
                 }
-                Sliding::AtChild => {
-                    bodies.first_child(k).map(|child| bodies.bodies[child].placement.translation)
-                }
+                Sliding::AtChild => bodies
+                    .first_child(k)
+                    .map(|child| bodies.bodies[child].placement.translation),
                 Sliding::AsDescribed | Sliding::AtMassCenter => None,
             };
             if let Some(offset) = offset {
@@ -136,7 +160,11 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         let body = bodies.bodies[k];
         if layout.sliding == Sliding::AtMassCenter
             && matches!(body.motion, Motion::Prismatic)
-            && body.inertia.mass.value().is_some_and(|mass| !mass.is_zero())
+            && body
+                .inertia
+                .mass
+                .value()
+                .is_some_and(|mass| !mass.is_zero())
         {
             let center = body.inertia.q.map(|entry| entry / body.inertia.mass);
             bodies.move_frame(k, Pose::translation(center));
@@ -149,11 +177,10 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         for k in 0..count {
             let body = bodies.bodies[k];
             let end = bodies.first_child(k).is_none();
-            if end && !matches!(body.motion, Motion::Prismatic) {
-                if let Some(turn) = towards_mass_center(&body.inertia) {
+            if end && !matches!(body.motion, Motion::Prismatic)
+                && let Some(turn) = towards_mass_center(&body.inertia) {
                     bodies.move_frame(k, turn);
                 }
-            }
         }
     }
     for body in &mut bodies.bodies {
@@ -211,18 +238,22 @@ fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     let frames = (chain.frames.iter())
         .map(|frame| (frame.body, seen_from(frame.body, frame.placement.map(term))))
         .collect();
-    Bodies { bodies, frames, gravity: chain.gravity.map(term) }
+    Bodies {
+        bodies,
+        frames,
+        gravity: chain.gravity.map(term),
+    }
 }
 
 /// A rotation whose third column is the given direction, made of the axes themselves where it can.
-fn z_along<'g>(direction: Vector<Term<'g>>) -> Rotation<Term<'g>> {
+fn z_along(direction: Vector<Term<'_>>) -> Rotation<Term<'_>> {
     let graph = direction.x().graph();
     let axis = |k: usize| {
         let mut entries = [0.0; 3];
         entries[k] = 1.0;
         Vector::constant(graph, entries)
     };
-    let size = |k: usize| direction.0[k].value().map_or(0.0, |value| value.to_f64());
+    let size = |k: usize| direction.0[k].value().map_or(0.0, Double::to_f64);
     for k in 0..3 {
         let (next, last) = (axis((k + 1) % 3), axis((k + 2) % 3));
         if direction.0[(k + 1) % 3].is_zero() && direction.0[(k + 2) % 3].is_zero() {
@@ -230,12 +261,14 @@ fn z_along<'g>(direction: Vector<Term<'g>>) -> Rotation<Term<'g>> {
             return Rotation::from_columns([next, last, direction]);
         }
     }
-    let smallest = (0..3).min_by(|&a, &b| size(a).abs().total_cmp(&size(b).abs())).unwrap_or(0);
+    let smallest = (0..3)
+        .min_by(|&a, &b| size(a).abs().total_cmp(&size(b).abs()))
+        .unwrap_or(0);
     let x = normalized(axis(smallest).cross(direction));
     Rotation::from_columns([x, direction.cross(x), direction])
 }
 
-fn normalized<'g>(vector: Vector<Term<'g>>) -> Vector<Term<'g>> {
+fn normalized(vector: Vector<Term<'_>>) -> Vector<Term<'_>> {
     let length = vector.dot(vector).sqrt();
     vector.map(|entry| entry / length)
 }
@@ -261,7 +294,10 @@ fn common_normal<'g>(next: &Pose<Term<'g>>) -> Pose<Term<'g>> {
     let normal = normalized(Vector([-y, x, zero]));
     let along = to.z() - cosine * direction.dot(to);
     let foot = Vector([zero, zero, along / (one - cosine * cosine)]);
-    Pose { rotation: about_z_towards(normal), translation: foot }
+    Pose {
+        rotation: about_z_towards(normal),
+        translation: foot,
+    }
 }
 
 /// About z, so that x comes to point in a direction of the xy plane.
@@ -295,7 +331,9 @@ fn towards_mass_center<'g>(inertia: &Inertia<Term<'g>>) -> Option<Pose<Term<'g>>
 fn split_offset(body: &mut Body<'_>) {
     let rotation = body.placement.rotation;
     let simple = |entry: Term<'_>| {
-        entry.value().is_some_and(|value| value.is_zero() || value.is_one() || (-value).is_one())
+        entry
+            .value()
+            .is_some_and(|value| value.is_zero() || value.is_one() || (-value).is_one())
     };
     if rotation.0.iter().flatten().all(|&entry| simple(entry)) {
         return;

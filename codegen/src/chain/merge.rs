@@ -33,20 +33,35 @@ struct Body<'g> {
 /// Merges what does not move.
 pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain {
     let graph = Graph::new();
-    let mut reader = Reader { graph: &graph, request, report: Report::default() };
+    let mut reader = Reader {
+        graph: &graph,
+        request,
+        report: Report::default(),
+    };
     let mut seats: Vec<Option<Seat<'_>>> = vec![None; description.links.len()];
-    seats[tree.base] = Some(Seat { body: None, pose: Pose::identity(&graph) });
+    seats[tree.base] = Some(Seat {
+        body: None,
+        pose: Pose::identity(&graph),
+    });
     let mut bodies: Vec<Body<'_>> = Vec::new();
-    reader.report.base.clone_from(&description.links[tree.base].name.text);
+    reader
+        .report
+        .base
+        .clone_from(&description.links[tree.base].name.text);
 
     for branch in &tree.branches {
         let joint = &description.joints[branch.joint];
         let origin = reader.origin(description, branch);
-        let Some(parent) = seats[branch.parent] else { continue };
+        let Some(parent) = seats[branch.parent] else {
+            continue;
+        };
         let axis = unit(&graph, &joint.axis);
         let pose = parent.pose * origin;
         let seat = if let Some(held) = branch.held {
-            Seat { body: parent.body, pose: pose * held_at(&graph, joint.kind, axis, &held) }
+            Seat {
+                body: parent.body,
+                pose: pose * held_at(&graph, joint.kind, axis, &held),
+            }
         } else {
             bodies.push(Body {
                 joint: branch.joint,
@@ -56,7 +71,10 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
                 axis,
                 inertia: Inertia::zero(&graph),
             });
-            Seat { body: Some(bodies.len() - 1), pose: Pose::identity(&graph) }
+            Seat {
+                body: Some(bodies.len() - 1),
+                pose: Pose::identity(&graph),
+            }
         };
         seats[branch.child] = Some(seat);
         reader.note(description, branch);
@@ -72,7 +90,11 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         .filter_map(|&link| {
             let seat = seats[link]?;
             let name = description.links[link].name.text.clone();
-            Some(Frame { name, body: seat.body, placement: seat.pose.map(Term::expr) })
+            Some(Frame {
+                name,
+                body: seat.body,
+                placement: seat.pose.map(Term::expr),
+            })
         })
         .collect();
     let gravity = reader.gravity().map(Term::expr);
@@ -80,8 +102,11 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         .filter(|(_, seat)| seat.is_some())
         .map(|(link, _)| link.name.text.clone())
         .collect();
-    reader.report.dropped =
-        tree.dropped.iter().map(|&link| description.links[link].name.text.clone()).collect();
+    reader.report.dropped = tree
+        .dropped
+        .iter()
+        .map(|&link| description.links[link].name.text.clone())
+        .collect();
     let joints = bodies
         .into_iter()
         .map(|body| Joint {
@@ -94,7 +119,14 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         })
         .collect();
     let report = reader.report;
-    Chain { joints, frames, has_tip: tree.tip.is_some(), gravity, report, graph }
+    Chain {
+        joints,
+        frames,
+        has_tip: tree.tip.is_some(),
+        gravity,
+        report,
+        graph,
+    }
 }
 
 /// Turns what was written into scalars, and keeps account of it.
@@ -111,15 +143,23 @@ impl<'g> Reader<'g, '_> {
 
     /// The inputs of the struct field that stands for a target.
     fn parameter<const N: usize>(&self, is: impl Fn(&Target) -> bool) -> Option<[Term<'g>; N]> {
-        let field = self.request.parameters.iter().position(|parameter| is(&parameter.target))?;
+        let field = self
+            .request
+            .parameters
+            .iter()
+            .position(|parameter| is(&parameter.target))?;
         let index = |k: usize| u16::try_from(k).expect("few struct fields");
         Some(std::array::from_fn(|entry| {
-            self.graph.input(Input::Parameter(index(field), index(entry)))
+            self.graph
+                .input(Input::Parameter(index(field), index(entry)))
         }))
     }
 
     fn gravity(&self) -> Vector<Term<'g>> {
-        match (self.parameter(|target| matches!(target, Target::Gravity)), &self.request.gravity) {
+        match (
+            self.parameter(|target| matches!(target, Target::Gravity)),
+            &self.request.gravity,
+        ) {
             (Some(inputs), _) => Vector(inputs),
             (None, Some(gravity)) => Vector(gravity.map(|entry| self.number(&entry))),
             (None, None) => Vector::constant(self.graph, GRAVITY),
@@ -137,10 +177,12 @@ impl<'g> Reader<'g, '_> {
     /// The placement of a joint, its translation taken from a struct field where one stands for it.
     fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
         let joint = &description.joints[branch.joint];
-        let free = self.parameter(|target| {
-            matches!(target, Target::OriginOf(name) if name.text == joint.name.text)
-        });
-        let Some(free) = free else { return self.placement(&joint.name.text, &joint.origin) };
+        let free = self.parameter(
+            |target| matches!(target, Target::OriginOf(name) if name.text == joint.name.text),
+        );
+        let Some(free) = free else {
+            return self.placement(&joint.name.text, &joint.origin);
+        };
         let turns: Vec<Step> = (joint.origin.iter().copied())
             .filter(|step| matches!(step, Step::Rotate(..)))
             .collect();
@@ -148,28 +190,41 @@ impl<'g> Reader<'g, '_> {
     }
 
     fn placement(&mut self, item: &str, steps: &[Step]) -> Pose<Term<'g>> {
-        steps.iter().fold(Pose::identity(self.graph), |pose, step| match step {
-            Step::Translate(offset) => {
-                pose * Pose::translation(Vector(offset.map(|entry| self.number(&entry))))
-            }
-            Step::Rotate(axis, angle) => {
-                let angle = self.sin_cos(item, angle);
-                pose * Pose::rotation(match axis {
-                    Axis::X => Rotation::about_x(angle),
-                    Axis::Y => Rotation::about_y(angle),
-                    Axis::Z => Rotation::about_z(angle),
-                })
-            }
-        })
+        steps
+            .iter()
+            .fold(Pose::identity(self.graph), |pose, step| match step {
+                Step::Translate(offset) => {
+                    pose * Pose::translation(Vector(offset.map(|entry| self.number(&entry))))
+                }
+                Step::Rotate(axis, angle) => {
+                    let angle = self.sin_cos(item, angle);
+                    pose * Pose::rotation(match axis {
+                        Axis::X => Rotation::about_x(angle),
+                        Axis::Y => Rotation::about_y(angle),
+                        Axis::Z => Rotation::about_z(angle),
+                    })
+                }
+            })
     }
 
     /// Sine and cosine of an angle, exact where it is a right angle.
     fn sin_cos(&mut self, item: &str, angle: &Number) -> (Term<'g>, Term<'g>) {
-        let quarters = if self.request.exact { None } else { angle::quarters(angle) };
-        let Some(quarters) = quarters else { return self.number(angle).sin_cos() };
+        let quarters = if self.request.exact {
+            None
+        } else {
+            angle::quarters(angle)
+        };
+        let Some(quarters) = quarters else {
+            return self.number(angle).sin_cos();
+        };
         if quarters != 0 {
             let (item, written, place) = (item.to_owned(), angle.value, angle.place);
-            self.report.snapped.push(Snapped { item, written, quarters, place });
+            self.report.snapped.push(Snapped {
+                item,
+                written,
+                quarters,
+                place,
+            });
         }
         let (sine, cosine) = match quarters.rem_euclid(4) {
             0 => (0.0, 1.0),
@@ -198,10 +253,12 @@ impl<'g> Reader<'g, '_> {
     fn note(&mut self, description: &Description, branch: &Branch) {
         let Some(held) = branch.held else { return };
         let joint = &description.joints[branch.joint];
-        let [parent, child]: [String; 2] = [branch.parent, branch.child]
-            .map(|link| description.links[link].name.text.clone());
+        let [parent, child]: [String; 2] =
+            [branch.parent, branch.child].map(|link| description.links[link].name.text.clone());
         if !matches!(joint.kind, JointKind::Fixed) {
-            self.report.locked.push((joint.name.text.clone(), held.value));
+            self.report
+                .locked
+                .push((joint.name.text.clone(), held.value));
         }
         self.report.merged.push((child, parent));
     }
@@ -211,7 +268,11 @@ impl<'g> Reader<'g, '_> {
 fn unit<'g>(graph: &'g Graph, axis: &[Number; 3]) -> Vector<Term<'g>> {
     let axis = Vector(axis.map(|entry| graph.constant(entry.value)));
     let square = axis.dot(axis);
-    if square.is_zero() { axis } else { axis.map(|entry| entry / square.sqrt()) }
+    if square.is_zero() {
+        axis
+    } else {
+        axis.map(|entry| entry / square.sqrt())
+    }
 }
 
 /// The displacement of a joint that is held at a coordinate.
@@ -229,17 +290,30 @@ fn held_at<'g>(
         let [x, y, z] = axis.0;
         let outer = |a: Term<'g>, b: Term<'g>| a * b * versine;
         Pose::rotation(Rotation([
-            [cosine + outer(x, x), outer(x, y) - z * sine, outer(x, z) + y * sine],
-            [outer(x, y) + z * sine, cosine + outer(y, y), outer(y, z) - x * sine],
-            [outer(x, z) - y * sine, outer(y, z) + x * sine, cosine + outer(z, z)],
+            [
+                cosine + outer(x, x),
+                outer(x, y) - z * sine,
+                outer(x, z) + y * sine,
+            ],
+            [
+                outer(x, y) + z * sine,
+                cosine + outer(y, y),
+                outer(y, z) - x * sine,
+            ],
+            [
+                outer(x, z) - y * sine,
+                outer(y, z) + x * sine,
+                cosine + outer(z, z),
+            ],
         ]))
     };
     match kind {
         JointKind::Fixed => Pose::identity(graph),
         JointKind::Revolute | JointKind::Continuous => turn(),
         JointKind::Prismatic => Pose::translation(axis * q),
-        JointKind::Screw { pitch } => {
-            Pose { translation: axis * (q * graph.constant(pitch.value)), ..turn() }
-        }
+        JointKind::Screw { pitch } => Pose {
+            translation: axis * (q * graph.constant(pitch.value)),
+            ..turn()
+        },
     }
 }

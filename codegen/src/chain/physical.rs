@@ -36,18 +36,27 @@ pub fn check(
             massive.push(false);
             carried.push(branch.child);
         }
-        let Some(body) = body[branch.child] else { continue };
+        let Some(body) = body[branch.child] else {
+            continue;
+        };
         let link = &description.links[branch.child];
         if let Some(inertial) = &link.inertial {
             massive[body] = true;
             doubts.extend(doubt(&link.name.text, inertial));
         }
     }
-    for (&link, _) in carried.iter().zip(&massive).filter(|(_, massive)| !**massive) {
+    for (&link, _) in carried
+        .iter()
+        .zip(&massive)
+        .filter(|(_, massive)| !**massive)
+    {
         let name = &description.links[link].name;
         doubts.push(Complaint {
             place: name.place,
-            message: format!("link \"{}\" moves and has no inertia: taken as massless", name.text),
+            message: format!(
+                "link \"{}\" moves and has no inertia: taken as massless",
+                name.text
+            ),
             hint: Some("give it an inertial, with mass 0 if it has none".into()),
         });
     }
@@ -73,7 +82,9 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
     let half = (xx + yy + zz) / 2.0;
     let moments = eigenvalues([half - xx, half - yy, half - zz, -xy, -xz, -yz]);
     let least = moments.into_iter().fold(f64::INFINITY, f64::min);
-    let size = moments.into_iter().fold(0.0_f64, |size, moment| size.max(moment.abs()));
+    let size = moments
+        .into_iter()
+        .fold(0.0_f64, |size, moment| size.max(moment.abs()));
     let message = if least < -TOLERANCE * size {
         format!(
             "no body has the inertia of link \"{link}\": a second moment about its centre of mass \
@@ -86,7 +97,11 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
         return None;
     };
     let hint = Some("computed as given; correct the file, or refuse such files with strict".into());
-    Some(Complaint { place: inertial.place, message, hint })
+    Some(Complaint {
+        place: inertial.place,
+        message,
+        hint,
+    })
 }
 
 /// Eigenvalues of a symmetric matrix xx, yy, zz, xy, xz, yz, by Jacobi's rotations.
@@ -126,6 +141,9 @@ mod tests {
 
     #[test]
     fn a_diagonal_matrix_has_its_entries() {
-        assert_eq!(eigenvalues([1.0, -2.0, 3.0, 0.0, 0.0, 0.0]), [1.0, -2.0, 3.0]);
+        assert_eq!(
+            eigenvalues([1.0, -2.0, 3.0, 0.0, 0.0, 0.0]),
+            [1.0, -2.0, 3.0]
+        );
     }
 }

@@ -25,7 +25,7 @@ pub fn pass_inboard(bodies: &mut [Body<'_>], k: usize) {
 /// * turning about z moves no mass that lies on z: m, ∫z, ∫z²;
 /// * sliding along z changes no second moment of a body without mass and first moments;
 /// * a screw does both, so that only ∫z² of such a body remains.
-fn invariant<'g>(motion: Motion, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
+fn invariant(motion: Motion, inertia: Inertia<Term<'_>>) -> Inertia<Term<'_>> {
     let mut part = Inertia::zero(inertia.mass.graph());
     let [_, _, zz, ..] = inertia.second.0;
     let zero = part.mass;

@@ -23,7 +23,13 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
         Err(reason) => {
             let place = anchor.map_or(Place::Unknown, Place::Token);
             let message = format!("cannot read {}: {reason}", path.display());
-            errors.push(place, message);
+            match anchor {
+                Some(_) => {
+                    let hint = "a path begins at the folder of Cargo.toml";
+                    errors.push_with_hint(place, message, hint);
+                }
+                None => errors.push(place, message),
+            }
             return None;
         }
     };

@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use super::wording::quoted;
+use crate::wording::quoted;
 use super::{Description, Name};
 use crate::error::{Errors, Place};
 

@@ -5,7 +5,7 @@
 //! is not a number could have meant, except in a hint.
 
 use super::Number;
-use super::wording::quoted;
+use crate::wording::quoted;
 use crate::error::Place;
 
 /// What is wrong with a number: the end of a sentence that begins with the number's name.

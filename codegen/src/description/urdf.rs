@@ -15,7 +15,7 @@ use roxmltree::Node;
 
 use self::element::Reader;
 use super::position::Positions;
-use super::wording::quoted;
+use crate::wording::quoted;
 use super::{Description, Name, Source, file, names};
 use crate::error::{Errors, Place};
 

@@ -227,7 +227,7 @@ impl Scope {
         let name = field.unraw().to_string();
         let mut bind =
             |entry, wish: &str| self.bind_input(Input::Parameter(index, entry), wish, used);
-        let bound = if parameter.target.len() == 1 {
+        let bound = if parameter.target.entries() == 1 {
             vec![bind(0, &name)]
         } else {
             let axes = (0_u16..).zip(["x", "y", "z"]);

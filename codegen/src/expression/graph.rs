@@ -68,11 +68,11 @@ pub enum Node {
 /// Scalars in the order in which they were made.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
-    inner: RefCell<Nodes>,
+    inner: RefCell<Inner>,
 }
 
 #[derive(Clone, Debug, Default)]
-struct Nodes {
+struct Inner {
     nodes: Vec<Node>,
     /// The value of each node that no input enters.
     values: Vec<Option<Double>>,
@@ -152,6 +152,24 @@ impl Graph {
         self.term(expr)
     }
 
+    /// The expressions that the results need, children first, and how often each node is used.
+    #[must_use]
+    pub fn needed(&self, results: &[Expr]) -> (Vec<Expr>, Vec<u32>) {
+        let inner = self.inner.borrow();
+        let mut uses = vec![0; inner.nodes.len()];
+        let mut waiting = results.to_vec();
+        let mut needed = Vec::new();
+        while let Some(expr) = waiting.pop() {
+            uses[expr.index()] += 1;
+            if uses[expr.index()] == 1 {
+                needed.push(expr);
+                waiting.extend(inner.nodes[expr.index()].operands());
+            }
+        }
+        needed.sort_unstable();
+        (needed, uses)
+    }
+
     pub(super) fn neg(&self, a: Expr) -> Expr {
         self.inner.borrow_mut().neg(a)
     }
@@ -205,7 +223,7 @@ impl Expr {
     }
 }
 
-impl Nodes {
+impl Inner {
     fn intern(&mut self, node: Node, value: Option<Double>) -> Expr {
         if let Some(&known) = self.memo.get(&node) {
             return known;

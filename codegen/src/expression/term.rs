@@ -53,7 +53,9 @@ impl<'g> Term<'g> {
     /// both are known.
     #[must_use]
     pub fn atan2(self, cosine: Self) -> Option<Self> {
-        self.graph.atan2(self.expr, cosine.expr).map(|angle| Self::new(self.graph, angle))
+        self.graph
+            .atan2(self.expr, cosine.expr)
+            .map(|angle| Self::new(self.graph, angle))
     }
 
     /// √x.

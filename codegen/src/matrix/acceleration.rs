@@ -17,12 +17,18 @@ pub struct Acceleration<E> {
 
 impl<'g> Acceleration<Term<'g>> {
     /// Of a frame that does not turn and whose origin accelerates by `a`.
+    #[must_use]
     pub fn linear(a: Vector<Term<'g>>) -> Self {
         let zero = Vector::zero(graph_of(a));
-        Self { omega: zero, omega_dot: zero, a }
+        Self {
+            omega: zero,
+            omega_dot: zero,
+            a,
+        }
     }
 
     /// The block G = ω̲̇ + ω̲², row by row.
+    #[must_use]
     pub fn g(self) -> [[Term<'g>; 3]; 3] {
         let [x, y, z] = self.omega.0;
         let [dx, dy, dz] = self.omega_dot.0;
@@ -36,6 +42,7 @@ impl<'g> Acceleration<Term<'g>> {
     }
 
     /// Acceleration of a point of the body (eq. 7): G p + a.
+    #[must_use]
     pub fn point(self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
         Vector(self.g().map(|row| Vector(row).dot(point))) + self.a
     }
@@ -53,7 +60,10 @@ impl<'g> Acceleration<Term<'g>> {
     /// The same motion told by another point of the body.
     #[must_use]
     pub fn move_pole(self, pole: Vector<Term<'g>>) -> Self {
-        Self { a: self.point(pole), ..self }
+        Self {
+            a: self.point(pole),
+            ..self
+        }
     }
 
     /// M H M⁻¹ (eq. 9): the new pole is the point of the body at the new origin.

@@ -17,10 +17,14 @@ pub struct Action<E> {
 impl<'g> Action<Term<'g>> {
     /// None.
     pub fn zero(graph: &'g Graph) -> Self {
-        Self { c: Vector::zero(graph), f: Vector::zero(graph) }
+        Self {
+            c: Vector::zero(graph),
+            f: Vector::zero(graph),
+        }
     }
 
     /// What gives a body of inertia J the acceleration H: Φ = skew\[H J\] (eqs. 18 and 25).
+    #[must_use]
     pub fn of(h: Acceleration<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let g = h.g();
         let [[_, gxy, gxz], [gyx, _, gyz], [gzx, gzy, _]] = g;
@@ -40,6 +44,7 @@ impl<'g> Action<Term<'g>> {
 
     /// What starts a body of inertia J along a screw from rest, per unit of acceleration:
     /// skew\[L J\].
+    #[must_use]
     pub fn of_screw(l: Screw<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let (c, f) = j.skew(l.u, l.b);
         Self { c, f }
@@ -49,10 +54,14 @@ impl<'g> Action<Term<'g>> {
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
         let f = pose.rotation * self.f;
-        Self { c: pose.rotation * self.c + pose.translation.cross(f), f }
+        Self {
+            c: pose.rotation * self.c + pose.translation.cross(f),
+            f,
+        }
     }
 
     /// The pseudo scalar product L ⊗ Φ = u·c + b·f: the power of the action at unit rate.
+    #[must_use]
     pub fn along(self, screw: Screw<Term<'g>>) -> Term<'g> {
         screw.u.dot(self.c) + screw.b.dot(self.f)
     }
@@ -68,6 +77,9 @@ impl Add for Action<Term<'_>> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self { c: self.c + other.c, f: self.f + other.f }
+        Self {
+            c: self.c + other.c,
+            f: self.f + other.f,
+        }
     }
 }

@@ -113,8 +113,13 @@ impl<'g> Inertia<Term<'g>> {
     }
 
     /// Of a mass at the origin with second moments about it.
+    #[must_use]
     pub fn central(mass: Term<'g>, second: Symmetric<Term<'g>>) -> Self {
-        Self { second, q: Vector::zero(mass.graph()), mass }
+        Self {
+            second,
+            q: Vector::zero(mass.graph()),
+            mass,
+        }
     }
 
     /// M J Mᵗ (eq. 17).
@@ -153,7 +158,12 @@ impl<'g> Inertia<Term<'g>> {
 
     /// skew\[X J\] for X = u̲, b; 0, 0: the couple and the force, or the angular and the linear
     /// momentum (eqs. 20 and 26).
-    pub fn skew(self, u: Vector<Term<'g>>, b: Vector<Term<'g>>) -> (Vector<Term<'g>>, Vector<Term<'g>>) {
+    #[must_use]
+    pub fn skew(
+        self,
+        u: Vector<Term<'g>>,
+        b: Vector<Term<'g>>,
+    ) -> (Vector<Term<'g>>, Vector<Term<'g>>) {
         let [x, y, z] = u.0;
         let [xx, yy, zz, xy, xz, yz] = self.second.0;
         let turning = Vector([
@@ -198,7 +208,9 @@ impl Sub for Inertia<Term<'_>> {
 
     fn sub(self, other: Self) -> Self {
         Self {
-            second: Symmetric(std::array::from_fn(|k| self.second.0[k] - other.second.0[k])),
+            second: Symmetric(std::array::from_fn(|k| {
+                self.second.0[k] - other.second.0[k]
+            })),
             q: self.q - other.q,
             mass: self.mass - other.mass,
         }

@@ -14,6 +14,7 @@ pub struct Momentum<E> {
 
 impl<'g> Momentum<Term<'g>> {
     /// Γ = skew\[W J\] (eqs. 20 and 26).
+    #[must_use]
     pub fn of(w: Velocity<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let (gamma, rho) = j.skew(w.omega, w.v);
         Self { gamma, rho }
@@ -23,6 +24,9 @@ impl<'g> Momentum<Term<'g>> {
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
         let rho = pose.rotation * self.rho;
-        Self { gamma: pose.rotation * self.gamma + pose.translation.cross(rho), rho }
+        Self {
+            gamma: pose.rotation * self.gamma + pose.translation.cross(rho),
+            rho,
+        }
     }
 }

@@ -49,24 +49,39 @@ impl<'g> Rotation<Term<'g>> {
     }
 
     /// About z by an angle of which sine and cosine are given.
+    #[must_use]
     pub fn about_z((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-        Self([[cosine, -sine, zero], [sine, cosine, zero], [zero, zero, one]])
+        Self([
+            [cosine, -sine, zero],
+            [sine, cosine, zero],
+            [zero, zero, one],
+        ])
     }
 
     /// About x by an angle of which sine and cosine are given.
+    #[must_use]
     pub fn about_x((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-        Self([[one, zero, zero], [zero, cosine, -sine], [zero, sine, cosine]])
+        Self([
+            [one, zero, zero],
+            [zero, cosine, -sine],
+            [zero, sine, cosine],
+        ])
     }
 
     /// About y by an angle of which sine and cosine are given.
+    #[must_use]
     pub fn about_y((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-        Self([[cosine, zero, sine], [zero, one, zero], [-sine, zero, cosine]])
+        Self([
+            [cosine, zero, sine],
+            [zero, one, zero],
+            [-sine, zero, cosine],
+        ])
     }
 }
 
@@ -89,7 +104,10 @@ impl Mul for Rotation<Term<'_>> {
 impl<E: Copy> Pose<E> {
     /// Entry by entry.
     pub fn map<F: Copy>(self, mut f: impl FnMut(E) -> F) -> Pose<F> {
-        Pose { rotation: self.rotation.map(&mut f), translation: self.translation.map(f) }
+        Pose {
+            rotation: self.rotation.map(&mut f),
+            translation: self.translation.map(f),
+        }
     }
 
     /// The upper three rows, one after the other.
@@ -104,27 +122,42 @@ impl<E: Copy> Pose<E> {
 impl<'g> Pose<Term<'g>> {
     /// The frame itself.
     pub fn identity(graph: &'g Graph) -> Self {
-        Self { rotation: Rotation::identity(graph), translation: Vector::zero(graph) }
+        Self {
+            rotation: Rotation::identity(graph),
+            translation: Vector::zero(graph),
+        }
     }
 
     /// Parallel axes, another origin.
+    #[must_use]
     pub fn translation(translation: Vector<Term<'g>>) -> Self {
-        Self { rotation: Rotation::identity(translation.x().graph()), translation }
+        Self {
+            rotation: Rotation::identity(translation.x().graph()),
+            translation,
+        }
     }
 
     /// The same origin, other axes.
+    #[must_use]
     pub fn rotation(rotation: Rotation<Term<'g>>) -> Self {
-        Self { rotation, translation: Vector::zero(rotation.0[0][0].graph()) }
+        Self {
+            rotation,
+            translation: Vector::zero(rotation.0[0][0].graph()),
+        }
     }
 
     /// M⁻¹ = (Rᵗ, −Rᵗt).
     #[must_use]
     pub fn inverse(self) -> Self {
         let rotation = self.rotation.transposed();
-        Self { rotation, translation: -(rotation * self.translation) }
+        Self {
+            rotation,
+            translation: -(rotation * self.translation),
+        }
     }
 
     /// A point of the frame, seen from the other.
+    #[must_use]
     pub fn point(self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
         self.rotation * point + self.translation
     }

@@ -17,10 +17,14 @@ impl<'g> Screw<Term<'g>> {
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
         let u = pose.rotation * self.u;
-        Self { u, b: pose.rotation * self.b - u.cross(pose.translation) }
+        Self {
+            u,
+            b: pose.rotation * self.b - u.cross(pose.translation),
+        }
     }
 
     /// The six entries u, b.
+    #[must_use]
     pub fn entries(self) -> [Term<'g>; 6] {
         let ([ux, uy, uz], [bx, by, bz]) = (self.u.0, self.b.0);
         [ux, uy, uz, bx, by, bz]

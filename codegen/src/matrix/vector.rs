@@ -43,12 +43,14 @@ impl<'g> Vector<Term<'g>> {
     }
 
     /// Scalar product.
+    #[must_use]
     pub fn dot(self, other: Self) -> Term<'g> {
         let [x, y, z] = array::from_fn(|k| self.0[k] * other.0[k]);
         x + y + z
     }
 
     /// Vector product, v̲w.
+    #[must_use]
     pub fn cross(self, other: Self) -> Self {
         let [ax, ay, az] = self.0;
         let [bx, by, bz] = other.0;
@@ -56,6 +58,7 @@ impl<'g> Vector<Term<'g>> {
     }
 
     /// Whether every entry is known to be zero.
+    #[must_use]
     pub fn is_zero(self) -> bool {
         self.0.iter().all(|entry| entry.is_zero())
     }

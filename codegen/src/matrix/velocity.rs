@@ -18,19 +18,29 @@ pub struct Velocity<E> {
 impl<'g> Velocity<Term<'g>> {
     /// At rest.
     pub fn zero(graph: &'g Graph) -> Self {
-        Self { omega: Vector::zero(graph), v: Vector::zero(graph) }
+        Self {
+            omega: Vector::zero(graph),
+            v: Vector::zero(graph),
+        }
     }
 
     /// L q̇.
+    #[must_use]
     pub fn of_screw(screw: Screw<Term<'g>>, rate: Term<'g>) -> Self {
-        Self { omega: screw.u * rate, v: screw.b * rate }
+        Self {
+            omega: screw.u * rate,
+            v: screw.b * rate,
+        }
     }
 
     /// M W M⁻¹ (eq. 8).
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
         let omega = pose.rotation * self.omega;
-        Self { omega, v: pose.rotation * self.v - omega.cross(pose.translation) }
+        Self {
+            omega,
+            v: pose.rotation * self.v - omega.cross(pose.translation),
+        }
     }
 }
 
@@ -39,6 +49,9 @@ impl Add for Velocity<Term<'_>> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self { omega: self.omega + other.omega, v: self.v + other.v }
+        Self {
+            omega: self.omega + other.omega,
+            v: self.v + other.v,
+        }
     }
 }

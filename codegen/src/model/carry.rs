@@ -40,8 +40,17 @@ impl<'g> Joint<'g> {
                 (turned(), pitch * q, one, pitch)
             }
         };
-        let screw = Screw { u: along_z(u), b: along_z(b) };
-        Self { index: k, placement: body.placement, angle, slide, screw }
+        let screw = Screw {
+            u: along_z(u),
+            b: along_z(b),
+        };
+        Self {
+            index: k,
+            placement: body.placement,
+            angle,
+            slide,
+            screw,
+        }
     }
 
     /// The turn as a matrix.
@@ -72,12 +81,18 @@ impl<'g> Joint<'g> {
 
     /// J of the body in its parent's frame.
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
-        inertia.rotate_about_z(self.angle).translate(self.offset()).change_frame(self.placement)
+        inertia
+            .rotate_about_z(self.angle)
+            .translate(self.offset())
+            .change_frame(self.placement)
     }
 
     /// The displacement as a pose, from where it starts.
     pub fn displacement(&self) -> Pose<Term<'g>> {
-        Pose { rotation: self.turn(), translation: self.offset() }
+        Pose {
+            rotation: self.turn(),
+            translation: self.offset(),
+        }
     }
 }
 
@@ -100,5 +115,9 @@ pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>) -> Path<'g
         at = bodies.bodies[k].parent;
     }
     joints.reverse();
-    Path { joints, count: bodies.bodies.len(), end }
+    Path {
+        joints,
+        count: bodies.bodies.len(),
+        end,
+    }
 }

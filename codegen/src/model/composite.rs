@@ -22,7 +22,9 @@ pub fn mass_matrix<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> 
             let seen = action.along(joints[at].screw);
             entries[at * count + column] = seen;
             entries[column * count + at] = seen;
-            let Some(parent) = bodies.bodies[at].parent else { break };
+            let Some(parent) = bodies.bodies[at].parent else {
+                break;
+            };
             action = action
                 .change_frame(joints[at].displacement())
                 .change_frame(joints[at].placement);

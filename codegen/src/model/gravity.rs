@@ -13,7 +13,9 @@ pub fn gravity<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
     // Acceleration of the base that has the effect of gravity, in each frame.
     let mut accelerations = Vec::with_capacity(count);
     for (body, joint) in bodies.bodies.iter().zip(&joints) {
-        let outer = body.parent.map_or(-bodies.gravity, |parent| accelerations[parent]);
+        let outer = body
+            .parent
+            .map_or(-bodies.gravity, |parent| accelerations[parent]);
         let a = joint.vector_outboard(outer);
         let index = joint.index + 1;
         a.label(|| format!("h_0_{index}_in_{index}_"));

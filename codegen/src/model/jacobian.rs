@@ -6,15 +6,25 @@ use crate::matrix::{Pose, Screw, Vector};
 
 /// Columns in frame 0, pole at its origin.
 pub fn spatial<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
-    columns(path, outwards(path).into_iter().map(|(k, screw, pose)| (k, screw.change_frame(pose))))
+    columns(
+        path,
+        outwards(path)
+            .into_iter()
+            .map(|(k, screw, pose)| (k, screw.change_frame(pose))),
+    )
 }
 
 /// Columns in the axes of frame 0, pole at the origin of the frame at the end.
 pub fn geometric<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
     let steps = outwards(path);
-    let end = steps.last().map_or(path.end.translation, |(_, _, pose)| pose.point(path.end.translation));
+    let end = steps.last().map_or(path.end.translation, |(_, _, pose)| {
+        pose.point(path.end.translation)
+    });
     let columns_ = steps.into_iter().map(|(k, screw, pose)| {
-        let seen = Pose { translation: pose.translation - end, ..pose };
+        let seen = Pose {
+            translation: pose.translation - end,
+            ..pose
+        };
         (k, screw.change_frame(seen))
     });
     columns(path, columns_.collect::<Vec<_>>().into_iter())
@@ -41,7 +51,9 @@ fn outwards<'g>(path: &Path<'g>) -> Vec<(usize, Screw<Term<'g>>, Pose<Term<'g>>)
             let index = joint.index + 1;
             pose.translation.label(|| format!("m_0_{index}_t"));
             for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-                pose.rotation.column(k).label(|| format!("m_0_{index}_{axis}"));
+                pose.rotation
+                    .column(k)
+                    .label(|| format!("m_0_{index}_{axis}"));
             }
             (joint.index, joint.screw, pose)
         })
@@ -54,7 +66,10 @@ fn columns<'g>(
     found: impl Iterator<Item = (usize, Screw<Term<'g>>)>,
 ) -> Vec<Term<'g>> {
     let graph = path.end.translation.x().graph();
-    let null = Screw { u: Vector::zero(graph), b: Vector::zero(graph) };
+    let null = Screw {
+        u: Vector::zero(graph),
+        b: Vector::zero(graph),
+    };
     let mut columns = vec![null; path.count];
     for (k, screw) in found {
         columns[k] = screw;

@@ -21,7 +21,11 @@ pub fn inverse_dynamics<'g>(
     let mut actions: Vec<Action<Term<'g>>> = Vec::with_capacity(count);
     for (k, (body, joint)) in bodies.bodies.iter().zip(&joints).enumerate() {
         let outer = body.parent.map_or(base, |parent| accelerations[parent]);
-        let second = if accelerating { state.qdd(k) } else { state.zero() };
+        let second = if accelerating {
+            state.qdd(k)
+        } else {
+            state.zero()
+        };
         let h = beyond(outer, joint, state.qd(k), second);
         let index = k + 1;
         h.omega.label(|| format!("w_0_{index}_in_{index}_"));
@@ -37,7 +41,9 @@ pub fn inverse_dynamics<'g>(
         action.label(|| format!("phi_{index}_in_{index}_"));
         tau[k] = action.along(joint.screw);
         if let Some(parent) = bodies.bodies[k].parent {
-            let carried = action.change_frame(joint.displacement()).change_frame(joint.placement);
+            let carried = action
+                .change_frame(joint.displacement())
+                .change_frame(joint.placement);
             carried.label(|| format!("phi_{index}_in_{parent}_", parent = parent + 1));
             actions[parent] = actions[parent] + carried;
         }

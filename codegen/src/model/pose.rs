@@ -6,8 +6,7 @@ use crate::matrix::{Pose, Rotation, Vector};
 
 /// M of the frame at the end of a path.
 pub fn forward_kinematics<'g>(path: &Path<'g>, by_product: Option<usize>) -> Vec<Term<'g>> {
-    let mut columns: [Vector<Term<'g>>; 3] =
-        std::array::from_fn(|k| path.end.rotation.column(k));
+    let mut columns: [Vector<Term<'g>>; 3] = std::array::from_fn(|k| path.end.rotation.column(k));
     let mut origin = path.end.translation;
     for joint in path.joints.iter().rev() {
         for (k, column) in columns.iter_mut().enumerate() {
@@ -21,7 +20,12 @@ pub fn forward_kinematics<'g>(path: &Path<'g>, by_product: Option<usize>) -> Vec
     if let Some(k) = by_product {
         columns[k] = columns[(k + 1) % 3].cross(columns[(k + 2) % 3]);
     }
-    Pose { rotation: Rotation::from_columns(columns), translation: origin }.entries().to_vec()
+    Pose {
+        rotation: Rotation::from_columns(columns),
+        translation: origin,
+    }
+    .entries()
+    .to_vec()
 }
 
 /// The entries of M from the body that carries joint `index` to the frame.

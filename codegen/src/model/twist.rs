@@ -11,7 +11,9 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
     let mut w = Velocity::zero(state.graph);
     for joint in path.joints.iter().rev() {
         w = Velocity::of_screw(joint.screw, state.qd(joint.index)) + w;
-        w = w.change_frame(joint.displacement()).change_frame(joint.placement);
+        w = w
+            .change_frame(joint.displacement())
+            .change_frame(joint.placement);
         let index = joint.index;
         w.omega.label(|| format!("w_{index}_n_in_{index}_"));
         w.v.label(|| format!("w_{index}_n_in_{index}_v"));
@@ -32,15 +34,18 @@ pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
         h = Acceleration {
             omega: own.omega + h.omega,
             omega_dot: joint.screw.u * second + h.omega_dot + own.omega.cross(w.omega),
-            a: joint.screw.b * second + own.omega.cross(own.v) + h.a
-                + own.omega.cross(w.v) * two,
+            a: joint.screw.b * second + own.omega.cross(own.v) + h.a + own.omega.cross(w.v) * two,
         };
         w = own + w;
         h = inboard(inboard(h, joint.displacement()), joint.placement);
-        w = w.change_frame(joint.displacement()).change_frame(joint.placement);
+        w = w
+            .change_frame(joint.displacement())
+            .change_frame(joint.placement);
     }
     let g = h.g();
-    (0..3).flat_map(|row| [g[row][0], g[row][1], g[row][2], h.a.0[row]]).collect()
+    (0..3)
+        .flat_map(|row| [g[row][0], g[row][1], g[row][2], h.a.0[row]])
+        .collect()
 }
 
 /// M H M⁻¹ with G taken before the rotation, where it is sparser.

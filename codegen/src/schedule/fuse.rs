@@ -38,7 +38,10 @@ impl Fused {
 /// Chooses one product a sum, among those that nothing else uses.
 pub fn choose(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Fused {
     let count = uses.len();
-    let mut fused = Fused { product_of: vec![None; count], vanishes: vec![false; count] };
+    let mut fused = Fused {
+        product_of: vec![None; count],
+        vanishes: vec![false; count],
+    };
     let product = |expr: Expr| match graph.node(expr) {
         Node::Mul(a, b) if uses[expr.index()] == 1 && graph.value(expr).is_none() => Some((a, b)),
         _ => None,
@@ -55,7 +58,10 @@ pub fn choose(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Fused {
         }
         // The younger product waits longer for its factors: it goes with the sum.
         let candidates = [(a, b, forms[0]), (b, a, forms[1])];
-        let best = candidates.into_iter().filter(|&(p, ..)| product(p).is_some()).max_by_key(|&(p, ..)| p);
+        let best = candidates
+            .into_iter()
+            .filter(|&(p, ..)| product(p).is_some())
+            .max_by_key(|&(p, ..)| p);
         if let Some((p, rest, form)) = best
             && let Some((x, y)) = product(p)
         {

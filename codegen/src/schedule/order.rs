@@ -7,22 +7,36 @@ use super::{Operand, Operation, Program, Step, fuse};
 use crate::expression::{Expr, Graph, Node};
 
 /// The program that computes the given expressions and nothing else.
+///
+/// # Panics
+/// Where an expression is not of this graph.
 #[must_use]
 pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
-    let (needed, uses) = needed(graph, results);
+    let (needed, uses) = graph.needed(results);
     let fused = fuse::choose(graph, &needed, &uses);
     let before = angles_first(graph, &needed);
+    let turned = turned(graph, &needed, &uses);
 
-    let mut program =
-        Program { angles: Vec::new(), before_angles: 0, steps: Vec::new(), results: Vec::new() };
+    let mut program = Program {
+        angles: Vec::new(),
+        before_angles: 0,
+        steps: Vec::new(),
+        results: Vec::new(),
+    };
     let mut operands: Vec<Option<Operand>> = vec![None; graph.len()];
     for phase in [true, false] {
         for &expr in &needed {
             if fused.vanishes(expr) || before[expr.index()] != phase {
                 continue;
             }
-            let operand = place(graph, expr, &fused, &operands, &mut program);
-            operands[expr.index()] = Some(operand);
+            let operand = match graph.node(expr) {
+                Node::Neg(a) if turned[a.index()] => operands[a.index()],
+                _ => {
+                    let turned = turned[expr.index()];
+                    Some(place(graph, expr, turned, &fused, &operands, &mut program))
+                }
+            };
+            operands[expr.index()] = operand;
         }
         if phase {
             program.before_angles = program.steps.len();
@@ -33,10 +47,12 @@ pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
     program
 }
 
-/// Where the value of an expression is found, after adding what computes it.
+/// Where the value of an expression is found, after adding what computes it, or its opposite where
+/// it is turned.
 fn place(
     graph: &Graph,
     expr: Expr,
+    turned: bool,
     fused: &fuse::Fused,
     operands: &[Option<Operand>],
     program: &mut Program,
@@ -66,8 +82,45 @@ fn place(
         Node::Sqrt(a) => Operation::Sqrt(at(a)),
         Node::Literal(_) | Node::Atan2(..) => unreachable!("a number has a value"),
     };
-    program.steps.push(Step { label: graph.label(expr), operation });
+    let operation = if turned {
+        opposite(operation)
+    } else {
+        operation
+    };
+    program.steps.push(Step {
+        label: graph.label(expr),
+        operation,
+    });
     Operand::Step(index(program.steps.len() - 1))
+}
+
+/// The operation that gives −a for the price of a.
+fn opposite(operation: Operation) -> Operation {
+    match operation {
+        Operation::Sub(a, b) => Operation::Sub(b, a),
+        Operation::MulSub(a, b, c) => Operation::NegMulAdd(a, b, c),
+        Operation::NegMulAdd(a, b, c) => Operation::MulSub(a, b, c),
+        Operation::Mul(Operand::Literal(k), a) => Operation::Mul(Operand::Literal(-k), a),
+        _ => unreachable!("only differences and multiples are turned"),
+    }
+}
+
+/// The differences and multiples that are used once, under a minus: they are computed the other way
+/// round, and the minus costs nothing.
+fn turned(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Vec<bool> {
+    let mut turned = vec![false; graph.len()];
+    for &expr in needed {
+        let Node::Neg(a) = graph.node(expr) else {
+            continue;
+        };
+        let free = match graph.node(a) {
+            Node::Sub(..) => true,
+            Node::Mul(k, _) => graph.value(k).is_some(),
+            _ => false,
+        };
+        turned[a.index()] = free && uses[a.index()] == 1 && graph.value(a).is_none();
+    }
+    turned
 }
 
 fn angle_index(angle: Operand, program: &mut Program) -> u32 {
@@ -80,25 +133,6 @@ fn angle_index(angle: Operand, program: &mut Program) -> u32 {
 
 fn index(k: usize) -> u32 {
     u32::try_from(k).expect("fewer than 2³² steps")
-}
-
-/// The expressions that the results need, children first, and how often each is used.
-fn needed(graph: &Graph, results: &[Expr]) -> (Vec<Expr>, Vec<u32>) {
-    let mut uses = vec![0; graph.len()];
-    let mut waiting = results.to_vec();
-    let mut needed = Vec::new();
-    while let Some(expr) = waiting.pop() {
-        uses[expr.index()] += 1;
-        if uses[expr.index()] == 1 {
-            needed.push(expr);
-            // A number is printed, not computed.
-            if graph.value(expr).is_none() {
-                waiting.extend(graph.node(expr).operands());
-            }
-        }
-    }
-    needed.sort_unstable();
-    (needed, uses)
 }
 
 /// Whether each needed expression takes part in an angle.

@@ -51,15 +51,19 @@ pub fn run<T: Arithmetic>(program: &Program, input: impl Fn(Input) -> T) -> Vec<
     if program.before_angles == program.steps.len() {
         angles = turn(program, &steps, &input);
     }
-    program.results.iter().map(|&result| value(result, &steps, &angles, &input)).collect()
+    program
+        .results
+        .iter()
+        .map(|&result| value(result, &steps, &angles, &input))
+        .collect()
 }
 
-fn turn<T: Arithmetic>(
-    program: &Program,
-    steps: &[T],
-    input: &impl Fn(Input) -> T,
-) -> Vec<(T, T)> {
-    program.angles.iter().map(|&angle| value(angle, steps, &[], input).sin_cos()).collect()
+fn turn<T: Arithmetic>(program: &Program, steps: &[T], input: &impl Fn(Input) -> T) -> Vec<(T, T)> {
+    program
+        .angles
+        .iter()
+        .map(|&angle| value(angle, steps, &[], input).sin_cos())
+        .collect()
 }
 
 fn value<T: Arithmetic>(
@@ -92,7 +96,10 @@ impl Arithmetic for f64 {
 }
 
 impl Arithmetic for f32 {
-    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "rounding is what is asked for"
+    )]
     fn literal(value: f64) -> Self {
         value as Self
     }

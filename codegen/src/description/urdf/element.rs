@@ -10,7 +10,7 @@ use roxmltree::{Attribute, Node};
 
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
-use crate::description::wording::{nearest, quoted};
+use crate::wording::{nearest, quoted};
 use crate::description::{Axis, Name, Number, Step};
 use crate::error::{Complaint, Errors, Place};
 

@@ -7,7 +7,8 @@
 use roxmltree::Node;
 
 use super::element::Reader;
-use crate::description::wording::{known, list, quoted};
+use crate::description::kind::{self, Kind};
+use crate::wording::quoted;
 use crate::description::{Joint, JointKind, Limits, Name, Number, axis, number};
 
 /// What a joint may hold, mechanics or not.
@@ -23,9 +24,6 @@ const PARTS: [&str; 10] = [
     "calibration",
     "safety_controller",
 ];
-
-/// The types this reader knows.
-const TYPES: [&str; 5] = ["revolute", "continuous", "prismatic", "screw", "fixed"];
 
 /// Reads a joint; none where it has no name or hangs nowhere.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Joint> {
@@ -81,34 +79,19 @@ fn kind<'t>(
     subject: &str,
 ) -> Option<JointKind> {
     let name = reader.name(node, "type", subject)?;
-    match name.text.as_str() {
-        "revolute" => Some(JointKind::Revolute),
-        "continuous" => Some(JointKind::Continuous),
-        "prismatic" => Some(JointKind::Prismatic),
-        "fixed" => Some(JointKind::Fixed),
-        "screw" => {
+    match kind::read(&name.text, subject) {
+        Ok(Kind::Revolute) => Some(JointKind::Revolute),
+        Ok(Kind::Continuous) => Some(JointKind::Continuous),
+        Ok(Kind::Prismatic) => Some(JointKind::Prismatic),
+        Ok(Kind::Fixed) => Some(JointKind::Fixed),
+        Ok(Kind::Screw) => {
             let hint = "<thread pitch=\"…\"/>, in metres per radian";
             let thread = reader.required(node, children, "thread", subject, hint)?;
             let pitch = reader.number(thread, "pitch", &format!("the pitch of {subject}"))?;
             Some(JointKind::Screw { pitch })
         }
-        "floating" | "planar" | "spherical" | "ball" | "universal" | "cylindrical" => {
-            reader.errors.push_with_hint(
-                name.place,
-                format!(
-                    "{subject} is {}, and such joints are not modelled",
-                    name.text
-                ),
-                format!("known types: {}", list(TYPES)),
-            );
-            None
-        }
-        other => {
-            reader.errors.push_with_hint(
-                name.place,
-                format!("{subject} has the unknown type {}", quoted(other)),
-                known(other, "types", &TYPES),
-            );
+        Err((message, hint)) => {
+            reader.errors.push_with_hint(name.place, message, hint);
             None
         }
     }

@@ -6,7 +6,7 @@
 use roxmltree::Node;
 
 use super::element::Reader;
-use crate::description::wording::quoted;
+use crate::wording::quoted;
 use crate::description::{Inertial, Link, Name, Number};
 
 /// What a link may hold, mechanics or not.

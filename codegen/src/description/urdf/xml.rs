@@ -7,7 +7,7 @@
 use roxmltree::{Document, Error, ParsingOptions};
 
 use crate::description::position::Positions;
-use crate::description::wording::quoted;
+use crate::wording::quoted;
 use crate::error::{Errors, Place};
 
 /// The most bytes of a file.

@@ -7,7 +7,7 @@
 const LONGEST: usize = 60;
 
 /// The text in double quotes, cut where it is too long for a message.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST) {
         Some((cut, _)) => format!("\"{}…\"", text[..cut].escape_debug()),
         None => format!("\"{}\"", text.replace(char::is_control, "\u{fffd}")),
@@ -15,7 +15,7 @@ pub(super) fn quoted(text: &str) -> String {
 }
 
 /// `a, b and c`.
-pub(super) fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+pub(crate) fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     let words: Vec<&str> = words.into_iter().collect();
     match words.split_last() {
         None => String::new(),
@@ -25,7 +25,7 @@ pub(super) fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
 }
 
 /// `did you mean "tip"? known keys: base and tip`, the question only where a known word is near.
-pub(super) fn known(word: &str, kind: &str, words: &[&str]) -> String {
+pub(crate) fn known(word: &str, kind: &str, words: &[&str]) -> String {
     let all = format!("known {kind}: {}", list(words.iter().copied()));
     match nearest(word, words) {
         Some(meant) => format!("did you mean \"{meant}\"? {all}"),
@@ -35,7 +35,7 @@ pub(super) fn known(word: &str, kind: &str, words: &[&str]) -> String {
 
 /// The candidate that differs from the word by the fewest changed letters, if they are few enough
 /// to be a slip.
-pub(super) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
     let letters = word.chars().count();
     // Longer words are no slip of a known one, and would cost time for nothing.

@@ -1,0 +1,62 @@
+//! Names of links or of joints, and what they refer to.
+//!
+//! In: the names in the order of the description. Out: an index by name, and a sentence with the
+//! name that was probably meant for one that is not there.
+
+use std::collections::HashMap;
+
+use crate::description::Name;
+use crate::error::Errors;
+use crate::wording::{nearest, quoted};
+
+/// How many names are searched for the one that was meant.
+const SEARCHED: usize = 1000;
+
+/// The indices of items by name.
+pub struct Names<'a> {
+    what: &'static str,
+    order: Vec<&'a str>,
+    index: HashMap<&'a str, usize>,
+}
+
+impl<'a> Names<'a> {
+    /// Takes names in; two equal ones are a mistake.
+    pub fn of(
+        names: impl Iterator<Item = &'a Name>,
+        what: &'static str,
+        errors: &mut Errors,
+    ) -> Self {
+        let mut known = Self { what, order: Vec::new(), index: HashMap::new() };
+        for (k, name) in names.enumerate() {
+            known.order.push(&name.text);
+            if known.index.insert(&name.text, k).is_some() {
+                let called = quoted(&name.text);
+                errors.push(name.place, format!("two {what}s are called {called}"));
+            }
+        }
+        known
+    }
+
+    /// The index of a name.
+    pub fn get(&self, name: &Name) -> Option<usize> {
+        self.index.get(name.text.as_str()).copied()
+    }
+
+    /// The index of a name; it is a mistake if there is none.
+    pub fn find(&self, name: &Name, errors: &mut Errors) -> Option<usize> {
+        let found = self.get(name);
+        if found.is_none() {
+            let message = format!("there is no {} {}", self.what, quoted(&name.text));
+            // Among very many names the search would take longer than reading them.
+            let near = (self.order.len() <= SEARCHED).then(|| nearest(&name.text, &self.order));
+            match near.flatten() {
+                Some(near) => {
+                    let hint = format!("did you mean {}?", quoted(near));
+                    errors.push_with_hint(name.place, message, hint);
+                }
+                None => errors.push(name.place, message),
+            }
+        }
+        found
+    }
+}

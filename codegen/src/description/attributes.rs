@@ -1,0 +1,190 @@
+//! The derive: `#[robot(…)]` above a struct and above its fields.
+//!
+//! In: the struct. Out: an [`Item`] with the description it names or holds and with the numbers
+//! that its fields stand for. It never looks into the types of fields: what they must be is said by
+//! the generated code, which uses them.
+
+use std::path::Path;
+
+use proc_macro2::{Span, TokenStream};
+use syn::parse::ParseStream;
+use syn::spanned::Spanned;
+use syn::{Attribute, Data, DeriveInput, Field, Fields, Ident, Meta};
+
+use super::inline::{self, Contents};
+use super::item::Item;
+use super::tokens::{self, Parsed, complaint, complaint_with_hint};
+use crate::wording::{known, quoted};
+use crate::error::Errors;
+use crate::request::{Parameter, Target};
+
+/// What a field can stand for.
+const TARGETS: [&str; 4] = ["mass_of", "com_of", "gravity", "origin_of"];
+
+/// Reads a struct; relative paths of files begin at `folder`.
+///
+/// None only where the tokens are no struct, enum or union at all.
+pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
+    let input: DeriveInput = match syn::parse2(tokens) {
+        Ok(input) => input,
+        Err(error) => {
+            tokens::push(errors, error.into());
+            return None;
+        }
+    };
+    let mut contents = Contents::default();
+    let (robot, attributes): (Vec<_>, Vec<_>) = input.attrs.into_iter().partition(is_robot);
+    for attribute in robot {
+        arguments(
+            &attribute,
+            "#[robot(urdf = \"arm.urdf\")]",
+            errors,
+            |input, errors| {
+                inline::entries(input, &mut contents, errors);
+            },
+        );
+    }
+    let parameters = match &input.data {
+        Data::Struct(data) => match &data.fields {
+            Fields::Named(fields) => parameters(fields.named.iter(), errors),
+            Fields::Unit => Vec::new(),
+            Fields::Unnamed(fields) => {
+                errors.push_with_hint(
+                    crate::error::Place::Token(fields.span()),
+                    format!("the fields of {} have no names", input.ident),
+                    "write struct Arm { payload: f64 }, or struct Arm;",
+                );
+                Vec::new()
+            }
+        },
+        Data::Enum(data) => {
+            refuse_kind(data.enum_token.span, &input.ident, "an enum", errors);
+            Vec::new()
+        }
+        Data::Union(data) => {
+            refuse_kind(data.union_token.span, &input.ident, "a union", errors);
+            Vec::new()
+        }
+    };
+    check_gravity(&parameters, &contents, errors);
+    let mut item = inline::item(contents, input.ident, folder, errors);
+    item.attributes = attributes;
+    item.visibility = input.vis;
+    item.generics = input.generics;
+    item.request.parameters = parameters;
+    Some(item)
+}
+
+fn is_robot(attribute: &Attribute) -> bool {
+    attribute.path().is_ident("robot")
+}
+
+fn refuse_kind(span: Span, ident: &Ident, kind: &str, errors: &mut Errors) {
+    let problem = complaint(span, format!("{ident} is {kind}: a robot is a struct"));
+    tokens::push(errors, problem);
+}
+
+/// Reads what stands in the parentheses of an attribute.
+fn arguments(
+    attribute: &Attribute,
+    example: &str,
+    errors: &mut Errors,
+    mut read: impl FnMut(ParseStream, &mut Errors),
+) {
+    if !matches!(attribute.meta, Meta::List(_)) {
+        let message = "`robot` needs a list in parentheses";
+        let hint = format!("write {example}");
+        let span = attribute.meta.span();
+        tokens::push(errors, complaint_with_hint(span, message, hint));
+        return;
+    }
+    // What could not be read has been complained of by whoever reads.
+    let _ = attribute.parse_args_with(|input: ParseStream| {
+        read(input, errors);
+        tokens::skip(input, |_| false);
+        Ok(())
+    });
+}
+
+/// The fields that stand for a number; all others are the user's own.
+fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) -> Vec<Parameter> {
+    let mut parameters: Vec<Parameter> = Vec::new();
+    for field in fields {
+        let Some(ident) = &field.ident else { continue };
+        let mut found: Option<Target> = None;
+        for attribute in field.attrs.iter().filter(|attribute| is_robot(attribute)) {
+            let example = "#[robot(mass_of = \"link\")]";
+            let mut read = Vec::new();
+            arguments(
+                attribute,
+                example,
+                errors,
+                |input, errors| match tokens::list(input, target) {
+                    Ok(targets) => read = targets,
+                    Err(complaint) => tokens::push(errors, complaint),
+                },
+            );
+            for target in read {
+                let span = attribute.meta.span();
+                if found.is_some() {
+                    let message = format!("field `{ident}` stands for two numbers");
+                    tokens::push(errors, complaint(span, message));
+                } else if parameters.iter().any(|other| same(&other.target, &target)) {
+                    let message = format!("field `{ident}` stands for what another field does");
+                    tokens::push(errors, complaint(span, message));
+                } else {
+                    found = Some(target);
+                }
+            }
+        }
+        parameters.extend(found.map(|target| Parameter {
+            field: ident.clone(),
+            target,
+        }));
+    }
+    parameters
+}
+
+fn target(input: ParseStream) -> Parsed<Target> {
+    let key = tokens::word(input)?;
+    let text = key.to_string();
+    let of: fn(super::Name) -> Target = match text.as_str() {
+        "mass_of" => Target::MassOf,
+        "com_of" => Target::CenterOfMassOf,
+        "origin_of" => Target::OriginOf,
+        "gravity" => return Ok(Target::Gravity),
+        other => {
+            return Err(complaint_with_hint(
+                key.span(),
+                format!("a field cannot stand for {}", quoted(other)),
+                known(other, "keys", &TARGETS),
+            ));
+        }
+    };
+    tokens::separator(input, &key)?;
+    Ok(of(tokens::name(input)?))
+}
+
+fn same(one: &Target, other: &Target) -> bool {
+    match (one, other) {
+        (Target::MassOf(one), Target::MassOf(other))
+        | (Target::CenterOfMassOf(one), Target::CenterOfMassOf(other))
+        | (Target::OriginOf(one), Target::OriginOf(other)) => one.text == other.text,
+        (Target::Gravity, Target::Gravity) => true,
+        _ => false,
+    }
+}
+
+fn check_gravity(parameters: &[Parameter], contents: &Contents, errors: &mut Errors) {
+    let field = parameters
+        .iter()
+        .find(|parameter| matches!(parameter.target, Target::Gravity));
+    if let (Some(field), Some(span)) = (field, contents.settings.span("gravity")) {
+        let message = format!("gravity is given here and in field `{}`", field.field);
+        let hint = "leave out one of them";
+        tokens::push(errors, complaint_with_hint(span, message, hint));
+    }
+}
+
+#[cfg(test)]
+mod tests;

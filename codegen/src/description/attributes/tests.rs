@@ -1,0 +1,306 @@
+//! Every message of the attributes, and what they ask for.
+
+use super::*;
+use crate::description::tokens::show;
+use crate::function::Function;
+use crate::request::Real;
+
+const ARM: &str = r#"<robot name="arm"><link name="base"/><link name="tool"/>
+<joint name="j" type="revolute"><parent link="base"/><child link="tool"/>
+<axis xyz="0 0 1"/></joint></robot>"#;
+
+/// A folder with `arm.urdf` and the broken `bad.urdf` in it.
+fn folder() -> &'static Path {
+    static FOLDER: std::sync::OnceLock<std::path::PathBuf> = std::sync::OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let folder = std::env::temp_dir().join(format!("homogen-derive-{}", std::process::id()));
+        std::fs::create_dir_all(folder.join("robots")).unwrap();
+        std::fs::write(folder.join("robots/arm.urdf"), ARM).unwrap();
+        std::fs::write(
+            folder.join("bad.urdf"),
+            "<robot name=\"r\">\n<link/></robot>",
+        )
+        .unwrap();
+        folder
+    })
+}
+
+fn try_read(text: &str) -> (Option<Item>, String) {
+    let mut errors = Errors::new();
+    let item = read(text.parse().unwrap(), folder(), &mut errors);
+    (item, show(&errors))
+}
+
+fn fine(text: &str) -> Item {
+    let (item, said) = try_read(text);
+    assert_eq!(said, "");
+    item.unwrap()
+}
+
+/// What is said of an attribute that stands in line 1 from column 9.
+fn errors_in(attribute: &str) -> String {
+    try_read(&format!(
+        "#[robot({attribute})]\n#[robot(link base)]\nstruct Arm;"
+    ))
+    .1
+}
+
+/// What is said of the fields of a struct, in line 2 from column 1.
+fn errors_in_fields(fields: &str) -> String {
+    try_read(&format!("#[robot(link base)] struct Arm {{\n{fields} }}")).1
+}
+
+#[test]
+#[expect(clippy::float_cmp, reason = "reading is exact")]
+fn everything_that_can_be_asked_for() {
+    let item = fine(
+        r#"/// Docs.
+        #[derive(Clone)]
+        #[robot(urdf = "robots/arm.urdf", base = "base", tip = tool, path_only)]
+        #[robot(lock("a-1", b = -pi/2), drop("c"), frames(d, "e"), gravity = [0, 0, -9.81])]
+        #[robot(exact, strict, scalar = f32, crate = "::my::homogen")]
+        #[robot(generate(forward_kinematics, all_of(mass_matrix, bias)))]
+        pub struct Arm<T> where T: Copy {
+            #[robot(mass_of = "tool")]
+            payload: T,
+            #[robot(com_of = tool)] center: [T; 3],
+            #[robot(origin_of = "j")] offset: [T; 3],
+            /// The user's own.
+            counter: u32,
+        }"#,
+    );
+    assert_eq!(item.ident, "Arm");
+    assert_eq!(item.attributes.len(), 2);
+    assert_eq!(item.generics.params.len(), 1);
+    assert!(item.generics.where_clause.is_some());
+    assert_eq!(item.file.unwrap().value(), "robots/arm.urdf");
+    let description = item.description.unwrap();
+    assert_eq!(description.links.len(), 2);
+    assert_eq!(description.source.file.as_deref(), Some("arm.urdf"));
+    assert!(description.source.anchor.is_some());
+
+    let request = item.request;
+    assert_eq!(request.base.unwrap().text, "base");
+    assert_eq!(request.tip.unwrap().text, "tool");
+    assert!(request.path_only && request.exact && request.strict);
+    assert_eq!(request.lock.len(), 2);
+    assert_eq!(request.lock[0].0.text, "a-1");
+    assert!(request.lock[0].1.is_none());
+    assert_eq!(
+        request.lock[1].1.unwrap().value,
+        -std::f64::consts::FRAC_PI_2
+    );
+    assert_eq!(request.drop[0].text, "c");
+    assert_eq!(request.frames[1].text, "e");
+    assert_eq!(request.gravity.unwrap().map(|g| g.value), [0.0, 0.0, -9.81]);
+    assert_eq!(request.scalar, Real::F32);
+    assert_eq!(request.runtime.unwrap().to_string(), ":: my :: homogen");
+    assert_eq!(
+        request.functions,
+        [
+            vec![Function::ForwardKinematics],
+            vec![Function::MassMatrix, Function::Bias]
+        ]
+    );
+    let fields: Vec<_> = request
+        .parameters
+        .iter()
+        .map(|p| p.field.to_string())
+        .collect();
+    assert_eq!(fields, ["payload", "center", "offset"]);
+    assert!(matches!(&request.parameters[0].target, Target::MassOf(name) if name.text == "tool"));
+    assert!(matches!(&request.parameters[2].target, Target::OriginOf(name) if name.text == "j"));
+}
+
+#[test]
+#[expect(clippy::float_cmp, reason = "reading is exact")]
+fn gravity_may_be_none_or_a_field() {
+    let item = fine("#[robot(link base, gravity = none)] struct Arm;");
+    assert_eq!(item.request.gravity.unwrap().map(|g| g.value), [0.0; 3]);
+    let item = fine("#[robot(link base)] struct Arm { #[robot(gravity)] g: [f64; 3] }");
+    assert!(matches!(item.request.parameters[0].target, Target::Gravity));
+    assert!(item.request.gravity.is_none());
+}
+
+#[test]
+fn a_robot_may_be_described_in_the_attribute() {
+    let item = fine(
+        "#[robot(tip = tool; link base; joint j: revolute(z) { at: xyz(0, 0, 0.4) } link tool)]
+         struct Arm;",
+    );
+    let description = item.description.unwrap();
+    assert_eq!(description.name.text, "Arm");
+    assert_eq!(description.joints[0].child.text, "tool");
+    assert!(item.file.is_none());
+}
+
+#[test]
+fn all_mistakes_are_reported_at_once() {
+    let (item, said) = try_read(
+        "#[robot(tipp = \"a\", scalar = f16, gravity = [0, 0])]\n\
+         #[robot(generate(inverse_dynamic, gravity), link base)]\n\
+         struct Arm {\n\
+         #[robot(mass = \"a\")] m: f64,\n\
+         #[robot(gravity, mass_of = \"a\")] g: f64,\n\
+         }",
+    );
+    assert_eq!(
+        said,
+        "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, tip, \
+         path_only, lock, drop, frames, gravity, exact, strict, scalar, generate and crate\n\
+         1:30: unknown scalar \"f16\"\n  \
+         hint: known scalars: f32, f64 and generic\n\
+         1:45: gravity has 2 numbers instead of 3\n\
+         2:18: unknown function \"inverse_dynamic\"\n  \
+         hint: did you mean \"inverse_dynamics\"? known functions: forward_kinematics, \
+         spatial_jacobian, body_jacobian, geometric_jacobian, velocity, acceleration, \
+         inverse_dynamics, gravity, bias and mass_matrix\n\
+         4:9: a field cannot stand for \"mass\"\n  \
+         hint: known keys: mass_of, com_of, gravity and origin_of\n\
+         5:3: field `g` stands for two numbers\n\
+         1:35: gravity is given here and in field `g`\n  hint: leave out one of them\n"
+    );
+    // The functions that were understood stay, for the stub.
+    assert_eq!(item.unwrap().request.functions, [[Function::Gravity]]);
+}
+
+#[test]
+fn settings_need_their_values() {
+    assert_eq!(errors_in("tip"), "1:9: expected `=` or `:` after `tip`\n");
+    assert_eq!(errors_in("tip = 3"), "1:15: expected a name\n");
+    assert_eq!(errors_in("tip = \"\""), "1:15: this name is empty\n");
+    assert_eq!(
+        errors_in("tip = a, tip = b"),
+        "1:18: the key \"tip\" is given twice\n"
+    );
+    assert_eq!(
+        errors_in("tip = a base = b"),
+        "1:17: expected `,` after the setting `tip`\n"
+    );
+    assert_eq!(
+        errors_in("lock = a"),
+        "1:14: `lock` needs a list in parentheses\n  hint: write lock(joint, other = 0.3)\n"
+    );
+    assert_eq!(
+        errors_in("lock(a = b)"),
+        "1:18: the position of joint \"a\" is not a number\n  \
+         hint: write digits, or pi: 0.5, -1e-3, pi/2\n"
+    );
+    assert_eq!(errors_in("drop(a b)"), "1:16: expected `,`\n");
+    assert_eq!(
+        errors_in("gravity = down"),
+        "1:19: gravity is neither a vector nor none\n  \
+         hint: write gravity = [0.0, 0.0, -9.81], or gravity = none\n"
+    );
+    assert_eq!(
+        errors_in("gravity = [0, 0, 1e999]"),
+        "1:26: gravity is too large for 64 bits: \"1e999\"\n"
+    );
+    assert_eq!(
+        errors_in("gravity = [0.0f32, 0, 0]"),
+        "1:20: gravity has the suffix \"f32\"\n  hint: leave it out\n"
+    );
+    assert_eq!(
+        errors_in("crate = \"a b\""),
+        "1:17: \"a b\" is not a path\n  hint: write crate = \"::homogen\"\n"
+    );
+    assert_eq!(
+        errors_in("urdf = arm"),
+        "1:16: `urdf` needs the path of a file\n  hint: write urdf = \"arm.urdf\"\n"
+    );
+    assert_eq!(
+        errors_in("= 3"),
+        "1:9: expected a setting, `link` or `joint`\n"
+    );
+}
+
+#[test]
+fn functions_are_asked_for_once() {
+    assert_eq!(
+        errors_in("generate(bias, bias)"),
+        "1:24: \"bias\" is asked for twice\n"
+    );
+    assert_eq!(
+        errors_in("generate(all_of(bias, bias))"),
+        "1:31: \"bias\" is asked for twice\n"
+    );
+    assert_eq!(
+        errors_in("generate(all_of())"),
+        "1:18: `all_of` of no functions\n"
+    );
+    assert_eq!(
+        errors_in("generate(all_of)"),
+        "1:24: `all_of` needs a list in parentheses\n  hint: write all_of(mass_matrix, bias)\n"
+    );
+}
+
+#[test]
+fn the_description_is_named_once() {
+    assert_eq!(
+        try_read("#[robot(exact)] struct Arm;").1,
+        "1:24: Arm has no description\n  \
+         hint: name a file, urdf = \"arm.urdf\", or describe links and joints\n"
+    );
+    assert_eq!(
+        errors_in("urdf = \"robots/arm.urdf\""),
+        "1:16: Arm is described twice\n  \
+         hint: name one file, or describe links and joints in place\n"
+    );
+    assert_eq!(
+        try_read("#[robot]\nstruct Arm;").1,
+        "1:3: `robot` needs a list in parentheses\n  hint: write #[robot(urdf = \"arm.urdf\")]\n"
+    );
+}
+
+#[test]
+fn a_file_that_cannot_be_read_is_said_under_its_path() {
+    let path = folder().join("robots/amr.urdf");
+    assert_eq!(
+        try_read("#[robot(urdf = \"robots/amr.urdf\")] struct Arm;").1,
+        format!(
+            "1:16: cannot read {}: there is no such file\n  \
+             hint: a path begins at the folder of Cargo.toml\n",
+            path.display()
+        )
+    );
+    assert_eq!(
+        try_read("#[robot(urdf = \"bad.urdf\")] struct Arm;").1,
+        "bad.urdf:2:1: a link has no attribute \"name\"\n"
+    );
+}
+
+#[test]
+fn a_robot_is_a_struct_with_named_fields() {
+    assert_eq!(
+        try_read("#[robot(link base)] struct Arm(f64);").1,
+        "1:31: the fields of Arm have no names\n  \
+         hint: write struct Arm { payload: f64 }, or struct Arm;\n"
+    );
+    assert_eq!(
+        try_read("#[robot(link base)] enum Arm { A }").1,
+        "1:21: Arm is an enum: a robot is a struct\n"
+    );
+    assert_eq!(
+        try_read("#[robot(link base)] union Arm { a: f64 }").1,
+        "1:21: Arm is a union: a robot is a struct\n"
+    );
+    let (item, said) = try_read("fn arm() {}");
+    assert!(item.is_none());
+    assert_eq!(said, "1:1: expected one of: `struct`, `enum`, `union`\n");
+}
+
+#[test]
+fn a_field_stands_for_one_number() {
+    assert_eq!(
+        errors_in_fields("#[robot(mass_of = a)] m: f64, #[robot(mass_of = \"a\")] n: f64"),
+        "2:33: field `n` stands for what another field does\n"
+    );
+    assert_eq!(
+        errors_in_fields("#[robot(mass_of)] m: f64"),
+        "2:9: expected `=` or `:` after `mass_of`\n"
+    );
+    assert_eq!(
+        errors_in_fields("#[robot] m: f64"),
+        "2:3: `robot` needs a list in parentheses\n  hint: write #[robot(mass_of = \"link\")]\n"
+    );
+}

@@ -1,0 +1,110 @@
+//! Numbers written with π: `pi/2`, `-3*pi/4`, `2*pi/3`, and quotients such as `1/3`.
+//!
+//! In: one word. Out: the `f64` nearest to what it says, or what is wrong with it. A plain number
+//! keeps its digits; what was computed has resolution 0, and is a right angle exactly when it is
+//! the nearest `f64` to one.
+
+use super::Number;
+use super::number::{self, Refusal};
+use crate::wording::quoted;
+use crate::error::Place;
+use crate::expression::Double;
+
+/// Reads a product or quotient of numbers and π, written without blanks.
+pub(super) fn read(word: &str, place: Place) -> Result<Number, Refusal> {
+    if !word.contains(['*', '/']) && !word.ends_with("pi") {
+        return number::read(word, place);
+    }
+    let unsigned = word.strip_prefix(['+', '-']).unwrap_or(word);
+    let mut product = Double::from(1.0);
+    let mut divides = false;
+    let mut rest = unsigned;
+    loop {
+        let end = rest.find(['*', '/']).unwrap_or(rest.len());
+        let factor = factor(&rest[..end], word)?;
+        if divides && factor.to_f64() == 0.0 {
+            return Err(refuse("divides by zero", word));
+        }
+        product = if divides {
+            product / factor
+        } else {
+            product * factor
+        };
+        if end == rest.len() {
+            break;
+        }
+        divides = rest[end..].starts_with('/');
+        rest = &rest[end + 1..];
+    }
+    let value = product.to_f64();
+    if !value.is_finite() {
+        return Err(refuse("is too large for 64 bits", word));
+    }
+    let value = if word.starts_with('-') { -value } else { value };
+    Ok(number::computed(value, place))
+}
+
+fn factor(text: &str, word: &str) -> Result<Double, Refusal> {
+    if text == "pi" {
+        return Ok(Double::PI);
+    }
+    match number::read(text, Place::Unknown) {
+        Ok(number) => Ok(Double::from(number.value)),
+        Err(_) => Err(refuse("is not a number", word)),
+    }
+}
+
+fn refuse(what: &str, word: &str) -> Refusal {
+    Refusal {
+        what: format!("{what}: {}", quoted(word)),
+        hint: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
+
+    use super::*;
+
+    fn value(word: &str) -> (f64, f64) {
+        match read(word, Place::Unknown) {
+            Ok(number) => (number.value, number.resolution),
+            Err(refusal) => panic!("{}", refusal.what),
+        }
+    }
+
+    fn refusal(word: &str) -> String {
+        match read(word, Place::Unknown) {
+            Ok(number) => panic!("{word} was read as {number:?}"),
+            Err(refusal) => refusal.what,
+        }
+    }
+
+    #[test]
+    #[expect(clippy::float_cmp, reason = "the nearest number is one number")]
+    fn right_angles_are_the_nearest_numbers() {
+        assert_eq!(value("pi/2"), (FRAC_PI_2, 0.0));
+        assert_eq!(value("-pi/2"), (-FRAC_PI_2, 0.0));
+        assert_eq!(value("pi"), (PI, 0.0));
+        assert_eq!(value("2*pi"), (TAU, 0.0));
+        assert_eq!(value("3*pi/2"), (4.712_388_980_384_69, 0.0));
+        assert_eq!(value("pi/3"), (FRAC_PI_3, 0.0));
+        assert_eq!(value("1/3"), (1.0 / 3.0, 0.0));
+        assert_eq!(value("-0.50"), (-0.5, 0.01));
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused() {
+        assert_eq!(refusal("pi/0"), "divides by zero: \"pi/0\"");
+        assert_eq!(refusal("pi/2x"), "is not a number: \"pi/2x\"");
+        assert_eq!(refusal("*pi"), "is not a number: \"*pi\"");
+        assert_eq!(
+            refusal("1e300*1e300"),
+            "is too large for 64 bits: \"1e300*1e300\""
+        );
+        assert_eq!(refusal("Pi"), "is not a number: \"Pi\"");
+        assert_eq!(refusal("2pi"), "is not a number: \"2pi\"");
+        assert_eq!(refusal("nan"), "is not finite: \"nan\"");
+    }
+}

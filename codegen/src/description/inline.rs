@@ -1,0 +1,230 @@
+//! The grammar of `chain!`, which is also what `#[robot(…)]` holds: settings, links and joints.
+//!
+//! In: tokens. Out: an [`Item`]. A joint without `from` hangs on the link before it, one without
+//! `to` carries the link after it, so that a serial arm is written from base to tip. After a
+//! mistake, reading goes on behind the next `,`, `;` or `}`.
+//!
+//! ```text
+//! pub struct Scara { gravity: [0.0, 0.0, -9.81], generate(inverse_dynamics) }
+//! link base;
+//! joint shoulder: revolute(z) { at: xyz(0.0, 0.0, 0.4), limits: [-2.9, 2.9] }
+//! link upper { mass: 3.2, com: [0.12, 0.0, 0.0], inertia: [0.01, 0.02, 0.02] }
+//! ```
+
+mod body;
+mod joint;
+mod table;
+
+use std::path::Path;
+
+use proc_macro2::TokenStream;
+use syn::parse::{ParseStream, Parser};
+use syn::{Attribute, Generics, Ident, Token, Visibility, token};
+
+use self::joint::Joint;
+use super::item::Item;
+use super::settings::{self, Settings};
+use super::tokens::{self, Parsed, complaint, complaint_with_hint};
+use crate::wording::quoted;
+use super::{Description, Link, Name, Source, file, names};
+use crate::error::{Errors, Place};
+
+/// What was read between the braces or the parentheses.
+#[derive(Default)]
+pub(super) struct Contents {
+    pub(super) settings: Settings,
+    parts: Vec<Part>,
+}
+
+/// A part of the robot, in the order of the text.
+enum Part {
+    Link(Link),
+    Joint(Joint),
+    /// A joint whose links are known: a row of a table.
+    Row(super::Joint),
+}
+
+/// Reads the tokens of `chain!`; relative paths of files begin at `folder`.
+///
+/// None only where no struct is named.
+pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
+    let mut found = None;
+    let parser = |input: ParseStream| {
+        found = chain(input, folder, errors)
+            .map_err(|complaint| tokens::push(errors, complaint))
+            .ok();
+        tokens::skip(input, |_| false);
+        Ok(())
+    };
+    // What could not be read has been complained of, and consumed.
+    let _ = parser.parse2(tokens);
+    found
+}
+
+fn chain(input: ParseStream, folder: &Path, errors: &mut Errors) -> Parsed<Item> {
+    let attributes = input.call(Attribute::parse_outer)?;
+    let visibility: Visibility = input.parse()?;
+    if !input.peek(Token![struct]) {
+        let hint = "a chain begins with the struct it makes: struct Arm;";
+        return Err(complaint_with_hint(input.span(), "expected `struct`", hint));
+    }
+    input.parse::<Token![struct]>()?;
+    let ident: Ident = input.parse()?;
+    let mut contents = Contents::default();
+    if input.peek(token::Brace) {
+        let braces = tokens::braces(input)?;
+        entries(&braces, &mut contents, errors);
+    } else if input.peek(Token![;]) {
+        input.parse::<Token![;]>()?;
+    } else {
+        let message = format!("expected `{{` or `;` after `{ident}`");
+        tokens::push(errors, complaint(input.span(), message));
+        tokens::skip(input, |token| {
+            tokens::is_braces(token) || tokens::is_punctuation(token, ';')
+        });
+    }
+    entries(input, &mut contents, errors);
+    let mut item = item(contents, ident, folder, errors);
+    item.attributes = attributes;
+    item.visibility = visibility;
+    Ok(item)
+}
+
+/// Reads settings, links and joints up to the end.
+pub(super) fn entries(input: ParseStream, contents: &mut Contents, errors: &mut Errors) {
+    while !input.is_empty() {
+        if input.peek(Token![,]) || input.peek(Token![;]) {
+            tokens::skip(input, |_| true);
+            continue;
+        }
+        if let Err(complaint) = entry(input, contents, errors) {
+            tokens::push(errors, complaint);
+            tokens::skip(input, |token| {
+                tokens::is_braces(token)
+                    || tokens::is_punctuation(token, ',')
+                    || tokens::is_punctuation(token, ';')
+            });
+        }
+    }
+}
+
+fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Parsed<()> {
+    let ahead = input.fork();
+    let word = tokens::word(&ahead)
+        .map_err(|_| complaint(input.span(), "expected a setting, `link` or `joint`"))?;
+    let is_setting = ahead.peek(Token![=]) || ahead.peek(Token![:]);
+    match word.to_string().as_str() {
+        "link" if !is_setting => {
+            tokens::word(input)?;
+            contents.parts.push(Part::Link(link(input, errors)?));
+        }
+        "joint" if !is_setting => {
+            tokens::word(input)?;
+            contents
+                .parts
+                .push(Part::Joint(joint::read(input, errors)?));
+        }
+        "denavit_hartenberg" if !is_setting => {
+            let word = tokens::word(input)?;
+            let (links, joints) = table::read(input, word.span(), errors)?;
+            contents.parts.extend(links.into_iter().map(Part::Link));
+            contents.parts.extend(joints.into_iter().map(Part::Row));
+        }
+        _ => {
+            settings::read(input, &mut contents.settings, errors)?;
+            if !input.is_empty() && !input.peek(Token![,]) && !input.peek(Token![;]) {
+                let message = format!("expected `,` after the setting `{word}`");
+                return Err(complaint(input.span(), message));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// `link NAME { mass: …, com: […], inertia: […] }` or `link NAME;`.
+fn link(input: ParseStream, errors: &mut Errors) -> Parsed<Link> {
+    let name = tokens::name(input)?;
+    let subject = format!("link {}", quoted(&name.text));
+    body::end(input, &subject)?;
+    let mut inertial = body::Inertia::default();
+    tokens::fields(input, &subject, &body::INERTIA, errors, |key, input| {
+        inertial.read(key, input, &subject)
+    })?;
+    Ok(Link {
+        inertial: inertial.finish(&name, &subject, errors),
+        name,
+    })
+}
+
+/// The item, its description read from the file that is named or put together from its parts.
+pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut Errors) -> Item {
+    let Contents { settings, parts } = contents;
+    let place = Place::Token(ident.span());
+    if let Some(extra) = settings.files.get(usize::from(parts.is_empty())) {
+        let message = format!("{ident} is described twice");
+        let hint = "name one file, or describe links and joints in place";
+        tokens::push(errors, complaint_with_hint(extra.span(), message, hint));
+    }
+    let file = settings.files.into_iter().next();
+    let description = match &file {
+        Some(path) => file::read_file(&folder.join(path.value()), Some(path.span()), errors),
+        None if parts.is_empty() => {
+            // Where something could not be read, that may have been the description.
+            if errors.is_empty() {
+                errors.push_with_hint(
+                    place,
+                    format!("{ident} has no description"),
+                    "name a file, urdf = \"arm.urdf\", or describe links and joints",
+                );
+            }
+            None
+        }
+        None => Some(assemble(parts, &ident, errors)),
+    };
+    Item {
+        attributes: Vec::new(),
+        visibility: Visibility::Inherited,
+        ident,
+        generics: Generics::default(),
+        file,
+        description,
+        request: settings.request,
+    }
+}
+
+/// Gives each joint its two links.
+fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description {
+    let mut description = Description {
+        name: Name {
+            text: ident.to_string(),
+            place: Place::Token(ident.span()),
+        },
+        source: Source::default(),
+        links: Vec::new(),
+        joints: Vec::new(),
+        warnings: Vec::new(),
+    };
+    let mut waiting: Vec<Joint> = Vec::new();
+    for part in parts {
+        match part {
+            Part::Link(link) => {
+                for mut joint in waiting.drain(..) {
+                    joint.to.get_or_insert_with(|| link.name.clone());
+                    description.joints.extend(joint.finish(errors));
+                }
+                description.links.push(link);
+            }
+            Part::Joint(mut joint) => {
+                let before = description.links.last().map(|link| link.name.clone());
+                joint.from = joint.from.or(before);
+                waiting.push(joint);
+            }
+            Part::Row(joint) => description.joints.push(joint),
+        }
+    }
+    for joint in waiting {
+        description.joints.extend(joint.finish(errors));
+    }
+    names::check(&description, errors);
+    description
+}

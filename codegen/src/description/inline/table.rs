@@ -1,0 +1,139 @@
+//! `denavit_hartenberg(modified) { shoulder: revolute { a: …, alpha: …, d: …, theta: … } … }`.
+//!
+//! In: tokens. Out: links and joints, put together as for a table in a file. Lengths and angles
+//! that are not written are zero.
+
+use proc_macro2::Span;
+use syn::Token;
+use syn::parse::ParseStream;
+
+use super::body::{self, Inertia};
+use super::joint::Range;
+use crate::description::denavit_hartenberg::{self, Convention, Row};
+use crate::description::kind::{self, Kind};
+use crate::description::tokens::{self, Parsed, complaint_with_hint};
+use crate::wording::quoted;
+use crate::description::{Joint, JointKind, Link, Name, Number, number};
+use crate::error::Errors;
+
+/// The keys of a row, mass and inertia first.
+const KEYS: [&str; 12] = [
+    "mass",
+    "com",
+    "inertia",
+    "inertia_rpy",
+    "a",
+    "alpha",
+    "d",
+    "theta",
+    "pitch",
+    "link",
+    "limits",
+    "velocity",
+];
+
+/// Reads a table behind the word `denavit_hartenberg`.
+pub(super) fn read(
+    input: ParseStream,
+    word: Span,
+    errors: &mut Errors,
+) -> Parsed<(Vec<Link>, Vec<Joint>)> {
+    let hint = "write denavit_hartenberg(modified) { … }, or (standard)";
+    let missing = |span| complaint_with_hint(span, "the table names no convention", hint);
+    let content = tokens::parentheses(input).map_err(|_| missing(word))?;
+    let name = tokens::word(&content).map_err(|_| missing(content.span()))?;
+    tokens::skip(&content, |_| false);
+    let convention = Convention::from_name(&name.to_string()).unwrap_or_else(|(message, hint)| {
+        tokens::push(errors, complaint_with_hint(name.span(), message, hint));
+        Convention::Modified
+    });
+    let content = tokens::braces(input)?;
+    let mut rows = Vec::new();
+    while !content.is_empty() {
+        if content.peek(Token![,]) || content.peek(Token![;]) {
+            tokens::skip(&content, |_| true);
+            continue;
+        }
+        match row(&content, errors) {
+            Ok(row) => rows.extend(row),
+            Err(complaint) => {
+                tokens::push(errors, complaint);
+                tokens::skip(&content, |token| {
+                    tokens::is_braces(token) || tokens::is_punctuation(token, ';')
+                });
+            }
+        }
+    }
+    Ok(denavit_hartenberg::assemble(
+        convention,
+        rows,
+        name.span().into(),
+    ))
+}
+
+/// One row; none where its type was refused.
+fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
+    let joint = tokens::name(input)?;
+    let subject = format!("joint {}", quoted(&joint.text));
+    if !input.peek(Token![:]) {
+        let message = format!("expected `:` after {subject}");
+        let hint = "write elbow: revolute { a: 0.3 }";
+        return Err(complaint_with_hint(input.span(), message, hint));
+    }
+    input.parse::<Token![:]>()?;
+    let word = tokens::word(input)?;
+    let kind = kind::read(&word.to_string(), &subject)
+        .map_err(|(message, hint)| {
+            tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+        })
+        .ok();
+    body::end(input, &subject)?;
+
+    let zero = number::computed(0.0, joint.place);
+    let [mut a, mut alpha, mut d, mut theta] = [zero; 4];
+    let mut pitch: Option<Number> = None;
+    let mut link: Option<Name> = None;
+    let mut range = Range::default();
+    let mut inertia = Inertia::default();
+    tokens::fields(input, &subject, &KEYS, errors, |key, input| {
+        let part = format!("{key} of {subject}");
+        match key {
+            "a" => a = tokens::number(input, &part)?,
+            "alpha" => alpha = tokens::number(input, &part)?,
+            "d" => d = tokens::number(input, &part)?,
+            "theta" => theta = tokens::number(input, &part)?,
+            "pitch" => pitch = Some(tokens::number(input, &part)?),
+            "link" => link = Some(tokens::name(input)?),
+            "limits" | "velocity" => range.read(key, input, &subject)?,
+            _ => inertia.read(key, input, &format!("the link of {subject}"))?,
+        }
+        Ok(())
+    })?;
+    let subject_link = format!("the link of {subject}");
+    let inertial = inertia.finish(&joint, &subject_link, errors);
+    let kind = match kind {
+        Some(Kind::Revolute) => JointKind::Revolute,
+        Some(Kind::Continuous) => JointKind::Continuous,
+        Some(Kind::Prismatic) => JointKind::Prismatic,
+        Some(Kind::Fixed) => JointKind::Fixed,
+        Some(Kind::Screw) => {
+            let pitch = pitch.ok_or_else(|| {
+                let hint = "add pitch: 0.01, in metres per radian";
+                complaint_with_hint(word.span(), format!("{subject} has no pitch"), hint)
+            })?;
+            JointKind::Screw { pitch }
+        }
+        None => return Ok(None),
+    };
+    Ok(Some(Row {
+        joint,
+        link,
+        kind,
+        a,
+        alpha,
+        d,
+        theta,
+        inertial,
+        limits: range.finish(),
+    }))
+}

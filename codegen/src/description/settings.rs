@@ -1,0 +1,243 @@
+//! What is asked for, as it is written in attributes and in the braces of `chain!`.
+//!
+//! In: `key = value` (or `key: value`), `key(…)` or `key`. Out: a [`Request`] and the file that is
+//! named, if one is. It never looks at the description, so it knows no link from a joint.
+
+use proc_macro2::{Span, TokenStream};
+use quote::ToTokens;
+use syn::parse::ParseStream;
+use syn::{Ident, LitStr, Path, Token, token};
+
+use super::number;
+use super::tokens::{self, Parsed, complaint, complaint_with_hint};
+use crate::wording::{known, quoted};
+use crate::error::{Errors, Place};
+use crate::function::Function;
+use crate::request::{Real, Request};
+
+/// The keys, in the order of the documentation.
+const KEYS: [&str; 14] = [
+    "urdf",
+    "dh",
+    "base",
+    "tip",
+    "path_only",
+    "lock",
+    "drop",
+    "frames",
+    "gravity",
+    "exact",
+    "strict",
+    "scalar",
+    "generate",
+    "crate",
+];
+
+/// What was set, and where.
+#[derive(Default)]
+pub(super) struct Settings {
+    pub(super) request: Request,
+    /// The files that describe the robot; more than one is a mistake.
+    pub(super) files: Vec<LitStr>,
+    /// The keys that were given.
+    pub(super) seen: Vec<Ident>,
+}
+
+impl Settings {
+    /// Where a key was given.
+    pub(super) fn span(&self, key: &str) -> Option<Span> {
+        let found = self.seen.iter().find(|seen| *seen == key);
+        found.map(Ident::span)
+    }
+}
+
+/// Reads one setting.
+pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Errors) -> Parsed<()> {
+    let key = tokens::word(input)?;
+    let text = key.to_string();
+    if !KEYS.contains(&text.as_str()) {
+        let message = format!("unknown key {}", quoted(&text));
+        return Err(complaint_with_hint(
+            key.span(),
+            message,
+            known(&text, "keys", &KEYS),
+        ));
+    }
+    if settings.span(&text).is_some() {
+        let message = format!("the key {} is given twice", quoted(&text));
+        return Err(complaint(key.span(), message));
+    }
+    settings.seen.push(key.clone());
+    let request = &mut settings.request;
+    match text.as_str() {
+        "urdf" | "dh" => {
+            tokens::separator(input, &key)?;
+            if !input.peek(LitStr) {
+                let message = format!("`{key}` needs the path of a file");
+                let hint = format!("write {key} = \"arm.{key}\"");
+                return Err(complaint_with_hint(input.span(), message, hint));
+            }
+            settings.files.push(input.parse()?);
+        }
+        "base" => {
+            tokens::separator(input, &key)?;
+            request.base = Some(tokens::name(input)?);
+        }
+        "tip" => {
+            tokens::separator(input, &key)?;
+            request.tip = Some(tokens::name(input)?);
+        }
+        "path_only" => request.path_only = true,
+        "exact" => request.exact = true,
+        "strict" => request.strict = true,
+        "lock" => {
+            let content = in_parentheses(input, &key, "lock(joint, other = 0.3)")?;
+            request.lock = tokens::list(&content, |input| {
+                let name = tokens::name(input)?;
+                let value = if input.peek(Token![=]) || input.peek(Token![:]) {
+                    tokens::separator(input, &key)?;
+                    let subject = format!("the position of joint {}", quoted(&name.text));
+                    Some(tokens::number(input, &subject)?)
+                } else {
+                    None
+                };
+                Ok((name, value))
+            })?;
+        }
+        "drop" => {
+            let content = in_parentheses(input, &key, "drop(link)")?;
+            request.drop = tokens::list(&content, tokens::name)?;
+        }
+        "frames" => {
+            let content = in_parentheses(input, &key, "frames(link, other)")?;
+            request.frames = tokens::list(&content, tokens::name)?;
+        }
+        "gravity" => {
+            tokens::separator(input, &key)?;
+            request.gravity = Some(gravity(input)?);
+        }
+        "scalar" => {
+            tokens::separator(input, &key)?;
+            request.scalar = scalar(input)?;
+        }
+        "generate" => {
+            let content = in_parentheses(input, &key, "generate(inverse_dynamics)")?;
+            request.functions = functions(&content, errors)?;
+        }
+        // The last of the known keys is `crate`.
+        _ => {
+            tokens::separator(input, &key)?;
+            request.runtime = Some(path(input)?);
+        }
+    }
+    Ok(())
+}
+
+fn in_parentheses<'a>(
+    input: ParseStream<'a>,
+    key: &Ident,
+    example: &str,
+) -> Parsed<syn::parse::ParseBuffer<'a>> {
+    if !input.peek(token::Paren) {
+        let message = format!("`{key}` needs a list in parentheses");
+        let hint = format!("write {example}");
+        return Err(complaint_with_hint(input.span(), message, hint));
+    }
+    Ok(tokens::parentheses(input)?)
+}
+
+/// A vector, or `none`.
+fn gravity(input: ParseStream) -> Parsed<[super::Number; 3]> {
+    if input.peek(token::Bracket) {
+        return tokens::vector(input, "gravity");
+    }
+    let span = input.span();
+    if input.peek(Ident) && tokens::word(input)? == "none" {
+        return Ok([0.0; 3].map(|zero| number::computed(zero, Place::Token(span))));
+    }
+    let hint = "write gravity = [0.0, 0.0, -9.81], or gravity = none";
+    Err(complaint_with_hint(
+        span,
+        "gravity is neither a vector nor none",
+        hint,
+    ))
+}
+
+fn scalar(input: ParseStream) -> Parsed<Real> {
+    let word = tokens::word(input)?;
+    match word.to_string().as_str() {
+        "f32" => Ok(Real::F32),
+        "f64" => Ok(Real::F64),
+        "generic" => Ok(Real::Generic),
+        other => Err(complaint_with_hint(
+            word.span(),
+            format!("unknown scalar {}", quoted(other)),
+            known(other, "scalars", &["f32", "f64", "generic"]),
+        )),
+    }
+}
+
+/// Functions, alone or as `all_of(…)`; complains of each unknown one.
+fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function>>> {
+    let mut items: Vec<Vec<Function>> = Vec::new();
+    tokens::list(input, |input| {
+        let word = tokens::word(input)?;
+        let mut item = Vec::new();
+        if word == "all_of" {
+            let content = in_parentheses(input, &word, "all_of(mass_matrix, bias)")?;
+            tokens::list(&content, |input| {
+                let word = tokens::word(input)?;
+                add(&word, &mut item, errors);
+                Ok(())
+            })?;
+            if item.is_empty() && content.is_empty() && errors.is_empty() {
+                tokens::push(errors, complaint(word.span(), "`all_of` of no functions"));
+            }
+        } else {
+            add(&word, &mut item, errors);
+        }
+        if items.contains(&item) {
+            let message = format!("{} is asked for twice", quoted(&word.to_string()));
+            tokens::push(errors, complaint(word.span(), message));
+        } else if !item.is_empty() {
+            items.push(item);
+        }
+        Ok(())
+    })?;
+    Ok(items)
+}
+
+fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
+    let text = word.to_string();
+    let problem = match Function::from_name(&text) {
+        Some(function) if item.contains(&function) => {
+            complaint(word.span(), format!("{} is asked for twice", quoted(&text)))
+        }
+        Some(function) => {
+            item.push(function);
+            return;
+        }
+        None => complaint_with_hint(
+            word.span(),
+            format!("unknown function {}", quoted(&text)),
+            known(&text, "functions", &Function::ALL.map(Function::name)),
+        ),
+    };
+    tokens::push(errors, problem);
+}
+
+/// A path to the runtime crate, as a string or as tokens.
+fn path(input: ParseStream) -> Parsed<TokenStream> {
+    if !input.peek(LitStr) {
+        return Ok(input.call(Path::parse_mod_style)?.into_token_stream());
+    }
+    let literal: LitStr = input.parse()?;
+    match literal.parse_with(Path::parse_mod_style) {
+        Ok(path) => Ok(path.into_token_stream()),
+        Err(_) => Err(complaint_with_hint(
+            literal.span(),
+            format!("{} is not a path", quoted(&literal.value())),
+            "write crate = \"::homogen\"",
+        )),
+    }
+}

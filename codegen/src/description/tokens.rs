@@ -1,0 +1,298 @@
+//! The smallest parts of the grammar in Rust code: names, numbers, vectors, lists.
+//!
+//! In: tokens. Out: names and numbers that know their token, or one complaint under the token that
+//! is wrong. After a mistake the caller goes on behind the next separator, so that all mistakes of
+//! a macro call are reported at once.
+
+use proc_macro2::{Delimiter, Span, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::{ParseBuffer, ParseStream};
+use syn::{Ident, LitFloat, LitInt, LitStr, Token, token};
+
+use crate::wording::{known, quoted};
+use super::{Name, Number, constant};
+use crate::error::{Complaint, Errors, Place};
+
+/// What was parsed, or why not.
+pub(super) type Parsed<T> = Result<T, Complaint>;
+
+impl From<syn::Error> for Complaint {
+    fn from(error: syn::Error) -> Self {
+        complaint(error.span(), error.to_string())
+    }
+}
+
+pub(super) fn complaint(span: Span, message: impl Into<String>) -> Complaint {
+    Complaint {
+        place: Place::Token(span),
+        message: message.into(),
+        hint: None,
+    }
+}
+
+pub(super) fn complaint_with_hint(
+    span: Span,
+    message: impl Into<String>,
+    hint: impl Into<String>,
+) -> Complaint {
+    Complaint {
+        hint: Some(hint.into()),
+        ..complaint(span, message)
+    }
+}
+
+/// Takes over one complaint.
+pub(super) fn push(errors: &mut Errors, complaint: Complaint) {
+    match complaint.hint {
+        Some(hint) => errors.push_with_hint(complaint.place, complaint.message, hint),
+        None => errors.push(complaint.place, complaint.message),
+    }
+}
+
+/// A word, be it a keyword of Rust or not.
+pub(super) fn word(input: ParseStream) -> Parsed<Ident> {
+    Ok(input.call(Ident::parse_any)?.unraw())
+}
+
+/// A name: a word, or a string for names that are no word.
+pub(super) fn name(input: ParseStream) -> Parsed<Name> {
+    let (text, span) = if input.peek(LitStr) {
+        let literal: LitStr = input.parse()?;
+        (literal.value(), literal.span())
+    } else if input.peek(Ident::peek_any) {
+        let word = word(input)?;
+        (word.to_string(), word.span())
+    } else {
+        return Err(complaint(input.span(), "expected a name"));
+    };
+    if text.trim().is_empty() {
+        return Err(complaint(span, "this name is empty"));
+    }
+    Ok(Name {
+        text,
+        place: Place::Token(span),
+    })
+}
+
+/// The `=` or `:` between a key and its value.
+pub(super) fn separator(input: ParseStream, key: &Ident) -> Parsed<()> {
+    if input.peek(Token![=]) {
+        input.parse::<Token![=]>()?;
+    } else if input.peek(Token![:]) {
+        input.parse::<Token![:]>()?;
+    } else {
+        let message = format!("expected `=` or `:` after `{key}`");
+        // There is nothing to point at where the key is the last word.
+        let span = if input.is_empty() {
+            key.span()
+        } else {
+            input.span()
+        };
+        return Err(complaint(span, message));
+    }
+    Ok(())
+}
+
+/// A number: a literal, `pi`, or a product or quotient of such.
+pub(super) fn number(input: ParseStream, subject: &str) -> Parsed<Number> {
+    let span = input.span();
+    let mut text = String::new();
+    if input.peek(Token![-]) {
+        input.parse::<Token![-]>()?;
+        text.push('-');
+    }
+    loop {
+        text.push_str(&factor(input, subject)?);
+        if input.peek(Token![*]) {
+            input.parse::<Token![*]>()?;
+            text.push('*');
+        } else if input.peek(Token![/]) {
+            input.parse::<Token![/]>()?;
+            text.push('/');
+        } else {
+            break;
+        }
+    }
+    constant::read(&text, Place::Token(span)).map_err(|refusal| Complaint {
+        place: Place::Token(span),
+        message: format!("{subject} {}", refusal.what),
+        hint: refusal.hint.map(str::to_owned),
+    })
+}
+
+fn factor(input: ParseStream, subject: &str) -> Parsed<String> {
+    let (digits, suffix, span) = if input.peek(LitFloat) {
+        let literal: LitFloat = input.parse()?;
+        let digits = literal.base10_digits().to_owned();
+        (digits, literal.suffix().to_owned(), literal.span())
+    } else if input.peek(LitInt) {
+        let literal: LitInt = input.parse()?;
+        let digits = literal.base10_digits().to_owned();
+        (digits, literal.suffix().to_owned(), literal.span())
+    } else if input.peek(Ident) && input.fork().parse::<Ident>()? == "pi" {
+        input.parse::<Ident>()?;
+        return Ok("pi".to_owned());
+    } else {
+        let message = format!("{subject} is not a number");
+        let hint = "write digits, or pi: 0.5, -1e-3, pi/2";
+        return Err(complaint_with_hint(input.span(), message, hint));
+    };
+    if suffix.is_empty() {
+        Ok(digits)
+    } else {
+        let message = format!("{subject} has the suffix {}", quoted(&suffix));
+        Err(complaint_with_hint(span, message, "leave it out"))
+    }
+}
+
+/// Numbers in brackets; as many as there are.
+pub(super) fn numbers(input: ParseStream, subject: &str) -> Parsed<(Span, Vec<Number>)> {
+    let span = input.span();
+    if !input.peek(token::Bracket) {
+        let message = format!("{subject} is not a list of numbers");
+        return Err(complaint_with_hint(span, message, "write [0.0, 0.0, 1.0]"));
+    }
+    let content = brackets(input)?;
+    Ok((span, list(&content, |input| number(input, subject))?))
+}
+
+/// N numbers in brackets.
+pub(super) fn vector<const N: usize>(input: ParseStream, subject: &str) -> Parsed<[Number; N]> {
+    let (span, numbers) = numbers(input, subject)?;
+    exactly(numbers, span, subject)
+}
+
+/// N numbers in parentheses.
+pub(super) fn arguments<const N: usize>(input: ParseStream, subject: &str) -> Parsed<[Number; N]> {
+    let content = parentheses(input)?;
+    let span = content.span();
+    exactly(
+        list(&content, |input| number(input, subject))?,
+        span,
+        subject,
+    )
+}
+
+fn exactly<const N: usize>(numbers: Vec<Number>, span: Span, subject: &str) -> Parsed<[Number; N]> {
+    <[Number; N]>::try_from(numbers).map_err(|numbers| {
+        let count = numbers.len();
+        let plural = if count == 1 { "" } else { "s" };
+        complaint(
+            span,
+            format!("{subject} has {count} number{plural} instead of {N}"),
+        )
+    })
+}
+
+/// What stands in parentheses.
+pub(super) fn parentheses(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
+    let content;
+    syn::parenthesized!(content in input);
+    Ok(content)
+}
+
+/// What stands in braces.
+pub(super) fn braces(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
+    let content;
+    syn::braced!(content in input);
+    Ok(content)
+}
+
+fn brackets(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
+    let content;
+    syn::bracketed!(content in input);
+    Ok(content)
+}
+
+/// Elements between commas.
+pub(super) fn list<T>(
+    input: ParseStream,
+    mut element: impl FnMut(ParseStream) -> Parsed<T>,
+) -> Parsed<Vec<T>> {
+    let mut elements = Vec::new();
+    while !input.is_empty() {
+        elements.push(element(input)?);
+        if !input.is_empty() {
+            input.parse::<Token![,]>()?;
+        }
+    }
+    Ok(elements)
+}
+
+/// The fields of `{ key: value, … }`, where there are braces: `field` reads the value of a key.
+/// Complains of keys that are unknown or given twice, and goes on with the next field.
+pub(super) fn fields(
+    input: ParseStream,
+    subject: &str,
+    keys: &[&str],
+    errors: &mut Errors,
+    mut field: impl FnMut(&str, ParseStream) -> Parsed<()>,
+) -> Parsed<()> {
+    if !input.peek(token::Brace) {
+        return Ok(());
+    }
+    let content = braces(input)?;
+    let mut seen: Vec<Ident> = Vec::new();
+    while !content.is_empty() {
+        let mut read = || {
+            let key = word(&content)?;
+            let text = key.to_string();
+            if !keys.contains(&text.as_str()) {
+                let message = format!("{subject} has the unknown key {}", quoted(&text));
+                let hint = known(&text, "keys", keys);
+                return Err(complaint_with_hint(key.span(), message, hint));
+            }
+            if seen.contains(&key) {
+                let message = format!("{subject} has the key {} twice", quoted(&text));
+                return Err(complaint(key.span(), message));
+            }
+            seen.push(key.clone());
+            separator(&content, &key)?;
+            field(&text, &content)?;
+            if !content.is_empty() && !content.peek(Token![,]) {
+                return Err(complaint(content.span(), "expected `,` between two fields"));
+            }
+            Ok(())
+        };
+        if let Err(complaint) = read() {
+            push(errors, complaint);
+        }
+        skip(&content, |token| is_punctuation(token, ','));
+    }
+    Ok(())
+}
+
+/// Skips tokens up to the first of a kind, and that one too.
+pub(super) fn skip(input: ParseStream, last: impl Fn(&TokenTree) -> bool) {
+    while let Ok(token) = input.parse::<TokenTree>() {
+        if last(&token) {
+            break;
+        }
+    }
+}
+
+pub(super) fn is_punctuation(token: &TokenTree, character: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
+}
+
+pub(super) fn is_braces(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace)
+}
+
+/// Messages with line and column of their tokens, as the tests of the grammar compare them.
+#[cfg(test)]
+pub(super) fn show(errors: &Errors) -> String {
+    let mut text = String::new();
+    for complaint in errors.complaints() {
+        if let Place::Token(span) = complaint.place {
+            let start = span.start();
+            text += &format!("{}:{}: ", start.line, start.column + 1);
+        }
+        text += &errors.locate(complaint);
+        if let Some(hint) = &complaint.hint {
+            text += &format!("\n  hint: {hint}");
+        }
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,83 @@
+//! The doors for the compiler: what `#[derive(Robot)]` and `chain!` become.
+//!
+//! In: the tokens of a struct or of a robot written in place. Out: the generated code; or every
+//! mistake under the word that caused it, and stubs that keep the rest of the program compiling.
+
+use std::path::PathBuf;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::description::{Description, Item, attributes, inline};
+use crate::emit::{self, Declaration, Wanted};
+use crate::error::Errors;
+use crate::expand::expand;
+use crate::{chain, request};
+
+/// Expands `#[derive(Robot)]`.
+#[must_use]
+pub fn derive(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::new();
+    match attributes::read(tokens, &folder(), &mut errors) {
+        Some(item) => open(item, errors, |_| Declaration::Exists),
+        None => errors.to_compile_errors(),
+    }
+}
+
+/// Expands `chain!`.
+#[must_use]
+pub fn chain(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::new();
+    match inline::read(tokens, &folder(), &mut errors) {
+        Some(item) => open(item, errors, |item| Declaration::Written(declaration(item))),
+        None => errors.to_compile_errors(),
+    }
+}
+
+/// Where relative paths in macros begin: the folder of the user's `Cargo.toml`.
+fn folder() -> PathBuf {
+    std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default()
+}
+
+fn open(item: Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> TokenStream {
+    let target = emit::Item {
+        visibility: item.visibility.clone(),
+        ident: item.ident.clone(),
+        generics: item.generics.clone(),
+        declaration: declare(&item),
+    };
+    if let (Some(description), true) = (&item.description, errors.is_empty()) {
+        match expand(description, &item.request, target.clone()) {
+            Ok(mut listing) => {
+                let file = item.file.as_ref().map(|file| folder().join(file.value()));
+                listing.watched = file.map(|path| path.to_string_lossy().into_owned());
+                return emit::emit(&listing);
+            }
+            Err(mistakes) => errors.append(mistakes),
+        }
+    }
+    let mistakes = errors.to_compile_errors();
+    let joints = item.description.as_ref().and_then(|robot| count(robot, &item.request));
+    let stub = emit::stub(&Wanted { item: &target, request: &item.request, joints });
+    quote! { #mistakes #stub }
+}
+
+/// The number of joints, if the description holds together when nothing is asked of it.
+fn count(description: &Description, request: &request::Request) -> Option<usize> {
+    let shape = request::Request {
+        base: request.base.clone(),
+        lock: request.lock.clone(),
+        drop: request.drop.clone(),
+        ..request::Request::default()
+    };
+    chain::build(description, &shape).ok().map(|chain| chain.joints.len())
+}
+
+fn declaration(item: &Item) -> TokenStream {
+    let Item { attributes, visibility, ident, .. } = item;
+    quote! {
+        #(#attributes)*
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        #visibility struct #ident;
+    }
+}

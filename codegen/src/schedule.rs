@@ -79,7 +79,10 @@ impl Operation {
     /// Whether it is a product and a sum at once.
     #[must_use]
     pub const fn is_fused(&self) -> bool {
-        matches!(self, Self::MulAdd(..) | Self::MulSub(..) | Self::NegMulAdd(..))
+        matches!(
+            self,
+            Self::MulAdd(..) | Self::MulSub(..) | Self::NegMulAdd(..)
+        )
     }
 
     /// What it acts on.

@@ -95,6 +95,12 @@ impl Graph {
         self.inner.borrow().nodes[expr.index()]
     }
 
+    /// The expression of a node, where it has been made.
+    #[must_use]
+    pub fn find(&self, node: Node) -> Option<Expr> {
+        self.inner.borrow().memo.get(&node).copied()
+    }
+
     /// The value of an expression that no input enters.
     #[must_use]
     pub fn value(&self, expr: Expr) -> Option<Double> {

@@ -7,6 +7,7 @@ mod fuse;
 mod order;
 mod price;
 mod run;
+mod signs;
 
 pub use order::schedule;
 pub use price::Price;

@@ -4,8 +4,9 @@
 //! parents, this is a filter and not a sort. It never changes what is computed.
 
 use super::fuse::{self, Form, Fused};
+use super::signs::Signs;
 use super::{Operand, Operation, Program, Step};
-use crate::expression::{Expr, Graph, Input, Node};
+use crate::expression::{Expr, Graph, Input, Node, opposite};
 
 /// The program that computes the given expressions and nothing else.
 ///
@@ -14,10 +15,11 @@ use crate::expression::{Expr, Graph, Input, Node};
 #[must_use]
 pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
     let (needed, uses) = graph.needed(results);
+    let fused = fuse::choose(graph, &needed, &uses);
     let mut placing = Placing {
         graph,
-        fused: fuse::choose(graph, &needed, &uses),
-        turned: turned(graph, &needed, &uses),
+        signs: Signs::choose(graph, &needed, results, &fused),
+        fused,
         operands: vec![None; graph.len()],
         steps: Vec::new(),
     };
@@ -55,7 +57,10 @@ pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
     Program {
         angles: turns.iter().map(|&angle| placing.at(angle)).collect(),
         before_angles,
-        results: results.iter().map(|&result| placing.at(result)).collect(),
+        results: results
+            .iter()
+            .map(|&result| placing.positive(result))
+            .collect(),
         steps: placing.steps,
     }
 }
@@ -64,7 +69,7 @@ pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
 struct Placing<'g> {
     graph: &'g Graph,
     fused: Fused,
-    turned: Vec<bool>,
+    signs: Signs,
     /// Where the value of each expression is found.
     operands: Vec<Option<Operand>>,
     steps: Vec<Step>,
@@ -81,72 +86,88 @@ impl Placing<'_> {
         }
     }
 
-    /// Where the value of an expression is found, after adding what computes it.
+    /// Where the value of an expression, or its opposite where its sign is turned, is found, after
+    /// adding what computes it.
     fn found(&mut self, expr: Expr) -> Operand {
         if let Some(value) = self.graph.value(expr) {
             // Without the sign of a negative zero.
             return Operand::Literal(value.to_f64() + 0.0);
         }
-        let operation = match (self.graph.node(expr), self.fused.product_of(expr)) {
-            (_, Some((a, b, rest, form))) => {
-                let (a, b, rest) = (self.at(a), self.at(b), self.at(rest));
-                match form {
-                    Form::Plus => Operation::MulAdd(a, b, rest),
-                    Form::Minus => Operation::MulSub(a, b, rest),
-                    Form::From => Operation::NegMulAdd(a, b, rest),
-                }
-            }
-            (Node::Input(input), _) => return Operand::Input(input),
-            (Node::Neg(a), _) if self.turned[a.index()] => return self.at(a),
-            (Node::Neg(a), _) => Operation::Neg(self.at(a)),
-            (Node::Add(a, b), _) => Operation::Add(self.at(a), self.at(b)),
-            (Node::Sub(a, b), _) => Operation::Sub(self.at(a), self.at(b)),
-            (Node::Mul(a, b), _) => Operation::Mul(self.at(a), self.at(b)),
-            (Node::Div(a, b), _) => Operation::Div(self.at(a), self.at(b)),
-            (Node::Sqrt(a), _) => Operation::Sqrt(self.at(a)),
-            (Node::Literal(_) | Node::Atan2(..), _) => unreachable!("a number has a value"),
-            (Node::Sin(_) | Node::Cos(_), _) => panic!("the sine of a sine"),
-        };
-        let turned = self.turned[expr.index()];
-        let operation = if turned {
-            opposite(operation)
-        } else {
-            operation
+        let operation = match self.graph.node(expr) {
+            Node::Input(input) => return Operand::Input(input),
+            Node::Neg(a) => return self.at(a),
+            Node::Add(a, b) => self.sum(expr, a, (b, false)),
+            Node::Sub(a, b) => self.sum(expr, a, (b, true)),
+            Node::Mul(a, b) => match (self.at(a), self.signs.of_product(a, b, expr)) {
+                (Operand::Literal(k), true) => Operation::Mul(Operand::Literal(-k), self.at(b)),
+                (factor, _) => Operation::Mul(factor, self.at(b)),
+            },
+            Node::Div(a, b) => Operation::Div(self.at(a), self.at(b)),
+            Node::Sqrt(a) => Operation::Sqrt(self.positive(a)),
+            Node::Literal(_) | Node::Atan2(..) => unreachable!("a number has a value"),
+            Node::Sin(_) | Node::Cos(_) => panic!("the sine of a sine"),
         };
         let label = self.graph.label(expr);
+        let label = if self.signs.turned(expr) {
+            label.as_deref().map(opposite)
+        } else {
+            label
+        };
+        self.push(label, operation)
+    }
+
+    /// a ± b, with the signs under which the operands are found.
+    fn sum(&self, expr: Expr, a: Expr, (b, minus): (Expr, bool)) -> Operation {
+        let turned = self.signs.turned(expr);
+        if let Some((x, y, rest, form)) = self.fused.product_of(expr) {
+            // The terms as ± x y ± rest.
+            let (product, other) = match form {
+                Form::Plus => (false, false),
+                Form::Minus => (false, true),
+                Form::From => (true, false),
+            };
+            let mut product = (product != turned) != self.signs.of_factors(x, y);
+            let mut x = self.at(x);
+            let (rest, other) = self.term(rest, other != turned);
+            if let (Operand::Literal(k), true) = (x, product) {
+                (x, product) = (Operand::Literal(-k), false);
+            }
+            let y = self.at(y);
+            return match (product, other) {
+                (false, false) => Operation::MulAdd(x, y, rest),
+                (false, true) => Operation::MulSub(x, y, rest),
+                (true, _) => Operation::NegMulAdd(x, y, rest),
+            };
+        }
+        let ((a, a_minus), (b, b_minus)) = (self.term(a, turned), self.term(b, minus != turned));
+        match (a_minus, b_minus) {
+            (false, false) => Operation::Add(a, b),
+            (false, true) => Operation::Sub(a, b),
+            (true, _) => Operation::Sub(b, a),
+        }
+    }
+
+    /// A term of a sum and whether a minus is left before it; a number takes it in.
+    fn term(&self, expr: Expr, minus: bool) -> (Operand, bool) {
+        match (self.at(expr), minus != self.signs.turned(expr)) {
+            (Operand::Literal(k), true) => (Operand::Literal(-k), false),
+            found => found,
+        }
+    }
+
+    /// The value itself, whatever its sign.
+    fn positive(&mut self, expr: Expr) -> Operand {
+        match self.term(expr, false) {
+            (operand, false) => operand,
+            (operand, true) => self.push(self.graph.label(expr), Operation::Neg(operand)),
+        }
+    }
+
+    fn push(&mut self, label: Option<String>, operation: Operation) -> Operand {
         self.steps.push(Step { label, operation });
         let last = u32::try_from(self.steps.len() - 1).expect("fewer than 2³² steps");
         Operand::Step(last)
     }
-}
-
-/// The operation that gives −a for the price of a.
-fn opposite(operation: Operation) -> Operation {
-    match operation {
-        Operation::Sub(a, b) => Operation::Sub(b, a),
-        Operation::MulSub(a, b, c) => Operation::NegMulAdd(a, b, c),
-        Operation::NegMulAdd(a, b, c) => Operation::MulSub(a, b, c),
-        Operation::Mul(Operand::Literal(k), a) => Operation::Mul(Operand::Literal(-k), a),
-        _ => unreachable!("only differences and multiples are turned"),
-    }
-}
-
-/// The differences and multiples that are used once, under a minus: they are computed the other way
-/// round, and the minus costs nothing.
-fn turned(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Vec<bool> {
-    let mut turned = vec![false; graph.len()];
-    for &expr in needed {
-        let Node::Neg(a) = graph.node(expr) else {
-            continue;
-        };
-        let free = match graph.node(a) {
-            Node::Sub(..) => true,
-            Node::Mul(k, _) => graph.value(k).is_some(),
-            _ => false,
-        };
-        turned[a.index()] = free && uses[a.index()] == 1 && graph.value(a).is_none();
-    }
-    turned
 }
 
 /// The arguments of all sines and cosines, in the order of the joints they belong to.

@@ -4,8 +4,12 @@
 //! the recursions at run time read ([`crate::generic`]) and that generated code carries beside its
 //! straight-line functions. It computes nothing itself.
 
+#[cfg(any(feature = "std", feature = "libm"))]
+use crate::error::Error;
 use crate::inertia::Inertia;
 use crate::pose::Pose;
+#[cfg(any(feature = "std", feature = "libm"))]
+use crate::rotation::finite;
 use crate::screw::Screw;
 
 /// A tree of bodies and joints of one degree of freedom each, parents before children.
@@ -90,6 +94,37 @@ impl<const N: usize, const F: usize> Chain<N, F> {
             at = self.parent(i);
         }
         false
+    }
+
+    /// Refuses a chain that the recursions cannot be right for: parents must come before children,
+    /// placements be poses, screws have unit vectors, and bodies be possible, to within `tolerance`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotATree`], or those of [`Pose::checked`], [`Screw::checked`] and [`Inertia::check`]; the
+    /// first one found.
+    #[cfg(any(feature = "std", feature = "libm"))]
+    pub fn check(&self, tolerance: f64) -> Result<(), Error> {
+        finite("a component of gravity", &self.gravity)?;
+        for (i, joint) in self.joints.iter().enumerate() {
+            if let Some(parent) = joint.parent.filter(|parent| *parent >= i) {
+                let joint = joint.name;
+                return Err(Error::NotATree { joint, parent });
+            }
+            let place = &joint.placement;
+            Pose::checked(*place.rotation(), place.translation(), tolerance)?;
+            Screw::checked(joint.screw.u(), joint.screw.b(), tolerance)?;
+            joint.inertia.check(tolerance)?;
+        }
+        for frame in &self.frames {
+            if let Some(parent) = frame.body.filter(|body| *body >= N) {
+                let joint = frame.name;
+                return Err(Error::NotATree { joint, parent });
+            }
+            let place = &frame.placement;
+            Pose::checked(*place.rotation(), place.translation(), tolerance)?;
+        }
+        Ok(())
     }
 
     /// The parent of joint `i`, where it comes before it.

@@ -12,6 +12,7 @@ mod chain;
 pub mod checklist {}
 #[cfg(feature = "nalgebra")]
 mod conversion;
+pub mod denavit_hartenberg;
 mod displacement;
 mod error;
 pub mod frames;

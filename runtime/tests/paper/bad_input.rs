@@ -4,8 +4,8 @@ use crate::sample::Random;
 use homogen::frames::{Axis, pose_from_points};
 use homogen::geometry::{Line, Plane, angle};
 use homogen::{
-    Acceleration, Displacement, Error, Inertia, Pose, Real, Screw, Velocity, angles, newton_euler,
-    normalize, rotation, vector,
+    Acceleration, Chain, Displacement, Error, Frame, Inertia, Joint, Pose, Real, Screw, Velocity,
+    angles, newton_euler, normalize, rotation, vector,
 };
 
 const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -120,6 +120,54 @@ fn the_other_messages_name_quantity_and_value() {
         form.to_string(),
         "not of the form (G, a; 0, 0): an entry differs by 5e-1"
     );
+}
+
+#[test]
+fn chains_that_are_no_trees() {
+    let z = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]);
+    let place = Pose::from_translation([0.5, 0.0, 0.0]);
+    let joint = |name, parent, screw, mass| {
+        Joint::new(
+            name,
+            parent,
+            place,
+            screw,
+            Inertia::of_particle(mass, [1.0, 0.0, 0.0]),
+        )
+    };
+    let frame = |body| Frame::new("tip", body, place);
+    let chain = |parent, screw, mass, body| {
+        let joints = [joint("a", None, z, 1.0), joint("b", parent, screw, mass)];
+        Chain::new(joints, [frame(body)], [0.0, 0.0, -9.81])
+    };
+    assert_eq!(chain(Some(0), z, 1.0, Some(1)).check(1e-9), Ok(()));
+    let refused = chain(Some(1), z, 1.0, None).check(1e-9).unwrap_err();
+    assert_eq!(
+        refused,
+        Error::NotATree {
+            joint: "b",
+            parent: 1
+        }
+    );
+    assert_eq!(
+        refused.to_string(),
+        "b stands on body 1, which does not come before it"
+    );
+    let refused = chain(Some(0), z, 1.0, Some(2)).check(1e-9);
+    assert_eq!(
+        refused,
+        Err(Error::NotATree {
+            joint: "tip",
+            parent: 2
+        })
+    );
+    let long = Screw::revolute([0.0, 0.0, 2.0], [0.0; 3]);
+    assert!(matches!(
+        chain(Some(0), long, 1.0, None).check(1e-9),
+        Err(Error::NotUnit { value: 2.0, .. })
+    ));
+    let refused = chain(Some(0), z, -1.0, None).check(1e-9);
+    assert_eq!(refused, Err(Error::NegativeMass { value: -1.0 }));
 }
 
 /// Numbers of every size, subnormal ones and the largest among them.

@@ -140,6 +140,22 @@ fn kinetic_energy_is_half_the_trace<T: Real>() {
     }
 }
 
+fn coupling_of_two_screws_is_the_trace<T: Real>() {
+    let mut random = Random::new(81);
+    for j in inertias::<T>(81) {
+        let (a, b) = (random.screw::<T>(), random.screw());
+        let lj = product(&a.to_matrix(), &j.to_matrix());
+        let literal = trace(&product(&lj, &transpose(&b.to_matrix())));
+        let scale = T::constant(16.0) * size_of(&j.to_matrix());
+        assert_within(
+            [j.coupling(&a, &b), j.coupling(&b, &a)],
+            [literal; 2],
+            scale,
+            16.0,
+        );
+    }
+}
+
 fn potential_energy_is_minus_the_trace<T: Real>() {
     let mut random = Random::new(77);
     for j in inertias::<T>(77) {
@@ -217,6 +233,7 @@ in_both_precisions! {
     weight_is_the_action_of_gravity
     newton_holds_in_any_frame
     kinetic_energy_is_half_the_trace
+    coupling_of_two_screws_is_the_trace
     potential_energy_is_minus_the_trace
     principal_axes_give_the_printed_special_case
     power_is_the_rate_of_kinetic_energy

@@ -2,7 +2,8 @@
 
 use crate::dense::{apply, assert_same, assert_within, product, size_of};
 use crate::sample::{Random, displacements, poses};
-use homogen::{Direction, Displacement, Point, Pose, Real, vector};
+use homogen::denavit_hartenberg::Parameters;
+use homogen::{Direction, Displacement, Point, Pose, Real, Screw, vector};
 
 fn points_change_frame<T: Real>() {
     let mut random = Random::new(10);
@@ -107,7 +108,31 @@ fn a_displacement_in_its_own_frame_is_the_relative_pose<T: Real>() {
     }
 }
 
+fn four_numbers_of_a_link<T: Real>() {
+    let mut random = Random::new(21);
+    let zero = [T::constant(0.0); 3];
+    let along = |axis: [f64; 3], x: T, turn: T| {
+        let axis = axis.map(T::constant);
+        let step = Screw::prismatic(axis).exp(x) * Screw::revolute(axis, zero).exp(turn);
+        step.to_relative_pose()
+    };
+    for _ in 0..50 {
+        let mut angle = || T::constant(3.0) * random.number::<T>();
+        let (theta, alpha) = (angle(), angle());
+        let (d, a) = (random.number(), random.number());
+        let link = Parameters { theta, d, a, alpha };
+        let (z, x) = (
+            along([0.0, 0.0, 1.0], d, theta),
+            along([1.0, 0.0, 0.0], a, alpha),
+        );
+        let one = T::constant(1.0);
+        assert_same(&link.standard().to_matrix(), &(z * x).to_matrix(), one, 8.0);
+        assert_same(&link.modified().to_matrix(), &(x * z).to_matrix(), one, 8.0);
+    }
+}
+
 in_both_precisions! {
+    four_numbers_of_a_link
     points_change_frame
     columns_are_the_images_of_axes_and_origin
     inverse_poses_undo

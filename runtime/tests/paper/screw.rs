@@ -1,12 +1,14 @@
 //! § 5 and § 2.3: the screw axis matrix and the finite motion exp(L φ).
 
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
 use crate::dense::{Dense, assert_same, assert_within, combine, product, size_of, unit_roundoff};
 use crate::sample::{Random, angles, units};
 use homogen::vector::{
     add, identity, matrix_product, matrix_scale, matrix_sum, outer, product as turn, scale, sub,
     underscore,
 };
-use homogen::{Action, Jacobian, Point, Real, Screw, Velocity, rotation};
+use homogen::{Action, Jacobian, Point, Real, Scalar, Screw, Velocity, rotation};
 
 /// Revolute, prismatic and screw pairs in all directions.
 fn screws<T: Real>(seed: u64) -> Vec<Screw<T>> {
@@ -130,6 +132,86 @@ fn derivative_of_a_finite_motion<T: Real>() {
             for (a, b) in slope.0.into_iter().zip(expected.0) {
                 assert!((a - b).abs() <= tolerance * size, "{a} is not {b}");
             }
+        }
+    }
+}
+
+/// A dual number a + b ε, ε² = 0: b is the derivative. A scalar that this crate has never heard of.
+#[derive(Clone, Copy)]
+struct Dual<T>(T, T);
+
+impl<T: Real> Add for Dual<T> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1 + other.1)
+    }
+}
+
+impl<T: Real> Sub for Dual<T> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0, self.1 - other.1)
+    }
+}
+
+impl<T: Real> Mul for Dual<T> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0, self.0 * other.1 + self.1 * other.0)
+    }
+}
+
+impl<T: Real> Div for Dual<T> {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let quotient = self.0 / other.0;
+        Self(quotient, (self.1 - quotient * other.1) / other.0)
+    }
+}
+
+impl<T: Real> Neg for Dual<T> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+impl<T: Real> Scalar for Dual<T> {
+    fn constant(value: f64) -> Self {
+        Self(T::constant(value), T::constant(0.0))
+    }
+
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.0.sqrt();
+        Self(root, self.1 / (root + root))
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.0.sin_cos();
+        (Self(sine, cosine * self.1), Self(cosine, -(sine * self.1)))
+    }
+}
+
+fn derivative_by_dual_numbers<T: Real>() {
+    for l in screws::<T>(98) {
+        for phi in angles::<T>() {
+            // dQ/dφ = L Q, exactly this time.
+            let constant = |x: T| Dual(x, T::constant(0.0));
+            let dual = Screw::new(l.u().map(constant), l.b().map(constant));
+            let q = dual.exp(Dual(phi, T::constant(1.0))).to_matrix();
+            let (value, slope) = (q.map(|r| r.map(|x| x.0)), q.map(|r| r.map(|x| x.1)));
+            let scale = T::constant(4.0).max(phi.abs());
+            assert_same(&value, &l.exp(phi).to_matrix(), scale, 2.0);
+            assert_same(&slope, &product(&l.to_matrix(), &value), scale, 24.0);
         }
     }
 }
@@ -268,6 +350,7 @@ in_both_precisions! {
     rotation_and_translation_of_a_finite_motion
     motions_along_one_screw_add
     derivative_of_a_finite_motion
+    derivative_by_dual_numbers
     rates_along_a_screw
     pseudo_scalar_product_is_power_at_unit_rate
     columns_of_a_jacobian

@@ -104,12 +104,12 @@ fn derivatives_of_the_pose<T: Real>(step: f64, tolerance: f64) {
 
 #[test]
 fn derivatives_of_the_pose_f32() {
-    derivatives_of_the_pose::<f32>(0.125, 2e-4);
+    derivatives_of_the_pose::<f32>(0.125, 3e-5);
 }
 
 #[test]
 fn derivatives_of_the_pose_f64() {
-    derivatives_of_the_pose::<f64>(0.01, 1e-10);
+    derivatives_of_the_pose::<f64>(0.01, 5e-12);
 }
 
 fn composed_motion<T: Real>(step: f64, tolerance: f64) {
@@ -143,12 +143,12 @@ fn composed_motion<T: Real>(step: f64, tolerance: f64) {
 
 #[test]
 fn composed_motion_f32() {
-    composed_motion::<f32>(0.125, 5e-4);
+    composed_motion::<f32>(0.125, 3e-5);
 }
 
 #[test]
 fn composed_motion_f64() {
-    composed_motion::<f64>(0.01, 1e-10);
+    composed_motion::<f64>(0.01, 5e-12);
 }
 
 fn composition_holds_in_any_frame<T: Real>() {

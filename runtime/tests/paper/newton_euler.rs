@@ -44,7 +44,7 @@ fn six_of_twelve<T: Real>() {
                 let back = j.momentum(&found);
                 let size = size_of(&found.to_matrix()).max(T::constant(1.0));
                 let scale = T::constant(4.0) * size * size_of(&j.to_matrix()).max(T::constant(1.0));
-                assert_same(&momentum.to_matrix(), &back.to_matrix(), scale, 256.0);
+                assert_same(&momentum.to_matrix(), &back.to_matrix(), scale, 16.0);
                 let (fx, fy) = (
                     numbers((found.omega(), found.v())),
                     numbers((momentum.gamma(), momentum.rho())),
@@ -81,14 +81,9 @@ fn one_of_each_pair_is_well_posed<T: Real>() {
             numbers((found.omega(), found.v())),
             x,
             T::constant(1.0),
-            4096.0,
+            32.0,
         );
-        assert_within(
-            numbers((action.c(), action.f())),
-            y,
-            T::constant(4.0),
-            4096.0,
-        );
+        assert_within(numbers((action.c(), action.f())), y, T::constant(4.0), 32.0);
     }
 }
 
@@ -104,7 +99,7 @@ fn free_motion_of_a_moving_body<T: Real>() {
             numbers((action.c(), action.f())),
             phi,
             T::constant(16.0),
-            64.0,
+            8.0,
         );
         let (scale, again) = (
             size_of(&h.to_matrix()) * size_of(&j.to_matrix()),
@@ -114,18 +109,18 @@ fn free_motion_of_a_moving_body<T: Real>() {
             &again.to_matrix(),
             &action.to_matrix(),
             T::constant(8.0) * scale,
-            64.0,
+            8.0,
         );
         let rate = h.velocity_derivative(&w);
         let rates = numbers((rate.omega(), rate.v()));
         let (back, same) =
             newton_euler::action_in_motion(&j, &w, rates.map(Some), [None; 6]).expect("inertia");
-        assert_same(&back.to_matrix(), &h.to_matrix(), T::constant(8.0), 64.0);
+        assert_same(&back.to_matrix(), &h.to_matrix(), T::constant(8.0), 8.0);
         assert_same(
             &same.to_matrix(),
             &action.to_matrix(),
             T::constant(8.0) * scale,
-            64.0,
+            8.0,
         );
     }
 }

@@ -62,7 +62,7 @@ fn exponential_is_the_series<T: Real>() {
                 sum = combine(1.0, &sum, 1.0, &term);
             }
             let scale = T::constant(8.0) * size_of(&l.to_matrix());
-            assert_same(&l.exp(phi).to_matrix(), &sum, scale, 128.0);
+            assert_same(&l.exp(phi).to_matrix(), &sum, scale, 24.0);
         }
     }
 }

@@ -17,6 +17,24 @@ use crate::screw::Screw;
 /// Body i is what joint i carries, and frame (i) is fixed in it; frame (0), the base, is what has no
 /// joint. `N` is the number of joints, `F` of named frames. Numbers are f64 whatever the type that a
 /// function is asked for.
+///
+/// ```
+/// use homogen::{Chain, Frame, Inertia, Joint, Pose, Screw};
+///
+/// const PLACE: Pose<f64> = Pose::new(
+///     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+///     [0.0, 0.0, 0.4],
+/// );
+/// const SLIDE: Screw<f64> = Screw::new([0.0; 3], [0.0, 0.0, 1.0]);
+/// const TOOL: Inertia<f64> = Inertia::new([0.02, 0.02, 0.01, 0.0, 0.0, 0.0], [0.0, 0.0, 0.1], 1.5);
+/// static LIFT: Chain<1, 1> = Chain::new(
+///     [Joint::new("lift", None, PLACE, SLIDE, TOOL)],
+///     [Frame::new("flange", Some(0), PLACE)],
+///     [0.0, 0.0, -9.81],
+/// );
+/// assert_eq!(LIFT.tip().name, "flange");
+/// assert_eq!(LIFT.check(1e-9), Ok(()));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chain<const N: usize, const F: usize> {
     /// The joints, parents before children; their order is that of q.
@@ -54,7 +72,7 @@ pub struct Frame {
 }
 
 impl<const N: usize, const F: usize> Chain<N, F> {
-    /// A robot; nothing is checked, so that it can be a constant.
+    /// A robot; nothing is checked, so that it can be a constant (`check` does, when asked).
     #[inline]
     #[must_use]
     pub const fn new(joints: [Joint; N], frames: [Frame; F], gravity: [f64; 3]) -> Self {

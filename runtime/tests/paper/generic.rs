@@ -2,7 +2,7 @@
 //! differences.
 #![cfg(feature = "nalgebra")]
 
-use crate::dense::{assert_same, assert_within, size};
+use crate::dense::{assert_same, assert_within, combine, product, size};
 use crate::sample::Random;
 use homogen::robot::{
     Acceleration as _, Bias as _, BodyJacobian as _, ForwardKinematics as _,
@@ -185,6 +185,32 @@ fn jacobians_differ_by_a_change_of_frame<T: Real + RealField + Copy>() {
     }
 }
 
+/// Part II: H̃₀ₕ = Σ(W₀,ᵢ₋₁ Wᵢ − Wᵢ W₀,ᵢ₋₁) + W₀ₕ², the acceleration at q̈ = 0.
+fn acceleration_without_second_rates<T: Real + RealField + Copy>() {
+    let mut random = Random::new(218);
+    for _ in 0..20 {
+        let chain = tree(&mut random);
+        let [q, qd, _] = state::<T>(&mut random);
+        let rest = [T::constant(0.0); N];
+        for frame in chain.frames {
+            let mut w = homogen::Velocity::zero();
+            let mut sum = [[T::constant(0.0); 4]; 4];
+            let columns = generic::spatial_jacobian(&chain, &frame, &q);
+            for (l, rate) in columns.iter().zip(qd) {
+                let w_i = l.velocity(rate);
+                let (before, own) = (w.to_matrix(), w_i.to_matrix());
+                let bracket = combine(1.0, &product(&before, &own), -1.0, &product(&own, &before));
+                sum = combine(1.0, &sum, 1.0, &bracket);
+                w = w + w_i;
+            }
+            let square = product(&w.to_matrix(), &w.to_matrix());
+            let literal = combine(1.0, &sum, 1.0, &square);
+            let h = generic::acceleration(&chain, &frame, &q, &qd, &rest);
+            assert_same(&h.to_matrix(), &literal, T::constant(4.0), 64.0);
+        }
+    }
+}
+
 #[test]
 fn rates_of_the_tip_are_derivatives_of_its_pose() {
     let mut random = Random::new(216);
@@ -199,10 +225,7 @@ fn rates_of_the_tip_are_derivatives_of_its_pose() {
         };
         let (after, now, before) = (pose(step), pose(0.0), pose(-step));
         let (w, h) = (chain.velocity(&q, &qd), chain.acceleration(&q, &qd, &qdd));
-        let (wm, hm) = (
-            crate::dense::product(&w.to_matrix(), &now),
-            crate::dense::product(&h.to_matrix(), &now),
-        );
+        let (wm, hm) = (product(&w.to_matrix(), &now), product(&h.to_matrix(), &now));
         for i in 0..3 {
             for j in 0..4 {
                 let first = (after[i][j] - before[i][j]) / (2.0 * step);
@@ -276,6 +299,7 @@ fn two_link_arm_in_closed_form() {
 }
 
 in_both_precisions! {
+    acceleration_without_second_rates
     newton_euler_and_lagrange_agree
     gravity_is_inverse_dynamics_at_rest
     kinetic_energy_is_that_of_the_mass_matrix

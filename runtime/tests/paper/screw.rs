@@ -1,14 +1,15 @@
 //! § 5 and § 2.3: the screw axis matrix and the finite motion exp(L φ).
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
-
-use crate::dense::{Dense, assert_same, assert_within, combine, product, size_of, unit_roundoff};
+use crate::dense::{
+    Dense, assert_same, assert_within, combine, product, size_of, transpose, unit_roundoff,
+};
 use crate::sample::{Random, angles, units};
 use homogen::vector::{
     add, identity, matrix_product, matrix_scale, matrix_sum, outer, product as turn, scale, sub,
     underscore,
 };
-use homogen::{Action, Jacobian, Point, Real, Scalar, Screw, Velocity, rotation};
+use homogen::{Action, Inertia, Jacobian, Point, Pose, Real, Scalar, Screw, Velocity, rotation};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Revolute, prismatic and screw pairs in all directions.
 fn screws<T: Real>(seed: u64) -> Vec<Screw<T>> {
@@ -55,7 +56,7 @@ fn exponential_is_the_series<T: Real>() {
                 continue;
             }
             let x: Dense<T> = l.to_matrix().map(|row| row.map(|e| e * phi));
-            let mut term = homogen::Pose::identity().to_matrix();
+            let mut term = Pose::identity().to_matrix();
             let mut sum = term;
             for n in 1..40 {
                 term = combine(1.0 / f64::from(n), &product(&term, &x), 0.0, &x);
@@ -216,6 +217,43 @@ fn derivative_by_dual_numbers<T: Real>() {
     }
 }
 
+fn derivatives_of_pose_and_inertia_along_a_screw<T: Real>() {
+    let mut random = Random::new(99);
+    for l in screws::<T>(99) {
+        // Part II: ∂M/∂q = L M and ∂J/∂q = L J + J Lᵗ, for what the joint carries.
+        let constant = |x: T| Dual(x, T::constant(0.0));
+        let (m, j) = (random.pose::<T>(), random.inertia::<T>());
+        let step = Screw::new(l.u().map(constant), l.b().map(constant))
+            .exp(Dual(T::constant(0.0), T::constant(1.0)))
+            .to_relative_pose();
+        let dual_m = Pose::new(
+            m.rotation().map(|row| row.map(constant)),
+            m.translation().map(constant),
+        );
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = j.second_moments();
+        let moments = [xx, yy, zz, xy, xz, yz].map(constant);
+        let dual_j = Inertia::new(moments, j.q().map(constant), constant(j.mass()));
+        let slope = |x: Dense<Dual<T>>| x.map(|row| row.map(|x| x.1));
+        let (dense_l, dense_m, dense_j) = (l.to_matrix(), m.to_matrix(), j.to_matrix());
+        let literal = product(&dense_l, &dense_m);
+        assert_same(
+            &slope((step * dual_m).to_matrix()),
+            &literal,
+            T::constant(4.0),
+            4.0,
+        );
+        let left = product(&dense_l, &dense_j);
+        let literal = combine(1.0, &left, 1.0, &transpose(&left));
+        let scale = T::constant(4.0) * size_of(&dense_j);
+        assert_same(
+            &slope(step.change_frame(&dual_j).to_matrix()),
+            &literal,
+            scale,
+            8.0,
+        );
+    }
+}
+
 fn rates_along_a_screw<T: Real>() {
     let mut random = Random::new(95);
     for l in screws::<T>(95) {
@@ -351,6 +389,7 @@ in_both_precisions! {
     motions_along_one_screw_add
     derivative_of_a_finite_motion
     derivative_by_dual_numbers
+    derivatives_of_pose_and_inertia_along_a_screw
     rates_along_a_screw
     pseudo_scalar_product_is_power_at_unit_rate
     columns_of_a_jacobian

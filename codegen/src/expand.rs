@@ -55,7 +55,7 @@ pub fn program(chain: &Chain, functions: &[Function], frame: usize) -> Program {
         .max_by_key(|ways| ways.len());
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
-        for &way in ways.unwrap_or_default() {
+        for &way in ways.iter().flatten() {
             let program = program_by(chain, functions, frame, layout, way);
             let weight = Price::of(&program).weight();
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {

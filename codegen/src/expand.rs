@@ -3,6 +3,8 @@
 //! In: a description, a request, the struct that gets the functions. Out: a [`Listing`]. It only
 //! connects the stages, and chooses by count where they offer more than one way.
 
+mod forward;
+
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
@@ -10,7 +12,7 @@ use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::Errors;
 use crate::expression::{Double, Expr, Term};
 use crate::function::Function;
-use crate::model::{self, Way};
+use crate::model::{self, Forward, Way};
 use crate::request::Request;
 use crate::schedule::{Price, Program, schedule};
 use crate::simplify::simplify;

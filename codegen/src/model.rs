@@ -93,6 +93,12 @@ pub fn build<'g>(
     }
 }
 
+/// For each joint the diagonal entry of the mass matrix and the pivot that its factors leave of it.
+#[must_use]
+pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
+    forward_dynamics::pivots(bodies, &State { graph })
+}
+
 /// The arguments of the generated functions.
 struct State<'g> {
     graph: &'g Graph,

@@ -10,6 +10,8 @@ use crate::expression::Term;
 pub struct Factors<'g> {
     /// For each joint, the joints inboard of it, nearest first, with the entry of L.
     rows: Vec<Vec<(usize, Term<'g>)>>,
+    /// D.
+    pub pivots: Vec<Term<'g>>,
     /// The reciprocals of D.
     inverse: Vec<Term<'g>>,
 }
@@ -22,11 +24,13 @@ pub fn factor<'g>(matrix: &[Term<'g>], parents: &[Option<usize>]) -> Factors<'g>
         .map(|k| std::iter::successors(parents[k], |&at| parents[at]).collect())
         .collect();
     let one = matrix[0].graph().constant(1.0);
+    let mut pivots = vec![one; count];
     let mut inverse = vec![one; count];
     let mut rows = vec![Vec::new(); count];
     for k in (0..count).rev() {
         let pivot = entries[k * count + k];
         pivot.label(|| format!("d_{}", k + 1));
+        pivots[k] = pivot;
         inverse[k] = one / pivot;
         for (nearest, &i) in inboard[k].iter().enumerate() {
             let entry = entries[k * count + i];
@@ -40,7 +44,11 @@ pub fn factor<'g>(matrix: &[Term<'g>], parents: &[Option<usize>]) -> Factors<'g>
             rows[k].push((i, l));
         }
     }
-    Factors { rows, inverse }
+    Factors {
+        rows,
+        pivots,
+        inverse,
+    }
 }
 
 impl<'g> Factors<'g> {

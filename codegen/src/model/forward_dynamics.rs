@@ -49,7 +49,18 @@ pub fn mass_matrix_inverse<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Te
     entries
 }
 
+/// For each joint the diagonal entry of the mass matrix and the pivot left of it.
+pub fn pivots<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+    let matrix = composite::mass_matrix(bodies, state);
+    let factors = factor(&matrix, &parents(bodies));
+    let diagonal = matrix.iter().step_by(bodies.bodies.len() + 1);
+    diagonal.zip(factors.pivots).flat_map(|(&entry, pivot)| [entry, pivot]).collect()
+}
+
+fn parents(bodies: &Bodies<'_>) -> Vec<Option<usize>> {
+    bodies.bodies.iter().map(|body| body.parent).collect()
+}
+
 fn factors<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Factors<'g> {
-    let parents: Vec<Option<usize>> = bodies.bodies.iter().map(|body| body.parent).collect();
-    factor(&composite::mass_matrix(bodies, state), &parents)
+    factor(&composite::mass_matrix(bodies, state), &parents(bodies))
 }

@@ -1,0 +1,123 @@
+//! Which form of forward dynamics a chain can bear.
+//!
+//! In: a chain and the unit roundoff of the generated code. Out: how often to refine, or the
+//! mistake that no form helps. It looks at the pivots of the mass matrix in a handful of postures,
+//! in extended precision: what a pivot lost of its diagonal entry is what rounding takes from the
+//! result.
+
+use crate::chain::frames::{Layout, arrange};
+use crate::chain::{Chain, Motion};
+use crate::error::Place;
+use crate::expression::{Double, Expr, Graph, Input, Term};
+use crate::model::{self, Forward};
+use crate::request::Real;
+use crate::schedule::{Program, run, schedule};
+
+/// How many postures are looked at.
+const POSTURES: u32 = 16;
+
+/// A chain that has no forward dynamics, and why.
+pub struct Refusal {
+    /// Where the joint to blame is described, as far as is known.
+    pub place: Place,
+    /// The sentence.
+    pub message: String,
+    /// What to do about it.
+    pub hint: &'static str,
+}
+
+/// The form whose result keeps more than half of the digits.
+///
+/// # Errors
+/// Where the mass matrix is singular in every posture, or loses so much that refining diverges.
+pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Refusal> {
+    let roundoff = match scalar {
+        Real::F32 => f64::from(f32::EPSILON) / 2.0,
+        Real::F64 | Real::Generic => f64::EPSILON / 2.0,
+    };
+    let (loss, joint) = loss(chain);
+    let name = &chain.joints[joint].name;
+    let refuse = |message: String, hint| {
+        Err(Refusal { place: Place::Unknown, message, hint })
+    };
+    if !loss.is_finite() || loss > 1e20 {
+        return refuse(
+            format!("joint \"{name}\" can accelerate without any force: the mass matrix is singular"),
+            "give what it carries a mass or an inertia about its axis, or lock it",
+        );
+    }
+    let error = loss * roundoff;
+    // Each refinement multiplies the error by itself once more.
+    let enough = (0..3_u32).find(|&refinements| {
+        let exponent = i32::try_from(refinements).expect("few") + 1;
+        error.powi(exponent) <= roundoff.sqrt() && (refinements == 0 || error < 0.1)
+    });
+    match enough {
+        Some(refinements) => Ok(Forward::MassMatrix { refinements: refinements as usize }),
+        None => refuse(
+            format!(
+                "forward dynamics would be left without a correct digit: at joint \"{name}\" the \
+                 mass matrix loses a factor of {loss:.0e}, and the unit roundoff is {roundoff:.0e}"
+            ),
+            "generate it for f64, or model a robot whose masses differ less",
+        ),
+    }
+}
+
+/// The largest ratio of a diagonal entry of the mass matrix to its pivot, and the joint it belongs
+/// to.
+fn loss(chain: &Chain) -> (f64, usize) {
+    let graph = chain.graph.clone();
+    let program = pivots(&graph, chain);
+    let mut worst = (1.0_f64, 0);
+    let count = chain.joints.len();
+    // A joint that is singular in one posture may only be passing through it.
+    let mut least = vec![f64::INFINITY; count];
+    for posture in 0..POSTURES {
+        let values = run::<Double>(&program, |input| Double::from(value(chain, input, posture)));
+        for (joint, pair) in values.chunks(2).enumerate() {
+            let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());
+            let ratio = if pivot > 0.0 { entry / pivot } else { f64::INFINITY };
+            least[joint] = least[joint].min(ratio);
+            if ratio > worst.0 && ratio.is_finite() {
+                worst = (ratio, joint);
+            }
+        }
+    }
+    // Outermost first: what is outboard spoils what is inboard of it.
+    match (0..count).rev().find(|&joint| !least[joint].is_finite()) {
+        Some(joint) => (f64::INFINITY, joint),
+        None => worst,
+    }
+}
+
+fn pivots(graph: &Graph, chain: &Chain) -> Program {
+    let layout = Layout { regroup: true, ..Layout::DESCRIBED };
+    let bodies = arrange(graph, chain, layout);
+    let results: Vec<Expr> = model::pivots(graph, &bodies).into_iter().map(Term::expr).collect();
+    schedule(graph, &results)
+}
+
+/// A coordinate of a posture, from a sequence that fills the range evenly (multiples of the golden
+/// ratio's powers); or what is described where a struct field stands.
+fn value(chain: &Chain, input: Input, posture: u32) -> f64 {
+    match input {
+        Input::Q(k) => {
+            let joint = &chain.joints[usize::from(k)];
+            let (lower, upper) = match (joint.limits, joint.motion) {
+                (Some(limits), _) if limits.upper > limits.lower && (limits.upper - limits.lower).is_finite() => {
+                    (limits.lower, limits.upper)
+                }
+                (_, Motion::Prismatic) => (-1.0, 1.0),
+                _ => (-std::f64::consts::PI, std::f64::consts::PI),
+            };
+            let step = 0.618_033_988_749_895 * f64::from(k + 1).sqrt();
+            lower + (upper - lower) * (0.5 + f64::from(posture) * step).fract()
+        }
+        Input::Parameter(field, entry) => {
+            let field = chain.nominal.get(usize::from(field));
+            field.and_then(|field| field.get(usize::from(entry))).copied().unwrap_or(0.0)
+        }
+        Input::Qd(_) | Input::Qdd(_) | Input::Tau(_) => 0.0,
+    }
+}

@@ -46,15 +46,20 @@ pub enum Forward {
 
 impl Way {
     /// Columns all carried, accelerations by the mass matrix.
-    pub const PLAIN: Self =
-        Self { by_product: None, forward: Forward::MassMatrix { refinements: 0 } };
+    pub const PLAIN: Self = Self {
+        by_product: None,
+        forward: Forward::MassMatrix { refinements: 0 },
+    };
 
     /// The ways of a function between which only the count decides.
     #[must_use]
     pub fn all(function: Function) -> Vec<Self> {
         let mut ways = vec![Self::PLAIN];
         if function == Function::ForwardKinematics {
-            ways.extend((0..3).map(|column| Self { by_product: Some(column), ..Self::PLAIN }));
+            ways.extend((0..3).map(|column| Self {
+                by_product: Some(column),
+                ..Self::PLAIN
+            }));
         }
         ways
     }
@@ -79,7 +84,9 @@ pub fn build<'g>(
         Function::GeometricJacobian => jacobian::geometric(&path()),
         Function::Velocity => twist::velocity(&path(), &state),
         Function::Acceleration => twist::acceleration(&path(), &state),
-        Function::InverseDynamics => newton_euler::inverse_dynamics(bodies, &state, &state.qdds(bodies)),
+        Function::InverseDynamics => {
+            newton_euler::inverse_dynamics(bodies, &state, &state.qdds(bodies))
+        }
         Function::Bias => newton_euler::bias(bodies, &state),
         Function::ForwardDynamics => match way.forward {
             Forward::MassMatrix { refinements } => {

@@ -119,7 +119,9 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
             limits: description.joints[body.joint].limits,
         })
         .collect();
-    let Reader { nominal, report, .. } = reader;
+    let Reader {
+        nominal, report, ..
+    } = reader;
     Chain {
         nominal,
         joints,
@@ -254,9 +256,8 @@ impl<'g> Reader<'g, '_> {
         let [mass] = self.free(of_mass, [mass]);
         origin.translation = Vector(self.free(of_center, origin.translation.0));
         let free = mass.value().is_none();
-        (free || link.inertial.is_some()).then(|| {
-            Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin)
-        })
+        (free || link.inertial.is_some())
+            .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin))
     }
 
     fn note(&mut self, description: &Description, branch: &Branch) {

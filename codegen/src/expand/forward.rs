@@ -7,7 +7,7 @@
 
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{Chain, Motion};
-use crate::error::Place;
+use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Graph, Input, Term};
 use crate::model::{self, Forward};
 use crate::request::Real;
@@ -16,33 +16,27 @@ use crate::schedule::{Program, run, schedule};
 /// How many postures are looked at.
 const POSTURES: u32 = 16;
 
-/// A chain that has no forward dynamics, and why.
-pub struct Refusal {
-    /// Where the joint to blame is described, as far as is known.
-    pub place: Place,
-    /// The sentence.
-    pub message: String,
-    /// What to do about it.
-    pub hint: &'static str,
-}
-
 /// The form whose result keeps more than half of the digits.
 ///
 /// # Errors
 /// Where the mass matrix is singular in every posture, or loses so much that refining diverges.
-pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Refusal> {
+pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Errors> {
     let roundoff = match scalar {
         Real::F32 => f64::from(f32::EPSILON) / 2.0,
         Real::F64 | Real::Generic => f64::EPSILON / 2.0,
     };
     let (loss, joint) = loss(chain);
     let name = &chain.joints[joint].name;
-    let refuse = |message: String, hint| {
-        Err(Refusal { place: Place::Unknown, message, hint })
+    let refuse = |message: String, hint: &str| {
+        let mut errors = Errors::new();
+        errors.push_with_hint(Place::Unknown, message, hint);
+        Err(errors)
     };
     if !loss.is_finite() || loss > 1e20 {
         return refuse(
-            format!("joint \"{name}\" can accelerate without any force: the mass matrix is singular"),
+            format!(
+                "joint \"{name}\" can accelerate without any force: the mass matrix is singular"
+            ),
             "give what it carries a mass or an inertia about its axis, or lock it",
         );
     }
@@ -53,7 +47,9 @@ pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Refusal> {
         error.powi(exponent) <= roundoff.sqrt() && (refinements == 0 || error < 0.1)
     });
     match enough {
-        Some(refinements) => Ok(Forward::MassMatrix { refinements: refinements as usize }),
+        Some(refinements) => Ok(Forward::MassMatrix {
+            refinements: refinements as usize,
+        }),
         None => refuse(
             format!(
                 "forward dynamics would be left without a correct digit: at joint \"{name}\" the \
@@ -77,7 +73,11 @@ fn loss(chain: &Chain) -> (f64, usize) {
         let values = run::<Double>(&program, |input| Double::from(value(chain, input, posture)));
         for (joint, pair) in values.chunks(2).enumerate() {
             let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());
-            let ratio = if pivot > 0.0 { entry / pivot } else { f64::INFINITY };
+            let ratio = if pivot > 0.0 {
+                entry / pivot
+            } else {
+                f64::INFINITY
+            };
             least[joint] = least[joint].min(ratio);
             if ratio > worst.0 && ratio.is_finite() {
                 worst = (ratio, joint);
@@ -92,9 +92,15 @@ fn loss(chain: &Chain) -> (f64, usize) {
 }
 
 fn pivots(graph: &Graph, chain: &Chain) -> Program {
-    let layout = Layout { regroup: true, ..Layout::DESCRIBED };
+    let layout = Layout {
+        regroup: true,
+        ..Layout::DESCRIBED
+    };
     let bodies = arrange(graph, chain, layout);
-    let results: Vec<Expr> = model::pivots(graph, &bodies).into_iter().map(Term::expr).collect();
+    let results: Vec<Expr> = model::pivots(graph, &bodies)
+        .into_iter()
+        .map(Term::expr)
+        .collect();
     schedule(graph, &results)
 }
 
@@ -105,7 +111,9 @@ fn value(chain: &Chain, input: Input, posture: u32) -> f64 {
         Input::Q(k) => {
             let joint = &chain.joints[usize::from(k)];
             let (lower, upper) = match (joint.limits, joint.motion) {
-                (Some(limits), _) if limits.upper > limits.lower && (limits.upper - limits.lower).is_finite() => {
+                (Some(limits), _)
+                    if limits.upper > limits.lower && (limits.upper - limits.lower).is_finite() =>
+                {
                     (limits.lower, limits.upper)
                 }
                 (_, Motion::Prismatic) => (-1.0, 1.0),
@@ -116,7 +124,10 @@ fn value(chain: &Chain, input: Input, posture: u32) -> f64 {
         }
         Input::Parameter(field, entry) => {
             let field = chain.nominal.get(usize::from(field));
-            field.and_then(|field| field.get(usize::from(entry))).copied().unwrap_or(0.0)
+            field
+                .and_then(|field| field.get(usize::from(entry)))
+                .copied()
+                .unwrap_or(0.0)
         }
         Input::Qd(_) | Input::Qdd(_) | Input::Tau(_) => 0.0,
     }

@@ -106,7 +106,9 @@ impl Add for Rotation<Term<'_>> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self(array::from_fn(|i| array::from_fn(|j| self.0[i][j] + other.0[i][j])))
+        Self(array::from_fn(|i| {
+            array::from_fn(|j| self.0[i][j] + other.0[i][j])
+        }))
     }
 }
 

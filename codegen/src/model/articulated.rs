@@ -18,7 +18,10 @@ pub fn forward_dynamics<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<
     let count = bodies.bodies.len();
     let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
     let rest = Acceleration::linear(Vector::zero(graph));
-    let still = |h: Acceleration<Term<'g>>| Acceleration { omega: h.omega, ..rest };
+    let still = |h: Acceleration<Term<'g>>| Acceleration {
+        omega: h.omega,
+        ..rest
+    };
 
     // Velocities, the part of each acceleration that they cause, and the actions of that part.
     let mut velocities: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(count);
@@ -49,9 +52,14 @@ pub fn forward_dynamics<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<
                 f: action.f + moved.f + given.action.f * push,
             };
             articulated[parent] = articulated[parent]
-                + left.turn(joint.turn()).shift(joint.offset()).inboard(joint.placement);
+                + left
+                    .turn(joint.turn())
+                    .shift(joint.offset())
+                    .inboard(joint.placement);
             actions[parent] = actions[parent]
-                + carried.change_frame(joint.displacement()).change_frame(joint.placement);
+                + carried
+                    .change_frame(joint.displacement())
+                    .change_frame(joint.placement);
         }
         yields.push((lacking, given));
     }
@@ -150,7 +158,11 @@ impl<'g> Articulated<'g> {
             }
             Motion::Screw(_) => {}
         }
-        Yielding { action, inverse, left }
+        Yielding {
+            action,
+            inverse,
+            left,
+        }
     }
 
     /// In other axes.
@@ -170,7 +182,11 @@ impl<'g> Articulated<'g> {
         let skew = Rotation([[zero, -z, y], [z, zero, -x], [-y, x, zero]]);
         let b = self.b + skew * Rotation(self.m.rows());
         let added = skew * b.transposed() + self.b * skew.transposed();
-        Self { a: self.a + Symmetric::from_rows(added.0), b, m: self.m }
+        Self {
+            a: self.a + Symmetric::from_rows(added.0),
+            b,
+            m: self.m,
+        }
     }
 
     /// In the frame that the body's frame is seen from at a constant pose.
@@ -189,6 +205,10 @@ impl std::ops::Add for Articulated<'_> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self { a: self.a + other.a, b: self.b + other.b, m: self.m + other.m }
+        Self {
+            a: self.a + other.a,
+            b: self.b + other.b,
+            m: self.m + other.m,
+        }
     }
 }

@@ -82,9 +82,11 @@ fn tally(function: Function, joints: usize, path: usize) -> Tally {
         Function::MassMatrix => {
             // A composite J and L J a column, and Tr(Lᵢ J Lₘᵗ) an entry.
             let column = kinematic.plus(INERTIA).plus(Tally::of(1, 0, 1));
-            column
-                .times(joints)
-                .plus(Tally::default().and(16, 15).times(joints * (joints + 1) / 2))
+            column.times(joints).plus(
+                Tally::default()
+                    .and(16, 15)
+                    .times(joints * (joints + 1) / 2),
+            )
         }
         Function::ForwardDynamics => {
             // M, the bias, a dense factorisation and one solve.

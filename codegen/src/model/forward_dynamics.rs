@@ -20,8 +20,7 @@ pub fn forward_dynamics<'g>(
     let mut accelerations = vec![state.zero(); count];
     for _ in 0..=refinements {
         let needed = inverse_dynamics(bodies, state, &accelerations);
-        let lacking: Vec<Term<'g>> =
-            (0..count).map(|k| state.tau(k) - needed[k]).collect();
+        let lacking: Vec<Term<'g>> = (0..count).map(|k| state.tau(k) - needed[k]).collect();
         let more = factors.solve(&lacking);
         for (acceleration, more) in accelerations.iter_mut().zip(more) {
             *acceleration = *acceleration + more;
@@ -54,7 +53,10 @@ pub fn pivots<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
     let matrix = composite::mass_matrix(bodies, state);
     let factors = factor(&matrix, &parents(bodies));
     let diagonal = matrix.iter().step_by(bodies.bodies.len() + 1);
-    diagonal.zip(factors.pivots).flat_map(|(&entry, pivot)| [entry, pivot]).collect()
+    diagonal
+        .zip(factors.pivots)
+        .flat_map(|(&entry, pivot)| [entry, pivot])
+        .collect()
 }
 
 fn parents(bodies: &Bodies<'_>) -> Vec<Option<usize>> {

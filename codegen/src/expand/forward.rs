@@ -132,3 +132,74 @@ fn value(chain: &Chain, input: Input, posture: u32) -> f64 {
         Input::Qd(_) | Input::Qdd(_) | Input::Tau(_) => 0.0,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::choose;
+    use crate::chain::{self, Chain};
+    use crate::description::read_text;
+    use crate::error::Errors;
+    use crate::model::Forward;
+    use crate::request::{Real, Request};
+
+    /// Two links in a plane, with masses at their ends.
+    fn arm(first: f64, second: f64) -> Chain {
+        let link = |name: &str, mass: f64| {
+            format!(
+                r#"<link name="{name}"><inertial><origin xyz="1 0 0"/><mass value="{mass}"/>
+                <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial></link>"#
+            )
+        };
+        let joint = |name: &str, parent: &str, child: &str| {
+            format!(
+                r#"<joint name="{name}" type="continuous"><parent link="{parent}"/>
+                <child link="{child}"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/></joint>"#
+            )
+        };
+        let text = [
+            r#"<robot name="arm"><link name="base"/>"#.to_owned(),
+            link("upper", first),
+            link("lower", second),
+            joint("shoulder", "base", "upper"),
+            joint("elbow", "upper", "lower"),
+            "</robot>".to_owned(),
+        ];
+        let mut errors = Errors::new();
+        let description = read_text(&text.concat(), "arm.urdf", None, &mut errors);
+        assert!(errors.is_empty(), "{errors}");
+        let description = description.expect("no mistakes, so a description");
+        chain::build(&description, &Request::default()).expect("a tree")
+    }
+
+    #[test]
+    fn an_ordinary_arm_needs_no_refinement() {
+        for scalar in [Real::F32, Real::F64, Real::Generic] {
+            let form = choose(&arm(1.0, 1.0), scalar).expect("regular");
+            assert_eq!(form, Forward::MassMatrix { refinements: 0 });
+        }
+    }
+
+    #[test]
+    fn a_heavy_tip_is_refined_in_f64_and_refused_in_f32() {
+        let arm = arm(1.0, 1e10);
+        let form = choose(&arm, Real::F64).expect("regular");
+        assert!(
+            matches!(form, Forward::MassMatrix { refinements: 1.. }),
+            "{form:?}"
+        );
+        let refusal = choose(&arm, Real::F32).expect_err("hopeless").to_string();
+        assert!(refusal.contains("without a correct digit"), "{refusal}");
+        assert!(refusal.contains("generate it for f64"), "{refusal}");
+    }
+
+    #[test]
+    fn a_massless_end_is_refused_by_the_name_of_its_joint() {
+        let refusal = choose(&arm(1.0, 0.0), Real::F64)
+            .expect_err("singular")
+            .to_string();
+        assert!(
+            refusal.starts_with("error: joint \"elbow\" can accelerate without any force"),
+            "{refusal}"
+        );
+    }
+}

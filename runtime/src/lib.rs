@@ -39,6 +39,7 @@ mod tensor;
 mod tolerance;
 pub mod vector;
 mod velocity;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub mod worked_examples;
 
 pub use acceleration::Acceleration;

@@ -175,15 +175,16 @@ pub fn position<T: Real, const N: usize, const F: usize, const K: usize>(
     });
     let size = size(closed);
     let mut q: [T; N] = from_fn(|i| driving[i].unwrap_or(start[i]));
-    let mut best = (missing(closed, &q, size).1, q);
+    let (mut screws, residual) = missing(closed, &q, size);
+    let mut best = (residual, q);
     let (mut iterations, mut in_vain) = (0, 0);
-    while iterations < STEPS && (best.0 > tolerance || in_vain < 3) {
+    while iterations < STEPS && (best.0 > tolerance || in_vain < 2) {
         let linear = Linear::at(closed, &q, driving);
-        let (screws, _) = missing(closed, &q, size);
         let (_, step) = linear.solve(screws.map(|screw| screw.map(|x| -x)));
         let factor = limited(closed, &step, size);
         q = from_fn(|i| driving[i].unwrap_or(q[i] + factor * step[i]));
-        let residual = missing(closed, &q, size).1;
+        let residual;
+        (screws, residual) = missing(closed, &q, size);
         iterations += 1;
         in_vain += 1;
         if residual < best.0 {
@@ -320,19 +321,22 @@ fn missing<T: Real, const N: usize, const F: usize, const K: usize>(
     size: T,
 ) -> ([[T; 6]; K], T) {
     let poses = poses(&closed.chain, q);
-    let screws = closed.closures.map(|closure| {
-        let m_right_left =
-            pose_of(&closure.right, &poses).inverse() * pose_of(&closure.left, &poses);
+    let gaps = closed
+        .closures
+        .map(|closure| pose_of(&closure.right, &poses).inverse() * pose_of(&closure.left, &poses));
+    let screws = gaps.map(|m_right_left| {
         let (l, phi) = Displacement::from_relative_pose(m_right_left).log();
         components(&Screw::new(scale(phi, l.u()), scale(phi, l.b())))
     });
     let all = screws.map(|screw| scaled(screw, size));
-    // A NaN must not be lost in a comparison.
-    let sum = |sum: T, x: &T| sum + x.abs();
-    let total = all.as_flattened().iter().fold(T::constant(0.0), sum);
     let largest = |largest: T, x: &T| largest.max(x.abs());
     let largest = all.as_flattened().iter().fold(T::constant(0.0), largest);
-    (screws, if total.is_finite() { largest } else { total })
+    // Neither the logarithm nor the maximum lets a NaN through; the sum of all entries does.
+    let sum = gaps.iter().fold(T::constant(0.0), |sum, m| {
+        let rows = m.to_matrix();
+        rows.as_flattened().iter().fold(sum, |sum, x| sum + x.abs())
+    });
+    (screws, if sum.is_finite() { largest } else { sum })
 }
 
 /// H of left relative to right at W = 0, from both relative to the base: Ẇ of the difference, with
@@ -370,10 +374,11 @@ fn size<T: Real, const N: usize, const F: usize, const K: usize>(
     let joints = closed.chain.joints.iter().map(|joint| joint.placement);
     let cuts = closed.closures.iter();
     let cuts = cuts.flat_map(|closure| [closure.left.placement, closure.right.placement]);
-    let sum = joints
-        .chain(cuts)
-        .fold(0.0, |sum: f64, pose| sum + norm(pose.translation()));
-    T::constant(if sum > 0.0 { sum } else { 1.0 })
+    let zero = T::constant(0.0);
+    let sum = joints.chain(cuts).fold(zero, |sum, pose: Pose<f64>| {
+        sum + norm(pose.translation().map(T::constant))
+    });
+    if sum > zero { sum } else { T::constant(1.0) }
 }
 
 /// M₀,frame.

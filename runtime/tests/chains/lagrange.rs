@@ -16,16 +16,16 @@ fn derivatives_of_poses_and_inertias() {
         let q: [f64; 7] = random.numbers();
         let poses_0 = poses(&chain, &q);
         let (screws, inertias_0) = (screws(&chain, &poses_0), inertias(&chain, &poses_0));
-        for m in 0..7 {
+        for (m, l) in screws.iter().enumerate() {
             let jets = from_fn(|i| Jet(q[i], if i == m { 1.0 } else { 0.0 }, 0.0));
             let poses = poses(&chain, &jets);
             let inertias = inertias(&chain, &poses);
             for h in (0..7).filter(|h| chain.carries(m, Some(*h))) {
                 let exact = poses[h].to_matrix().map(|row| row.map(|x| x.1));
-                let ours = lagrange::pose_derivative(&screws[m], &poses_0[h]);
+                let ours = lagrange::pose_derivative(l, &poses_0[h]);
                 agree(ours.as_flattened(), exact.as_flattened(), 128.0, 10.0);
                 let exact = inertias[h].to_matrix().map(|row| row.map(|x| x.1));
-                let ours = lagrange::inertia_derivative(&screws[m], &inertias_0[h]).to_matrix();
+                let ours = lagrange::inertia_derivative(l, &inertias_0[h]).to_matrix();
                 let size = largest(inertias_0[h].to_matrix().as_flattened());
                 agree(
                     ours.as_flattened(),

@@ -22,7 +22,7 @@ impl Sub for Magnitude {
     type Output = Self;
 
     fn sub(self, y: Self) -> Self {
-        Self(self.0 + y.0)
+        self + -y
     }
 }
 

@@ -65,7 +65,7 @@ impl Random {
 
     /// A tree of seven joints of all kinds; every third seed gives one without branches.
     pub fn chain(&mut self) -> Chain<7, 1> {
-        let branched = self.bits() % 3 != 0;
+        let branched = !self.bits().is_multiple_of(3);
         let joints = from_fn(|i| {
             let parent = i.checked_sub(if branched && i == 4 { 3 } else { 1 });
             let (placement, inertia) = (self.pose(), self.inertia());

@@ -223,7 +223,7 @@ impl Span {
             .map(|k| (first + f64::from(k)) * step)
             .take_while(|x| *x <= self.high + 1e-9 * step)
             .map(|x| match self.scale {
-                Scale::Log => (10_f64.powf(x), format!("1e{x}")),
+                Scale::Log => (10_f64.powf(x), format!("10{}", superscript(x))),
                 _ => (x, number(x, step)),
             })
             .collect()
@@ -252,6 +252,24 @@ fn number(x: f64, step: f64) -> String {
     let x = if x.abs() < 1e-9 * step { 0.0 } else { x };
     let decimals = usize::try_from(decimals).unwrap_or(0);
     format!("{x:.decimals$}").replace('-', "−")
+}
+
+/// A whole number, raised.
+fn superscript(x: f64) -> String {
+    let raised = |c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4' => '⁴',
+        '5' => '⁵',
+        '6' => '⁶',
+        '7' => '⁷',
+        '8' => '⁸',
+        '9' => '⁹',
+        _ => '⁰',
+    };
+    format!("{x:.0}").chars().map(raised).collect()
 }
 
 impl Frame {
@@ -392,9 +410,9 @@ impl Frame {
             let stroke = format!("{}{dash}", curve.color.code());
             line(svg, [x, y - 4.0], [x + 24.0, y - 4.0], &stroke);
             text(svg, [x + 30.0, y], "start", "", &curve.label);
-            // Letters of 13 px Helvetica are about 6.6 px wide.
+            // Letters of 13 px are at most 8 px wide on average.
             let letters = u32::try_from(curve.label.chars().count()).unwrap_or(0);
-            x += 30.0 + 6.6 * f64::from(letters) + 20.0;
+            x += 30.0 + 8.0 * f64::from(letters) + 18.0;
         }
     }
 }
@@ -455,7 +473,7 @@ mod tests {
             .into_iter()
             .map(|(_, label)| label)
             .collect();
-        assert_eq!(ticks, ["1e-3", "1e-2", "1e-1", "1e0", "1e1", "1e2"]);
+        assert_eq!(ticks, ["10⁻³", "10⁻²", "10⁻¹", "10⁰", "10¹", "10²"]);
     }
 
     /// A gap in the data interrupts the line, and no coordinate is NaN.

@@ -420,7 +420,7 @@ impl Display for NotClosed {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "the loops do not close: {:e} rad, or parts of the size of the mechanism, remain after {} steps",
+            "the loops do not close: {:.1e} rad, or parts of the size of the mechanism, remain after {} steps",
             self.residual, self.iterations
         )
     }

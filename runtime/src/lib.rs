@@ -1,4 +1,4 @@
-//! Rigid bodies with 4×4 matrices.
+#![doc = include_str!("guide.md")]
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -8,8 +8,11 @@ mod acceleration;
 mod action;
 pub mod angles;
 mod chain;
+#[doc = include_str!("checklist.md")]
+pub mod checklist {}
 #[cfg(feature = "nalgebra")]
 mod conversion;
+pub mod denavit_hartenberg;
 mod displacement;
 mod error;
 pub mod frames;

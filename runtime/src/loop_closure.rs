@@ -68,7 +68,7 @@ pub struct Position<T, const N: usize> {
     /// How far the loops are from closed: the largest component of the screws that are missing, in
     /// rad, or in parts of the size of the mechanism.
     pub residual: T,
-    /// The steps taken.
+    /// The steps that led to `q`.
     pub iterations: usize,
     /// Whether the joints that are not driven cannot be found to first order here: a dead centre.
     pub is_singular: bool,
@@ -159,8 +159,8 @@ pub fn mobility<T: Real, const N: usize, const F: usize, const K: usize>(
 ///
 /// `driving` holds the coordinates that are given (`None` is sought), `start` a guess of the others.
 /// Each step solves A Δq = −(φ u, φ b) for the screws exp(L φ) that are missing from Π M = 1, and
-/// turns no joint by more than 1 rad. Steps go on while they help, so that the result is as
-/// good as rounding allows; it is accepted when the residual is at most 4 (N + 2) ε.
+/// turns no joint by more than 1 rad. Steps go on while they halve the residual, so that the
+/// result is as good as rounding allows; it is accepted when the residual is at most 4 (N + 2) ε.
 ///
 /// # Errors
 ///
@@ -176,7 +176,7 @@ pub fn position<T: Real, const N: usize, const F: usize, const K: usize>(
     let size = size(closed);
     let mut q: [T; N] = from_fn(|i| driving[i].unwrap_or(start[i]));
     let (mut screws, residual) = missing(closed, &q, size);
-    let mut best = (residual, q);
+    let mut best = (residual, q, 0);
     let (mut iterations, mut in_vain) = (0, 0);
     while iterations < STEPS && (best.0 > tolerance || in_vain < 2) {
         let linear = Linear::at(closed, &q, driving);
@@ -186,23 +186,24 @@ pub fn position<T: Real, const N: usize, const F: usize, const K: usize>(
         let residual;
         (screws, residual) = missing(closed, &q, size);
         iterations += 1;
-        in_vain += 1;
+        // Rounding may make a residual a little smaller for a long time.
+        let helps = residual + residual < best.0;
+        in_vain = if helps { 0 } else { in_vain + 1 };
         if residual < best.0 {
-            best = (residual, q);
-            in_vain = 0;
+            best = (residual, q, iterations);
         }
         if !residual.is_finite() {
             break;
         }
     }
-    let (residual, q) = best;
+    let (residual, q, needed) = best;
     if residual <= tolerance {
         let linear = Linear::at(closed, &q, driving);
         let (rank, _) = linear.solve([[T::constant(0.0); 6]; K]);
         Ok(Position {
             q,
             residual,
-            iterations,
+            iterations: needed,
             is_singular: rank < sought(driving),
         })
     } else {

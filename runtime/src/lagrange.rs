@@ -43,16 +43,6 @@ pub fn inertia_derivative<T: Scalar>(l: &Screw<T>, inertia: &Inertia<T>) -> Iner
     )
 }
 
-/// Tr(A J Bᵗ) for screws A and B, all in one frame: the inertia that two joints share
-/// (Part II, Lagrange).
-///
-/// SPACELIB: `trac_ljlt4`.
-#[must_use]
-pub fn trace<T: Scalar>(a: &Screw<T>, inertia: &Inertia<T>, b: &Screw<T>) -> T {
-    let x = product(&a.to_matrix(), &inertia.to_matrix());
-    trace_with_transpose(&x, &b.to_matrix())
-}
-
 /// The mass matrix M\[i\]\[m\] = Tr(Σ Lᵢ Jₕ Lₘᵗ), the sum over the bodies h that both joints carry
 /// (in an unbranched chain h ≥ max(i, m)); symmetric, as rows (Part II, Lagrange).
 #[must_use]
@@ -125,6 +115,13 @@ pub fn inverse_dynamics<T: Scalar, const N: usize, const F: usize>(
         let row = mass[i].iter().zip(qdd);
         row.fold(bias[i], |torque, (m, qdd)| torque + *m * *qdd)
     })
+}
+
+/// Tr(A J Bᵗ) for screws A and B, all in one frame: what [`Inertia::coupling`] says without the
+/// matrices.
+fn trace<T: Scalar>(a: &Screw<T>, inertia: &Inertia<T>, b: &Screw<T>) -> T {
+    let x = product(&a.to_matrix(), &inertia.to_matrix());
+    trace_with_transpose(&x, &b.to_matrix())
 }
 
 /// X Y.

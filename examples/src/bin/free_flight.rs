@@ -8,7 +8,7 @@
 //! SPACELIB's users know such a flight from its program TEST.
 
 use homogen::open_chain::commutator;
-use homogen::{Acceleration, Inertia, Momentum, Pose, Screw, Velocity, lagrange, vector};
+use homogen::{Acceleration, Inertia, Momentum, Pose, Screw, Velocity, vector};
 use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
 use nalgebra::{SMatrix, SVector};
 use std::array::from_fn;
@@ -168,7 +168,7 @@ impl Bodies {
         });
         let mass = SMatrix::<f64, 7, 7>::from_fn(|i, m| {
             let carried = if i == 6 || m == 6 { &second } else { &both };
-            lagrange::trace(&screws[i], carried, &screws[m])
+            carried.coupling(&screws[i], &screws[m])
         });
         // H̃ of both bodies: H at Ẇ = 0 and q̈ = 0.
         let h_1 = Acceleration::from_velocity_derivative(&rates.w, &Velocity::zero());

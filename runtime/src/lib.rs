@@ -21,10 +21,13 @@ pub mod generic;
 pub mod geometry;
 mod inertia;
 mod jacobian;
+pub mod lagrange;
 mod logarithm;
+pub mod loop_closure;
 mod momentum;
 pub mod newton_euler;
 pub mod normalize;
+pub mod open_chain;
 mod physical;
 mod point;
 mod pose;
@@ -32,12 +35,15 @@ pub mod robot;
 pub mod rotation;
 mod scalar;
 mod screw;
+mod singular_values;
 mod symmetric;
 mod tensor;
 #[cfg(feature = "approx")]
 mod tolerance;
 pub mod vector;
 mod velocity;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod worked_examples;
 
 pub use acceleration::Acceleration;
 pub use action::Action;

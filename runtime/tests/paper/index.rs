@@ -29,10 +29,12 @@ fn names(cell: &str) -> Vec<&str> {
         .collect()
 }
 
-/// All source text under `folder`, by the name of its file.
-fn sources(folder: &str) -> Vec<(String, String)> {
-    let folder: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let files = fs::read_dir(folder).expect("the folder is there");
+/// All source text in `folders`, by the name of its file.
+fn sources(folders: &[&str]) -> Vec<(String, String)> {
+    let files = folders.iter().flat_map(|folder| {
+        let folder: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+        fs::read_dir(folder).expect("the folder is there")
+    });
     files
         .filter_map(|entry| {
             let path = entry.expect("readable").path();
@@ -67,7 +69,7 @@ fn every_row_names_an_item_and_a_test() {
 
 #[test]
 fn every_item_exists() {
-    let sources = sources("src");
+    let sources = sources(&["src", "src/worked_examples"]);
     let all: String = sources.iter().map(|(_, text)| text.as_str()).collect();
     for row in rows() {
         for name in names(row[row.len() - 2]) {
@@ -99,7 +101,7 @@ fn every_item_exists() {
 
 #[test]
 fn every_test_exists() {
-    let sources = sources("tests/paper");
+    let sources = sources(&["tests/paper", "tests/chains"]);
     for row in rows() {
         for name in names(row[row.len() - 1]) {
             let (module, function) = name.split_once("::").expect("module::function");
@@ -132,7 +134,7 @@ fn every_test_is_in_the_table() {
         .flat_map(|row| names(row[row.len() - 1]))
         .map(str::to_owned)
         .collect();
-    for (module, text) in sources("tests/paper") {
+    for (module, text) in sources(&["tests/paper"]) {
         let Some(list) = text.split("in_both_precisions! {\n").nth(1) else {
             continue;
         };

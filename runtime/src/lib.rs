@@ -19,6 +19,7 @@ pub mod robot;
 mod scalar;
 mod screw;
 mod tensor;
+pub mod trigonometry;
 pub mod vector;
 mod velocity;
 

@@ -8,6 +8,8 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::trigonometry::sin_cos_each;
+
 /// A number as straight-line code needs it.
 ///
 /// The trait is open: SIMD packs, dual numbers and double-double numbers implement it as `f32` and
@@ -51,8 +53,7 @@ pub trait Scalar:
     #[inline]
     #[must_use]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-        let pairs = angles.map(Self::sin_cos);
-        (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
+        sin_cos_each(angles)
     }
 }
 

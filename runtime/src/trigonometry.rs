@@ -1,11 +1,12 @@
 //! Sines and cosines of all joints at once, by this crate's own functions.
 //!
-//! In: the angles of a call \[rad\]. Out: their sines and cosines, within 0.9 units in the last
-//! place for every finite angle, whatever the other angles of the call are.
+//! In: the angles of a call \[rad\]. Out: their sines and cosines, correct to less than a unit in
+//! the last place for every finite angle, whatever the other angles of the call are.
 //! It calls neither the standard library nor `libm`, so that every platform gives the same digits
-//! (but for the last one, where the target fuses products with sums).
+//! (but for the last one, where the target fuses products with sums). The platform's functions are
+//! the alternative: [`sin_cos_each`] calls them one by one.
 
-use crate::scalar::fused;
+use crate::scalar::{Scalar, fused};
 
 pub mod double;
 pub mod single;
@@ -13,7 +14,7 @@ pub mod single;
 /// The sines and the cosines of all angles \[rad\], within 0.9 units in the last place.
 ///
 /// While every magnitude is at most [`double::LIMIT`] the code is straight and vectorised; beyond
-/// it, after one branch for all, each larger angle takes some 50 ns. NaN and infinities give NaN.
+/// it, after one branch for all, they go one by one. NaN and infinite angles give NaN.
 #[inline]
 #[must_use]
 pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
@@ -25,10 +26,10 @@ pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N])
     }
 }
 
-/// The sines and the cosines of all angles \[rad\], within 0.9 units in the last place.
+/// The sines and the cosines of all angles \[rad\], within 0.92 units in the last place.
 ///
 /// While every magnitude is at most [`single::LIMIT`] the code is straight and vectorised; beyond
-/// it, after one branch for all, each larger angle takes some 50 ns. NaN and infinities give NaN.
+/// it, after one branch for all, they go one by one. NaN and infinite angles give NaN.
 /// No operation is in double precision.
 #[inline]
 #[must_use]
@@ -39,6 +40,15 @@ pub fn sin_cos_all_f32<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N])
     } else {
         one_by_one(angles, single::sin_cos)
     }
+}
+
+/// The sines and the cosines of all angles \[rad\], each by [`Scalar::sin_cos`]: for `f32` and
+/// `f64` by the platform, the standard library or `libm`.
+#[inline]
+#[must_use]
+pub fn sin_cos_each<T: Scalar, const N: usize>(angles: [T; N]) -> ([T; N], [T; N]) {
+    let pairs = angles.map(T::sin_cos);
+    (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
 }
 
 /// Applies `sin_cos`, which has no branch, so that the compiler vectorises it.
@@ -98,13 +108,13 @@ fn copy<T: Copy>(from: &[T], to: &mut [T]) {
     }
 }
 
-/// Applies `sin_cos` to one angle after the other.
+/// Applies `sin_cos`, which may branch, to one angle after the other.
 #[cold]
 #[inline(never)]
-fn one_by_one<T: Copy + Default, const N: usize>(
+fn one_by_one<T: Copy, const N: usize>(
     angles: [T; N],
     sin_cos: impl Fn(T) -> (T, T),
 ) -> ([T; N], [T; N]) {
     let pairs = angles.map(sin_cos);
-    (pairs.map(|pair| pair.0), pairs.map(|pair| pair.1))
+    (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
 }

@@ -158,7 +158,7 @@ def constants():
 
 
 def table():
-    """Prints angle, sine and cosine; the angle exact, the results with 70 digits."""
+    """Prints the bits of the angle, its sine and its cosine with 70 digits."""
     mp.prec = 4000
     state = 1
     angles = [0.5, 1.0, 2.0, 3.0, 1e-8, 1e-300, 100.0, 1e5, 1e8, 1e22, 2.0**1023, 5e-324]
@@ -172,7 +172,7 @@ def table():
         angles.append((1 + (state >> 7) % 2**52 / 2.0**52) * 2.0**exponent)
     for angle in angles:
         exact = mpf(angle)
-        print(angle.hex(), mp.nstr(sin(exact), 70), mp.nstr(cos(exact), 70))
+        print(struct.pack(">d", angle).hex(), mp.nstr(sin(exact), 70), mp.nstr(cos(exact), 70))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 //! Sine and cosine of an angle in double precision, written so that a loop over it vectorises.
 //!
-//! In: an angle \[rad\]. Out: sine and cosine, within 0.9 units in the last place, on every target: no
-//! function of the platform is called, and [`LIMIT`] is the only branch.
+//! In: an angle \[rad\]. Out: sine and cosine, within 0.9 units in the last place, on every target:
+//! no function of the platform is called, and [`LIMIT`] is the only branch.
 //! It needs `core` and a product with a sum, `super::fused`; it never panics; NaN and infinite
 //! angles give NaN. `tests/reference/trigonometry.py` derives every constant.
 
@@ -24,8 +24,8 @@ pub fn sin_cos(angle: f64) -> (f64, f64) {
 
 /// Sine and cosine of an angle \[rad\] of magnitude up to [`LIMIT`], without any branch.
 ///
-/// There within 0.9 units in the last place; beyond it the error grows as 1.2e-16·|angle|, and from 1e15 rad on the
-/// results mean nothing and may be infinite or NaN. NaN gives NaN.
+/// There within 0.9 units in the last place; beyond it the error grows as 1.2e-16·|angle|, and from
+/// 1e15 rad on the results mean nothing and may be infinite or NaN. NaN gives NaN.
 #[inline]
 #[must_use]
 pub fn sin_cos_moderate(angle: f64) -> (f64, f64) {

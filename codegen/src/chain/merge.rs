@@ -7,6 +7,7 @@
 use super::check::{Branch, Tree};
 use super::{Chain, Frame, Joint, Motion, Report, Snapped, angle};
 use crate::description::{Axis, Description, Inertial, JointKind, Number, Step};
+use crate::error::Place;
 use crate::expression::{Graph, Input, Term};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
@@ -78,11 +79,14 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         };
         seats[branch.child] = Some(seat);
         reader.note(description, branch);
-        if let (Some(body), Some(inertial)) = (seat.body, &description.links[branch.child].inertial)
-        {
-            let name = &description.links[branch.child].name.text;
-            let inertia = reader.inertia(name, inertial).change_frame(seat.pose);
-            bodies[body].inertia = bodies[body].inertia + inertia;
+        let link = &description.links[branch.child];
+        let inertial = link.inertial.as_ref();
+        let inertial = inertial
+            .cloned()
+            .or_else(|| reader.weightless(&link.name.text));
+        if let (Some(body), Some(inertial)) = (seat.body, inertial) {
+            let inertia = reader.inertia(&link.name.text, &inertial);
+            bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
         }
     }
 
@@ -235,6 +239,20 @@ impl<'g> Reader<'g, '_> {
         (self.graph.constant(sine), self.graph.constant(cosine))
     }
 
+    /// A body of mass 0 at the origin, for a link that has none in the description but is given a
+    /// mass at run time: a flange with a payload.
+    fn weightless(&self, link: &str) -> Option<Inertial> {
+        let mut targets = self.request.parameters.iter().map(|field| &field.target);
+        let given =
+            targets.any(|target| matches!(target, Target::MassOf(name) if name.text == link));
+        given.then(|| Inertial {
+            origin: Vec::new(),
+            mass: Number::default(),
+            inertia: [Number::default(); 6],
+            place: Place::Unknown,
+        })
+    }
+
     /// J of a link in its own frame.
     fn inertia(&mut self, link: &str, inertial: &Inertial) -> Inertia<Term<'g>> {
         let is = |name: &crate::description::Name| name.text == link;
@@ -315,5 +333,41 @@ fn held_at<'g>(
             translation: axis * (q * graph.constant(pitch.value)),
             ..turn()
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::chain;
+    use crate::description::{Name, read_text};
+    use crate::error::{Errors, Place};
+    use crate::expression::{Graph, Input};
+    use crate::request::{Parameter, Request, Target};
+
+    /// A payload is often given to a flange that has no mass of its own.
+    #[test]
+    fn a_link_without_mass_can_be_given_one() {
+        let urdf = r#"<robot name="arm">
+            <link name="base"/><link name="flange"/>
+            <joint name="hinge" type="revolute">
+              <parent link="base"/><child link="flange"/><axis xyz="0 0 1"/>
+              <limit lower="-1" upper="1" velocity="1" effort="1"/>
+            </joint></robot>"#;
+        let mut errors = Errors::new();
+        let arm = read_text(urdf, "arm.urdf", None, &mut errors).expect("it is a robot");
+        let flange = Name {
+            text: "flange".to_owned(),
+            place: Place::Unknown,
+        };
+        let request = Request {
+            parameters: vec![Parameter {
+                field: proc_macro2::Ident::new("payload", proc_macro2::Span::call_site()),
+                target: Target::MassOf(flange),
+            }],
+            ..Request::default()
+        };
+        let chain = chain::build(&arm, &request).expect("no mistakes");
+        let field = |graph: &Graph| graph.input(Input::Parameter(0, 0)).expr();
+        assert_eq!(chain.joints[0].inertia.mass, field(&chain.graph));
     }
 }

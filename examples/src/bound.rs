@@ -54,10 +54,13 @@ pub trait Number: Real + Entries {}
 impl Number for f32 {}
 impl Number for f64 {}
 
+type OneCall<'r, S> = Box<dyn Fn(&S) -> Vec<f64> + 'r>;
+type ManyCalls<'r, S> = Box<dyn Fn(&[S]) + 'r>;
+
 /// A function of a robot.
 pub struct Bound<'r, T, const N: usize> {
-    entries: Box<dyn Fn(&State<T, N>) -> Vec<f64> + 'r>,
-    batch: Box<dyn Fn(&[State<T, N>]) + 'r>,
+    entries: OneCall<'r, State<T, N>>,
+    batch: ManyCalls<'r, State<T, N>>,
 }
 
 impl<T, const N: usize> Bound<'_, T, N> {

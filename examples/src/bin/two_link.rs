@@ -1,7 +1,6 @@
 //! The smallest robot worth expanding: two links in a vertical plane.
 //!
-//! `cargo expand -p homogen-examples --bin two_link TwoLink` shows what the derive adds, and the
-//! README holds it against the equations of the textbooks.
+//! The README shows what the derive adds to it, beside the equations of the textbooks.
 
 use homogen::Robot;
 

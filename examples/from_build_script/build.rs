@@ -5,7 +5,8 @@
 
 use std::process::ExitCode;
 
-use homogen_codegen::{Builder, Function::*, Real, Target};
+use homogen_codegen::Function::{GeometricJacobian, InverseDynamics};
+use homogen_codegen::{Builder, Real, Target};
 
 fn main() -> ExitCode {
     println!("cargo::rerun-if-changed=build.rs");

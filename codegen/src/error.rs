@@ -38,7 +38,7 @@ pub struct Complaint {
 }
 
 /// The mistakes of one description, in the order in which they were found.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub struct Errors {
     file: Option<String>,
     anchor: Option<Span>,
@@ -178,6 +178,14 @@ impl fmt::Display for Errors {
             writeln!(out, "and {} more", self.left_out)?;
         }
         Ok(())
+    }
+}
+
+/// The same as for people, because a build script that returns the mistakes shows them so.
+impl fmt::Debug for Errors {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(out)?;
+        fmt::Display::fmt(self, out)
     }
 }
 

@@ -23,7 +23,7 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
     let chain = chain::build(description, request)?;
     let functions = wanted(&chain, request)
         .into_iter()
-        .map(|(functions, frame)| list(&chain, functions, frame))
+        .map(|(functions, frame)| list(&chain, &functions, frame))
         .collect();
     Ok(Listing {
         item,
@@ -86,14 +86,19 @@ pub fn program_by(
 }
 
 /// What becomes a Rust function: each item of the request for the tip, or for the robot as a
-/// whole, and again for each further frame.
-fn wanted<'r>(chain: &Chain, request: &'r Request) -> Vec<(&'r [Function], usize)> {
+/// whole, and again for each further frame. A request that names nothing wants every function
+/// that the robot can have.
+fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, usize)> {
+    let items = if request.functions.is_empty() {
+        Function::ALL.map(|function| vec![function]).to_vec()
+    } else {
+        request.functions.clone()
+    };
     let mut wanted = Vec::new();
-    for functions in &request.functions {
+    for functions in items {
         let of_a_frame = functions.iter().all(|function| function.of_a_frame());
         let frames = if of_a_frame { chain.frames.len() } else { 1 };
-        let first = usize::from(of_a_frame && !chain.has_tip && frames == 0);
-        wanted.extend((first..frames).map(|frame| (functions.as_slice(), frame)));
+        wanted.extend((0..frames).map(|frame| (functions.clone(), frame)));
     }
     wanted
 }

@@ -9,5 +9,5 @@ mod graph;
 mod term;
 
 pub use double::Double;
-pub use graph::{Expr, Graph, Input, Node};
+pub use graph::{Expr, Graph, Input, Node, opposite};
 pub use term::Term;

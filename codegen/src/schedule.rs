@@ -7,6 +7,7 @@ mod fuse;
 mod order;
 mod price;
 mod run;
+mod signs;
 
 pub use order::schedule;
 pub use price::Price;
@@ -76,6 +77,15 @@ pub enum Operand {
 }
 
 impl Operation {
+    /// Whether it is a product and a sum at once.
+    #[must_use]
+    pub const fn is_fused(&self) -> bool {
+        matches!(
+            self,
+            Self::MulAdd(..) | Self::MulSub(..) | Self::NegMulAdd(..)
+        )
+    }
+
     /// What it acts on.
     #[must_use]
     pub fn operands(&self) -> Vec<Operand> {

@@ -106,3 +106,43 @@ fn a_file_that_is_not_there_is_told() {
         .expect_err("no file");
     assert!(errors.to_string().contains("such.urdf"), "{errors}");
 }
+
+#[test]
+fn the_derive_writes_the_same() {
+    let derived = crate::door::derive(quote::quote! {
+        #[robot(urdf = "../robots/two_link.urdf", tip = "tip")]
+        #[robot(generate(forward_kinematics, inverse_dynamics, all_of(mass_matrix, bias)))]
+        pub struct TwoLink;
+    });
+    let built = Builder::from_urdf("../robots/two_link.urdf")
+        .tip("tip")
+        .generate([Function::ForwardKinematics, Function::InverseDynamics])
+        .all_of([Function::MassMatrix, Function::Bias])
+        .runtime("::homogen")
+        .to_tokens()
+        .expect("a robot that ships");
+    let (derived, built) = (derived.to_string(), built.to_string());
+    // One has the struct already, the other has cargo watch the file.
+    let (methods, watch) = derived.split_once("const _ :").expect("a watched file");
+    assert!(watch.contains("two_link.urdf"), "{watch}");
+    let (declaration, built) = built.split_once("# [allow").expect("a block of methods");
+    assert!(
+        declaration.ends_with("pub struct TwoLink ; "),
+        "{declaration}"
+    );
+    assert_eq!(methods.trim_end(), format!("# [allow{built}").trim_end());
+}
+
+#[test]
+fn a_real_arm_needs_nothing_but_core_and_sines() {
+    let source = Builder::from_urdf("../robots/panda_class.urdf")
+        .tip("link8")
+        .scalar(Real::F32)
+        .generate(Function::ALL);
+    let text = text(&source);
+    for function in Function::ALL {
+        let signature = format!("pub fn {}(", function.name());
+        assert!(text.contains(&signature), "{}", function.name());
+    }
+    assert!(!text.contains("homogen::") && !text.contains("_f64"));
+}

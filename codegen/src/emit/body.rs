@@ -31,7 +31,7 @@ pub(super) fn body(
     for step in before {
         statements.extend(statement(step, dialect, &mut scope));
     }
-    statements.extend(sines_and_cosines(program, dialect, &mut scope));
+    statements.extend(scope.bind_angles(program, dialect));
     for step in after {
         statements.extend(statement(step, dialect, &mut scope));
     }
@@ -60,15 +60,15 @@ fn operation(operation: Operation, dialect: &Dialect, scope: &Scope) -> TokenStr
         Operation::Neg(a) => scope.read_negative(a),
         Operation::MulAdd(..) => {
             let plain = quote! { #a * #b + #c };
-            dialect.fused(&a, &b, &c, plain)
+            scope.fused(&a, &b, &c, plain)
         }
         Operation::MulSub(_, _, term) => {
             let plain = quote! { #a * #b - #c };
-            dialect.fused(&a, &b, &scope.read_negative(term), plain)
+            scope.fused(&a, &b, &scope.read_negative(term), plain)
         }
         Operation::NegMulAdd(factor, _, _) => {
             let plain = quote! { #c - #a * #b };
-            dialect.fused(&scope.read_negative(factor), &b, &c, plain)
+            scope.fused(&scope.read_negative(factor), &b, &c, plain)
         }
     }
 }
@@ -77,15 +77,4 @@ fn operation(operation: Operation, dialect: &Dialect, scope: &Scope) -> TokenStr
 fn padded(operation: Operation) -> [Operand; 3] {
     let mut operands = operation.operands().into_iter();
     [(); 3].map(|()| operands.next().unwrap_or(Operand::Literal(0.0)))
-}
-
-/// All sines and cosines, in the one place where they are evaluated.
-fn sines_and_cosines(program: &Program, dialect: &Dialect, scope: &mut Scope) -> TokenStream {
-    let angles: Vec<_> = program
-        .angles
-        .iter()
-        .map(|angle| scope.read(*angle))
-        .collect();
-    let (sines, cosines) = scope.bind_angles(program);
-    dialect.sines_and_cosines(&sines, &cosines, &angles)
 }

@@ -33,6 +33,9 @@ impl Library {
     }
 }
 
+/// How many sines and cosines a reader can pair on one line.
+const ON_ONE_LINE: usize = 4;
+
 /// The spellings of one output.
 #[derive(Clone, Debug)]
 pub(super) struct Dialect {
@@ -159,17 +162,16 @@ impl Dialect {
         }
     }
 
-    /// a b + c, rounded once where the target can; `plain` is the same without the runtime.
-    pub fn fused(
-        &self,
-        a: &TokenStream,
-        b: &TokenStream,
-        c: &TokenStream,
-        plain: TokenStream,
-    ) -> TokenStream {
+    /// The name of the fused product in a function that has one, and the statement that binds it.
+    pub fn fused(&self, names: &mut Names) -> (Option<Ident>, TokenStream) {
+        let number = &self.number;
         match &self.world {
-            World::Runtime(runtime) => quote! { #runtime::Scalar::mul_add(#a, #b, #c) },
-            World::Core(_) => plain,
+            World::Runtime(runtime) => {
+                let name = names.fresh("mul_add");
+                let statement = quote! { let #name = <#number as #runtime::Scalar>::mul_add; };
+                (Some(name), statement)
+            }
+            World::Core(_) => (None, TokenStream::new()),
         }
     }
 
@@ -187,12 +189,23 @@ impl Dialect {
         sines: &[TokenStream],
         cosines: &[TokenStream],
         angles: &[TokenStream],
+        names: &mut Names,
     ) -> TokenStream {
         match &self.world {
             _ if angles.is_empty() => TokenStream::new(),
-            World::Runtime(runtime) => quote! {
-                let ([#(#sines),*], [#(#cosines),*]) = #runtime::Scalar::sin_cos_all([#(#angles),*]);
+            World::Runtime(runtime) if angles.len() <= ON_ONE_LINE => quote! {
+                let ([#(#sines),*], [#(#cosines),*]) =
+                    #runtime::Scalar::sin_cos_all([#(#angles),*]);
             },
+            World::Runtime(runtime) => {
+                let [a, s, c] = ["angles", "sines", "cosines"].map(|name| names.fresh(name));
+                quote! {
+                    let #a = [#(#angles),*];
+                    let (#s, #c) = #runtime::Scalar::sin_cos_all(#a);
+                    let [#(#sines),*] = #s;
+                    let [#(#cosines),*] = #c;
+                }
+            }
             World::Core(Library { sin_cos, .. }) => quote! {
                 #(let (#sines, #cosines) = #sin_cos(#angles);)*
             },

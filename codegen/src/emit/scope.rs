@@ -31,6 +31,7 @@ pub(super) struct Readable<'a> {
 pub(super) struct Scope {
     names: Names,
     numerals: Numerals,
+    fused: Option<Ident>,
     inputs: BTreeMap<Input, Ident>,
     sines: Vec<Option<Ident>>,
     cosines: Vec<Option<Ident>>,
@@ -53,9 +54,11 @@ impl Scope {
             names.take(argument.name());
         }
         let (numerals, constant) = dialect.numerals(&mut names);
+        let (fused, mul_add) = dialect.fused(&mut names);
         let mut scope = Self {
             names,
             numerals,
+            fused,
             inputs: BTreeMap::new(),
             sines: Vec::new(),
             cosines: Vec::new(),
@@ -73,6 +76,9 @@ impl Scope {
         };
         if program.operands().any(is_numeral) {
             statements.extend(constant);
+        }
+        if program.steps.iter().any(|step| step.operation.is_fused()) {
+            statements.extend(mul_add);
         }
         for argument in readable.arguments {
             statements.extend(scope.unpack(*argument, readable.joints, &used));
@@ -108,6 +114,20 @@ impl Scope {
         quote! { -#positive }
     }
 
+    /// a b + c, rounded once where the target can; `plain` where there is no such function.
+    pub fn fused(
+        &self,
+        a: &TokenStream,
+        b: &TokenStream,
+        c: &TokenStream,
+        plain: TokenStream,
+    ) -> TokenStream {
+        match &self.fused {
+            Some(mul_add) => quote! { #mul_add(#a, #b, #c) },
+            None => plain,
+        }
+    }
+
     /// Names the result of the next step.
     pub fn bind_step(&mut self, step: &Step) -> Ident {
         let sum = self.sum(step.operation);
@@ -125,33 +145,28 @@ impl Scope {
         name
     }
 
-    /// Names the sines and cosines: of a joint's own angle after the joint, of a sum of angles
-    /// after the joints. Those that nobody reads are `_`.
-    pub fn bind_angles(&mut self, program: &Program) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    /// Names the sines and cosines and binds them all: of a joint's own angle after the joint, of
+    /// a sum of angles after the joints. Those that nobody reads are `_`.
+    pub fn bind_angles(&mut self, program: &Program, dialect: &Dialect) -> TokenStream {
         let read: Vec<_> = program.operands().collect();
-        let angles: Vec<u32> = (0..).zip(&program.angles).map(|(index, _)| index).collect();
-        let subjects: Vec<String> = program
-            .angles
-            .iter()
-            .map(|angle| self.subject(*angle))
-            .collect();
-        let mut bind = |letter: &str, operand: fn(u32) -> Operand| {
-            let pairs = angles.iter().zip(&subjects);
-            pairs
-                .map(|(angle, subject)| {
-                    let used = read.contains(&operand(*angle));
-                    used.then(|| self.names.fresh(&format!("{letter}_{subject}")))
-                })
-                .collect::<Vec<_>>()
+        let mut values = Vec::new();
+        for (index, angle) in (0_u32..).zip(&program.angles) {
+            let subject = self.subject(*angle);
+            let mut bind = |letter: char, operand: Operand| {
+                let name = || self.names.fresh(&format!("{letter}_{subject}"));
+                read.contains(&operand).then(name)
+            };
+            let sine = bind('s', Operand::Sin(index));
+            let cosine = bind('c', Operand::Cos(index));
+            values.push(self.read(*angle));
+            self.sines.push(sine);
+            self.cosines.push(cosine);
+        }
+        let patterns = |names: &[Option<Ident>]| -> Vec<_> {
+            names.iter().map(Option::as_ref).map(pattern).collect()
         };
-        let sines = bind("s", Operand::Sin);
-        let cosines = bind("c", Operand::Cos);
-        let patterns = (
-            sines.iter().map(Option::as_ref).map(pattern).collect(),
-            cosines.iter().map(Option::as_ref).map(pattern).collect(),
-        );
-        (self.sines, self.cosines) = (sines, cosines);
-        patterns
+        let (sines, cosines) = (patterns(&self.sines), patterns(&self.cosines));
+        dialect.sines_and_cosines(&sines, &cosines, &values, &mut self.names)
     }
 
     /// What an angle is of: `2`, `2_3` for q₂ + q₃, or the name of a step.

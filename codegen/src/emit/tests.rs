@@ -161,12 +161,13 @@ impl Pendulum {
     #[must_use]
     pub fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2] {
         let k = <T as ::homogen::Scalar>::constant;
+        let mul_add = <T as ::homogen::Scalar>::mul_add;
         let [q_1, q_2] = *q;
         let q_1_2 = q_1 + q_2;
         let ([_, _], [c_1, c_1_2]) = ::homogen::Scalar::sin_cos_all([q_1, q_1_2]);
         let t_1 = k(0.5) * k(2.4525);
         let phi_2 = t_1 * c_1_2;
-        let phi_1 = ::homogen::Scalar::mul_add(k(9.81), c_1, phi_2);
+        let phi_1 = mul_add(k(9.81), c_1, phi_2);
         [phi_1, phi_2]
     }
 "#;

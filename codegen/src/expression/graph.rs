@@ -95,6 +95,12 @@ impl Graph {
         self.inner.borrow().nodes[expr.index()]
     }
 
+    /// The expression of a node, where it has been made.
+    #[must_use]
+    pub fn find(&self, node: Node) -> Option<Expr> {
+        self.inner.borrow().memo.get(&node).copied()
+    }
+
     /// The value of an expression that no input enters.
     #[must_use]
     pub fn value(&self, expr: Expr) -> Option<Double> {
@@ -120,15 +126,18 @@ impl Graph {
     }
 
     /// Says what the expression is an entry of. The first name stays; inputs and numbers, which
-    /// have their own, take none; a sign is looked through.
+    /// have their own, take none; what stands behind a sign is called the [`opposite`].
     pub fn set_label(&self, expr: Expr, label: impl FnOnce() -> String) {
         let mut inner = self.inner.borrow_mut();
-        let (_, expr) = inner.strip(expr);
-        let named = matches!(inner.nodes[expr.index()], Node::Input(_) | Node::Literal(_))
-            || inner.values[expr.index()].is_some();
+        let (negative, expr) = inner.strip(expr);
+        let named = matches!(
+            inner.nodes[expr.index()],
+            Node::Input(_) | Node::Literal(_) | Node::Sin(_) | Node::Cos(_)
+        ) || inner.values[expr.index()].is_some();
         let slot = &mut inner.labels[expr.index()];
         if !named && slot.is_none() {
-            *slot = Some(label());
+            let label = label();
+            *slot = Some(if negative { opposite(&label) } else { label });
         }
     }
 
@@ -197,6 +206,14 @@ impl Graph {
     pub(super) fn atan2(&self, a: Expr, b: Expr) -> Option<Expr> {
         self.inner.borrow_mut().atan2(a, b)
     }
+}
+
+/// The name of the entry with the other sign.
+#[must_use]
+pub fn opposite(label: &str) -> String {
+    label
+        .strip_prefix("minus_")
+        .map_or_else(|| format!("minus_{label}"), str::to_owned)
 }
 
 impl Node {

@@ -3,151 +3,192 @@
 //! In: a graph and the expressions asked for. Out: a [`Program`]. Because children are older than
 //! parents, this is a filter and not a sort. It never changes what is computed.
 
-use super::{Operand, Operation, Program, Step, fuse};
-use crate::expression::{Expr, Graph, Node};
+use super::fuse::{self, Form, Fused};
+use super::signs::Signs;
+use super::{Operand, Operation, Program, Step};
+use crate::expression::{Expr, Graph, Input, Node, opposite};
 
 /// The program that computes the given expressions and nothing else.
 ///
 /// # Panics
-/// Where an expression is not of this graph.
+/// Where an expression is not of this graph, or where the angle of a sine depends on another sine.
 #[must_use]
 pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
     let (needed, uses) = graph.needed(results);
     let fused = fuse::choose(graph, &needed, &uses);
-    let before = angles_first(graph, &needed);
-    let turned = turned(graph, &needed, &uses);
-
-    let mut program = Program {
-        angles: Vec::new(),
-        before_angles: 0,
+    let mut placing = Placing {
+        graph,
+        signs: Signs::choose(graph, &needed, results, &fused),
+        fused,
+        operands: vec![None; graph.len()],
         steps: Vec::new(),
-        results: Vec::new(),
     };
-    let mut operands: Vec<Option<Operand>> = vec![None; graph.len()];
-    for phase in [true, false] {
-        for &expr in &needed {
-            if fused.vanishes(expr) || before[expr.index()] != phase {
-                continue;
-            }
-            let operand = match graph.node(expr) {
-                Node::Neg(a) if turned[a.index()] => operands[a.index()],
-                _ => {
-                    let turned = turned[expr.index()];
-                    Some(place(graph, expr, turned, &fused, &operands, &mut program))
-                }
-            };
-            operands[expr.index()] = operand;
-        }
-        if phase {
-            program.before_angles = program.steps.len();
-        }
+    // Whether each expression takes part in an angle.
+    let mut early = vec![false; graph.len()];
+    let turns = angles(graph, &needed);
+    for &angle in &turns {
+        early[angle.index()] = true;
     }
-    let at = |expr: &Expr| operands[expr.index()].expect("what is needed has been placed");
-    program.results = results.iter().map(at).collect();
-    program
-}
-
-/// Where the value of an expression is found, after adding what computes it, or its opposite where
-/// it is turned.
-fn place(
-    graph: &Graph,
-    expr: Expr,
-    turned: bool,
-    fused: &fuse::Fused,
-    operands: &[Option<Operand>],
-    program: &mut Program,
-) -> Operand {
-    if let Some(value) = graph.value(expr) {
-        return Operand::Literal(value.to_f64() + 0.0);
-    }
-    let at = |expr: Expr| operands[expr.index()].expect("children come before parents");
-    let node = graph.node(expr);
-    let operation = match node {
-        Node::Input(input) => return Operand::Input(input),
-        Node::Sin(angle) => return Operand::Sin(angle_index(at(angle), program)),
-        Node::Cos(angle) => return Operand::Cos(angle_index(at(angle), program)),
-        Node::Neg(a) => Operation::Neg(at(a)),
-        Node::Add(..) | Node::Sub(..) if fused.product_of(expr).is_some() => {
-            let (a, b, rest, form) = fused.product_of(expr).expect("just seen");
-            match form {
-                fuse::Form::Plus => Operation::MulAdd(at(a), at(b), at(rest)),
-                fuse::Form::Minus => Operation::MulSub(at(a), at(b), at(rest)),
-                fuse::Form::From => Operation::NegMulAdd(at(a), at(b), at(rest)),
-            }
-        }
-        Node::Add(a, b) => Operation::Add(at(a), at(b)),
-        Node::Sub(a, b) => Operation::Sub(at(a), at(b)),
-        Node::Mul(a, b) => Operation::Mul(at(a), at(b)),
-        Node::Div(a, b) => Operation::Div(at(a), at(b)),
-        Node::Sqrt(a) => Operation::Sqrt(at(a)),
-        Node::Literal(_) | Node::Atan2(..) => unreachable!("a number has a value"),
-    };
-    let operation = if turned {
-        opposite(operation)
-    } else {
-        operation
-    };
-    program.steps.push(Step {
-        label: graph.label(expr),
-        operation,
-    });
-    Operand::Step(index(program.steps.len() - 1))
-}
-
-/// The operation that gives −a for the price of a.
-fn opposite(operation: Operation) -> Operation {
-    match operation {
-        Operation::Sub(a, b) => Operation::Sub(b, a),
-        Operation::MulSub(a, b, c) => Operation::NegMulAdd(a, b, c),
-        Operation::NegMulAdd(a, b, c) => Operation::MulSub(a, b, c),
-        Operation::Mul(Operand::Literal(k), a) => Operation::Mul(Operand::Literal(-k), a),
-        _ => unreachable!("only differences and multiples are turned"),
-    }
-}
-
-/// The differences and multiples that are used once, under a minus: they are computed the other way
-/// round, and the minus costs nothing.
-fn turned(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Vec<bool> {
-    let mut turned = vec![false; graph.len()];
-    for &expr in needed {
-        let Node::Neg(a) = graph.node(expr) else {
-            continue;
-        };
-        let free = match graph.node(a) {
-            Node::Sub(..) => true,
-            Node::Mul(k, _) => graph.value(k).is_some(),
-            _ => false,
-        };
-        turned[a.index()] = free && uses[a.index()] == 1 && graph.value(a).is_none();
-    }
-    turned
-}
-
-fn angle_index(angle: Operand, program: &mut Program) -> u32 {
-    let known = program.angles.iter().position(|&known| known == angle);
-    index(known.unwrap_or_else(|| {
-        program.angles.push(angle);
-        program.angles.len() - 1
-    }))
-}
-
-fn index(k: usize) -> u32 {
-    u32::try_from(k).expect("fewer than 2³² steps")
-}
-
-/// Whether each needed expression takes part in an angle.
-fn angles_first(graph: &Graph, needed: &[Expr]) -> Vec<bool> {
-    let mut before = vec![false; graph.len()];
     for &expr in needed.iter().rev() {
-        let node = graph.node(expr);
-        if before[expr.index()] || matches!(node, Node::Sin(_) | Node::Cos(_)) {
-            for child in node.operands() {
-                before[child.index()] = true;
+        if early[expr.index()] {
+            for child in graph.node(expr).operands() {
+                early[child.index()] = true;
             }
         }
-        if matches!(node, Node::Input(_)) || graph.value(expr).is_some() {
-            before[expr.index()] = true;
+    }
+
+    for &expr in needed.iter().filter(|expr| early[expr.index()]) {
+        placing.place(expr);
+    }
+    let before_angles = placing.steps.len();
+    for (index, angle) in (0..).zip(&turns) {
+        for (node, operand) in [
+            (Node::Sin(*angle), Operand::Sin(index)),
+            (Node::Cos(*angle), Operand::Cos(index)),
+        ] {
+            if let Some(expr) = graph.find(node) {
+                placing.operands[expr.index()] = Some(operand);
+            }
         }
     }
-    before
+    for &expr in needed.iter().filter(|expr| !early[expr.index()]) {
+        placing.place(expr);
+    }
+    Program {
+        angles: turns.iter().map(|&angle| placing.at(angle)).collect(),
+        before_angles,
+        results: results
+            .iter()
+            .map(|&result| placing.positive(result))
+            .collect(),
+        steps: placing.steps,
+    }
+}
+
+/// A program in the making.
+struct Placing<'g> {
+    graph: &'g Graph,
+    fused: Fused,
+    signs: Signs,
+    /// Where the value of each expression is found.
+    operands: Vec<Option<Operand>>,
+    steps: Vec<Step>,
+}
+
+impl Placing<'_> {
+    fn at(&self, expr: Expr) -> Operand {
+        self.operands[expr.index()].expect("children come before parents")
+    }
+
+    fn place(&mut self, expr: Expr) {
+        if !self.fused.vanishes(expr) && self.operands[expr.index()].is_none() {
+            self.operands[expr.index()] = Some(self.found(expr));
+        }
+    }
+
+    /// Where the value of an expression, or its opposite where its sign is turned, is found, after
+    /// adding what computes it.
+    fn found(&mut self, expr: Expr) -> Operand {
+        if let Some(value) = self.graph.value(expr) {
+            // Without the sign of a negative zero.
+            return Operand::Literal(value.to_f64() + 0.0);
+        }
+        let operation = match self.graph.node(expr) {
+            Node::Input(input) => return Operand::Input(input),
+            Node::Neg(a) => return self.at(a),
+            Node::Add(a, b) => self.sum(expr, a, (b, false)),
+            Node::Sub(a, b) => self.sum(expr, a, (b, true)),
+            Node::Mul(a, b) => match (self.at(a), self.signs.of_product(a, b, expr)) {
+                (Operand::Literal(k), true) => Operation::Mul(Operand::Literal(-k), self.at(b)),
+                (factor, _) => Operation::Mul(factor, self.at(b)),
+            },
+            Node::Div(a, b) => Operation::Div(self.at(a), self.at(b)),
+            Node::Sqrt(a) => Operation::Sqrt(self.positive(a)),
+            Node::Literal(_) | Node::Atan2(..) => unreachable!("a number has a value"),
+            Node::Sin(_) | Node::Cos(_) => panic!("the sine of a sine"),
+        };
+        let label = self.graph.label(expr);
+        let label = if self.signs.turned(expr) {
+            label.as_deref().map(opposite)
+        } else {
+            label
+        };
+        self.push(label, operation)
+    }
+
+    /// a ± b, with the signs under which the operands are found.
+    fn sum(&self, expr: Expr, a: Expr, (b, minus): (Expr, bool)) -> Operation {
+        let turned = self.signs.turned(expr);
+        if let Some((x, y, rest, form)) = self.fused.product_of(expr) {
+            // The terms as ± x y ± rest.
+            let (product, other) = match form {
+                Form::Plus => (false, false),
+                Form::Minus => (false, true),
+                Form::From => (true, false),
+            };
+            let mut product = (product != turned) != self.signs.of_factors(x, y);
+            let mut x = self.at(x);
+            let (rest, other) = self.term(rest, other != turned);
+            if let (Operand::Literal(k), true) = (x, product) {
+                (x, product) = (Operand::Literal(-k), false);
+            }
+            let y = self.at(y);
+            return match (product, other) {
+                (false, false) => Operation::MulAdd(x, y, rest),
+                (false, true) => Operation::MulSub(x, y, rest),
+                (true, _) => Operation::NegMulAdd(x, y, rest),
+            };
+        }
+        let ((a, a_minus), (b, b_minus)) = (self.term(a, turned), self.term(b, minus != turned));
+        match (a_minus, b_minus) {
+            (false, false) => Operation::Add(a, b),
+            (false, true) => Operation::Sub(a, b),
+            (true, _) => Operation::Sub(b, a),
+        }
+    }
+
+    /// A term of a sum and whether a minus is left before it; a number takes it in.
+    fn term(&self, expr: Expr, minus: bool) -> (Operand, bool) {
+        match (self.at(expr), minus != self.signs.turned(expr)) {
+            (Operand::Literal(k), true) => (Operand::Literal(-k), false),
+            found => found,
+        }
+    }
+
+    /// The value itself, whatever its sign.
+    fn positive(&mut self, expr: Expr) -> Operand {
+        match self.term(expr, false) {
+            (operand, false) => operand,
+            (operand, true) => self.push(self.graph.label(expr), Operation::Neg(operand)),
+        }
+    }
+
+    fn push(&mut self, label: Option<String>, operation: Operation) -> Operand {
+        self.steps.push(Step { label, operation });
+        let last = u32::try_from(self.steps.len() - 1).expect("fewer than 2³² steps");
+        Operand::Step(last)
+    }
+}
+
+/// The arguments of all sines and cosines, in the order of the joints they belong to.
+fn angles(graph: &Graph, needed: &[Expr]) -> Vec<Expr> {
+    let mut angles: Vec<Expr> = (needed.iter())
+        .filter(|&&expr| graph.value(expr).is_none())
+        .filter_map(|&expr| match graph.node(expr) {
+            Node::Sin(angle) | Node::Cos(angle) => Some(angle),
+            _ => None,
+        })
+        .collect();
+    angles.sort_by_key(|&angle| (coordinate(graph, angle), angle));
+    angles.dedup();
+    angles
+}
+
+/// The coordinate of a joint that an angle is, or is a sum with.
+fn coordinate(graph: &Graph, angle: Expr) -> Option<Input> {
+    let inputs = |expr: Expr| match graph.node(expr) {
+        Node::Input(input) => Some(input),
+        _ => None,
+    };
+    inputs(angle).or_else(|| graph.node(angle).operands().into_iter().find_map(inputs))
 }

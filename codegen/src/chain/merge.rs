@@ -6,7 +6,7 @@
 
 use super::check::{Branch, Tree};
 use super::{Chain, Frame, Joint, Motion, Report, Snapped, angle};
-use crate::description::{Axis, Description, Inertial, JointKind, Number, Step};
+use crate::description::{Axis, Description, Inertial, JointKind, Link, Number, Step};
 use crate::expression::{Graph, Input, Term};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
@@ -78,10 +78,10 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         };
         seats[branch.child] = Some(seat);
         reader.note(description, branch);
-        if let (Some(body), Some(inertial)) = (seat.body, &description.links[branch.child].inertial)
-        {
-            let name = &description.links[branch.child].name.text;
-            let inertia = reader.inertia(name, inertial).change_frame(seat.pose);
+        let link = &description.links[branch.child];
+        if let (Some(body), Some(inertial)) = (seat.body, reader.inertial(link)) {
+            let inertia = reader.inertia(&link.name.text, &inertial);
+            let inertia = inertia.change_frame(seat.pose);
             bodies[body].inertia = bodies[body].inertia + inertia;
         }
     }
@@ -233,6 +233,21 @@ impl<'g> Reader<'g, '_> {
             _ => (-1.0, 0.0),
         };
         (self.graph.constant(sine), self.graph.constant(cosine))
+    }
+
+    /// What a link weighs; one that is said to weigh nothing, and has its mass from a struct field,
+    /// is a point of mass at the origin of its frame.
+    fn inertial(&self, link: &Link) -> Option<Inertial> {
+        let point = || {
+            let weighed = self.request.weighs(&link.name);
+            weighed.then(|| Inertial {
+                origin: Vec::new(),
+                mass: Number::default(),
+                inertia: [Number::default(); 6],
+                place: link.name.place,
+            })
+        };
+        link.inertial.clone().or_else(point)
     }
 
     /// J of a link in its own frame.

@@ -8,3 +8,4 @@ pub mod functions;
 pub mod robots;
 pub mod rounding;
 pub mod states;
+pub mod trees;

@@ -9,6 +9,8 @@
 
 pub mod builder;
 pub mod chain;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod description;
 pub mod door;
 pub mod emit;
@@ -25,4 +27,4 @@ mod wording;
 
 pub use builder::Builder;
 pub use function::Function;
-pub use request::Real;
+pub use request::{Real, Target};

@@ -1,1 +1,3 @@
-//! Shared by the examples.
+//! Shared by the examples: pictures, and nothing else.
+
+pub mod plot;

@@ -19,6 +19,7 @@ use crate::error::{Errors, Place};
 use crate::expand;
 use crate::expression::Input;
 use crate::function::{Argument, Function, Shape};
+use crate::request::Real;
 use crate::schedule::{Arithmetic, Program, run};
 
 /// Compute a function at given states, without a compiler
@@ -66,7 +67,11 @@ impl Eval {
 
         // Further frames come after the tip's.
         let frame = chain.frames.len().saturating_sub(1);
-        let program = expand::program(&chain, &[function], frame);
+        let scalar = match self.scalar {
+            Scalar::F32 => Real::F32,
+            Scalar::F64 => Real::F64,
+        };
+        let program = expand::program(&chain, &[function], frame, scalar)?;
         let results = self.results(&program, &states)?;
         let remarks = options::warnings(&description, &chain.report.warnings);
         Ok(match self.format {
@@ -166,6 +171,7 @@ fn numbers<T: Arithmetic + Display>(
         Input::Q(k) => value(Argument::Q, k),
         Input::Qd(k) => value(Argument::Qd, k),
         Input::Qdd(k) => value(Argument::Qdd, k),
+        Input::Tau(k) => value(Argument::Tau, k),
         Input::Parameter(..) => unreachable!("the command line has no run-time parameters"),
     });
     // By way of the shortest digits: 0.1 in f32 is to be printed as 0.1, and not as all the digits

@@ -96,6 +96,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     check_kept(description, request, &tree, &links, &mut errors);
     check_targets(request, &tree, &links, &joints, &mut errors);
     choose_tip(description, request, &mut tree, &mut errors);
+    check_size(description, request, &tree, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         errors.push(
@@ -241,6 +242,24 @@ fn choose_tip(description: &Description, request: &Request, tree: &mut Tree, err
             description.name.place,
             "which frame are poses and Jacobians of? The robot has more than one end",
             format!("name one as the tip: {}", names()),
+        );
+    }
+}
+
+/// Code without loops is not for robots of any size.
+fn check_size(description: &Description, request: &Request, tree: &Tree, errors: &mut Errors) {
+    const MOST: usize = 1000;
+    let branches = tree.branches.iter();
+    let moving = branches.filter(|branch| branch.held.is_none()).count();
+    if moving > MOST && !request.functions.is_empty() {
+        let robot = &description.name;
+        errors.push_with_hint(
+            robot.place,
+            format!(
+                "{moving} joints of {} move, and functions are generated for up to {MOST}",
+                quoted(&robot.text)
+            ),
+            "choose a base and a tip, and path_only",
         );
     }
 }

@@ -96,7 +96,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     check_kept(description, request, &tree, &links, &mut errors);
     check_targets(request, &tree, &links, &joints, &mut errors);
     choose_tip(description, request, &mut tree, &mut errors);
-    check_size(description, request, &tree, &mut errors);
+    check_moving(description, request, &tree, &links, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         errors.push(
@@ -203,6 +203,36 @@ fn check_targets(
     }
 }
 
+/// A field for the mass of a link that never moves would change nothing.
+fn check_moving(
+    description: &Description,
+    request: &Request,
+    tree: &Tree,
+    links: &Names<'_>,
+    errors: &mut Errors,
+) {
+    let mut moves = vec![false; description.links.len()];
+    for branch in &tree.branches {
+        moves[branch.child] = moves[branch.parent] || branch.held.is_none();
+    }
+    for parameter in &request.parameters {
+        if let Target::MassOf(name) | Target::CenterOfMassOf(name) = &parameter.target
+            && let Some(link) = links.get(name)
+            && !moves[link]
+            && !tree.dropped.contains(&link)
+        {
+            errors.push_with_hint(
+                name.place,
+                format!(
+                    "link {} does not move: its mass changes nothing",
+                    quoted(&name.text)
+                ),
+                "leave the field out, or choose a base upstream of the link",
+            );
+        }
+    }
+}
+
 /// The tip is the one end of the tree where none is named; what needs it says so where there are
 /// several.
 fn choose_tip(description: &Description, request: &Request, tree: &mut Tree, errors: &mut Errors) {
@@ -242,24 +272,6 @@ fn choose_tip(description: &Description, request: &Request, tree: &mut Tree, err
             description.name.place,
             "which frame are poses and Jacobians of? The robot has more than one end",
             format!("name one as the tip: {}", names()),
-        );
-    }
-}
-
-/// Code without loops is not for robots of any size.
-fn check_size(description: &Description, request: &Request, tree: &Tree, errors: &mut Errors) {
-    const MOST: usize = 1000;
-    let branches = tree.branches.iter();
-    let moving = branches.filter(|branch| branch.held.is_none()).count();
-    if moving > MOST && !request.functions.is_empty() {
-        let robot = &description.name;
-        errors.push_with_hint(
-            robot.place,
-            format!(
-                "{moving} joints of {} move, and functions are generated for up to {MOST}",
-                quoted(&robot.text)
-            ),
-            "choose a base and a tip, and path_only",
         );
     }
 }

@@ -33,7 +33,9 @@ macro_rules! robot {
             inverse_dynamics,
             gravity,
             bias,
-            mass_matrix
+            mass_matrix,
+            forward_dynamics,
+            mass_matrix_inverse
         ))]
         struct $robot;
     };

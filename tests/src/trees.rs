@@ -69,12 +69,16 @@ impl Tree {
         match input {
             Input::Q(k) => state.q[joint(k)],
             Input::Qd(k) => state.qd[joint(k)],
-            Input::Qdd(k) => state.qdd[joint(k)],
+            // Torques of forward dynamics, for which any number will do.
+            Input::Qdd(k) | Input::Tau(k) => state.qdd[joint(k)],
             Input::Parameter(field, entry) => self.fields[usize::from(field)][usize::from(entry)],
         }
     }
 
     /// What a function of the tree's chain should return, by the generic recursions.
+    ///
+    /// # Panics
+    /// For functions that solve with the mass matrix: that of a random tree may be singular.
     #[must_use]
     pub fn expected(
         &self,
@@ -117,6 +121,9 @@ impl Tree {
             Function::MassMatrix => {
                 let all = generic::mass_matrix(robot, q);
                 moving.iter().flat_map(|&row| of_moving(all[row])).collect()
+            }
+            Function::ForwardDynamics | Function::MassMatrixInverse => {
+                panic!("the mass matrix of a random tree may be singular")
             }
         }
     }

@@ -43,13 +43,19 @@ fn build(tree: &Tree) -> Chain {
     chain::build(&tree.description, &tree.request).unwrap_or_else(|errors| panic!("{errors}{tree}"))
 }
 
-/// What can be asked of a chain: functions of each of its frames, and of the whole.
+/// What can be asked of any chain: functions of each of its frames, and of the whole, but for those
+/// that solve with the mass matrix, which may be singular.
 fn wanted(chain: &Chain) -> Vec<(Function, usize)> {
     let frames_of = |function: Function| match function.of_a_frame() {
         true => chain.frames.len(),
         false => 1,
     };
-    let functions = Function::ALL.into_iter();
+    let functions = Function::ALL.into_iter().filter(|function| {
+        !matches!(
+            function,
+            Function::ForwardDynamics | Function::MassMatrixInverse
+        )
+    });
     functions
         .flat_map(|function| (0..frames_of(function)).map(move |frame| (function, frame)))
         .collect()
@@ -70,7 +76,7 @@ fn every_layout_of_200_trees() {
             };
             layouts.push(Layout::DESCRIBED);
             let layout = *random.choose(&layouts);
-            let way: Way = *random.choose(Way::all(of.0));
+            let way: Way = *random.choose(&Way::all(of.0));
             let program = program_by(&chain, &[of.0], of.1, layout, way);
             let error = compare(&tree, &chain, &program, of, &states);
             assert!(

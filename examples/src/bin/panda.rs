@@ -29,7 +29,9 @@ const URDF: &str = include_str!("../../../robots/panda_class.urdf");
     inverse_dynamics,
     gravity,
     bias,
-    mass_matrix
+    mass_matrix,
+    forward_dynamics,
+    mass_matrix_inverse
 ))]
 struct Panda;
 

@@ -90,6 +90,11 @@ impl Builder {
         }
     }
 
+    /// All that a request says, in place of what was said before.
+    pub fn request(self, request: Request) -> Self {
+        Self { request, ..self }
+    }
+
     /// The name of the struct that is written; the robot's own where none is given.
     pub fn name(mut self, name: &str) -> Self {
         self.name = self.parsed(name);

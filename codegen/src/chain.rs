@@ -14,7 +14,7 @@ mod physical;
 pub mod regroup;
 mod shape;
 
-use crate::description::Description;
+use crate::description::{Description, Limits};
 use crate::error::{Complaint, Errors};
 use crate::expression::{Expr, Graph, Term};
 use crate::matrix::{Inertia, Pose, Screw, Vector};
@@ -33,6 +33,9 @@ pub struct Chain {
     pub has_tip: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
     pub gravity: Vector<Expr>,
+    /// What the description says of the numbers that struct fields stand for, in the order of the
+    /// request's parameters.
+    pub nominal: Vec<Vec<f64>>,
     /// What became of the description on the way.
     pub report: Report,
 }
@@ -52,6 +55,8 @@ pub struct Joint {
     pub axis: Vector<Expr>,
     /// J of the body in its frame, with all that is fixed to it.
     pub inertia: Inertia<Expr>,
+    /// Range of the coordinate and bound of its rate, where described.
+    pub limits: Option<Limits>,
 }
 
 /// What a joint lets its body do.

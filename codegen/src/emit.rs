@@ -92,6 +92,14 @@ pub struct Listed {
     pub price: Price,
 }
 
+impl Listed {
+    /// The name of the method, as far as nothing else is called so.
+    #[must_use]
+    pub fn name(&self) -> String {
+        method::name(&self.functions, self.frame.as_deref())
+    }
+}
+
 /// A robot as data for the generic recursions of the runtime.
 #[derive(Clone, Debug)]
 pub struct ChainData {
@@ -117,6 +125,18 @@ pub fn emit(listing: &Listing) -> TokenStream {
         quote! { const _: &[::core::primitive::u8] = ::core::include_bytes!(#path); }
     });
     quote! { #declaration #methods #traits #watch }
+}
+
+/// The methods that [`emit`] writes, alone: without struct, traits and data, to be read.
+#[must_use]
+pub fn methods(listing: &Listing) -> TokenStream {
+    let dialect = Dialect::of_runtime(listing);
+    let mut names = Names::default();
+    let methods = listing.functions.iter().map(|listed| {
+        let name = names.fresh(&listed.name());
+        method::method(listing, listed, &name, &dialect)
+    });
+    methods.collect()
 }
 
 /// The methods of a robot for a crate that has `core` and a way to compute sines: results are

@@ -3,6 +3,8 @@
 //! In: a description, a request, the struct that gets the functions. Out: a [`Listing`]. It only
 //! connects the stages, and chooses by count where they offer more than one way.
 
+mod forward;
+
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
@@ -11,7 +13,7 @@ use crate::error::Errors;
 use crate::expression::{Double, Expr, Term};
 use crate::function::Function;
 use crate::model::{self, Way};
-use crate::request::Request;
+use crate::request::{Real, Request};
 use crate::schedule::{Price, Program, schedule};
 use crate::simplify::simplify;
 
@@ -21,11 +23,17 @@ use crate::simplify::simplify;
 /// Every mistake of the description and of the request.
 pub fn expand(description: &Description, request: &Request, item: Item) -> Result<Listing, Errors> {
     let chain = chain::build(description, request)?;
-    let functions = wanted(&chain, request)
-        .into_iter()
-        .map(|(functions, frame)| list(&chain, &functions, frame))
-        .collect();
-    Ok(Listing {
+    let mut errors = Errors::new();
+    let mut functions = Vec::new();
+    for (wanted, frame) in wanted(&chain, request) {
+        match list(&chain, wanted, frame, request.scalar) {
+            Ok(listed) => functions.push(listed),
+            // Of all that a robot can have, what it cannot have is left out.
+            Err(_) if request.functions.is_empty() => {}
+            Err(refusal) => errors.append(refusal),
+        }
+    }
+    errors.into_result(Listing {
         item,
         about: about(description, &chain),
         functions,
@@ -39,10 +47,29 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
 
 /// The cheapest program found for some functions together, of a frame of the chain.
 ///
+/// # Errors
+/// Where forward dynamics is asked for of a chain that has none, or that would have no correct
+/// digit in this type of number.
+///
 /// # Panics
 /// Where a function of a frame is asked for and the chain has none.
-#[must_use]
-pub fn program(chain: &Chain, functions: &[Function], frame: usize) -> Program {
+pub fn program(
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    scalar: Real,
+) -> Result<Program, Errors> {
+    let inverts = functions.iter().any(|function| {
+        matches!(
+            function,
+            Function::ForwardDynamics | Function::MassMatrixInverse
+        )
+    });
+    let forward = if inverts {
+        forward::choose(chain, scalar)?
+    } else {
+        Way::PLAIN.forward
+    };
     let dynamic = functions.iter().any(|function| !function.of_a_frame());
     let layouts = if dynamic {
         Layout::for_dynamics(chain)
@@ -52,10 +79,12 @@ pub fn program(chain: &Chain, functions: &[Function], frame: usize) -> Program {
     let ways = functions
         .iter()
         .map(|&function| Way::all(function))
-        .max_by_key(|ways| ways.len());
+        .max_by_key(Vec::len)
+        .unwrap_or_default();
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
-        for &way in ways.unwrap_or_default() {
+        for &way in &ways {
+            let way = Way { forward, ..way };
             let program = program_by(chain, functions, frame, layout, way);
             let weight = Price::of(&program).weight();
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
@@ -63,7 +92,7 @@ pub fn program(chain: &Chain, functions: &[Function], frame: usize) -> Program {
             }
         }
     }
-    best.expect("there is at least one layout and one way").1
+    Ok(best.expect("there is at least one layout and one way").1)
 }
 
 /// The program that a layout and a way give.
@@ -103,10 +132,15 @@ fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, usize)> {
     wanted
 }
 
-fn list(chain: &Chain, functions: &[Function], frame: usize) -> Listed {
-    let program = program(chain, functions, frame);
+fn list(
+    chain: &Chain,
+    functions: Vec<Function>,
+    frame: usize,
+    scalar: Real,
+) -> Result<Listed, Errors> {
+    let program = program(chain, &functions, frame, scalar)?;
     let (mut mul, mut add) = (0, 0);
-    for &function in functions {
+    for &function in &functions {
         let (more_mul, more_add) =
             model::dense(function, chain.joints.len(), chain.joints_to(frame));
         mul += more_mul;
@@ -116,12 +150,12 @@ fn list(chain: &Chain, functions: &[Function], frame: usize) -> Listed {
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
     let further = of_a_frame && (frame > 0 || !chain.has_tip);
     let frame = further.then(|| chain.frames[frame].name.clone());
-    Listed {
-        functions: functions.to_vec(),
+    Ok(Listed {
+        functions,
         frame,
         program,
         price,
-    }
+    })
 }
 
 /// The chain as data: numbers, and sums of run-time parameters.

@@ -26,6 +26,10 @@ pub enum Function {
     Bias,
     /// The joint-space inertia matrix.
     MassMatrix,
+    /// Joint accelerations that forces and torques produce.
+    ForwardDynamics,
+    /// The inverse of the joint-space inertia matrix.
+    MassMatrixInverse,
 }
 
 /// An argument of a generated function: an array of N numbers.
@@ -37,6 +41,8 @@ pub enum Argument {
     Qd,
     /// Their second rates [rad/s² or m/s²].
     Qdd,
+    /// Joint torques and forces \[N m or N\].
+    Tau,
 }
 
 /// The shape of a result.
@@ -58,7 +64,7 @@ pub enum Shape {
 
 impl Function {
     /// All of them, in the order of the documentation.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::ForwardKinematics,
         Self::SpatialJacobian,
         Self::BodyJacobian,
@@ -69,6 +75,8 @@ impl Function {
         Self::Gravity,
         Self::Bias,
         Self::MassMatrix,
+        Self::ForwardDynamics,
+        Self::MassMatrixInverse,
     ];
 
     /// The name in generated code, in attributes and on the command line.
@@ -85,6 +93,8 @@ impl Function {
             Self::Gravity => "gravity",
             Self::Bias => "bias",
             Self::MassMatrix => "mass_matrix",
+            Self::ForwardDynamics => "forward_dynamics",
+            Self::MassMatrixInverse => "mass_matrix_inverse",
         }
     }
 
@@ -105,8 +115,10 @@ impl Function {
             | Self::BodyJacobian
             | Self::GeometricJacobian
             | Self::Gravity
-            | Self::MassMatrix => &[Argument::Q],
+            | Self::MassMatrix
+            | Self::MassMatrixInverse => &[Argument::Q],
             Self::Velocity | Self::Bias => &[Argument::Q, Argument::Qd],
+            Self::ForwardDynamics => &[Argument::Q, Argument::Qd, Argument::Tau],
             Self::Acceleration | Self::InverseDynamics => {
                 &[Argument::Q, Argument::Qd, Argument::Qdd]
             }
@@ -121,8 +133,10 @@ impl Function {
             Self::SpatialJacobian | Self::BodyJacobian | Self::GeometricJacobian => Shape::Screws,
             Self::Velocity => Shape::Velocity,
             Self::Acceleration => Shape::Acceleration,
-            Self::InverseDynamics | Self::Gravity | Self::Bias => Shape::Vector,
-            Self::MassMatrix => Shape::Matrix,
+            Self::InverseDynamics | Self::Gravity | Self::Bias | Self::ForwardDynamics => {
+                Shape::Vector
+            }
+            Self::MassMatrix | Self::MassMatrixInverse => Shape::Matrix,
         }
     }
 
@@ -141,6 +155,7 @@ impl Argument {
             Self::Q => "q",
             Self::Qd => "qd",
             Self::Qdd => "qdd",
+            Self::Tau => "tau",
         }
     }
 }

@@ -9,6 +9,8 @@
 
 pub mod builder;
 pub mod chain;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod description;
 pub mod door;
 pub mod emit;

@@ -4,9 +4,12 @@
 //! a function or family; all recursions run in the frames of the links (structure rules 1 to 3). It
 //! never counts, orders or prints.
 
+mod articulated;
 mod carry;
 mod composite;
 mod dense;
+mod factor;
+mod forward_dynamics;
 mod gravity;
 mod jacobian;
 mod newton_euler;
@@ -19,34 +22,46 @@ use crate::chain::frames::Bodies;
 use crate::expression::{Graph, Input, Term};
 use crate::function::{Argument, Function};
 
-/// One of several ways to compute the same, between which only the count decides.
+/// One of several ways to compute the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Way {
-    /// Which two columns of a rotation are carried, the third being their product: the index of the
-    /// third; or all three.
+    /// Which column of a rotation is made from the two others, which alone are carried; none where
+    /// all three are.
     pub by_product: Option<usize>,
+    /// How accelerations are found from forces.
+    pub forward: Forward,
+}
+
+/// How accelerations are found from forces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Forward {
+    /// By the mass matrix and its factors.
+    MassMatrix {
+        /// How often the result is refined, with the inverse dynamics as the residual.
+        refinements: usize,
+    },
+    /// By the articulated-body recursion.
+    Articulated,
 }
 
 impl Way {
-    /// The ways that differ for a function.
+    /// Columns all carried, accelerations by the mass matrix.
+    pub const PLAIN: Self = Self {
+        by_product: None,
+        forward: Forward::MassMatrix { refinements: 0 },
+    };
+
+    /// The ways of a function between which only the count decides.
     #[must_use]
-    pub fn all(function: Function) -> &'static [Self] {
-        const CARRY_ALL: Way = Way { by_product: None };
-        match function {
-            Function::ForwardKinematics => &[
-                CARRY_ALL,
-                Way {
-                    by_product: Some(0),
-                },
-                Way {
-                    by_product: Some(1),
-                },
-                Way {
-                    by_product: Some(2),
-                },
-            ],
-            _ => &[CARRY_ALL],
+    pub fn all(function: Function) -> Vec<Self> {
+        let mut ways = vec![Self::PLAIN];
+        if function == Function::ForwardKinematics {
+            ways.extend((0..3).map(|column| Self {
+                by_product: Some(column),
+                ..Self::PLAIN
+            }));
         }
+        ways
     }
 }
 
@@ -69,11 +84,26 @@ pub fn build<'g>(
         Function::GeometricJacobian => jacobian::geometric(&path()),
         Function::Velocity => twist::velocity(&path(), &state),
         Function::Acceleration => twist::acceleration(&path(), &state),
-        Function::InverseDynamics => newton_euler::inverse_dynamics(bodies, &state, true),
-        Function::Bias => newton_euler::inverse_dynamics(bodies, &state, false),
+        Function::InverseDynamics => {
+            newton_euler::inverse_dynamics(bodies, &state, &state.qdds(bodies))
+        }
+        Function::Bias => newton_euler::bias(bodies, &state),
+        Function::ForwardDynamics => match way.forward {
+            Forward::MassMatrix { refinements } => {
+                forward_dynamics::forward_dynamics(bodies, &state, refinements)
+            }
+            Forward::Articulated => articulated::forward_dynamics(bodies, &state),
+        },
+        Function::MassMatrixInverse => forward_dynamics::mass_matrix_inverse(bodies, &state),
         Function::Gravity => gravity::gravity(bodies, &state),
         Function::MassMatrix => composite::mass_matrix(bodies, &state),
     }
+}
+
+/// For each joint the diagonal entry of the mass matrix and the pivot that its factors leave of it.
+#[must_use]
+pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
+    forward_dynamics::pivots(bodies, &State { graph })
 }
 
 /// The arguments of the generated functions.
@@ -89,6 +119,7 @@ impl<'g> State<'g> {
             Argument::Q => Input::Q(k),
             Argument::Qd => Input::Qd(k),
             Argument::Qdd => Input::Qdd(k),
+            Argument::Tau => Input::Tau(k),
         })
     }
 
@@ -102,6 +133,14 @@ impl<'g> State<'g> {
 
     fn qdd(&self, k: usize) -> Term<'g> {
         self.entry(Argument::Qdd, k)
+    }
+
+    fn tau(&self, k: usize) -> Term<'g> {
+        self.entry(Argument::Tau, k)
+    }
+
+    fn qdds(&self, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
+        (0..bodies.bodies.len()).map(|k| self.qdd(k)).collect()
     }
 
     fn zero(&self) -> Term<'g> {

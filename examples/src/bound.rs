@@ -7,8 +7,8 @@
 use std::hint::black_box;
 
 use homogen::robot::{
-    Acceleration, Bias, BodyJacobian, ForwardKinematics, GeometricJacobian, Gravity,
-    InverseDynamics, MassMatrix, SpatialJacobian, Velocity,
+    Acceleration, Bias, BodyJacobian, ForwardDynamics, ForwardKinematics, GeometricJacobian,
+    Gravity, InverseDynamics, MassMatrix, MassMatrixInverse, SpatialJacobian, Velocity,
 };
 use homogen::{Pose, Real, Screw};
 use homogen_codegen::Function;
@@ -27,6 +27,8 @@ pub trait Complete<const N: usize, T>:
     + Gravity<N, T>
     + Bias<N, T>
     + MassMatrix<N, T>
+    + ForwardDynamics<N, T>
+    + MassMatrixInverse<N, T>
 {
 }
 
@@ -41,6 +43,8 @@ impl<R, const N: usize, T> Complete<N, T> for R where
         + Gravity<N, T>
         + Bias<N, T>
         + MassMatrix<N, T>
+        + ForwardDynamics<N, T>
+        + MassMatrixInverse<N, T>
 {
 }
 
@@ -95,6 +99,10 @@ pub fn bind<R: Complete<N, T>, T: Number, const N: usize>(
         Function::Gravity => bound(|s: &S<T, N>| robot.gravity(&s.q)),
         Function::Bias => bound(|s: &S<T, N>| robot.bias(&s.q, &s.qd)),
         Function::MassMatrix => bound(|s: &S<T, N>| robot.mass_matrix(&s.q)),
+        Function::ForwardDynamics => {
+            bound(|s: &S<T, N>| robot.forward_dynamics(&s.q, &s.qd, &s.tau))
+        }
+        Function::MassMatrixInverse => bound(|s: &S<T, N>| robot.mass_matrix_inverse(&s.q)),
     }
 }
 

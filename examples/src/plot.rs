@@ -28,7 +28,7 @@ pub struct Panel {
     pub curves: Vec<Curve>,
     /// Vertical lines with a label above: where on the x axis, and the label.
     pub marks: Vec<(f64, String)>,
-    /// The height of the panel [px], with labels.
+    /// The height of the panel with its labels, in pixels.
     pub height: f64,
     /// Whether a unit is as long on both axes; both are then extended to fill the panel.
     pub to_scale: bool,
@@ -158,14 +158,14 @@ const WIDTH: f64 = 800.0;
 const TITLE: f64 = 42.0;
 const LEFT: f64 = 78.0;
 const RIGHT: f64 = 24.0;
-/// Room for the legend above a panel, and for ticks and label below it [px].
+/// Room for the legend above a panel, and for ticks and label below it, in pixels.
 const ABOVE: f64 = 30.0;
 const BELOW: f64 = 46.0;
 const INK: &str = "#1f2328";
 
 /// Where a panel lies on the page, and what its axes span.
 struct Frame {
-    /// Left, top, right and bottom of the area of the curves [px].
+    /// Left, top, right and bottom of the area of the curves, in pixels.
     area: [f64; 4],
     x: Span,
     y: Span,

@@ -4,8 +4,12 @@
 //! the recursions at run time read ([`crate::generic`]) and that generated code carries beside its
 //! straight-line functions. It computes nothing itself.
 
+#[cfg(any(feature = "std", feature = "libm"))]
+use crate::error::Error;
 use crate::inertia::Inertia;
 use crate::pose::Pose;
+#[cfg(any(feature = "std", feature = "libm"))]
+use crate::rotation::finite;
 use crate::screw::Screw;
 
 /// A tree of bodies and joints of one degree of freedom each, parents before children.
@@ -13,6 +17,24 @@ use crate::screw::Screw;
 /// Body i is what joint i carries, and frame (i) is fixed in it; frame (0), the base, is what has no
 /// joint. `N` is the number of joints, `F` of named frames. Numbers are f64 whatever the type that a
 /// function is asked for.
+///
+/// ```
+/// use homogen::{Chain, Frame, Inertia, Joint, Pose, Screw};
+///
+/// const PLACE: Pose<f64> = Pose::new(
+///     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+///     [0.0, 0.0, 0.4],
+/// );
+/// const SLIDE: Screw<f64> = Screw::new([0.0; 3], [0.0, 0.0, 1.0]);
+/// const TOOL: Inertia<f64> = Inertia::new([0.02, 0.02, 0.01, 0.0, 0.0, 0.0], [0.0, 0.0, 0.1], 1.5);
+/// static LIFT: Chain<1, 1> = Chain::new(
+///     [Joint::new("lift", None, PLACE, SLIDE, TOOL)],
+///     [Frame::new("flange", Some(0), PLACE)],
+///     [0.0, 0.0, -9.81],
+/// );
+/// assert_eq!(LIFT.tip().name, "flange");
+/// assert_eq!(LIFT.check(1e-9), Ok(()));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chain<const N: usize, const F: usize> {
     /// The joints, parents before children; their order is that of q.
@@ -50,7 +72,7 @@ pub struct Frame {
 }
 
 impl<const N: usize, const F: usize> Chain<N, F> {
-    /// A robot; nothing is checked, so that it can be a constant.
+    /// A robot; nothing is checked, so that it can be a constant (`check` does, when asked).
     #[inline]
     #[must_use]
     pub const fn new(joints: [Joint; N], frames: [Frame; F], gravity: [f64; 3]) -> Self {
@@ -90,6 +112,37 @@ impl<const N: usize, const F: usize> Chain<N, F> {
             at = self.parent(i);
         }
         false
+    }
+
+    /// Refuses a chain that the recursions cannot be right for: parents must come before children,
+    /// placements be poses, screws have unit vectors, and bodies be possible, to within `tolerance`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotATree`], or those of [`Pose::checked`], [`Screw::checked`] and [`Inertia::check`]; the
+    /// first one found.
+    #[cfg(any(feature = "std", feature = "libm"))]
+    pub fn check(&self, tolerance: f64) -> Result<(), Error> {
+        finite("a component of gravity", &self.gravity)?;
+        for (i, joint) in self.joints.iter().enumerate() {
+            if let Some(parent) = joint.parent.filter(|parent| *parent >= i) {
+                let joint = joint.name;
+                return Err(Error::NotATree { joint, parent });
+            }
+            let place = &joint.placement;
+            Pose::checked(*place.rotation(), place.translation(), tolerance)?;
+            Screw::checked(joint.screw.u(), joint.screw.b(), tolerance)?;
+            joint.inertia.check(tolerance)?;
+        }
+        for frame in &self.frames {
+            if let Some(parent) = frame.body.filter(|body| *body >= N) {
+                let joint = frame.name;
+                return Err(Error::NotATree { joint, parent });
+            }
+            let place = &frame.placement;
+            Pose::checked(*place.rotation(), place.translation(), tolerance)?;
+        }
+        Ok(())
     }
 
     /// The parent of joint `i`, where it comes before it.

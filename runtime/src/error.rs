@@ -47,6 +47,14 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
+    /// A joint of a chain stands on a body that does not come before its own, or a frame on none of its
+    /// bodies.
+    NotATree {
+        /// The name of the joint or frame.
+        joint: &'static str,
+        /// The index of what it stands on.
+        parent: usize,
+    },
     /// A 4×4 matrix is not of the form asked for.
     NotOfForm {
         /// The form.
@@ -80,6 +88,12 @@ impl Display for Error {
                 write!(
                     f,
                     "the data do not determine the result: {quantity} is {value:e}"
+                )
+            }
+            Self::NotATree { joint, parent } => {
+                write!(
+                    f,
+                    "{joint} stands on body {parent}, which does not come before it"
                 )
             }
             Self::NotOfForm { quantity, value } => {

@@ -27,7 +27,7 @@ use crate::robot;
 use crate::screw::Screw;
 use crate::velocity::Velocity;
 use core::array::from_fn;
-use nalgebra::{Matrix4, RealField};
+use nalgebra::{Cholesky, Const, Matrix4, RealField, SMatrix, SVector};
 
 /// M₀,frame.
 ///
@@ -175,6 +175,47 @@ pub fn mass_matrix<T: RealField + Copy, const N: usize, const F: usize>(
                 .map(|h| (positions.l[i] * positions.j[h] * positions.l[m].transpose()).trace()))
         })
     })
+}
+
+/// The joint accelerations [rad/s², m/s²] that the torques \[N m\] and forces \[N\] `tau` produce:
+/// M q̈ = τ − bias, solved by Cholesky.
+///
+/// NaN where M is not positive definite.
+#[must_use]
+pub fn forward_dynamics<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+    qd: &[T; N],
+    tau: &[T; N],
+) -> [T; N] {
+    let bias = bias(chain, q, qd);
+    let lacking: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
+    let found = factored(chain, q).map(|factors| factors.solve(&lacking));
+    from_fn(|i| found.map_or(nan(), |found| found[i]))
+}
+
+/// The inverse of the joint-space inertia matrix, by Cholesky.
+///
+/// NaN where M is not positive definite.
+#[must_use]
+pub fn mass_matrix_inverse<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+) -> [[T; N]; N] {
+    let found = factored(chain, q).map(|factors| factors.inverse());
+    from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
+}
+
+fn factored<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+) -> Option<Cholesky<T, Const<N>>> {
+    let rows = mass_matrix(chain, q);
+    SMatrix::<T, N, N>::from_fn(|i, m| rows[i][m]).cholesky()
+}
+
+fn nan<T: RealField>() -> T {
+    nalgebra::convert(f64::NAN)
 }
 
 /// The kinetic energy Σ ½ Tr(W J Wᵗ) \[J\] (22).
@@ -425,5 +466,21 @@ impl<T: RealField + Copy, const N: usize, const F: usize> robot::Bias<N, T> for 
 impl<T: RealField + Copy, const N: usize, const F: usize> robot::MassMatrix<N, T> for Chain<N, F> {
     fn mass_matrix(&self, q: &[T; N]) -> [[T; N]; N] {
         mass_matrix(self, q)
+    }
+}
+
+impl<T: RealField + Copy, const N: usize, const F: usize> robot::ForwardDynamics<N, T>
+    for Chain<N, F>
+{
+    fn forward_dynamics(&self, q: &[T; N], qd: &[T; N], tau: &[T; N]) -> [T; N] {
+        forward_dynamics(self, q, qd, tau)
+    }
+}
+
+impl<T: RealField + Copy, const N: usize, const F: usize> robot::MassMatrixInverse<N, T>
+    for Chain<N, F>
+{
+    fn mass_matrix_inverse(&self, q: &[T; N]) -> [[T; N]; N] {
+        mass_matrix_inverse(self, q)
     }
 }

@@ -8,6 +8,7 @@ use crate::acceleration::Acceleration;
 use crate::action::Action;
 use crate::momentum::Momentum;
 use crate::scalar::Scalar;
+use crate::screw::Screw;
 use crate::vector::{
     add, axial, cross, dot, matrix_product, outer, product, scale, sub, underscore,
 };
@@ -195,11 +196,22 @@ impl<T: Scalar> Inertia<T> {
 
     /// The kinetic energy t = ½ Tr(W J Wᵗ) = ½ W ⊗ Γ \[J\] at velocity `w` (22).
     ///
-    /// SPACELIB: `trac_ljlt4`.
+    /// SPACELIB: `trac_ljlt4`, as [`Inertia::coupling`].
     #[inline]
     #[must_use]
     pub fn kinetic_energy(&self, w: &Velocity<T>) -> T {
         T::constant(0.5) * w.pseudo_scalar_product(&self.momentum(w))
+    }
+
+    /// Tr(Lᵢ J Lₘᵗ) = Lᵢ ⊗ skew\[Lₘ J\], the entry that the body adds to the mass matrix of the joints i
+    /// and m that carry it (Part II); symmetric in the two screws.
+    ///
+    /// SPACELIB: `trac_ljlt4`.
+    #[inline]
+    #[must_use]
+    pub fn coupling(&self, l_i: &Screw<T>, l_m: &Screw<T>) -> T {
+        let momentum = self.momentum(&l_m.velocity(T::constant(1.0)));
+        dot(l_i.u(), momentum.gamma()) + dot(l_i.b(), momentum.rho())
     }
 
     /// The potential energy p = −Tr(H_g J) = −g · q \[J\], zero at the origin of the frame (§ 4.5).

@@ -1,4 +1,4 @@
-//! Rigid bodies with 4×4 matrices.
+#![doc = include_str!("guide.md")]
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -8,8 +8,11 @@ mod acceleration;
 mod action;
 pub mod angles;
 mod chain;
+#[doc = include_str!("checklist.md")]
+pub mod checklist {}
 #[cfg(feature = "nalgebra")]
 mod conversion;
+pub mod denavit_hartenberg;
 mod displacement;
 mod error;
 pub mod frames;
@@ -18,10 +21,13 @@ pub mod generic;
 pub mod geometry;
 mod inertia;
 mod jacobian;
+pub mod lagrange;
 mod logarithm;
+pub mod loop_closure;
 mod momentum;
 pub mod newton_euler;
 pub mod normalize;
+pub mod open_chain;
 mod physical;
 mod point;
 mod pose;
@@ -29,12 +35,15 @@ pub mod robot;
 pub mod rotation;
 mod scalar;
 mod screw;
+mod singular_values;
 mod symmetric;
 mod tensor;
 #[cfg(feature = "approx")]
 mod tolerance;
 pub mod vector;
 mod velocity;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod worked_examples;
 
 pub use acceleration::Acceleration;
 pub use action::Action;

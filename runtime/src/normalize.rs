@@ -9,6 +9,7 @@ use crate::pose::Pose;
 use crate::rotation::{finite, from_quaternion};
 use crate::scalar::{Real, Scalar};
 use crate::symmetric::eigen;
+use crate::vector::unit;
 use core::array::from_fn;
 
 /// The rotation nearest to `matrix`, as rows: of all rotations the one with the least ‖R − X‖.
@@ -47,7 +48,8 @@ pub fn nearest_rotation<T: Real>(matrix: &[[T; 3]; 3]) -> Result<[[T; 3]; 3], Er
             value: gap.to_f64(),
         });
     }
-    Ok(from_quaternion(vectors[0]))
+    // Many small rotations leave the vector a few units off unit length.
+    Ok(from_quaternion(unit(vectors[0]).unwrap_or(vectors[0])))
 }
 
 /// The pose whose rotation is nearest to that of `pose`; its translation stays.

@@ -87,3 +87,18 @@ pub trait MassMatrix<const N: usize, T = f64> {
     #[must_use]
     fn mass_matrix(&self, q: &[T; N]) -> [[T; N]; N];
 }
+
+/// The joint accelerations of given torques and forces.
+pub trait ForwardDynamics<const N: usize, T = f64> {
+    /// The accelerations [rad/s², m/s²] that the torques \[N m\] and forces \[N\] `tau` of the joints
+    /// produce under gravity.
+    #[must_use]
+    fn forward_dynamics(&self, q: &[T; N], qd: &[T; N], tau: &[T; N]) -> [T; N];
+}
+
+/// The inverse of the joint-space inertia matrix.
+pub trait MassMatrixInverse<const N: usize, T = f64> {
+    /// M(q)⁻¹: symmetric, as rows.
+    #[must_use]
+    fn mass_matrix_inverse(&self, q: &[T; N]) -> [[T; N]; N];
+}

@@ -157,16 +157,20 @@ pub fn determinant<T: Scalar>(x: &[[T; 3]; 3]) -> T {
     dot(x[0], cross(x[1], x[2]))
 }
 
-/// ‖v‖, without overflow or underflow on the way.
+/// ‖v‖, without overflow or underflow on the way; NaN or infinity where an entry is.
 ///
 /// SPACELIB: `mod`.
 #[inline]
 #[must_use]
 pub fn norm<T: Real, const N: usize>(v: [T; N]) -> T {
     let zero = T::constant(0.0);
+    // Neither infinity nor NaN would survive the comparisons below.
+    if let Some(x) = v.iter().find(|x| !x.is_finite()) {
+        return x.abs();
+    }
     let largest = v.iter().fold(zero, |largest, x| largest.max(x.abs()));
-    if largest == zero || !largest.is_finite() {
-        return largest;
+    if largest == zero {
+        return zero;
     }
     let sum = |v: [T; N]| v.iter().fold(zero, |sum, x| sum + *x * *x);
     let squares = sum(v);

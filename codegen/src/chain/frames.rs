@@ -275,12 +275,17 @@ fn normalized(vector: Vector<Term<'_>>) -> Vector<Term<'_>> {
     vector.map(|entry| entry / length)
 }
 
+/// Squared sine of the angle below which two axes have no normal that is worth having: its foot
+/// stands so far away that digits are lost there, and for an angle of some 1e-16 all of them. Six
+/// degrees.
+const NEARLY_PARALLEL: f64 = 0.01;
+
 /// From a frame to the one whose x is the common normal of its z and the z of `next`, and whose
 /// origin is the foot of that normal.
 fn common_normal<'g>(next: &Pose<Term<'g>>) -> Pose<Term<'g>> {
     let direction = next.rotation.column(2);
     let graph = direction.x().graph();
-    let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+    let zero = graph.constant(0.0);
     let [x, y, cosine] = direction.0;
     let to = next.translation;
     if x.is_zero() && y.is_zero() {
@@ -292,10 +297,17 @@ fn common_normal<'g>(next: &Pose<Term<'g>>) -> Pose<Term<'g>> {
         let normal = normalized(Vector([to.x(), to.y(), zero]));
         return Pose::rotation(about_z_towards(normal));
     }
+    let square = x * x + y * y;
+    if square
+        .value()
+        .is_some_and(|square| square.to_f64() < NEARLY_PARALLEL)
+    {
+        return Pose::identity(graph);
+    }
     // z × z' = (−y, x, 0); the foot is where the distance of the two lines is least.
     let normal = normalized(Vector([-y, x, zero]));
     let along = to.z() - cosine * direction.dot(to);
-    let foot = Vector([zero, zero, along / (one - cosine * cosine)]);
+    let foot = Vector([zero, zero, along / square]);
     Pose {
         rotation: about_z_towards(normal),
         translation: foot,

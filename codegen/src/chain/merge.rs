@@ -6,9 +6,8 @@
 
 use super::check::{Branch, Tree};
 use super::{Chain, Frame, Joint, Motion, Report, Snapped, angle};
-use crate::description::{Axis, Description, Inertial, JointKind, Number, Step};
-use crate::error::Place;
-use crate::expression::{Graph, Input, Term};
+use crate::description::{Axis, Description, JointKind, Link, Name, Number, Step};
+use crate::expression::{Double, Graph, Input, Term};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
 
@@ -37,6 +36,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let mut reader = Reader {
         graph: &graph,
         request,
+        nominal: vec![Vec::new(); request.parameters.len()],
         report: Report::default(),
     };
     let mut seats: Vec<Option<Seat<'_>>> = vec![None; description.links.len()];
@@ -79,13 +79,9 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         };
         seats[branch.child] = Some(seat);
         reader.note(description, branch);
-        let link = &description.links[branch.child];
-        let inertial = link.inertial.as_ref();
-        let inertial = inertial
-            .cloned()
-            .or_else(|| reader.weightless(&link.name.text));
-        if let (Some(body), Some(inertial)) = (seat.body, inertial) {
-            let inertia = reader.inertia(&link.name.text, &inertial);
+        if let Some(body) = seat.body
+            && let Some(inertia) = reader.inertia(&description.links[branch.child])
+        {
             bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
         }
     }
@@ -120,10 +116,14 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
             placement: body.placement.map(Term::expr),
             axis: body.axis.map(Term::expr),
             inertia: body.inertia.map(Term::expr),
+            limits: description.joints[body.joint].limits,
         })
         .collect();
-    let report = reader.report;
+    let Reader {
+        nominal, report, ..
+    } = reader;
     Chain {
+        nominal,
         joints,
         frames,
         has_tip: tree.tip.is_some(),
@@ -137,6 +137,8 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
 struct Reader<'g, 'r> {
     graph: &'g Graph,
     request: &'r Request,
+    /// What is described where struct fields stand.
+    nominal: Vec<Vec<f64>>,
     report: Report,
 }
 
@@ -145,29 +147,33 @@ impl<'g> Reader<'g, '_> {
         self.graph.constant(number.value)
     }
 
-    /// The inputs of the struct field that stands for a target.
-    fn parameter<const N: usize>(&self, is: impl Fn(&Target) -> bool) -> Option<[Term<'g>; N]> {
-        let field = self
-            .request
-            .parameters
-            .iter()
-            .position(|parameter| is(&parameter.target))?;
+    /// The inputs of the struct field that stands for a target, or what is described where none
+    /// does.
+    fn free<const N: usize>(
+        &mut self,
+        is: impl Fn(&Target) -> bool,
+        described: [Term<'g>; N],
+    ) -> [Term<'g>; N] {
+        let mut parameters = self.request.parameters.iter();
+        let Some(field) = parameters.position(|parameter| is(&parameter.target)) else {
+            return described;
+        };
+        self.nominal[field] = described
+            .map(|term| term.value().map_or(0.0, Double::to_f64))
+            .to_vec();
         let index = |k: usize| u16::try_from(k).expect("few struct fields");
-        Some(std::array::from_fn(|entry| {
+        std::array::from_fn(|entry| {
             self.graph
                 .input(Input::Parameter(index(field), index(entry)))
-        }))
+        })
     }
 
-    fn gravity(&self) -> Vector<Term<'g>> {
-        match (
-            self.parameter(|target| matches!(target, Target::Gravity)),
-            &self.request.gravity,
-        ) {
-            (Some(inputs), _) => Vector(inputs),
-            (None, Some(gravity)) => Vector(gravity.map(|entry| self.number(&entry))),
-            (None, None) => Vector::constant(self.graph, GRAVITY),
-        }
+    fn gravity(&mut self) -> Vector<Term<'g>> {
+        let described = match &self.request.gravity {
+            Some(gravity) => gravity.map(|entry| self.number(&entry)),
+            None => Vector::constant(self.graph, GRAVITY).0,
+        };
+        Vector(self.free(|target| matches!(target, Target::Gravity), described))
     }
 
     fn motion(&self, kind: JointKind) -> Motion {
@@ -181,16 +187,10 @@ impl<'g> Reader<'g, '_> {
     /// The placement of a joint, its translation taken from a struct field where one stands for it.
     fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
         let joint = &description.joints[branch.joint];
-        let free = self.parameter(
-            |target| matches!(target, Target::OriginOf(name) if name.text == joint.name.text),
-        );
-        let Some(free) = free else {
-            return self.placement(&joint.name.text, &joint.origin);
-        };
-        let turns: Vec<Step> = (joint.origin.iter().copied())
-            .filter(|step| matches!(step, Step::Rotate(..)))
-            .collect();
-        Pose::translation(Vector(free)) * self.placement(&joint.name.text, &turns)
+        let mut placement = self.placement(&joint.name.text, &joint.origin);
+        let is = |target: &Target| matches!(target, Target::OriginOf(name) if name.text == joint.name.text);
+        placement.translation = Vector(self.free(is, placement.translation.0));
+        placement
     }
 
     fn placement(&mut self, item: &str, steps: &[Step]) -> Pose<Term<'g>> {
@@ -213,15 +213,13 @@ impl<'g> Reader<'g, '_> {
 
     /// Sine and cosine of an angle, exact where it is a right angle.
     fn sin_cos(&mut self, item: &str, angle: &Number) -> (Term<'g>, Term<'g>) {
-        let quarters = if self.request.exact {
-            None
-        } else {
-            angle::quarters(angle)
-        };
+        // A number without digits, such as `pi/2`, is what it says.
+        let written = angle.resolution > 0.0;
+        let quarters = angle::quarters(angle).filter(|_| !(written && self.request.exact));
         let Some(quarters) = quarters else {
             return self.number(angle).sin_cos();
         };
-        if quarters != 0 {
+        if written && quarters != 0 {
             let (item, written, place) = (item.to_owned(), angle.value, angle.place);
             self.report.snapped.push(Snapped {
                 item,
@@ -239,33 +237,27 @@ impl<'g> Reader<'g, '_> {
         (self.graph.constant(sine), self.graph.constant(cosine))
     }
 
-    /// A body of mass 0 at the origin, for a link that has none in the description but is given a
-    /// mass at run time: a flange with a payload.
-    fn weightless(&self, link: &str) -> Option<Inertial> {
-        let mut targets = self.request.parameters.iter().map(|field| &field.target);
-        let given =
-            targets.any(|target| matches!(target, Target::MassOf(name) if name.text == link));
-        given.then(|| Inertial {
-            origin: Vec::new(),
-            mass: Number::default(),
-            inertia: [Number::default(); 6],
-            place: Place::Unknown,
-        })
-    }
-
-    /// J of a link in its own frame.
-    fn inertia(&mut self, link: &str, inertial: &Inertial) -> Inertia<Term<'g>> {
-        let is = |name: &crate::description::Name| name.text == link;
-        let mass = self.parameter(|target| matches!(target, Target::MassOf(name) if is(name)));
-        let center =
-            self.parameter(|target| matches!(target, Target::CenterOfMassOf(name) if is(name)));
-        let mass = mass.map_or_else(|| self.number(&inertial.mass), |[mass]| mass);
-        let tensor = inertial.inertia.map(|entry| self.number(&entry));
-        let mut origin = self.placement(link, &inertial.origin);
-        if let Some(center) = center {
-            origin.translation = Vector(center);
-        }
-        Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin)
+    /// J of a link in its own frame, where anything is said of it.
+    fn inertia(&mut self, link: &Link) -> Option<Inertia<Term<'g>>> {
+        let is = |name: &Name| name.text == link.name.text;
+        let of_mass = |target: &Target| matches!(target, Target::MassOf(name) if is(name));
+        let of_center =
+            |target: &Target| matches!(target, Target::CenterOfMassOf(name) if is(name));
+        let nothing = self.graph.constant(0.0);
+        let (mass, tensor, mut origin) = match &link.inertial {
+            Some(inertial) => (
+                self.number(&inertial.mass),
+                inertial.inertia.map(|entry| self.number(&entry)),
+                self.placement(&link.name.text, &inertial.origin),
+            ),
+            // A struct field can give a mass to a link that is described without.
+            None => (nothing, [nothing; 6], Pose::identity(self.graph)),
+        };
+        let [mass] = self.free(of_mass, [mass]);
+        origin.translation = Vector(self.free(of_center, origin.translation.0));
+        let free = mass.value().is_none();
+        (free || link.inertial.is_some())
+            .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin))
     }
 
     fn note(&mut self, description: &Description, branch: &Branch) {

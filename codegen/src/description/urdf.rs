@@ -19,7 +19,7 @@ use super::{Description, Name, Source, file, names};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
-pub(super) use self::xml::LARGEST_FILE;
+pub(crate) use self::xml::LARGEST_FILE;
 
 /// What a robot may hold, mechanics or not.
 const PARTS: [&str; 6] = [

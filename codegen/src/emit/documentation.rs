@@ -151,6 +151,13 @@ fn sentence(function: Function, frame: &str, about: &About) -> String {
             "Joint-space inertia matrix M(q) of τ = M q̈ + bias, by rows; kg m², kg m, kg."
                 .to_owned()
         }
+        Function::ForwardDynamics => {
+            "Joint accelerations q̈ that τ produces against gravity; rad/s², m/s².".to_owned()
+        }
+        Function::MassMatrixInverse => {
+            "Inverse of the joint-space inertia matrix M(q), by rows; 1/(kg m²), 1/(kg m), 1/kg."
+                .to_owned()
+        }
     }
 }
 
@@ -174,6 +181,7 @@ fn arguments(functions: &[Function]) -> Option<String> {
             Argument::Q => "q in rad or m.",
             Argument::Qd => "q in rad or m, q̇ in rad/s or m/s.",
             Argument::Qdd => "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s².",
+            Argument::Tau => "q in rad or m, q̇ in rad/s or m/s, τ in N m or N.",
         }
         .to_owned(),
     )

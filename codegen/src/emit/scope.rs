@@ -266,6 +266,7 @@ fn entry(argument: Argument, joint: u16) -> Input {
         Argument::Q => Input::Q(joint),
         Argument::Qd => Input::Qd(joint),
         Argument::Qdd => Input::Qdd(joint),
+        Argument::Tau => Input::Tau(joint),
     }
 }
 

@@ -34,6 +34,8 @@ pub enum Input {
     Qd(u16),
     /// Its second rate.
     Qdd(u16),
+    /// Its force or torque \[N or N m\].
+    Tau(u16),
     /// An entry of a struct field: index of the field among the parameters, index within it.
     Parameter(u16, u16),
 }

@@ -42,6 +42,11 @@ impl<'g> Term<'g> {
         self.value().is_some_and(Double::is_zero)
     }
 
+    /// Says what it is an entry of.
+    pub fn label(self, name: impl FnOnce() -> String) {
+        self.graph.set_label(self.expr, name);
+    }
+
     /// Sine and cosine.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {

@@ -3,7 +3,7 @@
 use std::ops::{Add, Sub};
 
 use super::{Pose, Rotation, Vector};
-use crate::expression::{Graph, Term};
+use crate::expression::{Double, Graph, Term};
 
 /// A symmetric 3×3 block: xx, yy, zz, xy, xz, yz.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,8 @@ impl<E: Copy> Symmetric<E> {
         [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
     }
 
-    const fn from_rows([[xx, xy, xz], [_, yy, yz], [_, _, zz]]: [[E; 3]; 3]) -> Self {
+    /// Of a matrix known to be symmetric.
+    pub const fn from_rows([[xx, xy, xz], [_, yy, yz], [_, _, zz]]: [[E; 3]; 3]) -> Self {
         Self([xx, yy, zz, xy, xz, yz])
     }
 }
@@ -57,6 +58,10 @@ impl<'g> Symmetric<Term<'g>> {
     /// rest: with w = s(a − b) + 2ch the block (a, b, h) becomes (a − sw, b + sw, cw − h).
     #[must_use]
     pub fn rotate_about_z(self, (sine, cosine): (Term<'g>, Term<'g>)) -> Self {
+        // The identity must give back the same expressions.
+        if sine.is_zero() && (cosine * cosine).value().is_some_and(Double::is_one) {
+            return self;
+        }
         let [xx, yy, zz, xy, xz, yz] = self.0;
         let w = sine * (xx - yy) + cosine * (xy + xy);
         let turned = sine * w;
@@ -68,6 +73,20 @@ impl<'g> Symmetric<Term<'g>> {
             cosine * xz - sine * yz,
             sine * xz + cosine * yz,
         ])
+    }
+
+    /// abᵗ of a and b that are multiples of one vector.
+    #[must_use]
+    pub fn half_product(a: Vector<Term<'g>>, b: Vector<Term<'g>>) -> Self {
+        let ([ax, ay, az], [bx, by, bz]) = (a.0, b.0);
+        Self([ax * bx, ay * by, az * bz, ax * by, ax * bz, ay * bz])
+    }
+
+    /// Makes the third row and column null.
+    pub fn clear_z(&mut self, zero: Term<'g>) {
+        for k in [2, 4, 5] {
+            self.0[k] = zero;
+        }
     }
 
     /// abᵗ + baᵗ.
@@ -178,7 +197,7 @@ impl<'g> Inertia<Term<'g>> {
     pub fn label(self, prefix: impl Fn() -> String) {
         let names = ["xx", "yy", "zz", "xy", "xz", "yz", "x", "y", "z", "m"];
         for (entry, name) in self.entries().into_iter().zip(names) {
-            entry.graph().set_label(entry.expr(), || prefix() + name);
+            entry.label(|| prefix() + name);
         }
     }
 }
@@ -188,6 +207,14 @@ impl Add for Symmetric<Term<'_>> {
 
     fn add(self, other: Self) -> Self {
         Self(std::array::from_fn(|k| self.0[k] + other.0[k]))
+    }
+}
+
+impl Sub for Symmetric<Term<'_>> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] - other.0[k]))
     }
 }
 

@@ -1,7 +1,7 @@
 //! M, the position matrix (paper, eq. 1): where a frame is, seen from another.
 
 use std::array;
-use std::ops::Mul;
+use std::ops::{Add, Mul};
 
 use super::Vector;
 use crate::expression::{Graph, Term};
@@ -98,6 +98,17 @@ impl Mul for Rotation<Term<'_>> {
 
     fn mul(self, other: Self) -> Self {
         Self::from_columns(array::from_fn(|k| self * other.column(k)))
+    }
+}
+
+/// Of any 3×3 matrices.
+impl Add for Rotation<Term<'_>> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(array::from_fn(|i| {
+            array::from_fn(|j| self.0[i][j] + other.0[i][j])
+        }))
     }
 }
 

@@ -66,7 +66,7 @@ impl<'g> Vector<Term<'g>> {
     /// Names the entries `{prefix}x`, `{prefix}y`, `{prefix}z`.
     pub fn label(self, prefix: impl Fn() -> String) {
         for (entry, axis) in self.0.into_iter().zip(["x", "y", "z"]) {
-            entry.graph().set_label(entry.expr(), || prefix() + axis);
+            entry.label(|| prefix() + axis);
         }
     }
 }

@@ -56,11 +56,16 @@ const INERTIA: Tally = Tally::of(2, 0, 0);
 const ACTION: Tally = Tally::of(1, 0, 3).and(6, 5);
 
 /// Multiplications and additions of a function of `joints` joints, of which `path` lead to the
-/// frame that it is of.
+/// frame that it is of. Divisions count as multiplications.
 #[must_use]
 pub fn dense(function: Function, joints: usize, path: usize) -> (usize, usize) {
+    let tally = tally(function, joints, path);
+    (tally.mul, tally.add)
+}
+
+fn tally(function: Function, joints: usize, path: usize) -> Tally {
     let kinematic = POSE.plus(SCREW);
-    let tally = match function {
+    match function {
         Function::ForwardKinematics => POSE.times(path).plus(Tally::of(1, 0, 0)),
         Function::SpatialJacobian => kinematic.times(path),
         // And back to the frame, or the pole to its origin.
@@ -83,6 +88,16 @@ pub fn dense(function: Function, joints: usize, path: usize) -> (usize, usize) {
                     .times(joints * (joints + 1) / 2),
             )
         }
-    };
-    (tally.mul, tally.add)
+        Function::ForwardDynamics => {
+            // M, the bias, a dense factorisation and one solve.
+            let (cubes, squares) = (joints.pow(3) / 6, joints.pow(2));
+            tally(Function::MassMatrix, joints, path)
+                .plus(tally(Function::Bias, joints, path))
+                .and(cubes + squares, cubes + squares)
+        }
+        Function::MassMatrixInverse => {
+            let cubes = joints.pow(3);
+            tally(Function::MassMatrix, joints, path).and(cubes, cubes)
+        }
+    }
 }

@@ -7,11 +7,16 @@ use crate::chain::frames::Bodies;
 use crate::expression::Term;
 use crate::matrix::{Acceleration, Action, Vector};
 
-/// τ of a motion, one entry a joint; without `accelerating`, at q̈ = 0.
+/// τ of a motion without accelerations, one entry a joint.
+pub fn bias<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+    inverse_dynamics(bodies, state, &vec![state.zero(); bodies.bodies.len()])
+}
+
+/// τ of a motion with the given q̈, one entry a joint.
 pub fn inverse_dynamics<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
-    accelerating: bool,
+    qdd: &[Term<'g>],
 ) -> Vec<Term<'g>> {
     let count = bodies.bodies.len();
     let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
@@ -21,12 +26,7 @@ pub fn inverse_dynamics<'g>(
     let mut actions: Vec<Action<Term<'g>>> = Vec::with_capacity(count);
     for (k, (body, joint)) in bodies.bodies.iter().zip(&joints).enumerate() {
         let outer = body.parent.map_or(base, |parent| accelerations[parent]);
-        let second = if accelerating {
-            state.qdd(k)
-        } else {
-            state.zero()
-        };
-        let h = beyond(outer, joint, state.qd(k), second);
+        let h = beyond(outer, joint, state.qd(k), qdd[k]);
         let index = k + 1;
         h.omega.label(|| format!("w_0_{index}_in_{index}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{index}_"));
@@ -52,7 +52,7 @@ pub fn inverse_dynamics<'g>(
 }
 
 /// H of the body beyond a joint, in its own frame: Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ (eq. 11) by its parts.
-fn beyond<'g>(
+pub fn beyond<'g>(
     outer: Acceleration<Term<'g>>,
     joint: &Joint<'g>,
     rate: Term<'g>,

@@ -154,7 +154,8 @@ fn all_mistakes_are_reported_at_once() {
          2:18: unknown function \"inverse_dynamic\"\n  \
          hint: did you mean \"inverse_dynamics\"? known functions: forward_kinematics, \
          spatial_jacobian, body_jacobian, geometric_jacobian, velocity, acceleration, \
-         inverse_dynamics, gravity, bias and mass_matrix\n\
+         inverse_dynamics, gravity, bias, mass_matrix, forward_dynamics and \
+         mass_matrix_inverse\n\
          4:9: a field cannot stand for \"mass\"\n  \
          hint: known keys: mass_of, com_of, gravity and origin_of\n\
          5:3: field `g` stands for two numbers\n\

@@ -1,0 +1,118 @@
+//! The command line.
+//!
+//! In: arguments and standard input. Out: an [`Answer`], complete before anything of it is
+//! printed, so that a mistake leaves nothing on standard output. One file a command; none of them
+//! does a stage's work.
+
+mod check;
+mod count;
+mod eval;
+mod functions;
+mod generate;
+mod inspect;
+mod json;
+mod options;
+mod progress;
+mod states;
+
+use std::ffi::OsString;
+use std::io::{ErrorKind, Read, Write};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use self::progress::Progress;
+use crate::error::Errors;
+
+/// Runs the program: answers, prints, and says how it went.
+pub fn run(
+    arguments: impl IntoIterator<Item = OsString>,
+    input: &mut dyn Read,
+    output: &mut dyn Write,
+    remarks: &mut dyn Write,
+) -> ExitCode {
+    let progress = Progress::start();
+    let answer = answer(arguments, input);
+    drop(progress);
+    // Nobody is left to be told if this fails.
+    let _ = remarks.write_all(answer.remarks.as_bytes());
+    let printed = output
+        .write_all(answer.output.as_bytes())
+        .and_then(|()| output.flush());
+    match printed {
+        Ok(()) => ExitCode::from(answer.code),
+        // `homogen inspect … | head` is no mistake.
+        Err(reason) if reason.kind() == ErrorKind::BrokenPipe => ExitCode::from(answer.code),
+        Err(reason) => {
+            let _ = writeln!(remarks, "error: cannot write: {reason}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// What a call of the program leads to.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Answer {
+    /// For standard output; empty where there was a mistake.
+    pub output: String,
+    /// For standard error: mistakes, doubts, notes.
+    pub remarks: String,
+    /// 0, or 1 for a mistake in what was read, or 2 for one in the arguments.
+    pub code: u8,
+}
+
+/// What the program says to these arguments, the first of which is its name.
+pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Read) -> Answer {
+    let program = match Program::try_parse_from(arguments) {
+        Ok(program) => program,
+        Err(usage) => return Answer::of_usage(&usage),
+    };
+    let said = match &program.command {
+        Command::Check(check) => check.run(input),
+        Command::Inspect(inspect) => inspect.run(input),
+        Command::Count(count) => count.run(input),
+        Command::Eval(eval) => eval.run(input),
+        Command::Generate(generate) => generate.run(input),
+    };
+    said.unwrap_or_else(|errors| Answer {
+        remarks: errors.to_string(),
+        code: 1,
+        ..Answer::default()
+    })
+}
+
+/// Expands the 4×4 matrices of a robot into straight-line Rust.
+#[derive(Parser)]
+#[command(name = "homogen", version, max_term_width = 100)]
+struct Program {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Check(check::Check),
+    Inspect(inspect::Inspect),
+    Count(count::Count),
+    Eval(eval::Eval),
+    Generate(generate::Generate),
+}
+
+/// What a command that did not fail says.
+type Said = Result<Answer, Errors>;
+
+impl Answer {
+    fn of_usage(usage: &clap::Error) -> Self {
+        let text = usage.render().to_string();
+        let (output, remarks) = if usage.use_stderr() {
+            (String::new(), text)
+        } else {
+            (text, String::new())
+        };
+        Self {
+            output,
+            remarks,
+            code: u8::try_from(usage.exit_code()).unwrap_or(2),
+        }
+    }
+}

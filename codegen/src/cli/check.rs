@@ -1,0 +1,196 @@
+//! `homogen check`: what was read, and what became of it.
+//!
+//! In: a description. Out: the order of q, the links that are modelled, what was merged, locked,
+//! left out or taken for a right angle, and every doubt with its line and column. It never
+//! generates anything.
+
+use std::fmt::Write;
+use std::io::Read;
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use super::functions::Frames;
+use super::options::{Format, Robot};
+use super::{Answer, Said, json, options};
+use crate::chain::{self, Chain};
+use crate::description::{Description, Joint, JointKind};
+
+/// Tell what was read, merged, locked, left out or repaired, and every doubt with its place
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen check arm.urdf --tip tool0 --format json")]
+pub(super) struct Check {
+    #[command(flatten)]
+    robot: Robot,
+    #[command(flatten)]
+    frames: Frames,
+    /// How the answer is printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+impl Check {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        let description = self.robot.description(input)?;
+        let request = self.robot.request(&self.frames.frames, &[]);
+        let chain = chain::build(&description, &request)?;
+        let output = match self.format {
+            Format::Text => in_text(&description, &chain),
+            Format::Json => json::text(&in_json(&description, &chain)),
+        };
+        Ok(Answer {
+            output,
+            ..Answer::default()
+        })
+    }
+}
+
+/// The description of a joint of the chain, and the mass of the body that it carries.
+fn described<'a>(
+    description: &'a Description,
+    chain: &'a Chain,
+) -> impl Iterator<Item = (&'a Joint, f64)> {
+    // Both are in an order of their own: one pass over the names for all.
+    let joints = description.joints.iter();
+    let by_name: std::collections::HashMap<&str, &Joint> = joints
+        .map(|joint| (joint.name.text.as_str(), joint))
+        .collect();
+    chain.joints.iter().filter_map(move |joint| {
+        let mass = chain.graph.value(joint.inertia.mass)?.to_f64();
+        Some((*by_name.get(joint.name.as_str())?, mass))
+    })
+}
+
+fn kind(joint: &Joint) -> &'static str {
+    match joint.kind {
+        JointKind::Revolute => "revolute",
+        JointKind::Continuous => "continuous",
+        JointKind::Prismatic => "prismatic",
+        JointKind::Screw { .. } => "screw",
+        JointKind::Fixed => "fixed",
+    }
+}
+
+fn tip(chain: &Chain) -> Option<&str> {
+    let tip = chain.frames.first().filter(|_| chain.has_tip);
+    tip.map(|tip| tip.name.as_str())
+}
+
+fn in_json(description: &Description, chain: &Chain) -> Value {
+    let report = &chain.report;
+    let names: Value = chain
+        .joints
+        .iter()
+        .map(|joint| joint.name.as_str())
+        .collect();
+    let merged = report.merged.iter();
+    let merged: Value = merged
+        .map(|(link, into)| json!({ "link": link, "into": into }))
+        .collect();
+    let locked = report.locked.iter();
+    let locked: Value = locked
+        .map(|(joint, at)| json!({ "joint": joint, "q": at }))
+        .collect();
+    let snapped = report.snapped.iter().map(|angle| {
+        let (line, column) = json::line_and_column(angle.place);
+        json!({
+            "line": line, "column": column, "item": angle.item,
+            "written": angle.written, "quarter_turns": angle.quarters,
+        })
+    });
+    let warnings = report.warnings.iter().map(|doubt| {
+        let (line, column) = json::line_and_column(doubt.place);
+        json!({ "line": line, "column": column, "message": doubt.message, "hint": doubt.hint })
+    });
+    let details = described(description, chain).map(|(joint, mass)| {
+        let limits = joint.limits.as_ref();
+        // JSON has no infinity: a bound that does not exist is null.
+        let limits = limits.map(|limits| {
+            json!({ "lower": limits.lower, "upper": limits.upper, "velocity": limits.velocity })
+        });
+        json!({
+            "name": joint.name.text, "kind": kind(joint), "parent": joint.parent.text,
+            "child": joint.child.text, "mass": mass, "limits": limits,
+        })
+    });
+    let frames: Value = chain
+        .frames
+        .iter()
+        .map(|frame| frame.name.as_str())
+        .collect();
+    json!({
+        "robot": description.name.text,
+        "file": description.source.file,
+        "base": report.base,
+        "tip": tip(chain),
+        "joints": names,
+        "links": report.links,
+        "merged": merged,
+        "locked": locked,
+        "dropped": report.dropped,
+        "snapped": snapped.collect::<Value>(),
+        "warnings": warnings.collect::<Value>(),
+        "details": {
+            "hash": format!("{:016x}", description.source.hash),
+            "frames": frames,
+            "joints": details.collect::<Value>(),
+        },
+    })
+}
+
+fn in_text(description: &Description, chain: &Chain) -> String {
+    let report = &chain.report;
+    let mut text = String::new();
+    let mut line = |line: String| {
+        text.push_str(&line);
+        text.push('\n');
+    };
+    let from = match &description.source.file {
+        Some(file) => format!(" from {file}"),
+        None => String::new(),
+    };
+    line(format!("robot {}{from}", description.name.text));
+    line(format!("base {}", report.base));
+    match tip(chain) {
+        Some(tip) => line(format!("tip {tip}")),
+        None => line("no tip: there is more than one end, and --tip names none".to_owned()),
+    }
+    line(format!("{} joints, in the order of q:", chain.joints.len()));
+    for (k, (joint, mass)) in described(description, chain).enumerate() {
+        let (parent, child) = (&joint.parent.text, &joint.child.text);
+        let (name, kind) = (&joint.name.text, kind(joint));
+        line(format!(
+            "  {k:3}  {name}: {kind}, from {parent} to {child}, carries {mass} kg"
+        ));
+    }
+    let counted = |number: usize, what: &str| format!("{number} {what}");
+    line(counted(report.links.len(), "links modelled"));
+    line(counted(report.merged.len(), "links merged"));
+    for (link, into) in &report.merged {
+        line(format!("  {link} into {into}"));
+    }
+    line(counted(report.locked.len(), "joints locked"));
+    for (joint, at) in &report.locked {
+        line(format!("  {joint} at {at}"));
+    }
+    line(counted(report.dropped.len(), "links left out"));
+    for link in &report.dropped {
+        line(format!("  {link}"));
+    }
+    line(counted(
+        report.snapped.len(),
+        "angles taken for right angles",
+    ));
+    for angle in &report.snapped {
+        let (row, column) = json::line_and_column(angle.place);
+        let (item, written, quarters) = (&angle.item, angle.written, angle.quarters);
+        line(format!(
+            "  {row}:{column}: {written} of {item} is {quarters} × π/2"
+        ));
+    }
+    line(counted(report.warnings.len(), "warnings"));
+    let _ = write!(text, "{}", options::warnings(description, &report.warnings));
+    text
+}

@@ -1,0 +1,240 @@
+//! `homogen eval`: a function's values, without a compiler.
+//!
+//! In: a description, the name of a function, states. Out: its results, computed by the scheduled
+//! program itself in the arithmetic asked for, each number in its shortest form that reads back.
+
+use std::fmt::{Display, Write};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::{Map, Value, json};
+
+use super::functions::{self, Together};
+use super::options::{Format, Robot, STANDARD_INPUT, Scalar, is_standard_input, mistake};
+use super::states::State;
+use super::{Answer, Said, json, options, states};
+use crate::chain::{self, Chain};
+use crate::error::{Errors, Place};
+use crate::expand;
+use crate::expression::Input;
+use crate::function::{Argument, Function, Shape};
+use crate::request::Real;
+use crate::schedule::{Arithmetic, Program, run};
+
+/// Compute a function at given states, without a compiler
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen eval arm.urdf --function inverse_dynamics --states states.json --format json
+
+The states: {\"states\":[{\"q\":[…],\"qd\":[…],\"qdd\":[…],\"tau\":[…]}]}, one number a joint, in the
+order of `homogen check`; keys that the function does not need may be absent.")]
+pub(super) struct Eval {
+    #[command(flatten)]
+    robot: Robot,
+    /// The function, by its name in generated code
+    #[arg(long, value_name = "NAME", value_parser = functions::function)]
+    function: Function,
+    /// A file of states; `-` reads standard input
+    #[arg(long, value_name = "FILE")]
+    states: PathBuf,
+    /// The link whose pose or Jacobian is wanted, instead of the tip's
+    #[arg(long, alias = "frames", value_name = "LINK")]
+    frame: Option<String>,
+    /// The arithmetic
+    #[arg(long, value_enum, default_value = "f64")]
+    scalar: Scalar,
+    /// How the answer is printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+impl Eval {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        if is_standard_input(&self.robot.file) && is_standard_input(&self.states) {
+            return Err(mistake(
+                "description and states cannot both be standard input",
+            ));
+        }
+        let function = self.function;
+        let description = self.robot.description(input)?;
+        let functions = [Together(vec![function])];
+        let request = self.robot.request(&self.frame, &functions);
+        let chain = chain::build(&description, &request)?;
+        let (text, file) = self.text(input)?;
+        let states = states::read(&text, &file, function.arguments(), chain.joints.len())?;
+
+        // Further frames come after the tip's.
+        let frame = chain.frames.len().saturating_sub(1);
+        let scalar = match self.scalar {
+            Scalar::F32 => Real::F32,
+            Scalar::F64 => Real::F64,
+        };
+        let program = expand::program(&chain, &[function], frame, scalar)?;
+        let results = self.results(&program, &states)?;
+        let remarks = options::warnings(&description, &chain.report.warnings);
+        Ok(match self.format {
+            Format::Text => Answer {
+                output: in_text(&chain, function, &results),
+                remarks,
+                code: 0,
+            },
+            Format::Json => Answer {
+                output: json::text(&self.in_json(&chain, frame, &results)),
+                ..Answer::default()
+            },
+        })
+    }
+
+    /// The states' text and what messages call it.
+    fn text(&self, input: &mut dyn Read) -> Result<(String, String), Errors> {
+        let path = &self.states;
+        if is_standard_input(path) {
+            let text = String::from_utf8(options::read(input)?);
+            let text = text.map_err(|_| mistake("<stdin> is not written in UTF-8"))?;
+            return Ok((text, STANDARD_INPUT.to_owned()));
+        }
+        let name = path.file_name().map(Path::new).unwrap_or(path);
+        match std::fs::read_to_string(path) {
+            Ok(text) => Ok((text, name.display().to_string())),
+            Err(reason) => Err(mistake(format!("cannot read {}: {reason}", path.display()))),
+        }
+    }
+
+    fn results(&self, program: &Program, states: &[State]) -> Result<Vec<Vec<f64>>, Errors> {
+        let arguments = self.function.arguments();
+        let mut errors = Errors::new();
+        let mut results = Vec::with_capacity(states.len());
+        for (index, state) in states.iter().enumerate() {
+            let numbers = match self.scalar {
+                Scalar::F32 => numbers::<f32>(program, arguments, state),
+                Scalar::F64 => numbers::<f64>(program, arguments, state),
+            };
+            if numbers.iter().any(|number| !number.is_finite()) {
+                let message = format!("state {index}: a result is too large for {:?}", self.scalar);
+                errors.push(Place::Unknown, message.to_lowercase());
+            }
+            results.push(numbers);
+        }
+        errors.into_result(results)
+    }
+
+    fn in_json(&self, chain: &Chain, frame: usize, results: &[Vec<f64>]) -> Value {
+        let joints = chain.joints.len();
+        let shape = self.function.shape();
+        let names = chain.joints.iter().map(|joint| joint.name.as_str());
+        let mut answer = Map::new();
+        answer.insert("function".into(), json!(self.function.name()));
+        answer.insert("joints".into(), names.collect());
+        if self.function.of_a_frame() {
+            answer.insert("base".into(), json!(chain.report.base));
+            answer.insert("frame".into(), json!(chain.frames[frame].name));
+        }
+        answer.insert("shape".into(), json!(dimensions(shape, joints)));
+        if shape == Shape::Screws {
+            answer.insert("rows".into(), json!(SCREW));
+        }
+        let results = results
+            .iter()
+            .map(|numbers| match rows(shape, joints, numbers) {
+                Some(rows) => json!(rows),
+                None => json!(numbers),
+            });
+        answer.insert("results".into(), results.collect());
+        Value::Object(answer)
+    }
+}
+
+/// What the rows of a Jacobian are.
+const SCREW: [&str; 6] = [
+    "angular_x",
+    "angular_y",
+    "angular_z",
+    "linear_x",
+    "linear_y",
+    "linear_z",
+];
+
+/// The results as the `f64`s that print like them.
+fn numbers<T: Arithmetic + Display>(
+    program: &Program,
+    arguments: &[Argument],
+    state: &State,
+) -> Vec<f64> {
+    let value = |wanted: Argument, k: u16| {
+        let index = arguments.iter().position(|&argument| argument == wanted);
+        let index = index.expect("a program reads the arguments of its function");
+        T::literal(state[index][usize::from(k)])
+    };
+    let results = run(program, |input| match input {
+        Input::Q(k) => value(Argument::Q, k),
+        Input::Qd(k) => value(Argument::Qd, k),
+        Input::Qdd(k) => value(Argument::Qdd, k),
+        Input::Tau(k) => value(Argument::Tau, k),
+        Input::Parameter(..) => unreachable!("the command line has no run-time parameters"),
+    });
+    // By way of the shortest digits: 0.1 in f32 is to be printed as 0.1, and not as all the digits
+    // that the same number has in f64.
+    let shortest = |number: T| number.to_string().parse().unwrap_or(f64::NAN);
+    results.into_iter().map(shortest).collect()
+}
+
+fn dimensions(shape: Shape, joints: usize) -> Vec<usize> {
+    match shape {
+        Shape::Pose | Shape::Velocity | Shape::Acceleration => vec![4, 4],
+        Shape::Screws => vec![6, joints],
+        Shape::Vector => vec![joints],
+        Shape::Matrix => vec![joints, joints],
+    }
+}
+
+/// The rows of a matrix, whole; none of a vector.
+fn rows(shape: Shape, joints: usize, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
+    let under = |last: [f64; 4]| {
+        let rows = numbers.chunks(4).map(<[f64]>::to_vec);
+        rows.chain([last.to_vec()]).collect()
+    };
+    Some(match shape {
+        Shape::Vector => return None,
+        Shape::Matrix => numbers.chunks(joints.max(1)).map(<[f64]>::to_vec).collect(),
+        Shape::Pose => under([0.0, 0.0, 0.0, 1.0]),
+        Shape::Acceleration => under([0.0; 4]),
+        Shape::Velocity => {
+            let (w, v) = (&numbers[..3], &numbers[3..]);
+            vec![
+                vec![0.0, -w[2], w[1], v[0]],
+                vec![w[2], 0.0, -w[0], v[1]],
+                vec![-w[1], w[0], 0.0, v[2]],
+                vec![0.0; 4],
+            ]
+        }
+        Shape::Screws => {
+            let row = |row: usize| numbers.iter().skip(row).step_by(6).copied().collect();
+            (0..6).map(row).collect()
+        }
+    })
+}
+
+fn in_text(chain: &Chain, function: Function, results: &[Vec<f64>]) -> String {
+    let joints = chain.joints.len();
+    let mut text = String::new();
+    for (index, numbers) in results.iter().enumerate() {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{} of state {index}", function.name());
+        match rows(function.shape(), joints, numbers) {
+            Some(rows) => rows.iter().for_each(|row| {
+                let row: Vec<String> = row.iter().map(|number| format!("{number:>24?}")).collect();
+                let _ = writeln!(text, "{}", row.concat());
+            }),
+            None => chain
+                .joints
+                .iter()
+                .zip(numbers)
+                .for_each(|(joint, number)| {
+                    let _ = writeln!(text, "{number:>24?}  {}", joint.name);
+                }),
+        }
+    }
+    text
+}

@@ -1,0 +1,71 @@
+//! `homogen generate`: a file of Rust that needs `core` and a way to compute sines.
+//!
+//! In: a description and names of functions. Out: what the builder of a build script writes, with
+//! the same tokens. It never writes a file before everything is known to be right.
+
+use std::io::Read;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::functions::Functions;
+use super::options::{Robot, Scalar, is_standard_input, mistake};
+use super::{Answer, Said};
+use crate::builder::Builder;
+
+/// Write the functions of a robot as a file of Rust that needs core and nothing else
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs")]
+pub(super) struct Generate {
+    #[command(flatten)]
+    robot: Robot,
+    #[command(flatten)]
+    functions: Functions,
+    /// The type of number
+    #[arg(long, value_enum, default_value = "f64")]
+    scalar: Scalar,
+    /// The path of a function from an angle to its sine and cosine [default: that of libm]
+    #[arg(long, value_name = "PATH")]
+    sin_cos: Option<String>,
+    /// The path of a function from a number to its square root [default: that of libm]
+    #[arg(long, value_name = "PATH")]
+    sqrt: Option<String>,
+    /// The name of the struct [default: the robot's]
+    #[arg(long)]
+    name: Option<String>,
+    /// The file to write; `-` is standard output
+    #[arg(long, short, value_name = "OUT", default_value = "-")]
+    output: PathBuf,
+}
+
+impl Generate {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        let description = self.robot.description(input)?;
+        let (mut request, remarks) = self.functions.request(&self.robot, &description)?;
+        request.scalar = self.scalar.into();
+        let mut builder = Builder::from_description(description).request(request);
+        if let Some(name) = &self.name {
+            builder = builder.name(name);
+        }
+        if let Some(path) = &self.sin_cos {
+            builder = builder.sin_cos(path);
+        }
+        if let Some(path) = &self.sqrt {
+            builder = builder.sqrt(path);
+        }
+        let mut output = builder.to_source()?.to_string();
+        if !is_standard_input(&self.output) {
+            let path = &self.output;
+            let refuse = |reason| mistake(format!("cannot write {}: {reason}", path.display()));
+            std::fs::write(path, &output).map_err(refuse)?;
+            output.clear();
+        }
+        Ok(Answer {
+            output,
+            remarks,
+            code: 0,
+        })
+    }
+}

@@ -1,0 +1,207 @@
+//! The options that all commands share.
+//!
+//! In: arguments. Out: the description they name and the [`Request`] they make. It never looks at
+//! what the description says.
+
+use std::fmt::Write;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use proc_macro2::{Ident, Span};
+
+use super::functions::Together;
+use crate::description::urdf::LARGEST_FILE;
+use crate::description::{self, Description, Name, Number};
+use crate::emit::{Item, type_name};
+use crate::error::{Complaint, Errors, Place};
+use crate::request::{Real, Request};
+
+/// Which robot, and which part of it.
+#[derive(Args, Clone, Debug)]
+pub(super) struct Robot {
+    /// A URDF file or a Denavit–Hartenberg table; `-` reads standard input
+    pub(super) file: PathBuf,
+    /// The link taken as fixed [default: the root]
+    #[arg(long, value_name = "LINK")]
+    base: Option<String>,
+    /// The link whose frame poses and Jacobians are of [default: the last link, where there is
+    /// only one]
+    #[arg(long, value_name = "LINK")]
+    tip: Option<String>,
+    /// Lock every joint that does not move the tip; the bodies stay as mass
+    #[arg(long)]
+    path_only: bool,
+    /// Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass
+    #[arg(long, value_name = "JOINT[=q]", value_parser = lock)]
+    lock: Vec<(String, Option<f64>)>,
+    /// Take a link off with all that it carries, and with their mass
+    #[arg(long, value_name = "LINK")]
+    drop: Vec<String>,
+    /// Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]
+    #[arg(long, value_name = "x,y,z", value_parser = gravity, allow_hyphen_values = true)]
+    gravity: Option<Gravity>,
+    /// Keep an angle such as 1.5708 as written instead of taking it for a right angle
+    #[arg(long)]
+    exact: bool,
+    /// Refuse inertias that no body can have, instead of warning
+    #[arg(long)]
+    strict: bool,
+}
+
+/// How an answer is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+}
+
+/// The type of number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Scalar {
+    /// Single precision
+    F32,
+    /// Double precision
+    F64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Gravity([f64; 3]);
+
+impl Robot {
+    /// Reads the file.
+    pub(super) fn description(&self, input: &mut dyn Read) -> Result<Description, Errors> {
+        let mut errors = Errors::new();
+        let description = if is_standard_input(&self.file) {
+            let bytes = read(input)?;
+            description::read_bytes(&bytes, STANDARD_INPUT, None, &mut errors)
+        } else {
+            description::read_file(&self.file, None, &mut errors)
+        };
+        match description {
+            Some(description) => errors.into_result(description),
+            None => Err(errors),
+        }
+    }
+
+    /// What is asked of it, for some functions of the tip and of further frames.
+    pub(super) fn request<'a>(
+        &self,
+        frames: impl IntoIterator<Item = &'a String>,
+        functions: &[Together],
+    ) -> Request {
+        let named = |text: &String| Name {
+            text: text.clone(),
+            place: Place::Unknown,
+        };
+        let lock = |(joint, at): &(String, Option<f64>)| (named(joint), at.map(number));
+        Request {
+            base: self.base.as_ref().map(named),
+            tip: self.tip.as_ref().map(named),
+            path_only: self.path_only,
+            lock: self.lock.iter().map(lock).collect(),
+            drop: self.drop.iter().map(named).collect(),
+            frames: frames.into_iter().map(named).collect(),
+            gravity: self.gravity.map(|gravity| gravity.0.map(number)),
+            exact: self.exact,
+            strict: self.strict,
+            functions: functions.iter().map(|item| item.0.clone()).collect(),
+            ..Request::default()
+        }
+    }
+}
+
+impl From<Scalar> for Real {
+    fn from(scalar: Scalar) -> Self {
+        match scalar {
+            Scalar::F32 => Self::F32,
+            Scalar::F64 => Self::F64,
+        }
+    }
+}
+
+/// What messages call standard input.
+pub(super) const STANDARD_INPUT: &str = "<stdin>";
+
+/// Whether a path stands for standard input.
+pub(super) fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// All bytes of standard input, which may have no end.
+pub(super) fn read(input: &mut dyn Read) -> Result<Vec<u8>, Errors> {
+    let mut bytes = Vec::new();
+    let most = LARGEST_FILE as u64;
+    match input.take(most + 1).read_to_end(&mut bytes) {
+        Ok(_) if bytes.len() <= LARGEST_FILE => Ok(bytes),
+        Ok(_) => Err(mistake(format!(
+            "{STANDARD_INPUT} is larger than {} MB",
+            most >> 20
+        ))),
+        Err(reason) => Err(mistake(format!("cannot read {STANDARD_INPUT}: {reason}"))),
+    }
+}
+
+/// One mistake without a place.
+pub(super) fn mistake(message: impl Into<String>) -> Errors {
+    let mut errors = Errors::new();
+    errors.push(Place::Unknown, message);
+    errors
+}
+
+/// The struct that functions become methods of, called as the robot is.
+pub(super) fn item(description: &Description) -> Item {
+    Item::made(Ident::new(
+        &type_name(&description.name.text),
+        Span::call_site(),
+    ))
+}
+
+/// Doubts as standard error has them.
+pub(super) fn warnings(description: &Description, doubts: &[Complaint]) -> String {
+    let mut errors = Errors::new();
+    if let Some(file) = &description.source.file {
+        errors.set_file(file.clone(), None);
+    }
+    let mut text = String::new();
+    for doubt in doubts {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "warning: {}", errors.locate(doubt));
+        if let Some(hint) = &doubt.hint {
+            let _ = writeln!(text, "  hint: {hint}");
+        }
+    }
+    text
+}
+
+fn number(value: f64) -> Number {
+    Number {
+        value,
+        ..Number::default()
+    }
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>();
+    let number = number.map_err(|_| format!("`{text}` is not a number"))?;
+    let finite = number.is_finite().then_some(number);
+    finite.ok_or_else(|| format!("`{text}` is not a finite number"))
+}
+
+fn lock(text: &str) -> Result<(String, Option<f64>), String> {
+    match text.rsplit_once('=') {
+        Some((joint, at)) => Ok((joint.to_owned(), Some(finite(at)?))),
+        None => Ok((text.to_owned(), None)),
+    }
+}
+
+fn gravity(text: &str) -> Result<Gravity, String> {
+    if text == "none" {
+        return Ok(Gravity([0.0; 3]));
+    }
+    let entries: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
+    let entries = entries.try_into().map(Gravity);
+    entries.map_err(|_| "gravity is three numbers with commas between them, or none".to_owned())
+}

@@ -1,0 +1,118 @@
+//! States of a robot, read from JSON.
+//!
+//! In: `{"states":[{"q":[…],"qd":[…],"qdd":[…],"tau":[…]}]}`, what a function is a function of,
+//! how many joints there are. Out: the numbers it needs, all finite and as many as joints; or every
+//! mistake with the number of its state. It never looks at a key that the function does not need.
+
+use serde_json::{Map, Value};
+
+use crate::error::{Errors, Place};
+use crate::function::Argument;
+
+/// The values of a function's arguments, in the order of its parameters.
+pub(super) type State = Vec<Vec<f64>>;
+
+/// Reads states from a text that came from a file of that name.
+pub(super) fn read(
+    text: &str,
+    file: &str,
+    arguments: &[Argument],
+    joints: usize,
+) -> Result<Vec<State>, Errors> {
+    let mut errors = Errors::new();
+    match serde_json::from_str(text) {
+        Ok(value) => {
+            let states = states(&value, file, arguments, joints, &mut errors);
+            errors.into_result(states)
+        }
+        Err(reason) => {
+            // Some programs write NaN as if it were JSON: that state and key can still be named.
+            if let Ok(value) = serde_json::from_str(&without_nan(text)) {
+                states(&value, file, arguments, joints, &mut errors);
+            }
+            if errors.is_empty() {
+                refuse_syntax(&reason, file, &mut errors);
+            }
+            Err(errors)
+        }
+    }
+}
+
+fn states(
+    value: &Value,
+    file: &str,
+    arguments: &[Argument],
+    joints: usize,
+    errors: &mut Errors,
+) -> Vec<State> {
+    let Some(states) = value.get("states").and_then(Value::as_array) else {
+        let message = format!("{file}: there is no list \"states\"");
+        let hint = "write {\"states\":[{\"q\":[0.1, 0.2]}]}";
+        errors.push_with_hint(Place::Unknown, message, hint);
+        return Vec::new();
+    };
+    let mut read = Vec::with_capacity(states.len());
+    for (index, state) in states.iter().enumerate() {
+        let mut complain = |what: String| {
+            errors.push(Place::Unknown, format!("{file}: state {index} {what}"));
+        };
+        let Some(state) = state.as_object() else {
+            complain("is not an object".to_owned());
+            continue;
+        };
+        let mut values = State::new();
+        for &argument in arguments {
+            match values_of(state, argument, joints) {
+                Ok(numbers) => values.push(numbers),
+                Err(what) => complain(what),
+            }
+        }
+        read.push(values);
+    }
+    read
+}
+
+/// The numbers of one key, or the end of a sentence that begins with the state.
+fn values_of(
+    state: &Map<String, Value>,
+    argument: Argument,
+    joints: usize,
+) -> Result<Vec<f64>, String> {
+    let key = argument.name();
+    let Some(values) = state.get(key) else {
+        return Err(format!("has no \"{key}\""));
+    };
+    let Some(values) = values.as_array() else {
+        return Err(format!("has a \"{key}\" that is not a list"));
+    };
+    if values.len() != joints {
+        let found = values.len();
+        return Err(format!(
+            "has {found} numbers in \"{key}\" for {joints} joints"
+        ));
+    }
+    let number = |(entry, value): (usize, &Value)| match value.as_f64() {
+        Some(number) => Ok(number),
+        None => Err(format!(
+            "has a \"{key}\" whose entry {entry} is not a finite number"
+        )),
+    };
+    values.iter().enumerate().map(number).collect()
+}
+
+/// The text with JSON's `null` where JSON has no word for the number.
+fn without_nan(text: &str) -> String {
+    let text = text.replace("NaN", "null");
+    text.replace("-Infinity", "null")
+        .replace("Infinity", "null")
+}
+
+fn refuse_syntax(reason: &serde_json::Error, file: &str, errors: &mut Errors) {
+    let place = |number: usize| u32::try_from(number).unwrap_or(u32::MAX);
+    let (line, column) = (place(reason.line()), place(reason.column()));
+    let text = reason.to_string();
+    // The place is said once, in front.
+    let message = text.split(" at line ").next().unwrap_or_default();
+    errors.set_file(file, None);
+    errors.push(Place::File { line, column }, format!("not JSON: {message}"));
+}

@@ -1,0 +1,234 @@
+//! An elbow robot, direct and inverse: Newton–Raphson follows a circle, and starts from anywhere.
+//!
+//! `cargo run --release -p homogen-examples --bin elbow_robot [picture.svg]`
+//!
+//! Six revolute joints: waist, shoulder, elbow and a wrist of three axes through one point. To reach
+//! a pose is to close the loop from the base through the robot and back from the pose; the same
+//! solver that closes mechanisms does it, and says so where it fails.
+
+use homogen::loop_closure::{self, ClosedChain, NotClosed, Position};
+use homogen::robot::ForwardKinematics;
+use homogen::{Chain, Frame, Inertia, Joint, Pose, Screw, open_chain, rotation};
+use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use std::array::from_fn;
+use std::error::Error;
+use std::f64::consts::TAU;
+
+/// Points of the circle.
+const POINTS: u32 = 180;
+
+const X: [f64; 3] = [1.0, 0.0, 0.0];
+const Y: [f64; 3] = [0.0, 1.0, 0.0];
+const Z: [f64; 3] = [0.0, 0.0, 1.0];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let robot = robot();
+    let way = follow_circle(&robot)?;
+    let most = way.iter().map(|found| found.iterations).max();
+    let residual = way.iter().map(|found| found.residual).fold(0.0, f64::max);
+    println!("elbow robot, the tool on a circle of 240 mm in {POINTS} points");
+    println!(
+        "  each from the one before: at most {} steps, residual {residual:.1e}",
+        most.unwrap_or(0)
+    );
+    let trials = from_anywhere(&robot, 1000);
+    let mut steps: Vec<usize> = trials
+        .iter()
+        .flatten()
+        .map(|found| found.iterations)
+        .collect();
+    steps.sort_unstable();
+    println!(
+        "  1000 random poses from one start: {} reached, half of them in {} steps or fewer",
+        steps.len(),
+        steps.get(steps.len() / 2).copied().unwrap_or(0)
+    );
+    let beyond = ClosedChain::tip_at(robot, Pose::from_translation([1.5, 0.0, 0.4]));
+    if let Err(error) = loop_closure::position(&beyond, &[None; 6], &START) {
+        println!("  a pose 1.5 m away: {error}");
+    }
+    let path = plot::path_from_arguments("elbow_robot");
+    plot::write(&path, &page(&robot, &way))?;
+    println!("  drawn in {}", path.display());
+    Ok(())
+}
+
+/// A posture with the elbow up and no axis in line with another \[rad\].
+const START: [f64; 6] = [0.1, -0.7, 1.3, 0.2, -0.6, 0.1];
+
+/// The robot stretched out along x at q = 0; its masses do not matter here.
+fn robot() -> Chain<6, 1> {
+    let joint = |name, parent, at, axis| {
+        let (placement, about) = (Pose::from_translation(at), Screw::revolute(axis, [0.0; 3]));
+        Joint::new(name, parent, placement, about, Inertia::zero())
+    };
+    Chain::new(
+        [
+            joint("waist", None, [0.0, 0.0, 0.0], Z),
+            joint("shoulder", Some(0), [0.0, 0.0, 0.4], Y),
+            joint("elbow", Some(1), [0.42, 0.0, 0.0], Y),
+            joint("roll", Some(2), [0.38, 0.0, 0.0], X),
+            joint("pitch", Some(3), [0.0; 3], Y),
+            joint("hand", Some(4), [0.0; 3], X),
+        ],
+        [Frame::new(
+            "tool",
+            Some(5),
+            Pose::from_translation([0.1, 0.0, 0.0]),
+        )],
+        [0.0, 0.0, -9.81],
+    )
+}
+
+/// A circle in a plane that leans back, the tool pointing forward and down.
+fn target(point: u32) -> Pose<f64> {
+    let (s, c) = (TAU * f64::from(point) / f64::from(POINTS)).sin_cos();
+    Pose::new(
+        rotation::from_axis_angle(Y, 1.3),
+        [0.5 + 0.06 * s, 0.12 * c, 0.45 + 0.12 * s],
+    )
+}
+
+/// The coordinates at every point of the circle.
+fn follow_circle(robot: &Chain<6, 1>) -> Result<Vec<Position<f64, 6>>, NotClosed> {
+    let mut q = START;
+    (0..=POINTS)
+        .map(|point| {
+            let closed = ClosedChain::tip_at(*robot, target(point));
+            let found = loop_closure::position(&closed, &[None; 6], &q)?;
+            q = found.q;
+            Ok(found)
+        })
+        .collect()
+}
+
+/// Random poses that the robot can reach, all from the same start.
+fn from_anywhere(robot: &Chain<6, 1>, poses: u32) -> Vec<Result<Position<f64, 6>, NotClosed>> {
+    let mut state = 1_u32;
+    let mut random = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 23) - 1.0
+    };
+    (0..poses)
+        .map(|_| {
+            let q: [f64; 6] = from_fn(|_| 2.5 * random());
+            let closed = ClosedChain::tip_at(*robot, robot.forward_kinematics(&q));
+            loop_closure::position(&closed, &[None; 6], &START)
+        })
+        .collect()
+}
+
+/// Base, shoulder, elbow, wrist and tool, seen obliquely \[m\].
+fn oblique_view(robot: &Chain<6, 1>, q: &[f64; 6]) -> Vec<[f64; 2]> {
+    let [_, shoulder, elbow, wrist, ..] = open_chain::poses(robot, q);
+    let tool = robot.forward_kinematics(q);
+    [Pose::identity(), shoulder, elbow, wrist, tool]
+        .map(|pose| {
+            let [x, y, z] = pose.translation();
+            [x + 0.5 * y, z + 0.25 * y]
+        })
+        .to_vec()
+}
+
+fn page(robot: &Chain<6, 1>, way: &[Position<f64, 6>]) -> Page {
+    let axis = |label| Axis {
+        label,
+        scale: Scale::Linear,
+    };
+    let posture = |found: &Position<f64, 6>, label: &str, color, style| Curve {
+        label: label.into(),
+        points: oblique_view(robot, &found.q),
+        color,
+        style,
+    };
+    let mut arm: Vec<Curve> = way
+        .iter()
+        .step_by(15)
+        .map(|found| posture(found, "", Color::Grey, Style::Thin))
+        .collect();
+    arm.extend(
+        way.iter()
+            .take(1)
+            .map(|found| posture(found, "robot", Color::Blue, Style::Links)),
+    );
+    let tool = way
+        .iter()
+        .filter_map(|found| oblique_view(robot, &found.q).last().copied());
+    arm.push(Curve {
+        label: "way of the tool".into(),
+        points: tool.collect(),
+        color: Color::Vermilion,
+        style: Style::Line,
+    });
+    let looks = [
+        (Color::Blue, Style::Line),
+        (Color::Orange, Style::Line),
+        (Color::Green, Style::Line),
+        (Color::Vermilion, Style::Dashed),
+        (Color::Sky, Style::Dashed),
+        (Color::Black, Style::Dashed),
+    ];
+    let over_circle = |value: &dyn Fn(&Position<f64, 6>) -> f64| {
+        way.iter()
+            .zip(0_u32..)
+            .map(|(found, k)| [360.0 * f64::from(k) / f64::from(POINTS), value(found)])
+            .collect()
+    };
+    let joints = robot.joints.iter().zip(looks).enumerate();
+    let joints = joints.map(|(i, (joint, (color, style)))| Curve {
+        label: joint.name.into(),
+        points: over_circle(&|found| found.q[i].to_degrees()),
+        color,
+        style,
+    });
+    let panel = |x, label, curves, height, to_scale| Panel {
+        x,
+        y: axis(label),
+        curves,
+        marks: Vec::new(),
+        height,
+        to_scale,
+    };
+    let along = Axis {
+        label: "place on the circle [°]",
+        scale: Scale::Every(45.0),
+    };
+    Page {
+        title: "Elbow robot: a circle by Newton–Raphson".into(),
+        panels: vec![
+            panel(axis("x + 0.5 y [m]"), "z + 0.25 y [m]", arm, 420.0, true),
+            panel(along, "joint angle [°]", joints.collect(), 270.0, false),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{POINTS, follow_circle, from_anywhere, robot, target};
+    use homogen::robot::ForwardKinematics;
+
+    #[test]
+    fn the_tool_is_on_the_circle() {
+        let robot = robot();
+        let way = follow_circle(&robot).expect("the circle is within reach");
+        for (found, point) in way.iter().zip(0..) {
+            let reached = robot.forward_kinematics(&found.q).to_matrix();
+            let target = target(point).to_matrix();
+            for (a, b) in reached.as_flattened().iter().zip(target.as_flattened()) {
+                assert!((a - b).abs() < 4e-15, "at {point}");
+            }
+            assert!(point == 0 || found.iterations <= 8);
+        }
+        // Once round, back where it began.
+        let (first, last) = (&way[0].q, &way[usize::try_from(POINTS).expect("small")].q);
+        assert!(first.iter().zip(last).all(|(a, b)| (a - b).abs() < 1e-13));
+    }
+
+    #[test]
+    fn most_poses_are_reached_from_one_start() {
+        let trials = from_anywhere(&robot(), 200);
+        let reached = trials.iter().filter(|trial| trial.is_ok()).count();
+        assert!(reached >= 160, "{reached} of 200");
+        assert!(trials.iter().flatten().all(|found| found.residual < 1e-14));
+    }
+}

@@ -1,0 +1,397 @@
+//! Free flight of two bodies: momentum and energy over 100 000 steps.
+//!
+//! `cargo run --release -p homogen-examples --bin free_flight [picture.svg]`
+//!
+//! Two bodies joined by a hinge with a spring turn and drift in space; nothing acts on them from
+//! outside, so momentum and energy are constant. They are not built into the integration: the drift
+//! is the error of the integration, falls with the fourth power of the step, and ends in rounding.
+//! SPACELIB's users know such a flight from its program TEST.
+
+use homogen::open_chain::commutator;
+use homogen::{Acceleration, Inertia, Momentum, Pose, Screw, Velocity, vector};
+use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use nalgebra::{SMatrix, SVector};
+use std::array::from_fn;
+use std::error::Error;
+
+/// How long the flight lasts \[s\].
+const DURATION: f64 = 10.0;
+
+/// The steps of the fine integration.
+const STEPS: u32 = 100_000;
+
+/// Two bodies and the hinge between them.
+struct Bodies {
+    /// J of the first body, in its frame (1).
+    first: Inertia<f64>,
+    /// J of the second body, in its frame (2).
+    second: Inertia<f64>,
+    /// M₁,₂ with the spring at rest.
+    placement: Pose<f64>,
+    /// L of the hinge, in frame (2).
+    hinge: Screw<f64>,
+    /// The spring of the hinge [N m/rad].
+    stiffness: f64,
+}
+
+/// Where the bodies are and how they move.
+#[derive(Clone, Copy)]
+struct State {
+    /// M₀,₁.
+    pose: Pose<f64>,
+    rates: Rates,
+    /// The derivative of the rates.
+    slope: Rates,
+}
+
+/// W₀,₁₍₁₎, the angle of the hinge \[rad\] and its rate; or their derivatives.
+#[derive(Clone, Copy)]
+struct Rates {
+    w: Velocity<f64>,
+    angle: f64,
+    rate: f64,
+}
+
+/// What must not change.
+#[derive(Clone, Copy)]
+struct Constants {
+    /// Γ₍₀₎ of both bodies.
+    momentum: Momentum<f64>,
+    /// Kinetic energy and that of the spring \[J\].
+    energy: f64,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let bodies = Bodies::example();
+    let flight = fly(&bodies, DURATION, STEPS, STEPS / 500);
+    let [momentum, energy] = worst(&flight);
+    println!("two bodies, one hinge with a spring, {DURATION} s of free flight");
+    println!("  {STEPS} steps: relative drift of momentum {momentum:.1e}, of energy {energy:.1e}");
+    let counts = [100, 200, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000];
+    let mut drifts: Vec<(u32, [f64; 2])> = counts
+        .iter()
+        .map(|steps| (*steps, worst(&fly(&bodies, DURATION, *steps, 1))))
+        .collect();
+    let slope = (drifts[2].1[0] / drifts[4].1[0]).log2() / 2.0;
+    println!(
+        "  the drift of momentum falls with the step to the power {slope:.2}, down to rounding"
+    );
+    drifts.push((STEPS, [momentum, energy]));
+    let path = plot::path_from_arguments("free_flight");
+    plot::write(&path, &page(&flight, &drifts))?;
+    println!("  drawn in {}", path.display());
+    Ok(())
+}
+
+/// One moment of the flight.
+struct Moment {
+    time: f64,
+    state: State,
+    /// Relative drift of momentum and energy since the beginning.
+    drift: [f64; 2],
+}
+
+/// A flight of `duration` \[s\] in `steps` equal steps, one moment in every `every`.
+fn fly(bodies: &Bodies, duration: f64, steps: u32, every: u32) -> Vec<Moment> {
+    let h = duration / f64::from(steps);
+    let mut state = bodies.start();
+    let before = bodies.constants(&state);
+    let mut flight = Vec::new();
+    for k in 0..=steps {
+        if k % every == 0 {
+            flight.push(Moment {
+                time: f64::from(k) * h,
+                state,
+                drift: before.drift(&bodies.constants(&state)),
+            });
+        }
+        state = bodies.step(&state, h);
+    }
+    flight
+}
+
+fn worst(flight: &[Moment]) -> [f64; 2] {
+    let drifts = flight.iter().map(|moment| moment.drift);
+    drifts.fold([0.0; 2], |worst, drift| from_fn(|k| drift[k].max(worst[k])))
+}
+
+impl Bodies {
+    /// A box of 12 kg and a boom of 3 kg, hinged at a corner about a skew axis.
+    fn example() -> Self {
+        let tensor = |[xx, yy, zz]: [f64; 3]| [[xx, 0.0, 0.0], [0.0, yy, 0.0], [0.0, 0.0, zz]];
+        let body = |mass, center, moments| {
+            Inertia::from_tensor_at_center_of_mass(mass, center, &tensor(moments))
+        };
+        Self {
+            first: body(12.0, [0.0; 3], [0.5, 0.8, 1.1]),
+            second: body(3.0, [0.45, 0.0, 0.0], [0.01, 0.21, 0.21]),
+            placement: Pose::from_translation([0.3, 0.2, 0.1]),
+            hinge: Screw::revolute([0.0, 0.6, 0.8], [0.0; 3]),
+            stiffness: 6.0,
+        }
+    }
+
+    fn start(&self) -> State {
+        let rates = Rates {
+            w: Velocity::new([0.4, 1.2, -0.3], [0.1, -0.05, 0.08]),
+            angle: 0.8,
+            rate: -0.5,
+        };
+        State {
+            pose: Pose::identity(),
+            rates,
+            slope: self.slope(&rates),
+        }
+    }
+
+    /// M₁,₂.
+    fn relative_pose(&self, angle: f64) -> Pose<f64> {
+        self.placement * self.hinge.exp(angle).to_relative_pose()
+    }
+
+    /// Ẇ and q̈ that need no action from outside: Lagrange's equations in frame (1), of the six unit
+    /// screws of that frame and of the hinge.
+    fn slope(&self, rates: &Rates) -> Rates {
+        let m_1_2 = self.relative_pose(rates.angle);
+        let (hinge, second) = (
+            m_1_2.change_frame(&self.hinge),
+            m_1_2.change_frame(&self.second),
+        );
+        let both = self.first + second;
+        let screws: [Screw<f64>; 7] = from_fn(|i| {
+            let unit = |k: usize| if i == k { 1.0 } else { 0.0 };
+            if i == 6 {
+                hinge
+            } else {
+                Screw::new([unit(0), unit(1), unit(2)], [unit(3), unit(4), unit(5)])
+            }
+        });
+        let mass = SMatrix::<f64, 7, 7>::from_fn(|i, m| {
+            let carried = if i == 6 || m == 6 { &second } else { &both };
+            carried.coupling(&screws[i], &screws[m])
+        });
+        // H̃ of both bodies: H at Ẇ = 0 and q̈ = 0.
+        let h_1 = Acceleration::from_velocity_derivative(&rates.w, &Velocity::zero());
+        let w_1_2 = hinge.velocity(rates.rate);
+        let h_2 = h_1.compose(&hinge.acceleration(rates.rate, 0.0), &rates.w, &w_1_2);
+        let phi_2 = second.action(&h_2);
+        let phi = self.first.action(&h_1) + phi_2;
+        let bias = SVector::<f64, 7>::from_fn(|i, _| {
+            if i == 6 {
+                hinge.pseudo_scalar_product(&phi_2) + self.stiffness * rates.angle
+            } else {
+                screws[i].pseudo_scalar_product(&phi)
+            }
+        });
+        let solved = mass.cholesky().map(|factors| factors.solve(&-bias));
+        // Bodies with mass have a positive definite mass matrix; NaN would show in the drift.
+        let x = solved.unwrap_or_else(|| SVector::repeat(f64::NAN));
+        Rates {
+            w: Velocity::new([x[0], x[1], x[2]], [x[3], x[4], x[5]]),
+            angle: rates.rate,
+            rate: x[6],
+        }
+    }
+
+    /// One step of fourth order: Runge and Kutta's for the rates, Magnus' series for the pose.
+    ///
+    /// The rates do not depend on the pose, since nothing outside acts.
+    fn step(&self, state: &State, h: f64) -> State {
+        let (y, k_1) = (&state.rates, &state.slope);
+        let k_2 = self.slope(&y.plus(0.5 * h, k_1));
+        let k_3 = self.slope(&y.plus(0.5 * h, &k_2));
+        let k_4 = self.slope(&y.plus(h, &k_3));
+        let rates = y
+            .plus(h / 6.0, k_1)
+            .plus(h / 3.0, &k_2)
+            .plus(h / 3.0, &k_3)
+            .plus(h / 6.0, &k_4);
+        let slope = self.slope(&rates);
+        // W halfway, by Hermite's cubic; then Simpson's mean and the first commutator.
+        let (w_0, w_1) = (y.w, rates.w);
+        let mean = scaled(0.5, &(w_0 + w_1));
+        let middle = mean + scaled(h / 8.0, &(k_1.w - slope.w));
+        let mean = scaled(1.0 / 3.0, &mean) + scaled(2.0 / 3.0, &middle);
+        let twist = mean + scaled(h / 12.0, &commutator(&w_0, &w_1));
+        State {
+            pose: state.pose * twist.displacement(h).to_relative_pose(),
+            rates,
+            slope,
+        }
+    }
+
+    fn constants(&self, state: &State) -> Constants {
+        let rates = &state.rates;
+        let m_1_2 = self.relative_pose(rates.angle);
+        let (hinge, second) = (
+            m_1_2.change_frame(&self.hinge),
+            m_1_2.change_frame(&self.second),
+        );
+        let w_2 = rates.w + hinge.velocity(rates.rate);
+        let momentum = self.first.momentum(&rates.w) + second.momentum(&w_2);
+        let spring = 0.5 * self.stiffness * rates.angle * rates.angle;
+        Constants {
+            momentum: state.pose.change_frame(&momentum),
+            energy: self.first.kinetic_energy(&rates.w) + second.kinetic_energy(&w_2) + spring,
+        }
+    }
+}
+
+impl Rates {
+    fn plus(&self, h: f64, slope: &Self) -> Self {
+        Self {
+            w: self.w + scaled(h, &slope.w),
+            angle: self.angle + h * slope.angle,
+            rate: self.rate + h * slope.rate,
+        }
+    }
+}
+
+impl Constants {
+    /// The relative change of momentum, the larger of γ and ρ, and of energy.
+    fn drift(&self, after: &Self) -> [f64; 2] {
+        let change = after.momentum - self.momentum;
+        let relative = |change, whole| vector::norm(change) / vector::norm(whole);
+        let gamma = relative(change.gamma(), self.momentum.gamma());
+        let rho = relative(change.rho(), self.momentum.rho());
+        [
+            gamma.max(rho),
+            ((after.energy - self.energy) / self.energy).abs(),
+        ]
+    }
+}
+
+fn scaled(factor: f64, w: &Velocity<f64>) -> Velocity<f64> {
+    Velocity::new(
+        vector::scale(factor, w.omega()),
+        vector::scale(factor, w.v()),
+    )
+}
+
+fn page(flight: &[Moment], drifts: &[(u32, [f64; 2])]) -> Page {
+    let linear = |label| Axis {
+        label,
+        scale: Scale::Linear,
+    };
+    let log = |label| Axis {
+        label,
+        scale: Scale::Log,
+    };
+    let over_time = |label: &str, color, style, value: &dyn Fn(&Moment) -> f64| Curve {
+        label: label.into(),
+        points: flight
+            .iter()
+            .map(|moment| [moment.time, value(moment)])
+            .collect(),
+        color,
+        style,
+    };
+    let over_steps = |label: &str, color, value: &dyn Fn(u32, [f64; 2]) -> f64, style| Curve {
+        label: label.into(),
+        points: drifts
+            .iter()
+            .map(|(steps, drift)| [f64::from(*steps), value(*steps, *drift)])
+            .collect(),
+        color,
+        style,
+    };
+    let panel = |x, y, curves, height| Panel {
+        x,
+        y,
+        curves,
+        marks: Vec::new(),
+        height,
+        to_scale: false,
+    };
+    let fourth_order = |steps: u32, _| {
+        let drift = drifts[0].1[0] * (f64::from(drifts[0].0) / f64::from(steps)).powi(4);
+        // Below rounding the line means nothing.
+        if drift > 1e-16 { drift } else { f64::NAN }
+    };
+    Page {
+        title: "Free flight of two bodies with a spring between them".into(),
+        panels: vec![
+            panel(
+                linear("time [s]"),
+                linear("motion"),
+                vec![
+                    over_time("ω_x [rad/s]", Color::Blue, Style::Line, &|m| {
+                        m.state.rates.w.omega()[0]
+                    }),
+                    over_time("ω_y [rad/s]", Color::Orange, Style::Line, &|m| {
+                        m.state.rates.w.omega()[1]
+                    }),
+                    over_time("ω_z [rad/s]", Color::Green, Style::Line, &|m| {
+                        m.state.rates.w.omega()[2]
+                    }),
+                    over_time("hinge [rad]", Color::Black, Style::Dashed, &|m| {
+                        m.state.rates.angle
+                    }),
+                ],
+                250.0,
+            ),
+            panel(
+                linear("time [s], in 100 000 steps"),
+                log("relative drift"),
+                vec![
+                    over_time("momentum Γ", Color::Blue, Style::Line, &|m| m.drift[0]),
+                    over_time("energy", Color::Vermilion, Style::Line, &|m| m.drift[1]),
+                ],
+                230.0,
+            ),
+            panel(
+                log("steps for the whole flight"),
+                log("largest relative drift"),
+                vec![
+                    over_steps("momentum Γ", Color::Blue, &|_, drift| drift[0], Style::Dots),
+                    over_steps(
+                        "energy",
+                        Color::Vermilion,
+                        &|_, drift| drift[1],
+                        Style::Dots,
+                    ),
+                    over_steps(
+                        "fourth power of the step",
+                        Color::Grey,
+                        &fourth_order,
+                        Style::Dashed,
+                    ),
+                ],
+                280.0,
+            ),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bodies, DURATION, fly, worst};
+
+    /// Hard case 30, a tenth of the flight that the program takes: momentum keeps to 1e-12.
+    #[test]
+    fn free_flight() {
+        let [momentum, energy] = worst(&fly(&Bodies::example(), 0.1 * DURATION, 5000, 1));
+        println!("momentum {momentum:e}, energy {energy:e}");
+        assert!(momentum <= 1e-12 && energy <= 1e-12);
+    }
+
+    /// The drift is that of the integration, not of the equations: it falls with the fourth power.
+    #[test]
+    fn drift_falls_with_the_fourth_power_of_the_step() {
+        let [coarse, fine] =
+            [500, 1000].map(|steps| worst(&fly(&Bodies::example(), DURATION, steps, 1)));
+        for k in 0..2 {
+            let order = (coarse[k] / fine[k]).log2();
+            assert!((3.5..5.5).contains(&order), "order {order}");
+        }
+    }
+
+    /// The bodies do move: what is constant is not constant because nothing happens.
+    #[test]
+    fn the_bodies_exchange_momentum() {
+        let flight = fly(&Bodies::example(), DURATION, 1000, 1);
+        assert!((flight[1000].time - DURATION).abs() < 1e-9);
+        let angles = flight.iter().map(|moment| moment.state.rates.angle);
+        assert!(angles.fold(0.0, f64::min) < -0.5);
+    }
+}

@@ -1,0 +1,260 @@
+//! A satellite that turns by moving its arm: the displacement after a closed internal motion.
+//!
+//! `cargo run --release -p homogen-examples --bin satellite [picture.svg]`
+//!
+//! Nothing acts from outside and the momentum is zero, yet when the two joints of the arm have gone
+//! round a closed path and are back, the satellite stands otherwise than before. The displacement Q
+//! of one cycle repeats in every cycle, and the path gone backwards takes it back.
+
+use homogen::open_chain::{self, commutator};
+use homogen::{
+    Chain, Displacement, Error, Inertia, Joint, Pose, Screw, Velocity, newton_euler, vector,
+};
+use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use std::error;
+use std::f64::consts::TAU;
+
+/// Time steps of a cycle.
+const STEPS: u32 = 600;
+
+const CYCLES: u32 = 5;
+
+/// One moment: cycles gone, the pose of the satellite, and the joints of its arm \[rad\].
+struct Moment {
+    cycle: f64,
+    pose: Pose<f64>,
+    q: [f64; 2],
+}
+
+/// A path of the joints: angles and their derivatives by the cycle.
+type Path = fn(f64) -> ([f64; 2], [f64; 2]);
+
+fn main() -> Result<(), Box<dyn error::Error>> {
+    let satellite = Satellite::example();
+    let flight = satellite.fly(round, CYCLES)?;
+    let after = |cycle: u32| {
+        let step = usize::try_from(cycle * STEPS)
+            .ok()
+            .and_then(|k| flight.get(k));
+        step.map_or_else(Pose::identity, |moment| moment.pose)
+    };
+    let (screw, angle) = displacement(&after(0), &after(1)).log();
+    let [x, y, z] = screw.u();
+    println!("satellite of 120 kg with an arm of 14 kg, total momentum zero");
+    println!(
+        "  one cycle of the arm turns it by {:.3}° about ({x:.3}, {y:.3}, {z:.3})",
+        angle.to_degrees()
+    );
+    let (_, angle) = displacement(&after(0), &after(CYCLES)).log();
+    println!("  {CYCLES} cycles turn it by {:.3}°", angle.to_degrees());
+    println!(
+        "  centre of mass moved by {:.1e} m at most",
+        satellite.wandering(&flight)
+    );
+    let path = plot::path_from_arguments("satellite");
+    plot::write(&path, &page(&flight))?;
+    println!("  drawn in {}", path.display());
+    Ok(())
+}
+
+/// Shoulder and elbow go round an ellipse.
+fn round(cycle: f64) -> ([f64; 2], [f64; 2]) {
+    let (s, c) = (TAU * cycle).sin_cos();
+    ([0.9 * s, 0.8 * (1.0 - c)], [0.9 * TAU * c, 0.8 * TAU * s])
+}
+
+/// Q₍₁₎ = M₁,₀ M₀,₂, the displacement between two poses in the satellite's own frame (after (5)).
+fn displacement(m_0_1: &Pose<f64>, m_0_2: &Pose<f64>) -> Displacement<f64> {
+    Displacement::from_relative_pose(m_0_1.inverse() * *m_0_2)
+}
+
+struct Satellite {
+    /// J of the body that carries the arm, in its own frame.
+    body: Inertia<f64>,
+    /// The arm, its base fixed in that body.
+    arm: Chain<2, 0>,
+}
+
+impl Satellite {
+    fn example() -> Self {
+        let inertia = |mass, center, [xx, yy, zz]: [f64; 3]| {
+            let tensor = [[xx, 0.0, 0.0], [0.0, yy, 0.0], [0.0, 0.0, zz]];
+            Inertia::from_tensor_at_center_of_mass(mass, center, &tensor)
+        };
+        let joint = |name, parent, at, axis, inertia| {
+            let hinge = Screw::revolute(axis, [0.0; 3]);
+            Joint::new(name, parent, Pose::from_translation(at), hinge, inertia)
+        };
+        let upper = inertia(8.0, [0.5, 0.0, 0.0], [0.05, 0.7, 0.7]);
+        let fore = inertia(6.0, [0.4, 0.0, 0.0], [0.04, 0.35, 0.35]);
+        Self {
+            body: inertia(120.0, [0.0; 3], [14.0, 18.0, 20.0]),
+            arm: Chain::new(
+                [
+                    joint("shoulder", None, [0.5, 0.2, 0.0], [0.0, 0.0, 1.0], upper),
+                    joint("elbow", Some(0), [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], fore),
+                ],
+                [],
+                [0.0; 3],
+            ),
+        }
+    }
+
+    /// W of the body in its own frame, at which the momentum of all is zero: Γ = skew\[W J\] solved
+    /// for W.
+    fn velocity(&self, q: &[f64; 2], qd: &[f64; 2]) -> Result<Velocity<f64>, Error> {
+        let motions = open_chain::motions(&self.arm, q, qd, &[0.0; 2]);
+        let [upper, fore] = open_chain::inertias(&self.arm, &motions.map(|motion| motion.pose));
+        let internal = upper.momentum(&motions[0].velocity) + fore.momentum(&motions[1].velocity);
+        let ([a, b, c], [d, e, f]) = (internal.gamma(), internal.rho());
+        let opposite = [a, b, c, d, e, f].map(|x| Some(-x));
+        let (w, _) = newton_euler::momentum(&(self.body + upper + fore), [None; 6], opposite)?;
+        Ok(w)
+    }
+
+    /// The motion of the body while its arm goes round `path`, by Magnus' series to fourth order.
+    fn fly(&self, path: Path, cycles: u32) -> Result<Vec<Moment>, Error> {
+        let h = 1.0 / f64::from(STEPS);
+        let w_at = |cycle: f64| {
+            let (q, qd) = path(cycle);
+            self.velocity(&q, &qd)
+        };
+        let mut pose = Pose::identity();
+        let mut flight = Vec::new();
+        for k in 0..=cycles * STEPS {
+            let cycle = f64::from(k) * h;
+            let (q, _) = path(cycle);
+            flight.push(Moment { cycle, pose, q });
+            let (w_0, w_1) = (w_at(cycle)?, w_at(cycle + h)?);
+            let mean = w_0 + scaled(4.0, &w_at(cycle + 0.5 * h)?) + w_1;
+            let twist = scaled(1.0 / 6.0, &mean) + scaled(h / 12.0, &commutator(&w_0, &w_1));
+            pose = pose * twist.displacement(h).to_relative_pose();
+        }
+        Ok(flight)
+    }
+
+    /// How far the centre of mass of all gets from where it was \[m\].
+    fn wandering(&self, flight: &[Moment]) -> f64 {
+        let centers = flight.iter().map(|moment| {
+            let poses = open_chain::poses(&self.arm, &moment.q);
+            let [upper, fore] = open_chain::inertias(&self.arm, &poses);
+            let all = self.body + upper + fore;
+            moment.pose.change_frame(&all).center_of_mass()
+        });
+        let mut first = None;
+        centers.fold(0.0, |worst: f64, center| {
+            let from = *first.get_or_insert(center);
+            worst.max(vector::norm(vector::sub(center, from)))
+        })
+    }
+}
+
+fn scaled(factor: f64, w: &Velocity<f64>) -> Velocity<f64> {
+    Velocity::new(
+        vector::scale(factor, w.omega()),
+        vector::scale(factor, w.v()),
+    )
+}
+
+fn page(flight: &[Moment]) -> Page {
+    let curve = |label: &str, color, style, value: &dyn Fn(&Moment) -> f64| Curve {
+        label: label.into(),
+        points: flight
+            .iter()
+            .map(|moment| [moment.cycle, value(moment)])
+            .collect(),
+        color,
+        style,
+    };
+    let turned = |axis: usize| {
+        move |moment: &Moment| {
+            let (screw, angle) = Displacement::from_relative_pose(moment.pose).log();
+            (angle * screw.u()[axis]).to_degrees()
+        }
+    };
+    let panel = |label, curves, height| Panel {
+        x: Axis {
+            label: "cycles of the arm",
+            scale: Scale::Every(1.0),
+        },
+        y: Axis {
+            label,
+            scale: Scale::Linear,
+        },
+        curves,
+        marks: Vec::new(),
+        height,
+        to_scale: false,
+    };
+    Page {
+        title: "A satellite turns by moving its arm, without momentum".into(),
+        panels: vec![
+            panel(
+                "joint angle [°]",
+                vec![
+                    curve("shoulder", Color::Blue, Style::Line, &|m| {
+                        m.q[0].to_degrees()
+                    }),
+                    curve("elbow", Color::Vermilion, Style::Dashed, &|m| {
+                        m.q[1].to_degrees()
+                    }),
+                ],
+                220.0,
+            ),
+            panel(
+                "turned by φ u [°]",
+                vec![
+                    curve("about x", Color::Blue, Style::Line, &turned(0)),
+                    curve("about y", Color::Orange, Style::Line, &turned(1)),
+                    curve("about z", Color::Green, Style::Line, &turned(2)),
+                ],
+                280.0,
+            ),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Moment, STEPS, Satellite, displacement, round};
+    use homogen::{Displacement, Pose};
+
+    fn end(flight: &[Moment]) -> Pose<f64> {
+        flight.last().expect("not empty").pose
+    }
+
+    fn turned(from: &Pose<f64>, to: &Pose<f64>) -> f64 {
+        displacement(from, to).log().1
+    }
+
+    #[test]
+    fn the_center_of_mass_stays() {
+        let satellite = Satellite::example();
+        let flight = satellite.fly(round, 1).expect("bodies with mass");
+        assert!(satellite.wandering(&flight) < 1e-10);
+    }
+
+    #[test]
+    fn every_cycle_displaces_alike() {
+        let flight = Satellite::example()
+            .fly(round, 2)
+            .expect("bodies with mass");
+        let at = |cycle: u32| flight[usize::try_from(cycle * STEPS).expect("small")].pose;
+        let [first, second] = [displacement(&at(0), &at(1)), displacement(&at(1), &at(2))];
+        let difference = turned(&first.to_relative_pose(), &second.to_relative_pose());
+        assert!(first.log().1 > 0.01 && difference < 1e-12, "{difference}");
+    }
+
+    #[test]
+    fn the_path_gone_backwards_takes_it_back() {
+        let satellite = Satellite::example();
+        let there = end(&satellite.fly(round, 1).expect("bodies with mass"));
+        let back = |cycle: f64| {
+            let (q, [a, b]) = round(1.0 - cycle);
+            (q, [-a, -b])
+        };
+        let back = end(&satellite.fly(back, 1).expect("bodies with mass"));
+        let both = Displacement::from_relative_pose(there * back);
+        assert!(both.log().1 < 1e-12);
+    }
+}

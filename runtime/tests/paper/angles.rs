@@ -1,0 +1,240 @@
+//! SPACELIB's Cardan and Euler angles: twelve sequences, positions, rates and second rates.
+
+use crate::dense::{assert_same, assert_within};
+use crate::sample::Random;
+use homogen::angles::Sequence;
+use homogen::angles::{
+    acceleration, from_rotation, omega, omega_dot, other_angles, pose, rates, rotation,
+    second_rates, velocity,
+};
+use homogen::vector::matrix_product;
+use homogen::{Error, Point, Real};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+fn flat<T: Real>(x: &[[T; 3]; 3]) -> Vec<T> {
+    x.as_flattened().to_vec()
+}
+
+/// Singular middle angles: ±π/2 for Cardan, 0 and π for Euler sequences.
+fn singular(sequence: Sequence) -> [f64; 2] {
+    if sequence.is_euler() {
+        [0.0, PI]
+    } else {
+        [FRAC_PI_2, -FRAC_PI_2]
+    }
+}
+
+/// Angles all over, and at and near the singularity.
+fn samples<T: Real>(sequence: Sequence, seed: u64) -> Vec<[T; 3]> {
+    let mut random = Random::new(seed);
+    let mut list = vec![[T::constant(0.0); 3]];
+    let mut angle = || random.number::<T>() * T::constant(3.1);
+    for _ in 0..100 {
+        list.push([angle(), angle(), angle()]);
+    }
+    for middle in singular(sequence) {
+        for away in [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2] {
+            for sign in [-1.0, 1.0] {
+                list.push([angle(), T::constant(middle + sign * away), angle()]);
+                list.push([T::constant(0.0), T::constant(middle + sign * away), angle()]);
+            }
+        }
+    }
+    list
+}
+
+/// A rotation about x, y or z, written out.
+fn elementary<T: Real>(axis: usize, angle: T) -> [[T; 3]; 3] {
+    let (s, c) = angle.sin_cos();
+    let (o, i) = (T::constant(0.0), T::constant(1.0));
+    match axis {
+        0 => [[i, o, o], [o, c, -s], [o, s, c]],
+        1 => [[c, o, s], [o, i, o], [-s, o, c]],
+        _ => [[c, -s, o], [s, c, o], [o, o, i]],
+    }
+}
+
+fn rotation_is_the_product_of_three<T: Real>() {
+    for sequence in Sequence::ALL {
+        let [i, j, k] = sequence.axes();
+        for angles in samples::<T>(sequence, 120) {
+            let [a, b, c] = angles;
+            let literal = matrix_product(
+                &matrix_product(&elementary(i, a), &elementary(j, b)),
+                &elementary(k, c),
+            );
+            let found = rotation(sequence, angles);
+            assert_within(flat(&found), flat(&literal), T::constant(1.0), 8.0);
+        }
+    }
+}
+
+/// Hard case `cardan_gimbal`: the rotation comes back within 8 units, singular or not.
+fn angles_rebuild_the_rotation<T: Real>() {
+    for sequence in Sequence::ALL {
+        for angles in samples::<T>(sequence, 121) {
+            let r = rotation(sequence, angles);
+            let found = from_rotation(sequence, &r);
+            assert_within(
+                flat(&rotation(sequence, found)),
+                flat(&r),
+                T::constant(1.0),
+                8.0,
+            );
+            let other = other_angles(sequence, found);
+            assert_within(
+                flat(&rotation(sequence, other)),
+                flat(&r),
+                T::constant(1.0),
+                16.0,
+            );
+            let beta = found[1].to_f64();
+            let range = if sequence.is_euler() {
+                0.0..=PI + 1e-6
+            } else {
+                -FRAC_PI_2 - 1e-6..=FRAC_PI_2 + 1e-6
+            };
+            assert!(range.contains(&beta), "{sequence:?}: {beta}");
+        }
+    }
+}
+
+fn angles_come_back_away_from_singularities<T: Real>() {
+    let mut random = Random::new(122);
+    for sequence in Sequence::ALL {
+        for _ in 0..50 {
+            let beta = if sequence.is_euler() {
+                T::constant(1.5) + random.number()
+            } else {
+                random.number()
+            };
+            let angles = [
+                random.number::<T>() * T::constant(3.0),
+                beta,
+                random.number::<T>() * T::constant(3.0),
+            ];
+            let found = from_rotation(sequence, &rotation(sequence, angles));
+            assert_within(found, angles, T::constant(3.0), 16.0);
+        }
+    }
+}
+
+fn omega_is_the_derivative_of_the_rotation<T: Real>() {
+    let mut random = Random::new(123);
+    for sequence in Sequence::ALL {
+        for angles in samples::<T>(sequence, 123) {
+            let speed = random.vector::<T>();
+            // Ṙ = ω̲ R, by a central difference of second order.
+            let step = T::EPSILON.sqrt().sqrt();
+            let at = |t: T| rotation(sequence, std::array::from_fn(|i| angles[i] + t * speed[i]));
+            let (after, before) = (at(step), at(-step));
+            let w = homogen::vector::underscore(omega(sequence, angles, speed));
+            let expected = matrix_product(&w, &at(T::constant(0.0)));
+            for i in 0..3 {
+                for j in 0..3 {
+                    let slope = (after[i][j] - before[i][j]) / (step + step);
+                    let tolerance = T::constant(16.0) * step * step;
+                    assert!((slope - expected[i][j]).abs() <= tolerance, "{sequence:?}");
+                }
+            }
+        }
+    }
+}
+
+fn omega_dot_is_the_derivative_of_omega<T: Real>() {
+    let mut random = Random::new(124);
+    for sequence in Sequence::ALL {
+        for angles in samples::<T>(sequence, 124) {
+            let (speed, change) = (random.vector::<T>(), random.vector::<T>());
+            let step = T::EPSILON.sqrt().sqrt();
+            let half = T::constant(0.5);
+            let at = |t: T| {
+                omega(
+                    sequence,
+                    std::array::from_fn(|i| angles[i] + t * speed[i] + half * t * t * change[i]),
+                    std::array::from_fn(|i| speed[i] + t * change[i]),
+                )
+            };
+            let (after, before) = (at(step), at(-step));
+            let expected = omega_dot(sequence, angles, speed, change);
+            for i in 0..3 {
+                let slope = (after[i] - before[i]) / (step + step);
+                let tolerance = T::constant(64.0) * step * step;
+                assert!((slope - expected[i]).abs() <= tolerance, "{sequence:?}");
+            }
+        }
+    }
+}
+
+fn rates_come_back_or_are_refused<T: Real>() {
+    let mut random = Random::new(125);
+    for sequence in Sequence::ALL {
+        let mut refused = 0;
+        for angles in samples::<T>(sequence, 125) {
+            let (speed, change) = (random.vector::<T>(), random.vector::<T>());
+            let (sine, cosine) = angles[1].sin_cos();
+            let distance = if sequence.is_euler() { sine } else { cosine }.abs();
+            let w = omega(sequence, angles, speed);
+            match rates(sequence, angles, w) {
+                Ok(found) => {
+                    // The condition is one over the distance from the singularity.
+                    assert_within(found, speed, T::constant(2.0) / distance, 16.0);
+                    let w_dot = omega_dot(sequence, angles, speed, change);
+                    let found = second_rates(sequence, angles, speed, w_dot).expect("not singular");
+                    assert_within(found, change, T::constant(8.0) / distance, 16.0);
+                }
+                Err(Error::Degenerate { value, .. }) => {
+                    assert!(value.abs() <= T::EPSILON.to_f64());
+                    assert!(
+                        distance <= T::constant(4.0) * T::EPSILON,
+                        "{sequence:?}: {distance:?}"
+                    );
+                    assert!(second_rates(sequence, angles, speed, w).is_err());
+                    refused += 1;
+                }
+                Err(other) => panic!("{other}"),
+            }
+        }
+        assert!(refused >= 2, "{sequence:?} was never refused");
+    }
+}
+
+fn typed_matrices_from_angles<T: Real>() {
+    let mut random = Random::new(126);
+    for sequence in Sequence::ALL {
+        for angles in samples::<T>(sequence, 126) {
+            let (speed, change) = (random.vector(), random.vector());
+            let (p, v, a) = (random.vector(), random.vector(), random.vector());
+            let m = pose(sequence, angles, p);
+            assert_eq!(
+                (*m.rotation(), m.translation()),
+                (rotation(sequence, angles), p)
+            );
+            let w = velocity(sequence, angles, speed, p, v);
+            assert_eq!(w.omega(), omega(sequence, angles, speed));
+            assert_within((w * Point(p)).0, v, T::constant(4.0), 8.0);
+            let h = acceleration(sequence, angles, speed, change, p, a);
+            assert_within((h * Point(p)).0, a, T::constant(32.0), 8.0);
+            let square = h.velocity_derivative(&w);
+            let expected = omega_dot(sequence, angles, speed, change);
+            assert_within(square.omega(), expected, T::constant(16.0), 8.0);
+        }
+    }
+    let identity = pose(Sequence::Xyz, [T::constant(0.0); 3], [T::constant(0.0); 3]);
+    assert_same(
+        &identity.to_matrix(),
+        &homogen::Pose::identity().to_matrix(),
+        T::constant(1.0),
+        0.0,
+    );
+}
+
+in_both_precisions! {
+    rotation_is_the_product_of_three
+    angles_rebuild_the_rotation
+    angles_come_back_away_from_singularities
+    omega_is_the_derivative_of_the_rotation
+    omega_dot_is_the_derivative_of_omega
+    rates_come_back_or_are_refused
+    typed_matrices_from_angles
+}

@@ -327,39 +327,3 @@ fn held_at<'g>(
         },
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::chain;
-    use crate::description::{Name, read_text};
-    use crate::error::{Errors, Place};
-    use crate::expression::{Graph, Input};
-    use crate::request::{Parameter, Request, Target};
-
-    /// A payload is often given to a flange that has no mass of its own.
-    #[test]
-    fn a_link_without_mass_can_be_given_one() {
-        let urdf = r#"<robot name="arm">
-            <link name="base"/><link name="flange"/>
-            <joint name="hinge" type="revolute">
-              <parent link="base"/><child link="flange"/><axis xyz="0 0 1"/>
-              <limit lower="-1" upper="1" velocity="1" effort="1"/>
-            </joint></robot>"#;
-        let mut errors = Errors::new();
-        let arm = read_text(urdf, "arm.urdf", None, &mut errors).expect("it is a robot");
-        let flange = Name {
-            text: "flange".to_owned(),
-            place: Place::Unknown,
-        };
-        let request = Request {
-            parameters: vec![Parameter {
-                field: proc_macro2::Ident::new("payload", proc_macro2::Span::call_site()),
-                target: Target::MassOf(flange),
-            }],
-            ..Request::default()
-        };
-        let chain = chain::build(&arm, &request).expect("no mistakes");
-        let field = |graph: &Graph| graph.input(Input::Parameter(0, 0)).expr();
-        assert_eq!(chain.joints[0].inertia.mass, field(&chain.graph));
-    }
-}

@@ -14,6 +14,10 @@ use crate::request::{Request, Target};
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
+/// More joints than a robot has: descriptions of megabytes, in which every number cannot keep how it
+/// came about.
+const MANY: usize = 1000;
+
 /// Where a link ended up: in which body, and where in it.
 #[derive(Clone, Copy)]
 struct Seat<'g> {
@@ -84,8 +88,10 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         {
             bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
         }
-        let body = seat.body.map(|body| &mut bodies[body]);
-        settle(&graph, mark, &mut seat, body);
+        if tree.branches.len() > MANY {
+            let body = seat.body.map(|body| &mut bodies[body]);
+            settle(&graph, mark, &mut seat, body);
+        }
         seats[branch.child] = Some(seat);
     }
 

@@ -98,17 +98,14 @@ where
         );
         let mut found: f64 = 0.0;
         let mut size: f64 = 0.0;
-        for i in 0..N {
-            for k in 0..N {
+        for (i, row) in mass.iter().enumerate() {
+            // The inverse is symmetric: its rows are its columns.
+            for (k, column) in inverse.iter().enumerate() {
                 let unit = f64::from(u8::from(i == k));
-                let terms = (0..N).map(|j| mass[i][j] * inverse[j][k]);
+                let terms = row.iter().zip(column).map(|(m, n)| m * n);
                 size = size.max(terms.clone().map(f64::abs).sum());
                 found = found.max((terms.sum::<f64>() - unit).abs());
-                assert_eq!(
-                    inverse[i][k].to_bits(),
-                    inverse[k][i].to_bits(),
-                    "not symmetric"
-                );
+                assert_eq!(column[i].to_bits(), inverse[i][k].to_bits(), "not symmetric");
             }
         }
         worst.max(found / size / DOUBLE)

@@ -44,8 +44,8 @@ impl Random {
 
     /// A number in [−1, 1), a multiple of 2⁻²³.
     pub fn unit(&mut self) -> f64 {
-        let bits = u32::try_from(self.bits() >> 40).expect("24 bits");
-        f64::from(bits) / f64::from(1_u32 << 23) - 1.0
+        let [a, b, c, ..] = self.bits().to_be_bytes();
+        f64::from(u32::from_be_bytes([0, a, b, c])) / f64::from(1_u32 << 23) - 1.0
     }
 
     /// One of some things.

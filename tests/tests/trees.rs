@@ -46,9 +46,12 @@ fn build(tree: &Tree) -> Chain {
 /// What can be asked of any chain: functions of each of its frames, and of the whole, but for those
 /// that solve with the mass matrix, which may be singular.
 fn wanted(chain: &Chain) -> Vec<(Function, usize)> {
-    let frames_of = |function: Function| match function.of_a_frame() {
-        true => chain.frames.len(),
-        false => 1,
+    let frames_of = |function: Function| {
+        if function.of_a_frame() {
+            chain.frames.len()
+        } else {
+            1
+        }
     };
     let functions = Function::ALL.into_iter().filter(|function| {
         !matches!(
@@ -70,9 +73,10 @@ fn every_layout_of_200_trees() {
         let chain = build(&tree);
         let states = [0; 2].map(|_| tree.state(&mut random));
         for of in wanted(&chain) {
-            let mut layouts = match of.0.of_a_frame() {
-                true => Layout::for_kinematics(&chain),
-                false => Layout::for_dynamics(&chain),
+            let mut layouts = if of.0.of_a_frame() {
+                Layout::for_kinematics(&chain)
+            } else {
+                Layout::for_dynamics(&chain)
             };
             layouts.push(Layout::DESCRIBED);
             let layout = *random.choose(&layouts);

@@ -51,6 +51,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         .clone_from(&description.links[tree.base].name.text);
 
     for branch in &tree.branches {
+        let mark = graph.len();
         let joint = &description.joints[branch.joint];
         let origin = reader.origin(description, branch);
         let Some(parent) = seats[branch.parent] else {
@@ -58,7 +59,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         };
         let axis = unit(&graph, &joint.axis);
         let pose = parent.pose * origin;
-        let seat = if let Some(held) = branch.held {
+        let mut seat = if let Some(held) = branch.held {
             Seat {
                 body: parent.body,
                 pose: pose * held_at(&graph, joint.kind, axis, &held),
@@ -77,13 +78,15 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
                 pose: Pose::identity(&graph),
             }
         };
-        seats[branch.child] = Some(seat);
         reader.note(description, branch);
         if let Some(body) = seat.body
             && let Some(inertia) = reader.inertia(&description.links[branch.child])
         {
             bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
         }
+        let body = seat.body.map(|body| &mut bodies[body]);
+        settle(&graph, mark, &mut seat, body);
+        seats[branch.child] = Some(seat);
     }
 
     let frames = (tree.tip.iter().chain(&tree.frames))
@@ -131,6 +134,26 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         report,
         graph,
     }
+}
+
+/// Keeps of a branch nothing but its results: a file of megabytes makes millions of numbers on the
+/// way.
+fn settle<'g>(graph: &'g Graph, mark: usize, seat: &mut Seat<'g>, mut body: Option<&mut Body<'g>>) {
+    let mut each = |change: &mut dyn FnMut(Term<'g>) -> Term<'g>| {
+        seat.pose = seat.pose.map(&mut *change);
+        if let Some(body) = &mut body {
+            body.placement = body.placement.map(&mut *change);
+            body.axis = body.axis.map(&mut *change);
+            body.inertia = body.inertia.map(change);
+        }
+    };
+    let mut results = Vec::new();
+    each(&mut |term| {
+        results.push(term.expr());
+        term
+    });
+    let mut settled = graph.settle(mark, results).into_iter();
+    each(&mut |term| settled.next().map_or(term, |expr| graph.term(expr)));
 }
 
 /// Turns what was written into scalars, and keeps account of it.

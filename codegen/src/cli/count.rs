@@ -11,6 +11,7 @@ use serde_json::{Map, Value, json};
 use super::functions::Functions;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
+use crate::chain;
 use crate::emit::Listed;
 use crate::expand::expand;
 use crate::schedule::Price;
@@ -33,13 +34,15 @@ pub(super) struct Count {
 impl Count {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let (request, remarks) = self.functions.request(&self.robot, &description)?;
+        let request = self.functions.request(&self.robot);
+        let chain = chain::build(&description, &request)?;
         let listing = expand(&description, &request, options::item(&description))?;
         let robot = &description.name.text;
         Ok(match self.format {
             Format::Text => Answer {
                 output: table(&listing.functions),
-                remarks,
+                remarks: options::warnings(&description, &chain.report.warnings)
+                    + &self.functions.remarks(&listing),
                 code: 0,
             },
             Format::Json => Answer {

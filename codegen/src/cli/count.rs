@@ -3,6 +3,8 @@
 //! In: a description and names of functions. Out: a table of the prices that stand above the
 //! generated functions, the dense 4×4 products beside them.
 
+use std::fmt::Write as _;
+
 use std::io::Read;
 
 use clap::Args;
@@ -110,7 +112,8 @@ fn table(functions: &[Listed]) -> String {
     text.push('\n');
     for (name, listed) in names.iter().zip(functions) {
         let price = &listed.price;
-        text.push_str(&format!("{name:width$}"));
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{name:width$}");
         let columns = [
             price.mul,
             price.add,
@@ -127,7 +130,7 @@ fn table(functions: &[Listed]) -> String {
         ];
         for (head, number) in HEADS.iter().zip(columns) {
             let column = head.len();
-            text.push_str(&format!("  {number:>column$}"));
+            let _ = write!(text, "  {number:>column$}");
         }
         text.push('\n');
     }

@@ -91,7 +91,7 @@ impl Eval {
             let text = text.map_err(|_| mistake("<stdin> is not written in UTF-8"))?;
             return Ok((text, STANDARD_INPUT.to_owned()));
         }
-        let name = path.file_name().map(Path::new).unwrap_or(path);
+        let name = path.file_name().map_or(path.as_path(), Path::new);
         match std::fs::read_to_string(path) {
             Ok(text) => Ok((text, name.display().to_string())),
             Err(reason) => {

@@ -99,9 +99,8 @@ pub fn bind<R: Complete<N, T>, T: Number, const N: usize>(
         Function::Gravity => bound(|s: &S<T, N>| robot.gravity(&s.q)),
         Function::Bias => bound(|s: &S<T, N>| robot.bias(&s.q, &s.qd)),
         Function::MassMatrix => bound(|s: &S<T, N>| robot.mass_matrix(&s.q)),
-        // Any numbers serve as torques.
         Function::ForwardDynamics => {
-            bound(|s: &S<T, N>| robot.forward_dynamics(&s.q, &s.qd, &s.qdd))
+            bound(|s: &S<T, N>| robot.forward_dynamics(&s.q, &s.qd, &s.tau))
         }
         Function::MassMatrixInverse => bound(|s: &S<T, N>| robot.mass_matrix_inverse(&s.q)),
     }

@@ -9,3 +9,8 @@ pub mod plot;
 pub mod price;
 pub mod states;
 pub mod timing;
+
+/// The README, so that its blocks of Rust are compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

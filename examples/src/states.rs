@@ -5,7 +5,7 @@
 
 use std::f32::consts::PI;
 
-/// Coordinates, rates and second rates of N joints, in rad or m and seconds.
+/// Coordinates, rates, second rates and torques of N joints; rad or m, s, N m or N.
 #[derive(Clone, Copy, Debug)]
 pub struct State<T, const N: usize> {
     /// q.
@@ -14,6 +14,8 @@ pub struct State<T, const N: usize> {
     pub qd: [T; N],
     /// q̈.
     pub qdd: [T; N],
+    /// τ.
+    pub tau: [T; N],
 }
 
 impl<const N: usize> State<f32, N> {
@@ -24,11 +26,12 @@ impl<const N: usize> State<f32, N> {
             q: self.q.map(f64::from),
             qd: self.qd.map(f64::from),
             qdd: self.qdd.map(f64::from),
+            tau: self.tau.map(f64::from),
         }
     }
 }
 
-/// States with q in ±π, q̇ in ±2 and q̈ in ±10.
+/// States with q in ±π, q̇ in ±2, q̈ in ±10 and τ in ±20.
 #[must_use]
 pub fn random<const N: usize>(count: usize, mut seed: u64) -> Vec<State<f32, N>> {
     let mut within = |limit: f32| std::array::from_fn(|_| limit * unit(&mut seed));
@@ -36,6 +39,7 @@ pub fn random<const N: usize>(count: usize, mut seed: u64) -> Vec<State<f32, N>>
         q: within(PI),
         qd: within(2.0),
         qdd: within(10.0),
+        tau: within(20.0),
     };
     (0..count).map(state).collect()
 }

@@ -40,6 +40,7 @@ mod symmetric;
 mod tensor;
 #[cfg(feature = "approx")]
 mod tolerance;
+pub mod trigonometry;
 pub mod vector;
 mod velocity;
 #[cfg(any(feature = "std", feature = "libm"))]

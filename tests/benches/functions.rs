@@ -23,20 +23,6 @@ macro_rules! robot {
     ($robot:ident, $urdf:literal, $tip:literal) => {
         #[derive(Robot)]
         #[robot(urdf = $urdf, tip = $tip)]
-        #[robot(generate(
-            forward_kinematics,
-            spatial_jacobian,
-            body_jacobian,
-            geometric_jacobian,
-            velocity,
-            acceleration,
-            inverse_dynamics,
-            gravity,
-            bias,
-            mass_matrix,
-            forward_dynamics,
-            mass_matrix_inverse
-        ))]
         struct $robot;
     };
 }

@@ -3,6 +3,8 @@
 //! In: a description and names of functions. Out: a table of the prices that stand above the
 //! generated functions, the dense 4×4 products beside them.
 
+use std::fmt::Write as _;
+
 use std::io::Read;
 
 use clap::Args;
@@ -11,6 +13,7 @@ use serde_json::{Map, Value, json};
 use super::functions::Functions;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
+use crate::chain;
 use crate::emit::Listed;
 use crate::expand::expand;
 use crate::schedule::Price;
@@ -33,13 +36,15 @@ pub(super) struct Count {
 impl Count {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let (request, remarks) = self.functions.request(&self.robot, &description)?;
+        let request = self.functions.request(&self.robot);
+        let chain = chain::build(&description, &request)?;
         let listing = expand(&description, &request, options::item(&description))?;
         let robot = &description.name.text;
         Ok(match self.format {
             Format::Text => Answer {
                 output: table(&listing.functions),
-                remarks,
+                remarks: options::warnings(&description, &chain.report.warnings)
+                    + &self.functions.remarks(&listing),
                 code: 0,
             },
             Format::Json => Answer {
@@ -107,7 +112,8 @@ fn table(functions: &[Listed]) -> String {
     text.push('\n');
     for (name, listed) in names.iter().zip(functions) {
         let price = &listed.price;
-        text.push_str(&format!("{name:width$}"));
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{name:width$}");
         let columns = [
             price.mul,
             price.add,
@@ -124,7 +130,7 @@ fn table(functions: &[Listed]) -> String {
         ];
         for (head, number) in HEADS.iter().zip(columns) {
             let column = head.len();
-            text.push_str(&format!("  {number:>column$}"));
+            let _ = write!(text, "  {number:>column$}");
         }
         text.push('\n');
     }

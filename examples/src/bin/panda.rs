@@ -19,20 +19,6 @@ const URDF: &str = include_str!("../../../robots/panda_class.urdf");
 /// The arm, every number of it folded into the code.
 #[derive(Robot)]
 #[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
-#[robot(generate(
-    forward_kinematics,
-    spatial_jacobian,
-    body_jacobian,
-    geometric_jacobian,
-    velocity,
-    acceleration,
-    inverse_dynamics,
-    gravity,
-    bias,
-    mass_matrix,
-    forward_dynamics,
-    mass_matrix_inverse
-))]
 struct Panda;
 
 /// The same arm as data, for the generic recursions.
@@ -88,6 +74,7 @@ fn show_torques() {
         q: [0.3, -0.6, 0.2, -2.2, 0.1, 1.6, 0.8],
         qd: [0.5, -0.4, 0.3, 0.6, -0.7, 0.2, 0.9],
         qdd: [1.0, 0.5, -0.5, 2.0, 1.5, -1.0, 3.0],
+        tau: [0.0; 7],
     };
     let row = |name: &str, unit: &str, numbers: &[f64], digits: usize| {
         print!("  {name:<11}");

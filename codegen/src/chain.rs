@@ -13,6 +13,8 @@ mod names;
 mod physical;
 pub mod regroup;
 mod shape;
+#[cfg(test)]
+mod tests;
 
 use crate::description::{Description, Limits};
 use crate::error::{Complaint, Errors};

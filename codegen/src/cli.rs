@@ -83,7 +83,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
 
 /// Expands the 4×4 matrices of a robot into straight-line Rust.
 #[derive(Parser)]
-#[command(name = "homogen", version, max_term_width = 100)]
+#[command(name = "homogen", version)]
 struct Program {
     #[command(subcommand)]
     command: Command,

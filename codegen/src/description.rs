@@ -60,6 +60,16 @@ pub struct Name {
     pub place: Place,
 }
 
+impl From<&str> for Name {
+    /// A name that was written nowhere: a build script's.
+    fn from(text: &str) -> Self {
+        Self {
+            text: text.to_owned(),
+            place: Place::Unknown,
+        }
+    }
+}
+
 /// A number, the digits it was written with, and its place.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Number {

@@ -5,8 +5,8 @@
 
 use std::path::PathBuf;
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Span, TokenStream};
+use quote::{quote, quote_spanned};
 
 use crate::description::{Description, Item, attributes, inline};
 use crate::emit::{self, Declaration, Wanted};
@@ -55,7 +55,11 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
             Ok(mut listing) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
                 listing.watched = file.map(|path| path.to_string_lossy().into_owned());
-                return emit::emit(&listing);
+                let doubts = listing.about.warnings.iter();
+                let doubts = doubts.map(|doubt| warning(doubt, item.ident.span()));
+                let doubts: TokenStream = doubts.collect();
+                let robot = emit::emit(&listing);
+                return quote! { #robot #doubts };
             }
             Err(mistakes) => errors.append(mistakes),
         }
@@ -71,6 +75,19 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         joints,
     });
     quote! { #mistakes #stub }
+}
+
+/// A warning of the compiler. Stable Rust has none for macros but that of a deprecated item, whose
+/// note can say anything, and what a derive wrote is not warned of unless it stands at a token of
+/// the user's.
+fn warning(doubt: &str, at: Span) -> TokenStream {
+    quote_spanned! {at=>
+        const _: () = {
+            #[deprecated(note = #doubt)]
+            const DOUBT: () = ();
+            DOUBT
+        };
+    }
 }
 
 /// The number of joints, if the description holds together when nothing is asked of it.

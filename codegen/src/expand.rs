@@ -9,7 +9,7 @@ use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
-use crate::error::Errors;
+use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Term};
 use crate::function::Function;
 use crate::model::{self, Way};
@@ -23,6 +23,7 @@ use crate::simplify::simplify;
 /// Every mistake of the description and of the request.
 pub fn expand(description: &Description, request: &Request, item: Item) -> Result<Listing, Errors> {
     let chain = chain::build(description, request)?;
+    check_size(&chain)?;
     let mut errors = Errors::new();
     let mut functions = Vec::new();
     for (wanted, frame) in wanted(&chain, request) {
@@ -43,6 +44,24 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
         runtime: request.runtime.clone(),
         watched: None,
     })
+}
+
+/// Refuses a chain that is too long for code without loops.
+///
+/// # Errors
+/// Where more joints move than anyone can want a page of code for.
+pub fn check_size(chain: &Chain) -> Result<(), Errors> {
+    const MOST: usize = 1000;
+    let mut errors = Errors::new();
+    let moving = chain.joints.len();
+    if moving > MOST {
+        errors.push_with_hint(
+            Place::Unknown,
+            format!("{moving} joints move, and functions are generated for at most {MOST}"),
+            "choose a base and a tip, and path_only",
+        );
+    }
+    errors.into_result(())
 }
 
 /// The cheapest program found for some functions together, of a frame of the chain.

@@ -27,4 +27,4 @@ mod wording;
 
 pub use builder::Builder;
 pub use function::Function;
-pub use request::Real;
+pub use request::{Real, Target};

@@ -65,7 +65,8 @@ pub struct Parameter {
 /// What a struct field can stand for.
 #[derive(Clone, Debug)]
 pub enum Target {
-    /// The mass of a link \[kg\]; one number. The inertia about the centre of mass stays as described.
+    /// The mass of a link \[kg\]; one number. The inertia about the centre of mass stays as described;
+    /// a link described without one is a point of mass at its origin.
     MassOf(Name),
     /// The centre of mass of a link in the link's frame \[m\]; three numbers.
     CenterOfMassOf(Name),
@@ -73,6 +74,15 @@ pub enum Target {
     Gravity,
     /// The translation from the parent's frame to the joint's \[m\]; three numbers.
     OriginOf(Name),
+}
+
+impl Request {
+    /// Whether a struct field stands for the mass of a link.
+    #[must_use]
+    pub fn weighs(&self, link: &Name) -> bool {
+        let mut targets = self.parameters.iter().map(|parameter| &parameter.target);
+        targets.any(|target| matches!(target, Target::MassOf(name) if name.text == link.text))
+    }
 }
 
 impl Target {

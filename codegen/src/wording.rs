@@ -43,8 +43,10 @@ pub(crate) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str>
         return None;
     }
     let slips = letters.div_ceil(3);
+    let comparable = |candidate: &&&str| candidate.chars().nth(letters + slips).is_none();
     candidates
         .iter()
+        .filter(comparable)
         .map(|candidate| (distance(&word, candidate), *candidate))
         .filter(|(distance, _)| *distance <= slips && *distance < letters)
         .min_by_key(|(distance, _)| *distance)

@@ -1,3 +1,16 @@
-//! Shared by the examples: pictures, and nothing else.
+//! What the small programs share.
+//!
+//! Random states, the functions of a robot called by name, times with the machine they were
+//! measured on, and plots. Nothing here is needed to use `homogen`.
 
+pub mod bound;
+pub mod machine;
 pub mod plot;
+pub mod price;
+pub mod states;
+pub mod timing;
+
+/// The README, so that its blocks of Rust are compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

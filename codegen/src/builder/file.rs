@@ -45,7 +45,7 @@ impl Builder {
         written
     }
 
-    fn source(&self, listing: &Listing) -> emit::Source {
+    pub(crate) fn source(&self, listing: &Listing) -> emit::Source {
         let header = emit::header(listing, &self.options());
         emit::Source::new(header, &self.print(listing))
     }

@@ -33,7 +33,7 @@ impl Builder {
         emit::standalone(listing, &library)
     }
 
-    pub(super) fn listing(&self) -> Result<Listing, Errors> {
+    pub(crate) fn listing(&self) -> Result<Listing, Errors> {
         let mut errors = self.mistakes.clone();
         let description = match self.description(&mut errors) {
             Some(description) if errors.is_empty() => description,

@@ -96,6 +96,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     check_kept(description, request, &tree, &links, &mut errors);
     check_targets(request, &tree, &links, &joints, &mut errors);
     choose_tip(description, request, &mut tree, &mut errors);
+    check_moving(description, request, &tree, &links, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         errors.push(
@@ -197,6 +198,36 @@ fn check_targets(
             errors.push(
                 name.place,
                 format!("{what} {} is not modelled", quoted(&name.text)),
+            );
+        }
+    }
+}
+
+/// A field for the mass of a link that never moves would change nothing.
+fn check_moving(
+    description: &Description,
+    request: &Request,
+    tree: &Tree,
+    links: &Names<'_>,
+    errors: &mut Errors,
+) {
+    let mut moves = vec![false; description.links.len()];
+    for branch in &tree.branches {
+        moves[branch.child] = moves[branch.parent] || branch.held.is_none();
+    }
+    for parameter in &request.parameters {
+        if let Target::MassOf(name) | Target::CenterOfMassOf(name) = &parameter.target
+            && let Some(link) = links.get(name)
+            && !moves[link]
+            && !tree.dropped.contains(&link)
+        {
+            errors.push_with_hint(
+                name.place,
+                format!(
+                    "link {} does not move: its mass changes nothing",
+                    quoted(&name.text)
+                ),
+                "leave the field out, or choose a base upstream of the link",
             );
         }
     }

@@ -14,6 +14,10 @@ use crate::request::{Request, Target};
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
+/// More joints than a robot has: descriptions of megabytes, in which every number cannot keep how it
+/// came about.
+const MANY: usize = 1000;
+
 /// Where a link ended up: in which body, and where in it.
 #[derive(Clone, Copy)]
 struct Seat<'g> {
@@ -39,74 +43,23 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         nominal: vec![Vec::new(); request.parameters.len()],
         report: Report::default(),
     };
-    let mut seats: Vec<Option<Seat<'_>>> = vec![None; description.links.len()];
-    seats[tree.base] = Some(Seat {
-        body: None,
-        pose: Pose::identity(&graph),
-    });
-    let mut bodies: Vec<Body<'_>> = Vec::new();
-    reader
-        .report
-        .base
-        .clone_from(&description.links[tree.base].name.text);
-
-    for branch in &tree.branches {
-        let joint = &description.joints[branch.joint];
-        let origin = reader.origin(description, branch);
-        let Some(parent) = seats[branch.parent] else {
-            continue;
-        };
-        let axis = unit(&graph, &joint.axis);
-        let pose = parent.pose * origin;
-        let seat = if let Some(held) = branch.held {
-            Seat {
-                body: parent.body,
-                pose: pose * held_at(&graph, joint.kind, axis, &held),
-            }
-        } else {
-            bodies.push(Body {
-                joint: branch.joint,
-                parent: parent.body,
-                motion: reader.motion(joint.kind),
-                placement: pose,
-                axis,
-                inertia: Inertia::zero(&graph),
-            });
-            Seat {
-                body: Some(bodies.len() - 1),
-                pose: Pose::identity(&graph),
-            }
-        };
-        seats[branch.child] = Some(seat);
-        reader.note(description, branch);
-        if let Some(body) = seat.body
-            && let Some(inertia) = reader.inertia(&description.links[branch.child])
-        {
-            bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
-        }
-    }
-
+    let name = |link: usize| description.links[link].name.text.clone();
+    let (seats, bodies) = seat(description, tree, &mut reader);
     let frames = (tree.tip.iter().chain(&tree.frames))
         .filter_map(|&link| {
             let seat = seats[link]?;
-            let name = description.links[link].name.text.clone();
             Some(Frame {
-                name,
+                name: name(link),
                 body: seat.body,
                 placement: seat.pose.map(Term::expr),
             })
         })
         .collect();
     let gravity = reader.gravity().map(Term::expr);
-    reader.report.links = (description.links.iter().zip(&seats))
-        .filter(|(_, seat)| seat.is_some())
-        .map(|(link, _)| link.name.text.clone())
-        .collect();
-    reader.report.dropped = tree
-        .dropped
-        .iter()
-        .map(|&link| description.links[link].name.text.clone())
-        .collect();
+    reader.report.base = name(tree.base);
+    let modelled = (0..seats.len()).filter(|&link| seats[link].is_some());
+    reader.report.links = modelled.map(name).collect();
+    reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
     let joints = bodies
         .into_iter()
         .map(|body| Joint {
@@ -131,6 +84,82 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         report,
         graph,
     }
+}
+
+/// Gives every link its seat, and every joint that moves its body.
+fn seat<'g>(
+    description: &Description,
+    tree: &Tree,
+    reader: &mut Reader<'g, '_>,
+) -> (Vec<Option<Seat<'g>>>, Vec<Body<'g>>) {
+    let graph = reader.graph;
+    let mut bodies: Vec<Body<'g>> = Vec::new();
+    let mut seats: Vec<Option<Seat<'g>>> = vec![None; description.links.len()];
+    seats[tree.base] = Some(Seat {
+        body: None,
+        pose: Pose::identity(graph),
+    });
+    for branch in &tree.branches {
+        let mark = graph.len();
+        let joint = &description.joints[branch.joint];
+        let parent = seats[branch.parent].expect("parents come before children");
+        let pose = parent.pose * reader.origin(description, branch);
+        let axis = unit(graph, &joint.axis);
+        let mut seat = if let Some(held) = branch.held {
+            Seat {
+                body: parent.body,
+                pose: pose * held_at(graph, joint.kind, axis, &held),
+            }
+        } else {
+            bodies.push(Body {
+                joint: branch.joint,
+                parent: parent.body,
+                motion: reader.motion(joint.kind),
+                placement: pose,
+                axis,
+                inertia: Inertia::zero(graph),
+            });
+            Seat {
+                body: Some(bodies.len() - 1),
+                pose: Pose::identity(graph),
+            }
+        };
+        reader.note(description, branch);
+        if let Some(body) = seat.body
+            && let Some(inertia) = reader.inertia(&description.links[branch.child])
+        {
+            bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
+        }
+        if tree.branches.len() > MANY {
+            let body = seat.body.map(|body| &mut bodies[body]);
+            settle(graph, mark, &mut seat, body);
+        }
+        seats[branch.child] = Some(seat);
+    }
+    (seats, bodies)
+}
+
+/// Keeps of a branch nothing but its results: a file of megabytes makes millions of numbers on the
+/// way.
+fn settle<'g>(graph: &'g Graph, mark: usize, seat: &mut Seat<'g>, mut body: Option<&mut Body<'g>>) {
+    let mut each = |change: &mut dyn FnMut(Term<'g>) -> Term<'g>| {
+        seat.pose = seat.pose.map(&mut *change);
+        if let Some(body) = &mut body {
+            if let Motion::Screw(pitch) = &mut body.motion {
+                *pitch = change(graph.term(*pitch)).expr();
+            }
+            body.placement = body.placement.map(&mut *change);
+            body.axis = body.axis.map(&mut *change);
+            body.inertia = body.inertia.map(change);
+        }
+    };
+    let mut results = Vec::new();
+    each(&mut |term| {
+        results.push(term.expr());
+        term
+    });
+    let mut settled = graph.settle(mark, results).into_iter();
+    each(&mut |term| settled.next().map_or(term, |expr| graph.term(expr)));
 }
 
 /// Turns what was written into scalars, and keeps account of it.

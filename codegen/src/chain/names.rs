@@ -12,6 +12,9 @@ use crate::wording::{nearest, quoted};
 /// How many names are searched for the one that was meant.
 const SEARCHED: usize = 1000;
 
+/// For how many mistakes that is done.
+const HELPED: usize = 20;
+
 /// The indices of items by name.
 pub struct Names<'a> {
     what: &'static str,
@@ -51,8 +54,10 @@ impl<'a> Names<'a> {
         let found = self.get(name);
         if found.is_none() {
             let message = format!("there is no {} {}", self.what, quoted(&name.text));
-            // Among very many names the search would take longer than reading them.
-            let near = (self.order.len() <= SEARCHED).then(|| nearest(&name.text, &self.order));
+            // Among very many names, or for very many mistakes, the search would take longer than
+            // reading them.
+            let few = self.order.len() <= SEARCHED && errors.complaints().len() < HELPED;
+            let near = few.then(|| nearest(&name.text, &self.order));
             match near.flatten() {
                 Some(near) => {
                     let hint = format!("did you mean {}?", quoted(near));

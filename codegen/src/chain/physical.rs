@@ -40,6 +40,7 @@ pub fn check(
             continue;
         };
         let link = &description.links[branch.child];
+        massive[body] |= request.weighs(&link.name);
         if let Some(inertial) = &link.inertial {
             massive[body] = true;
             doubts.extend(doubt(&link.name.text, inertial));

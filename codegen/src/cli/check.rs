@@ -157,7 +157,12 @@ fn in_text(description: &Description, chain: &Chain) -> String {
         Some(tip) => line(format!("tip {tip}")),
         None => line("no tip: there is more than one end, and --tip names none".to_owned()),
     }
-    line(format!("{} joints, in the order of q:", chain.joints.len()));
+    let counted = |number: usize, one: &str, several: &str| match number {
+        1 => format!("1 {one}"),
+        _ => format!("{number} {several}"),
+    };
+    let joints = counted(chain.joints.len(), "joint", "joints");
+    line(format!("{joints}, in the order of q:"));
     for (k, (joint, mass)) in described(description, chain).enumerate() {
         let (parent, child) = (&joint.parent.text, &joint.child.text);
         let (name, kind) = (&joint.name.text, kind(joint));
@@ -165,22 +170,34 @@ fn in_text(description: &Description, chain: &Chain) -> String {
             "  {k:3}  {name}: {kind}, from {parent} to {child}, carries {mass} kg"
         ));
     }
-    let counted = |number: usize, what: &str| format!("{number} {what}");
-    line(counted(report.links.len(), "links modelled"));
-    line(counted(report.merged.len(), "links merged"));
+    line(counted(
+        report.links.len(),
+        "link modelled",
+        "links modelled",
+    ));
+    line(counted(report.merged.len(), "link merged", "links merged"));
     for (link, into) in &report.merged {
         line(format!("  {link} into {into}"));
     }
-    line(counted(report.locked.len(), "joints locked"));
+    line(counted(
+        report.locked.len(),
+        "joint locked",
+        "joints locked",
+    ));
     for (joint, at) in &report.locked {
         line(format!("  {joint} at {at}"));
     }
-    line(counted(report.dropped.len(), "links left out"));
+    line(counted(
+        report.dropped.len(),
+        "link left out",
+        "links left out",
+    ));
     for link in &report.dropped {
         line(format!("  {link}"));
     }
     line(counted(
         report.snapped.len(),
+        "angle taken for a right angle",
         "angles taken for right angles",
     ));
     for angle in &report.snapped {
@@ -190,7 +207,7 @@ fn in_text(description: &Description, chain: &Chain) -> String {
             "  {row}:{column}: {written} of {item} is {quarters} × π/2"
         ));
     }
-    line(counted(report.warnings.len(), "warnings"));
+    line(counted(report.warnings.len(), "warning", "warnings"));
     let _ = write!(text, "{}", options::warnings(description, &report.warnings));
     text
 }

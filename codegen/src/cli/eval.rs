@@ -4,7 +4,7 @@
 //! program itself in the arithmetic asked for, each number in its shortest form that reads back.
 
 use std::fmt::{Display, Write};
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -19,7 +19,6 @@ use crate::error::{Errors, Place};
 use crate::expand;
 use crate::expression::Input;
 use crate::function::{Argument, Function, Shape};
-use crate::request::Real;
 use crate::schedule::{Arithmetic, Program, run};
 
 /// Compute a function at given states, without a compiler
@@ -67,11 +66,8 @@ impl Eval {
 
         // Further frames come after the tip's.
         let frame = chain.frames.len().saturating_sub(1);
-        let scalar = match self.scalar {
-            Scalar::F32 => Real::F32,
-            Scalar::F64 => Real::F64,
-        };
-        let program = expand::program(&chain, &[function], frame, scalar)?;
+        expand::check_size(&chain)?;
+        let program = expand::program(&chain, &[function], frame, self.scalar.into())?;
         let results = self.results(&program, &states)?;
         let remarks = options::warnings(&description, &chain.report.warnings);
         Ok(match self.format {
@@ -95,10 +91,16 @@ impl Eval {
             let text = text.map_err(|_| mistake("<stdin> is not written in UTF-8"))?;
             return Ok((text, STANDARD_INPUT.to_owned()));
         }
-        let name = path.file_name().map(Path::new).unwrap_or(path);
+        let name = path.file_name().map_or(path.as_path(), Path::new);
         match std::fs::read_to_string(path) {
             Ok(text) => Ok((text, name.display().to_string())),
-            Err(reason) => Err(mistake(format!("cannot read {}: {reason}", path.display()))),
+            Err(reason) => {
+                let what = match reason.kind() {
+                    ErrorKind::NotFound => "there is no such file".to_owned(),
+                    _ => reason.to_string(),
+                };
+                Err(mistake(format!("cannot read {}: {what}", path.display())))
+            }
         }
     }
 

@@ -5,13 +5,11 @@
 
 use clap::Args;
 
-use super::options::{self, Robot};
-use crate::chain;
-use crate::description::Description;
-use crate::error::Errors;
+use super::options::Robot;
+use crate::emit::Listing;
 use crate::function::Function;
 use crate::request::Request;
-use crate::wording::known;
+use crate::wording::{known, list};
 
 /// Functions, and further frames that they are of.
 #[derive(Args, Clone, Debug)]
@@ -38,33 +36,31 @@ pub(super) struct Frames {
 pub(super) struct Together(pub(super) Vec<Function>);
 
 impl Functions {
-    /// What is asked of a robot, and what a person should know about it.
-    pub(super) fn request(
-        &self,
-        robot: &Robot,
-        description: &Description,
-    ) -> Result<(Request, String), Errors> {
-        let frames = &self.frames.frames;
-        let chain = chain::build(description, &robot.request(frames, &[]))?;
-        let mut remarks = options::warnings(description, &chain.report.warnings);
-        let mut functions = self.functions.clone();
-        if functions.is_empty() {
-            functions = Function::ALL
-                .map(|function| Together(vec![function]))
-                .into();
-            if chain.frames.is_empty() {
-                functions.retain(|item| item.0.iter().all(|function| !function.of_a_frame()));
-                remarks.push_str(SEVERAL_ENDS);
-            }
+    /// What is asked of a robot; no functions where none is named, which means all that it has.
+    pub(super) fn request(&self, robot: &Robot) -> Request {
+        robot.request(&self.frames.frames, &self.functions)
+    }
+
+    /// What a person should know about the answer.
+    pub(super) fn remarks(&self, listing: &Listing) -> String {
+        if !self.functions.is_empty() {
+            return String::new();
         }
-        Ok((robot.request(frames, &functions), remarks))
+        let all = Function::ALL.into_iter();
+        let missing = all.filter(|function| {
+            let mut listed = listing.functions.iter();
+            listed.all(|listed| listed.functions != [*function])
+        });
+        let missing: Vec<&str> = missing.map(Function::name).collect();
+        if missing.is_empty() {
+            return String::new();
+        }
+        format!(
+            "note: left out: {}\n  hint: ask for one with --functions to hear why\n",
+            list(missing)
+        )
     }
 }
-
-const SEVERAL_ENDS: &str = "\
-note: the robot has more than one end: functions of a frame are left out
-  hint: name one of the links as --tip
-";
 
 /// The function of that name.
 pub(super) fn function(text: &str) -> Result<Function, String> {

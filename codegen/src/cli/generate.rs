@@ -10,8 +10,9 @@ use clap::Args;
 
 use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
-use super::{Answer, Said};
+use super::{Answer, Said, options};
 use crate::builder::Builder;
+use crate::chain;
 
 /// Write the functions of a robot as a file of Rust that needs core and nothing else
 #[derive(Args, Clone, Debug)]
@@ -43,8 +44,10 @@ pub(super) struct Generate {
 impl Generate {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let (mut request, remarks) = self.functions.request(&self.robot, &description)?;
+        let mut request = self.functions.request(&self.robot);
         request.scalar = self.scalar.into();
+        let chain = chain::build(&description, &request)?;
+        let mut remarks = options::warnings(&description, &chain.report.warnings);
         let mut builder = Builder::from_description(description).request(request);
         if let Some(name) = &self.name {
             builder = builder.name(name);
@@ -55,7 +58,9 @@ impl Generate {
         if let Some(path) = &self.sqrt {
             builder = builder.sqrt(path);
         }
-        let mut output = builder.to_source()?.to_string();
+        let listing = builder.listing()?;
+        remarks.push_str(&self.functions.remarks(&listing));
+        let mut output = builder.source(&listing).to_string();
         if !is_standard_input(&self.output) {
             let path = &self.output;
             let refuse = |reason| mistake(format!("cannot write {}: {reason}", path.display()));

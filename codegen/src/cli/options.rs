@@ -52,18 +52,14 @@ pub(super) struct Robot {
 /// How an answer is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
-    /// For people
     Text,
-    /// For programs
     Json,
 }
 
 /// The type of number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Scalar {
-    /// Single precision
     F32,
-    /// Double precision
     F64,
 }
 

@@ -1,0 +1,307 @@
+//! Robots in place of files, and what the chain stage says of those that do not hold together.
+//!
+//! What can be seen in one item alone is refused by the readers and tested there.
+
+mod bodies;
+mod torques;
+
+use std::path::Path;
+
+use super::{Chain, build};
+use crate::description::{Description, Name, inline};
+use crate::error::Errors;
+use crate::request::{Parameter, Request, Target};
+
+/// A description and a request in the grammar of `chain!`.
+fn read(text: &str) -> (Description, Request) {
+    let mut errors = Errors::new();
+    let tokens = text.parse().expect("tokens");
+    let item = inline::read(tokens, Path::new("nowhere"), &mut errors);
+    assert!(errors.is_empty(), "{errors}");
+    let item = item.expect("an item");
+    (item.description.expect("a description"), item.request)
+}
+
+fn fine(text: &str) -> Chain {
+    let (description, request) = read(text);
+    build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// Everything that is said of a robot, with places and hints.
+fn said(text: &str) -> String {
+    let (description, request) = read(text);
+    let errors = build(&description, &request).expect_err("mistakes");
+    errors.to_string()
+}
+
+fn lines(lines: &[&str]) -> String {
+    lines.join("\n") + "\n"
+}
+
+fn named(text: &str) -> Name {
+    Name {
+        text: text.to_owned(),
+        ..Name::default()
+    }
+}
+
+/// An arm of three links with a tool that is fixed, under some settings.
+fn arm(settings: &str) -> String {
+    format!(
+        "struct Arm {{ {settings} }}
+        link base;
+        joint shoulder: revolute(z) {{ from: base, to: upper }}
+        joint elbow: revolute(y) {{ from: upper, to: fore, at: xyz(0.4, 0, 0) }}
+        joint mount: fixed {{ from: fore, to: tool, at: xyz(0.3, 0, 0) }}
+        link upper; link fore; link tool;"
+    )
+}
+
+/// The same with a second tool, so that there are two ends.
+fn fork(settings: &str) -> String {
+    arm(settings) + "joint hand: prismatic(x) { from: fore, to: finger } link finger;"
+}
+
+#[test]
+fn a_link_that_is_not_there() {
+    let arm = "struct Arm; link base; link upper;
+        joint shoulder: revolute(z) { from: basse, to: upper }
+        joint elbow: revolute(z) { from: upper, to: \"quite another\" }";
+    assert_eq!(
+        said(arm),
+        lines(&[
+            r#"error: there is no link "basse""#,
+            r#"  hint: did you mean "base"?"#,
+            r#"error: there is no link "quite another""#
+        ])
+    );
+}
+
+#[test]
+fn a_link_on_two_joints() {
+    let arm = "struct Arm; link base; link upper;
+        joint left: revolute(z) { from: base, to: upper }
+        joint right: revolute(z) { from: base, to: upper }";
+    assert_eq!(
+        said(arm),
+        lines(&[
+            r#"error: link "upper" hangs on two joints, "left" and "right""#,
+            "  hint: closed loops are not modelled by a tree: leave one of the joints out"
+        ])
+    );
+}
+
+#[test]
+fn a_cycle_beside_the_base() {
+    let arm = "struct Arm; link base; link a; link b; link c;
+        joint one: revolute(z) { from: a, to: b }
+        joint two: revolute(z) { from: b, to: c }
+        joint three: revolute(z) { from: c, to: a }";
+    assert_eq!(
+        said(arm),
+        lines(&[r#"error: joint "one" closes a cycle: link "a" hangs on itself"#])
+    );
+}
+
+#[test]
+fn a_cycle_of_all_links() {
+    let arm = "struct Arm; link a; link b;
+        joint one: revolute(z) { from: a, to: b }
+        joint two: revolute(z) { from: b, to: a }";
+    assert_eq!(
+        said(arm),
+        lines(&[r#"error: joint "one" closes a cycle: link "a" hangs on itself"#])
+    );
+}
+
+#[test]
+fn several_roots() {
+    let two = "struct Arm; link base; link upper; link table;
+        joint one: revolute(z) { from: base, to: upper }";
+    assert_eq!(
+        said(two),
+        lines(&[
+            r#"error: links "base", "table" hang on nothing"#,
+            "  hint: connect them by joints, or name the base to model one part alone"
+        ])
+    );
+    let four = format!("{two} link chair; link lamp;");
+    assert_eq!(
+        said(&four),
+        lines(&[
+            r#"error: links "base", "table" and 2 more hang on nothing"#,
+            "  hint: connect them by joints, or name the base to model one part alone"
+        ])
+    );
+    let named = two.replace("struct Arm;", "struct Arm { base: base }");
+    assert_eq!(fine(&named).report.dropped, ["table"]);
+}
+
+#[test]
+fn what_is_asked_for_must_be_there() {
+    assert_eq!(
+        said(&arm("base: bass")),
+        lines(&[
+            r#"error: there is no link "bass""#,
+            r#"  hint: did you mean "base"?"#
+        ])
+    );
+    let settings = "tip: toll, drop(uper), frames(far), lock(shoulde, elbw = 0.3)";
+    assert_eq!(
+        said(&arm(settings)),
+        lines(&[
+            r#"error: there is no link "uper""#,
+            r#"  hint: did you mean "upper"?"#,
+            r#"error: there is no link "toll""#,
+            r#"  hint: did you mean "tool"?"#,
+            r#"error: there is no link "far""#,
+            r#"error: there is no joint "shoulde""#,
+            r#"  hint: did you mean "shoulder"?"#,
+            r#"error: there is no joint "elbw""#,
+            r#"  hint: did you mean "elbow"?"#
+        ])
+    );
+}
+
+#[test]
+fn what_is_asked_for_must_hang_on_the_base() {
+    assert_eq!(
+        said(&arm("base: upper, tip: base")),
+        lines(&[
+            r#"error: the tip "base" does not hang on the base "upper""#,
+            "  hint: choose a base upstream of it, and do not drop it"
+        ])
+    );
+    assert_eq!(
+        said(&arm("drop(fore), tip: tool, frames(fore)")),
+        lines(&[
+            r#"error: the tip "tool" does not hang on the base "base""#,
+            "  hint: choose a base upstream of it, and do not drop it",
+            r#"error: the frame "fore" does not hang on the base "base""#,
+            "  hint: choose a base upstream of it, and do not drop it"
+        ])
+    );
+    assert_eq!(
+        said(&arm("drop(base)")),
+        lines(&[r#"error: the base "base" cannot be dropped"#])
+    );
+}
+
+#[test]
+fn only_what_moves_can_be_locked_and_once() {
+    assert_eq!(
+        said(&arm("lock(mount)")),
+        lines(&[r#"error: joint "mount" is fixed and cannot be locked"#])
+    );
+    assert_eq!(
+        said(&arm("lock(elbow, elbow = 0.3)")),
+        lines(&[r#"error: joint "elbow" is locked twice"#])
+    );
+}
+
+#[test]
+fn something_must_move() {
+    assert_eq!(
+        said(&arm("lock(shoulder, elbow)")),
+        lines(&[r#"error: no joint of "Arm" moves"#])
+    );
+    assert_eq!(
+        said("struct Arm; link base;"),
+        lines(&[r#"error: no joint of "Arm" moves"#])
+    );
+    assert_eq!(
+        said(&arm("base: tool")),
+        lines(&[r#"error: no joint of "Arm" moves"#])
+    );
+}
+
+#[test]
+fn several_ends_need_a_tip_where_it_matters() {
+    assert_eq!(
+        said(&fork("path_only")),
+        lines(&[
+            "error: path_only needs a tip, and the robot has more than one end",
+            r#"  hint: name one of: "tool", "finger""#
+        ])
+    );
+    assert_eq!(
+        said(&fork("generate(forward_kinematics)")),
+        lines(&[
+            "error: which frame are poses and Jacobians of? The robot has more than one end",
+            r#"  hint: name one as the tip: "tool", "finger""#
+        ])
+    );
+    let chain = fine(&fork("generate(inverse_dynamics)"));
+    assert!(!chain.has_tip && chain.frames.is_empty());
+    let chain = fine(&fork("generate(forward_kinematics), frames(fore)"));
+    assert!(!chain.has_tip && chain.frames[0].name == "fore");
+}
+
+#[test]
+fn of_many_ends_a_few_are_named() {
+    let finger = |k| format!("joint j{k}: revolute(z) {{ from: base, to: f{k} }} link f{k};");
+    let fingers = (0..11).map(finger).collect::<Vec<_>>().concat();
+    let hand = format!("struct Hand {{ path_only }} link base; {fingers}");
+    assert_eq!(
+        said(&hand),
+        lines(&[
+            "error: path_only needs a tip, and the robot has more than one end",
+            r#"  hint: name one of: "f0", "f1", "f2", "f3", "f4", "f5", "f6", "f7", and 3 more"#
+        ])
+    );
+}
+
+#[test]
+fn names_are_given_once() {
+    // The readers see to it; a description made in code comes without them.
+    let (mut description, request) = read(&arm(""));
+    description.links[3].name = description.links[2].name.clone();
+    description.joints[2].name = description.joints[1].name.clone();
+    let errors = build(&description, &request).expect_err("mistakes");
+    assert_eq!(
+        errors.to_string(),
+        lines(&[
+            r#"error: two links are called "fore""#,
+            r#"error: two joints are called "elbow""#,
+            r#"error: there is no link "tool""#
+        ])
+    );
+}
+
+#[test]
+fn fields_stand_for_what_is_modelled() {
+    let (description, mut request) = read(&arm("drop(fore)"));
+    for target in [
+        Target::MassOf(named("tool")),
+        Target::CenterOfMassOf(named("tol")),
+        Target::OriginOf(named("elbow")),
+        Target::OriginOf(named("wrist")),
+    ] {
+        let field = quote::format_ident!("field");
+        request.parameters.push(Parameter { field, target });
+    }
+    let errors = build(&description, &request).expect_err("mistakes");
+    assert_eq!(
+        errors.to_string(),
+        lines(&[
+            r#"error: link "tool" is not modelled"#,
+            r#"error: there is no link "tol""#,
+            r#"  hint: did you mean "tool"?"#,
+            r#"error: joint "elbow" is not modelled"#,
+            r#"error: there is no joint "wrist""#
+        ])
+    );
+}
+
+#[test]
+fn mistakes_of_several_kinds_are_told_together() {
+    assert_eq!(
+        said(&arm("drop(base), tip: toll, lock(mount)")),
+        lines(&[
+            r#"error: there is no link "toll""#,
+            r#"  hint: did you mean "tool"?"#,
+            r#"error: joint "mount" is fixed and cannot be locked"#,
+            r#"error: the base "base" cannot be dropped"#
+        ])
+    );
+}

@@ -1,0 +1,236 @@
+//! What becomes of links and joints: merged, locked, left out, ordered, told.
+
+use super::*;
+use crate::chain::Motion;
+use crate::expression::{Double, Expr, Input, Node};
+
+/// The numbers of a body: second moments xx, yy, zz, xy, xz, yz, first moments, mass.
+fn inertia(chain: &Chain, joint: usize) -> Vec<f64> {
+    let entries = chain.joints[joint].inertia.entries();
+    entries.iter().map(|&entry| number(chain, entry)).collect()
+}
+
+fn number(chain: &Chain, entry: Expr) -> f64 {
+    chain.graph.value(entry).map_or(f64::NAN, Double::to_f64)
+}
+
+fn close(results: &[f64], expected: &[f64]) {
+    assert_eq!(results.len(), expected.len());
+    for (x, y) in results.iter().zip(expected) {
+        assert!((x - y).abs() < 1e-15, "{results:?} for {expected:?}");
+    }
+}
+
+fn names(chain: &Chain) -> Vec<&str> {
+    let joints = chain.joints.iter();
+    joints.map(|joint| joint.name.as_str()).collect()
+}
+
+const ROD: &str = "
+    link rod { mass: 2.0, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04] }
+    link tip { mass: 1.0, com: [0.2, 0, 0], inertia: [0.01, 0.02, 0.03] }";
+
+#[test]
+fn what_is_fixed_becomes_part_of_the_body_that_carries_it() {
+    let chain = fine(&format!(
+        "struct Arm; link base; {ROD}
+        joint hinge: revolute(z) {{ from: base, to: rod }}
+        joint weld: fixed {{ from: rod, to: tip, at: xyz(0.5, 0, 0) rz(pi/2) }}"
+    ));
+    // By hand: the tip's centre of mass is at (0.5, 0.2, 0), and its x axis along y. Second moments
+    // are ½ Tr(I) − I about the centre of mass: (0.025, 0.015, 0.005) of the rod and, turned,
+    // (0.01, 0.02, 0) of the tip; m c cᵗ adds (0.02, 0, 0) and (0.25, 0.04, 0) with 0.1 at xy.
+    let expected = [
+        0.305, 0.075, 0.005, 0.1, 0.0, 0.0, // second moments
+        0.7, 0.2, 0.0, // first moments
+        3.0,
+    ];
+    close(&inertia(&chain, 0), &expected);
+    assert_eq!(chain.report.merged, [("tip".into(), "rod".into())]);
+    let tip = &chain.frames[0];
+    assert_eq!((tip.name.as_str(), tip.body), ("tip", Some(0)));
+    let at = tip.placement.entries();
+    let at: Vec<f64> = at.iter().map(|&entry| number(&chain, entry)).collect();
+    close(
+        &at,
+        &[0.0, -1.0, 0.0, 0.5, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+    );
+}
+
+#[test]
+fn what_is_fixed_to_the_base_is_felt_by_no_joint() {
+    let chain = fine(&format!(
+        "struct Arm; link base; link plate {{ mass: 50, com: [1, 1, 1], inertia: [9, 9, 9] }} {ROD}
+        joint bolts: fixed {{ from: base, to: plate, at: xyz(0, 0, 0.3) }}
+        joint hinge: revolute(z) {{ from: plate, to: rod, at: xyz(0.1, 0, 0) }}
+        joint weld: fixed {{ from: plate, to: tip }}"
+    ));
+    close(&inertia(&chain, 0)[9..], &[2.0]);
+    assert_eq!(chain.joints[0].parent, None);
+    let at = chain.joints[0].placement.translation.0;
+    close(&at.map(|entry| number(&chain, entry)), &[0.1, 0.0, 0.3]);
+}
+
+#[test]
+fn joints_come_parents_first_and_siblings_as_written() {
+    let chain = fine(
+        "struct Tree { base: b }
+        joint late: revolute(z) { from: left, to: leaf }
+        joint right: revolute(x) { from: b, to: rightmost }
+        joint left: prismatic(y) { from: b, to: left }
+        joint stem: revolute(z) { from: root, to: b }
+        link root; link b; link left; link leaf; link rightmost; link other;
+        joint beside: revolute(z) { from: root, to: other }",
+    );
+    assert_eq!(names(&chain), ["right", "left", "late"]);
+    let parents: Vec<_> = chain.joints.iter().map(|joint| joint.parent).collect();
+    assert_eq!(parents, [None, None, Some(1)]);
+    assert!(matches!(chain.joints[1].motion, Motion::Prismatic));
+    assert_eq!(chain.report.base, "b");
+    assert_eq!(chain.report.links, ["b", "left", "leaf", "rightmost"]);
+    assert_eq!(chain.report.dropped, ["root", "other"]);
+}
+
+#[test]
+fn a_branch_is_dropped_with_its_mass_and_locked_without_loss() {
+    let whole = |settings| {
+        fine(&format!(
+            "struct Arm {{ {settings} }} link base; {ROD}
+            joint hinge: revolute(z) {{ from: base, to: rod }}
+            joint slide: prismatic(x) {{ from: rod, to: tip }}
+            link eye; joint gaze: revolute(z) {{ from: rod, to: eye }}"
+        ))
+    };
+    let dropped = whole("drop(tip)");
+    assert_eq!(names(&dropped), ["hinge", "gaze"]);
+    close(&inertia(&dropped, 0)[9..], &[2.0]);
+    let locked = whole("lock(slide = 0.25)");
+    assert_eq!(names(&locked), ["hinge", "gaze"]);
+    close(&inertia(&locked, 0)[6..], &[0.65, 0.0, 0.0, 3.0]);
+    assert_eq!(locked.report.locked, [("slide".into(), 0.25)]);
+    // Off the way to the tip, at zero or where it is said.
+    let path = whole("tip: eye, path_only");
+    assert_eq!(names(&path), ["hinge", "gaze"]);
+    close(&inertia(&path, 0)[6..], &[0.4, 0.0, 0.0, 3.0]);
+    let path = whole("tip: eye, path_only, lock(slide = 0.25)");
+    close(&inertia(&path, 0)[6..], &[0.65, 0.0, 0.0, 3.0]);
+}
+
+#[test]
+fn right_angles_are_exact_and_told_unless_they_are_wanted_as_written() {
+    let arm = |settings| {
+        fine(&format!(
+            "struct Arm {{ {settings} }} link base; link rod;
+            joint hinge: revolute(z) {{ from: base, to: rod, at: rx(-4.7124) rz(10.99557) }}"
+        ))
+    };
+    let snapped = arm("");
+    let rotation = snapped.joints[0].placement.rotation.0;
+    assert_eq!(number(&snapped, rotation[2][2]), 0.0);
+    let told = snapped.report.snapped.iter();
+    let told: Vec<_> = told
+        .map(|angle| (angle.item.as_str(), angle.written, angle.quarters))
+        .collect();
+    assert_eq!(told, [("hinge", -4.7124, -3), ("hinge", 10.99557, 7)]);
+
+    let written = arm("exact");
+    let rotation = written.joints[0].placement.rotation.0;
+    assert_eq!(number(&written, rotation[2][2]), (-4.7124_f64).cos());
+    assert!(written.report.snapped.is_empty());
+}
+
+/// The chain of an arm with a field for a target.
+fn with_field(text: &str, target: Target) -> Chain {
+    let (description, mut request) = read(text);
+    let field = quote::format_ident!("field");
+    request.parameters.push(Parameter { field, target });
+    build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+#[test]
+fn fields_are_inputs_from_here_on() {
+    let arm = format!(
+        "struct Arm; link base; {ROD}
+        joint hinge: revolute(z) {{ from: base, to: rod, at: xyz(1, 2, 3) rx(0.3) }}
+        joint weld: fixed {{ from: rod, to: tip }}"
+    );
+    let input = |chain: &Chain, entry: Expr| chain.graph.node(entry);
+    let expected = |k| Node::Input(Input::Parameter(0, k));
+    let chain = with_field(&arm, Target::Gravity);
+    assert_eq!(input(&chain, chain.gravity.0[2]), expected(2));
+
+    let chain = with_field(&arm, Target::OriginOf(named("hinge")));
+    let placement = chain.joints[0].placement;
+    assert_eq!(input(&chain, placement.translation.0[1]), expected(1));
+    assert_eq!(number(&chain, placement.rotation.0[2][1]), 0.3_f64.sin());
+
+    let chain = with_field(&arm, Target::MassOf(named("rod")));
+    assert!(chain.graph.value(chain.joints[0].inertia.mass).is_none());
+    let chain = with_field(&arm, Target::CenterOfMassOf(named("rod")));
+    close(&[number(&chain, chain.joints[0].inertia.mass)], &[3.0]);
+    assert!(chain.graph.value(chain.joints[0].inertia.q.0[0]).is_none());
+}
+
+#[test]
+fn a_payload_on_a_link_that_weighs_nothing_is_a_point() {
+    let arm = "struct Arm { strict } link base; link flange;
+        joint hinge: revolute(z) { from: base, to: rod }
+        joint mount: fixed { from: rod, to: flange, at: xyz(0.5, 0, 0) } link rod;";
+    let (description, request) = read(arm);
+    let errors = build(&description, &request).expect_err("a body without mass");
+    assert_eq!(
+        errors.to_string(),
+        "error: link \"rod\" moves and has no inertia: taken as massless (refused: strict)\n"
+    );
+
+    let chain = with_field(arm, Target::MassOf(named("flange")));
+    let inertia = chain.joints[0].inertia;
+    assert_eq!(
+        chain.graph.node(inertia.mass),
+        Node::Input(Input::Parameter(0, 0))
+    );
+    let Node::Mul(half, mass) = chain.graph.node(inertia.q.0[0]) else {
+        panic!("half a metre times the mass");
+    };
+    assert_eq!((number(&chain, half), mass), (0.5, inertia.mass));
+}
+
+#[test]
+fn what_no_body_can_have_is_told_with_the_amount() {
+    let arm = |settings| {
+        format!(
+            "struct Arm {{ {settings} }} link base;
+            link rod {{ mass: 1, com: [0, 0, 0], inertia: [0.1, 0.2, 0.5] }}
+            link tip {{ mass: 0, com: [0, 0, 0], inertia: [0.1, 0.1, 0.1] }}
+            joint hinge: revolute(z) {{ from: base, to: rod }}
+            joint weld: fixed {{ from: rod, to: tip }}"
+        )
+    };
+    let chain = fine(&arm(""));
+    let told = chain.report.warnings.iter();
+    let told: Vec<_> = told.map(|doubt| doubt.message.as_str()).collect();
+    let expected = [
+        "no body has the inertia of link \"rod\": a second moment about its centre of mass is \
+         -1.000e-1 kg m² (-33.3 % of the largest)",
+        "link \"tip\" has no mass but an inertia",
+    ];
+    assert_eq!(told, expected);
+    close(&inertia(&chain, 0)[..3], &[0.35, 0.25, -0.05]);
+    let refused = expected.map(|doubt| format!("error: {doubt} (refused: strict)\n"));
+    assert_eq!(said(&arm("strict")), refused.concat());
+}
+
+#[test]
+fn places_in_a_file_reach_the_messages_of_the_chain() {
+    let text = "<robot name=\"arm\">\n <link name=\"base\"/>\n <link name=\"rod\"/>\n\
+        <joint name=\"hinge\" type=\"revolute\">\n  <parent link=\"bas\"/>\n  \
+        <child link=\"rod\"/>\n <limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>\
+        </joint>\n</robot>";
+    let mut errors = Errors::new();
+    let description = crate::description::read_text(text, "arm.urdf", None, &mut errors);
+    let description = description.expect("it can be read");
+    let errors = build(&description, &Request::default()).expect_err("no such link");
+    let expected =
+        "error: arm.urdf:5:17: there is no link \"bas\"\n  hint: did you mean \"base\"?\n";
+    assert_eq!(errors.to_string(), expected);
+}

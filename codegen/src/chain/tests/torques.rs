@@ -1,0 +1,258 @@
+//! The same results from every choice of frames, with and without regrouping, to the last digits of
+//! 106 bits; and from a joint that is locked as from one that stands still there.
+
+use super::*;
+use crate::chain::Motion;
+use crate::chain::frames::{Layout, Sliding, arrange};
+use crate::expression::{Double, Expr, Graph, Input, Node};
+use crate::function::Function;
+use crate::model::{self, Forward, Way};
+
+/// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
+const TOLERANCE: f64 = 1e-28;
+
+/// The values of expressions, with constants as they are in the graph and not as they are printed.
+fn evaluate(graph: &Graph, results: &[Expr], input: impl Fn(Input) -> Double) -> Vec<Double> {
+    let mut values = vec![Double::ZERO; graph.len()];
+    for expr in graph.needed(results).0 {
+        let at = |expr: Expr| values[expr.index()];
+        values[expr.index()] = graph.value(expr).unwrap_or_else(|| match graph.node(expr) {
+            Node::Input(of) => input(of),
+            Node::Neg(a) => -at(a),
+            Node::Add(a, b) => at(a) + at(b),
+            Node::Sub(a, b) => at(a) - at(b),
+            Node::Mul(a, b) => at(a) * at(b),
+            Node::Div(a, b) => at(a) / at(b),
+            Node::Sqrt(a) => at(a).sqrt(),
+            Node::Sin(a) => at(a).sin_cos().0,
+            Node::Cos(a) => at(a).sin_cos().1,
+            Node::Literal(_) | Node::Atan2(..) => unreachable!("numbers have values"),
+        });
+    }
+    results
+        .iter()
+        .map(|result| values[result.index()])
+        .collect()
+}
+
+/// An arbitrary state: no two entries alike, none of them special.
+fn state(input: Input) -> Double {
+    let entry = |k: u16, step: f64| Double::from((f64::from(k) + 1.0) * step) / Double::from(3.0);
+    match input {
+        Input::Q(k) => entry(k, 1.1),
+        Input::Qd(k) => entry(k, -0.7),
+        Input::Qdd(k) => entry(k, 1.9),
+        Input::Tau(k) => entry(k, 2.3),
+        Input::Parameter(field, k) => entry(3 * field + k, 0.31),
+    }
+}
+
+fn results(chain: &Chain, function: Function, layout: Layout, way: Way) -> Vec<Double> {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, layout);
+    let terms = model::build(&graph, &bodies, function, 0, way);
+    let results: Vec<Expr> = terms
+        .into_iter()
+        .map(crate::expression::Term::expr)
+        .collect();
+    evaluate(&graph, &results, state)
+}
+
+/// The largest difference, relative to the largest result.
+fn difference(results: &[Double], expected: &[Double]) -> f64 {
+    assert_eq!(results.len(), expected.len());
+    let largest = |numbers: &mut dyn Iterator<Item = Double>| {
+        numbers.fold(0.0_f64, |most, x| most.max(x.to_f64().abs()))
+    };
+    let mut differences = results.iter().zip(expected).map(|(x, y)| *x - *y);
+    largest(&mut differences) / largest(&mut expected.iter().copied())
+}
+
+/// Every way to place the frames, whether it is worth counting or not.
+fn layouts() -> Vec<Layout> {
+    let mut layouts = Vec::new();
+    for normals in [false, true] {
+        for sliding in [
+            Sliding::AsDescribed,
+            Sliding::AtParent,
+            Sliding::AtChild,
+            Sliding::AtMassCenter,
+        ] {
+            for turn_ends in [false, true] {
+                for regroup in [false, true] {
+                    layouts.push(Layout {
+                        normals,
+                        sliding,
+                        turn_ends,
+                        regroup,
+                    });
+                }
+            }
+        }
+    }
+    layouts
+}
+
+/// Every way to compute a function, whether only the count decides between them or not.
+fn ways(function: Function) -> Vec<Way> {
+    let forms = [
+        Forward::MassMatrix { refinements: 0 },
+        Forward::MassMatrix { refinements: 1 },
+        Forward::Articulated,
+    ];
+    match function {
+        Function::ForwardDynamics => forms
+            .map(|forward| Way {
+                forward,
+                ..Way::PLAIN
+            })
+            .to_vec(),
+        _ => Way::all(function),
+    }
+}
+
+fn agree(name: &str, chain: &Chain) {
+    for function in Function::ALL {
+        if function.of_a_frame() && chain.frames.is_empty() {
+            continue;
+        }
+        let expected = results(chain, function, Layout::DESCRIBED, Way::PLAIN);
+        for layout in layouts() {
+            for way in ways(function) {
+                let results = results(chain, function, layout, way);
+                let difference = difference(&results, &expected);
+                assert!(
+                    difference < TOLERANCE,
+                    "{name}: {function:?} by {layout:?} and {way:?}: {difference:.1e}"
+                );
+            }
+        }
+    }
+}
+
+/// A tree with every kind of joint about oblique axes, whose numbers have many digits.
+const OBLIQUE: &str = "
+    struct Tree { tip: tool, gravity: [1.1, -2.3, 8.7] }
+    link base;
+    joint one: revolute([0.6, 0.0, 0.8]) { from: base, to: a, at: xyz(0.1, 0.2, 0.3) rpy(0.4, 0.5, 0.6) }
+    joint two: screw([0.48, 0.6, -0.64], pitch: 0.037) { from: a, to: b, at: xyz(-0.3, 0.1, 0.2) ry(1.1) }
+    joint three: prismatic([-0.8, 0.36, 0.48]) { from: b, to: c, at: xyz(0.2, 0.3, -0.1) rx(0.7) rz(0.9) }
+    joint four: revolute(-y) { from: c, to: d, at: xyz(0.05, -0.2, 0.15) rpy(0.1, -0.2, 0.3) }
+    joint five: prismatic(x) { from: a, to: e, at: xyz(0.1, 0.1, 0.1) rz(0.35) }
+    joint six: revolute(z) { from: e, to: f, at: xyz(0.3, 0.2, 0.1) rpy(-0.3, 0.2, 0.1) }
+    joint weld: fixed { from: d, to: tool, at: xyz(0.1, 0.03, 0.02) rpy(0.2, 0.1, 0.4) }
+    link a { mass: 2.1, com: [0.11, 0.07, -0.05], inertia: [0.031, 0.002, -0.003, 0.043, 0.001, 0.052] }
+    link b { mass: 1.7, com: [-0.03, 0.09, 0.06], inertia: [0.021, 0.003, 0.001, 0.033, -0.002, 0.042] }
+    link c { mass: 1.3, com: [0.05, -0.04, 0.08], inertia: [0.017, -0.001, 0.002, 0.023, 0.003, 0.027] }
+    link d { mass: 0.9, com: [0.02, 0.03, 0.07], inertia: [0.011, 0.001, 0.001, 0.012, 0.002, 0.014] }
+    link e { mass: 1.1, com: [0.06, 0.01, -0.02], inertia: [0.013, 0.002, -0.001, 0.016, 0.001, 0.019] }
+    link f { mass: 0.7, com: [0.01, -0.05, 0.03], inertia: [0.007, 0.001, 0.001, 0.008, 0.001, 0.009] }
+    link tool { mass: 0.4, com: [0.01, 0.02, 0.05], inertia: [0.001, 0, 0, 0.001, 0, 0.002] }";
+
+fn robot(file: &str, tip: &str) -> Chain {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
+    let mut errors = Errors::new();
+    let description =
+        crate::description::read_file(&folder.join(file), None, &mut errors).expect("a robot");
+    let request = Request {
+        tip: Some(named(tip)),
+        ..Request::default()
+    };
+    build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+#[test]
+fn robots_that_ship_have_the_same_torques_in_every_layout() {
+    for (file, tip) in [
+        ("two_link.urdf", "tip"),
+        ("scara.urdf", "tool"),
+        ("stanford_general.urdf", "tool"),
+        ("panda_class.urdf", "link8"),
+        ("quadruped.urdf", "hr_foot"),
+    ] {
+        agree(file, &robot(file, tip));
+    }
+}
+
+#[test]
+fn a_tree_of_oblique_axes_has_the_same_torques_in_every_layout() {
+    agree("tree", &fine(OBLIQUE));
+}
+
+#[test]
+fn a_tree_with_fields_has_the_same_torques_in_every_layout() {
+    let (description, mut request) = read(&OBLIQUE.replace("gravity: [1.1, -2.3, 8.7]", ""));
+    for target in [
+        Target::MassOf(named("d")),
+        Target::CenterOfMassOf(named("c")),
+        Target::OriginOf(named("three")),
+        Target::MassOf(named("tool")),
+        Target::Gravity,
+    ] {
+        let field = quote::format_ident!("field");
+        request.parameters.push(Parameter { field, target });
+    }
+    let chain = build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    agree("tree with fields", &chain);
+}
+
+#[test]
+fn a_locked_joint_is_one_that_stands_still() {
+    let joints = ["one", "two", "three", "four", "five", "six"];
+    let free = fine(OBLIQUE);
+    let (graph, way) = (free.graph.clone(), Way::PLAIN);
+    let bodies = arrange(&graph, &free, Layout::DESCRIBED);
+    for (k, joint) in joints.into_iter().enumerate() {
+        let lock = format!("tip: tool, lock({joint} = 0.3)");
+        let locked = fine(&OBLIQUE.replace("tip: tool", &lock));
+        assert_eq!(locked.joints.len(), joints.len() - 1);
+        // The state of the joints that are left, with the locked one among them at rest.
+        let held = u16::try_from(k).expect("few joints");
+        let shift = |of: u16| (of != held).then(|| of - u16::from(of > held));
+        let still = |input| match input {
+            Input::Q(of) => shift(of).map_or(Double::from(0.3), |of| state(Input::Q(of))),
+            Input::Qd(of) => shift(of).map_or(Double::ZERO, |of| state(Input::Qd(of))),
+            Input::Qdd(of) => shift(of).map_or(Double::ZERO, |of| state(Input::Qdd(of))),
+            Input::Tau(_) | Input::Parameter(..) => state(input),
+        };
+        let terms = model::build(&graph, &bodies, Function::InverseDynamics, 0, way);
+        let all: Vec<Expr> = terms
+            .into_iter()
+            .map(crate::expression::Term::expr)
+            .collect();
+        let mut expected = evaluate(&graph, &all, still);
+        expected.remove(k);
+        let results = results(&locked, Function::InverseDynamics, Layout::DESCRIBED, way);
+        let difference = difference(&results, &expected);
+        assert!(difference < TOLERANCE, "{joint}: {difference:.1e}");
+    }
+}
+
+#[test]
+fn regrouping_takes_from_a_body_what_its_joint_does_not_feel() {
+    let (mut chain, layout) = (
+        fine(OBLIQUE),
+        Layout {
+            regroup: true,
+            ..Layout::DESCRIBED
+        },
+    );
+    // The numbers of a body by what its joint is: m, q_z, J_zz; all second moments; J_zz.
+    let graph = std::mem::take(&mut chain.graph);
+    let bodies = arrange(&graph, &chain, layout).bodies;
+    for body in bodies {
+        let [xx, yy, zz, xy, xz, yz] = body.inertia.second.0;
+        let gone = match body.motion {
+            Motion::Revolute => vec![zz, body.inertia.q.z(), body.inertia.mass],
+            Motion::Prismatic => vec![xx, yy, zz, xy, xz, yz],
+            Motion::Screw(_) => vec![zz],
+        };
+        assert!(gone.iter().all(|entry| entry.is_zero()));
+        let kept = body
+            .inertia
+            .entries()
+            .into_iter()
+            .filter(|entry| !entry.is_zero());
+        assert_eq!(kept.count(), 10 - gone.len());
+    }
+}

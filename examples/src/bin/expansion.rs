@@ -1,0 +1,50 @@
+//! How long the derive takes for each robot that ships, all functions asked for.
+//!
+//! In: what stands above a struct. Out: time and size of what it expands to. Run it without
+//! `--release`, since cargo builds procedural macros without optimisation:
+//! `cargo run -p homogen-examples --bin expansion`.
+
+use std::time::{Duration, Instant};
+
+use homogen_codegen::door::derive;
+use homogen_examples::machine;
+use proc_macro2::TokenStream;
+
+const ROBOTS: [(&str, &str); 9] = [
+    ("two_link", "tip"),
+    ("scara", "tool"),
+    ("stanford", "tool"),
+    ("stanford_general", "tool"),
+    ("puma560", "tool"),
+    ("puma560_general", "tool"),
+    ("ur5_class", "tool0"),
+    ("panda_class", "link8"),
+    ("quadruped", "fl_foot"),
+];
+
+fn main() -> Result<(), proc_macro2::LexError> {
+    println!("  robot                  ms  characters");
+    for (robot, tip) in ROBOTS {
+        let (time, text) = expand(robot, tip)?;
+        let ms = 1e3 * time.as_secs_f64();
+        println!("  {robot:<17} {ms:>7.0} {:>11}", text.chars().count());
+    }
+    println!("  {}", machine::describe());
+    Ok(())
+}
+
+/// The best of three runs, and what came out.
+fn expand(robot: &str, tip: &str) -> Result<(Duration, String), proc_macro2::LexError> {
+    let item =
+        format!("#[robot(urdf = \"../robots/{robot}.urdf\", tip = \"{tip}\")] struct Robot;");
+    let tokens: TokenStream = item.parse()?;
+    let once = || {
+        let start = Instant::now();
+        let code = derive(tokens.clone());
+        (start.elapsed(), code)
+    };
+    let runs = [once(), once(), once()];
+    let best = runs.iter().map(|(time, _)| *time).min().unwrap_or_default();
+    let [(_, code), ..] = runs;
+    Ok((best, code.to_string()))
+}

@@ -1,0 +1,148 @@
+//! A seven-joint arm from its description to checked straight-line code, on one screen.
+//!
+//! In: the Panda-class arm of `robots/`. Out: what was modelled, the price of each function, torques
+//! at a state, and each function against the generic recursions of the runtime: worst difference
+//! and time per call, in one run.
+
+use std::error::Error;
+use std::time::Duration;
+
+use homogen::{Chain, Robot};
+use homogen_codegen::Function;
+use homogen_examples::bound::{Bound, bind};
+use homogen_examples::states::{State, random};
+use homogen_examples::timing::{Spread, alternate};
+use homogen_examples::{machine, price};
+
+const URDF: &str = include_str!("../../../robots/panda_class.urdf");
+
+/// The arm, every number of it folded into the code.
+#[derive(Robot)]
+#[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+struct Panda;
+
+/// The same arm as data, for the generic recursions.
+const GENERIC: Chain<7, 1> = Panda::chain();
+
+const NOTES: &str = "  \
+  trig: sines and cosines; dense: products and sums if every 4×4 matrix were multiplied out.
+  Errors: against the generic recursions in f64, over 1,000 random states, each entry in relation
+  to the largest magnitude that it takes in them.
+  Times: medians of 25 batches of both in turn, independent states; carry over the ratio only.";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let prices = price::count("panda_class.urdf", URDF, "link8").map_err(|e| e.to_string())?;
+    let about = &prices.about;
+    println!(
+        "{}: {} joints, frame 0 is {}, the tip {}\n  {}\n",
+        about.robot,
+        about.joints.len(),
+        about.base,
+        about.tip,
+        about.facts.join(" · ")
+    );
+    show_torques();
+
+    let states = random::<7>(1000, 1);
+    println!();
+    println!("                           price            worst error        ns per call in f64");
+    println!("                      mul add trig dense      f64     f32  generated generic ratio");
+    for function in Function::ALL {
+        let price = prices.of(function);
+        let [wide, single] = errors(function, &states);
+        let [generated, generic] = times(function, &states[..64]);
+        println!(
+            "  {:<19} {:>3} {:>3} {:>4} {:>5} {wide:>8.0e} {single:>7.0e} {:>10.0} {:>7.0} {:>5.0}",
+            function.name(),
+            price.mul,
+            price.add,
+            price.sin + price.cos,
+            price.naive_mul + price.naive_add,
+            generated.median,
+            generic.median,
+            generic.median / generated.median,
+        );
+    }
+    println!("\n{NOTES}");
+    println!("  {}", machine::describe());
+    Ok(())
+}
+
+/// Joint torques at one state, both ways.
+fn show_torques() {
+    let state = State {
+        q: [0.3, -0.6, 0.2, -2.2, 0.1, 1.6, 0.8],
+        qd: [0.5, -0.4, 0.3, 0.6, -0.7, 0.2, 0.9],
+        qdd: [1.0, 0.5, -0.5, 2.0, 1.5, -1.0, 3.0],
+        tau: [0.0; 7],
+    };
+    let row = |name: &str, unit: &str, numbers: &[f64], digits: usize| {
+        print!("  {name:<11}");
+        for number in numbers {
+            print!(" {number:>11.digits$}");
+        }
+        println!("  {unit}");
+    };
+    row("q", "rad", &state.q, 1);
+    row("qd", "rad/s", &state.qd, 1);
+    row("qdd", "rad/s²", &state.qdd, 1);
+    let function = Function::InverseDynamics;
+    row(
+        "τ generated",
+        "N m",
+        &bind(&Panda, function).entries(&state),
+        7,
+    );
+    row(
+        "τ generic",
+        "N m",
+        &bind(&GENERIC, function).entries(&state),
+        7,
+    );
+}
+
+/// The worst differences from the generic recursions in f64: of generated f64, of generated f32.
+fn errors(function: Function, states: &[State<f32, 7>]) -> [f64; 2] {
+    let reference = bind(&GENERIC, function);
+    let reference: Vec<_> = states
+        .iter()
+        .map(|s| reference.entries(&s.widen()))
+        .collect();
+    let (wide, single) = (bind(&Panda, function), bind(&Panda, function));
+    let wide: Vec<_> = states.iter().map(|s| wide.entries(&s.widen())).collect();
+    let single: Vec<_> = states.iter().map(|s| single.entries(s)).collect();
+    [worst(&wide, &reference), worst(&single, &reference)]
+}
+
+/// The largest difference, each entry in relation to the largest magnitude it takes in all states.
+fn worst(results: &[Vec<f64>], reference: &[Vec<f64>]) -> f64 {
+    let size = |k: usize| {
+        reference
+            .iter()
+            .map(|entries| entries[k].abs())
+            .fold(0.0, f64::max)
+    };
+    let sizes: Vec<f64> = (0..reference[0].len()).map(size).collect();
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let mut worst = 0.0_f64;
+    for (result, reference) in results.iter().zip(reference) {
+        for ((x, y), size) in result.iter().zip(reference).zip(&sizes) {
+            // What is zero in every state has only the others to be compared with.
+            let size = if *size < 1e-9 * largest {
+                largest
+            } else {
+                *size
+            };
+            worst = worst.max((x - y).abs() / size);
+        }
+    }
+    worst
+}
+
+fn times(function: Function, states: &[State<f32, 7>]) -> [Spread; 2] {
+    let states: Vec<_> = states.iter().map(State::widen).collect();
+    let generated: Bound<'_, f64, 7> = bind(&Panda, function);
+    let generic = bind(&GENERIC, function);
+    let batches: [&dyn Fn(); 2] = [&|| generated.batch(&states), &|| generic.batch(&states)];
+    alternate(25, 64, Duration::from_micros(500), batches)
+}

@@ -1,0 +1,18 @@
+//! The smallest robot worth expanding: two links in a vertical plane.
+//!
+//! The README shows what the derive adds to it, beside the equations of the textbooks.
+
+use homogen::Robot;
+
+#[derive(Robot)]
+#[robot(
+    urdf = "../robots/two_link.urdf",
+    tip = "tip",
+    generate(inverse_dynamics)
+)]
+struct TwoLink;
+
+fn main() {
+    let [shoulder, elbow] = TwoLink.inverse_dynamics(&[0.3, 0.4], &[1.0, -2.0], &[0.0, 5.0]);
+    println!("{shoulder} N m, {elbow} N m");
+}

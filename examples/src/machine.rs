@@ -1,0 +1,24 @@
+//! Where and with what a program runs.
+//!
+//! In: nothing. Out: a line to stand beside every time that is printed.
+
+use std::fs;
+
+/// Processor, compiler and flags.
+#[must_use]
+pub fn describe() -> String {
+    let (rustc, flags) = (env!("EXAMPLES_RUSTC"), env!("EXAMPLES_FLAGS"));
+    format!("{} · {rustc} · {flags}", processor())
+}
+
+/// The processor's own name where the system tells it.
+fn processor() -> String {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = told
+        .lines()
+        .find(|line| line.starts_with("model name"))
+        .and_then(|line| line.split_once(':'))
+        .map_or(std::env::consts::ARCH, |(_, name)| name.trim());
+    format!("{name}, {cores} of its threads")
+}

@@ -1,0 +1,55 @@
+//! Seeded random states.
+//!
+//! In: a seed. Out: states that are the same on every platform. Their numbers are exact in single
+//! precision, so that both precisions see the same robot. It never asks the system for randomness.
+
+use std::f32::consts::PI;
+
+/// Coordinates, rates, second rates and torques of N joints; rad or m, s, N m or N.
+#[derive(Clone, Copy, Debug)]
+pub struct State<T, const N: usize> {
+    /// q.
+    pub q: [T; N],
+    /// q̇.
+    pub qd: [T; N],
+    /// q̈.
+    pub qdd: [T; N],
+    /// τ.
+    pub tau: [T; N],
+}
+
+impl<const N: usize> State<f32, N> {
+    /// The same state in double precision.
+    #[must_use]
+    pub fn widen(&self) -> State<f64, N> {
+        State {
+            q: self.q.map(f64::from),
+            qd: self.qd.map(f64::from),
+            qdd: self.qdd.map(f64::from),
+            tau: self.tau.map(f64::from),
+        }
+    }
+}
+
+/// States with q in ±π, q̇ in ±2, q̈ in ±10 and τ in ±20.
+#[must_use]
+pub fn random<const N: usize>(count: usize, mut seed: u64) -> Vec<State<f32, N>> {
+    let mut within = |limit: f32| std::array::from_fn(|_| limit * unit(&mut seed));
+    let state = |_| State {
+        q: within(PI),
+        qd: within(2.0),
+        qdd: within(10.0),
+        tau: within(20.0),
+    };
+    (0..count).map(state).collect()
+}
+
+/// A number in [−1, 1) from the generator SplitMix64 (Steele, Lea and Flood 2014).
+fn unit(seed: &mut u64) -> f32 {
+    *seed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let mut z = *seed;
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    let bits = u16::try_from((z ^ (z >> 31)) >> 48).expect("16 bits");
+    f32::from(bits) / 32768.0 - 1.0
+}

@@ -1,0 +1,64 @@
+//! Times per call of two programs, measured side by side.
+//!
+//! In: two batches of calls. Out: median and quartiles of the time per call of each. The batches take
+//! turns, so that a clock that drifts or a neighbour that wakes up meets both alike; only their
+//! ratio should be carried to another machine.
+
+use std::time::{Duration, Instant};
+
+/// The spread of the time per call, in ns.
+#[derive(Clone, Copy, Debug)]
+pub struct Spread {
+    /// A quarter of the batches took less.
+    pub lower: f64,
+    /// Half of them did.
+    pub median: f64,
+    /// A quarter took more.
+    pub upper: f64,
+}
+
+/// Runs both in turns, `batches` times each. A batch repeats its `calls` until it takes at least
+/// `shortest`, so that reading the clock does not count.
+pub fn alternate(
+    batches: usize,
+    calls: u32,
+    shortest: Duration,
+    [first, second]: [&dyn Fn(); 2],
+) -> [Spread; 2] {
+    let repeats = [first, second].map(|batch| repeats(batch, shortest));
+    let mut times = [Vec::new(), Vec::new()];
+    for _ in 0..batches {
+        for ((batch, repeats), times) in [first, second].into_iter().zip(repeats).zip(&mut times) {
+            let calls = f64::from(repeats) * f64::from(calls);
+            times.push(time(batch, repeats).as_secs_f64() * 1e9 / calls);
+        }
+    }
+    times.map(spread)
+}
+
+/// How often a batch must be repeated to take long enough; running it so often also warms it up.
+fn repeats(batch: &dyn Fn(), shortest: Duration) -> u32 {
+    let mut repeats = 1;
+    while time(batch, repeats) < shortest {
+        repeats *= 2;
+    }
+    repeats
+}
+
+fn time(batch: &dyn Fn(), repeats: u32) -> Duration {
+    let start = Instant::now();
+    for _ in 0..repeats {
+        batch();
+    }
+    start.elapsed()
+}
+
+fn spread(mut times: Vec<f64>) -> Spread {
+    times.sort_by(f64::total_cmp);
+    let at = |quarter: usize| times[(times.len() - 1) * quarter / 4];
+    Spread {
+        lower: at(1),
+        median: at(2),
+        upper: at(3),
+    }
+}

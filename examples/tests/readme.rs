@@ -1,0 +1,147 @@
+//! Every number and every line of code of the README, computed anew.
+//!
+//! In: the README and the robots. Out: nothing where they agree; else the line that should stand
+//! there. Its blocks of Rust are compiled as well, as tests of the documentation. It never looks at
+//! times: they belong to the machine that is named beside them.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use homogen_codegen::Function;
+use homogen_codegen::description::read_text;
+use homogen_codegen::emit::{Item, Source, methods};
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::expand;
+use homogen_codegen::request::Request;
+use homogen_examples::price::{self, Prices};
+
+const README: &str = include_str!("../../README.md");
+
+macro_rules! prices {
+    ($robot:literal, $tip:literal) => {{
+        let file = concat!($robot, ".urdf");
+        let text = include_str!(concat!("../../robots/", $robot, ".urdf"));
+        price::count(file, text, $tip).expect("the robots that ship have no mistakes")
+    }};
+}
+
+#[test]
+fn the_example_is_the_program() {
+    let program = include_str!("../src/bin/quick_start.rs");
+    let code = program.lines().filter(|line| !line.starts_with("//!"));
+    let code: Vec<_> = code.skip_while(|line| line.is_empty()).collect();
+    assert_contains(&format!("```rust\n{}\n```\n", code.join("\n")));
+}
+
+#[test]
+fn the_expansion_is_what_the_code_generator_prints() {
+    let text = include_str!("../../robots/two_link.urdf");
+    let mut errors = Errors::new();
+    let robot = read_text(text, "two_link.urdf", None, &mut errors).expect("it is a robot");
+    let request = Request {
+        functions: vec![vec![Function::InverseDynamics]],
+        ..Request::default()
+    };
+    let item = Item::made(proc_macro2::Ident::new(
+        "TwoLink",
+        proc_macro2::Span::call_site(),
+    ));
+    let listing = expand(&robot, &request, item).expect("it has no mistakes");
+    let source = Source::new("", &methods(&listing)).to_string();
+    assert_contains(&format!("```rust,ignore\n{source}```\n"));
+}
+
+#[test]
+fn the_prices_of_the_functions_are_those_of_the_doc_comments() {
+    let prices = prices!("panda_class", "link8");
+    for function in Function::ALL {
+        let name = function.name();
+        let price = prices.of(function);
+        let (mul, add) = (price.mul, price.add);
+        let rows = README
+            .lines()
+            .filter(|line| line.starts_with(&format!("| `{name}` |")));
+        let rows: Vec<_> = rows.collect();
+        let end = format!(" | {mul} | {add} |");
+        assert!(
+            rows.len() == 1 && rows[0].ends_with(&end),
+            "`{name}` should have one row that ends with{end}: {rows:?}"
+        );
+    }
+}
+
+#[test]
+fn the_output_shown_has_the_prices_of_today() {
+    let prices = prices!("panda_class", "link8");
+    for function in Function::ALL {
+        let price = prices.of(function);
+        let start = format!(
+            "  {:<19} {:>3} {:>3} {:>4} {:>5} ",
+            function.name(),
+            price.mul,
+            price.add,
+            price.sin + price.cos,
+            price.naive_mul + price.naive_add
+        );
+        assert_contains(&start);
+    }
+}
+
+#[test]
+fn the_counts_beside_published_ones_are_those_of_today() {
+    let robots = [
+        (
+            "[Stanford](robots/stanford_general.urdf)",
+            prices!("stanford_general", "tool"),
+        ),
+        (
+            "[PUMA 560](robots/puma560_general.urdf)",
+            prices!("puma560_general", "tool"),
+        ),
+        (
+            "[Panda class](robots/panda_class.urdf)",
+            prices!("panda_class", "link8"),
+        ),
+    ];
+    for (name, prices) in &robots {
+        let cell = |function| count(prices, function);
+        let start = format!("| {name} | {} | ", cell(Function::InverseDynamics));
+        let rows = README.lines().filter(|line| line.starts_with(&start));
+        let mass = format!(" | {} | ", cell(Function::MassMatrix));
+        let found = rows.filter(|line| line.contains(&mass)).count();
+        assert_eq!(found, 1, "{start}…{mass}");
+    }
+}
+
+#[test]
+fn files_that_are_named_are_there() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut missing = String::new();
+    let links = README
+        .split("](")
+        .skip(1)
+        .filter_map(|rest| rest.split(')').next());
+    let links = links.filter(|link| !link.starts_with('#'));
+    let programs = README
+        .split("--bin ")
+        .skip(1)
+        .filter_map(|rest| rest.split_whitespace().next());
+    let programs = programs.map(|name| format!("examples/src/bin/{}.rs", name.trim_matches('`')));
+    for path in links.map(str::to_owned).chain(programs) {
+        let path = path.split('#').next().unwrap_or_default();
+        if !root.join(path).exists() {
+            // Writing to a string cannot fail.
+            let _ = writeln!(missing, "{path}");
+        }
+    }
+    assert_eq!(missing, "");
+}
+
+fn count(prices: &Prices, function: Function) -> String {
+    let price = prices.of(function);
+    format!("{}/{}", price.mul, price.add)
+}
+
+fn assert_contains(part: &str) {
+    assert!(README.contains(part), "the README lacks\n{part}");
+}

@@ -1,0 +1,81 @@
+//! Time per call of every generated function, beside the generic recursions of the runtime.
+//!
+//! Method: plain `std`, one thread. Generated and generic code take turns in one run, batch by
+//! batch; a batch goes through 64 random states, which are independent, so that calls may overlap as
+//! they would in a loop over samples. The table shows median and quartiles over the batches. Only
+//! the ratio carries over to another machine, and differences under 10 % are noise: for less, pin
+//! the program to one core and fix its clock (`taskset -c 2 cargo bench -p homogen-tests`).
+
+use std::time::Duration;
+
+use homogen::{Chain, Robot};
+use homogen_codegen::Function;
+use homogen_examples::bound::{Complete, Number, bind};
+use homogen_examples::machine;
+use homogen_examples::states::{State, random};
+use homogen_examples::timing::{Spread, alternate};
+
+const BATCHES: usize = 101;
+const SHORTEST: Duration = Duration::from_micros(200);
+
+/// Declares a robot with all functions.
+macro_rules! robot {
+    ($robot:ident, $urdf:literal, $tip:literal) => {
+        #[derive(Robot)]
+        #[robot(urdf = $urdf, tip = $tip)]
+        struct $robot;
+    };
+}
+
+robot!(Ur5, "../robots/ur5_class.urdf", "tool0");
+robot!(Panda, "../robots/panda_class.urdf", "link8");
+robot!(Quadruped, "../robots/quadruped.urdf", "fl_foot");
+
+fn main() {
+    println!("{}", machine::describe());
+    println!("median over {BATCHES} batches in ns per call, quartiles in brackets\n");
+    compare("ur5_class", &Ur5, &Ur5::chain());
+    compare("panda_class", &Panda, &Panda::chain());
+    compare("quadruped", &Quadruped, &Quadruped::chain());
+}
+
+/// Both precisions of one robot.
+fn compare<R, const N: usize, const F: usize>(name: &str, robot: &R, chain: &Chain<N, F>)
+where
+    R: Complete<N, f64> + Complete<N, f32>,
+{
+    let single = random::<N>(64, 1);
+    let double: Vec<_> = single.iter().map(State::widen).collect();
+    table(&format!("{name}, f64"), robot, chain, &double);
+    table(&format!("{name}, f32"), robot, chain, &single);
+}
+
+fn table<R, C, T: Number, const N: usize>(name: &str, robot: &R, chain: &C, states: &[State<T, N>])
+where
+    R: Complete<N, T>,
+    C: Complete<N, T>,
+{
+    println!(
+        "{name:<20} {:>20} {:>22} {:>6}",
+        "generated", "generic", "ratio"
+    );
+    for function in Function::ALL {
+        let generated = bind(robot, function);
+        let generic = bind(chain, function);
+        let calls = u32::try_from(states.len()).expect("64 states");
+        let batches: [&dyn Fn(); 2] = [&|| generated.batch(states), &|| generic.batch(states)];
+        let [generated, generic] = alternate(BATCHES, calls, SHORTEST, batches);
+        println!(
+            "{:<20} {:>20} {:>22} {:>6.1}",
+            function.name(),
+            cell(generated),
+            cell(generic),
+            generic.median / generated.median
+        );
+    }
+    println!();
+}
+
+fn cell(time: Spread) -> String {
+    format!("{:.0} ({:.0}–{:.0})", time.median, time.lower, time.upper)
+}

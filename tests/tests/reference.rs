@@ -1,0 +1,197 @@
+//! Generated code and the generic recursions against numbers of Pinocchio (tests/reference/*.json,
+//! whose conventions stand in each file), at 16 random states a robot.
+//!
+//! Pinocchio speaks of the velocity and the acceleration of the frame's origin where W and H have
+//! the pole at the origin of frame 0: a point P moves by W P and is accelerated by H P. Its
+//! Jacobians have linear rows first; ours say which order is asked for.
+
+use homogen::{Chain, Jacobian, Point, generic};
+use homogen_tests::for_every_robot;
+use homogen_tests::functions::{Block, EveryFunction};
+use homogen_tests::robots::{
+    PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
+    Ur5Class,
+};
+use homogen_tests::rounding::Worst;
+use homogen_tests::states::State;
+use serde_json::Value;
+
+/// Relative to the largest entry of a result. The worst is 2e-15, and 3e-13 of the torques that
+/// Pinocchio's q̈ needs: it comes out of the inverse of M.
+const TOLERANCE: f64 = 1e-12;
+
+/// A state and what Pinocchio returns for it.
+struct Listed<'j>(&'j Value);
+
+impl Listed<'_> {
+    /// All numbers of a field, row by row.
+    fn all(&self, field: &str) -> Vec<f64> {
+        fn flatten(value: &Value, into: &mut Vec<f64>) {
+            match value {
+                Value::Array(values) => values.iter().for_each(|value| flatten(value, into)),
+                other => into.push(other.as_f64().expect("a number")),
+            }
+        }
+        let mut numbers = Vec::new();
+        flatten(&self.0[field], &mut numbers);
+        numbers
+    }
+
+    fn vector<const N: usize>(&self, field: &str) -> [f64; N] {
+        let numbers = self.all(field);
+        numbers.try_into().expect("as many numbers as joints")
+    }
+
+    fn state<const N: usize>(&self) -> State<f64, N> {
+        State {
+            q: self.vector("q"),
+            qd: self.vector("v"),
+            qdd: self.vector("a"),
+        }
+    }
+
+    /// Blocks named by the fields of the file.
+    fn blocks(&self, fields: &[&'static str]) -> Vec<Block<f64>> {
+        let blocks = fields.iter();
+        blocks
+            .map(|field| Block::new(field, self.all(field)))
+            .collect()
+    }
+}
+
+/// The fields that functions of the frame and of the robot as a whole are compared with.
+const FIELDS: [&str; 15] = [
+    "frame_R",
+    "frame_p",
+    "J_world",
+    "J_local_world_aligned",
+    "frame_angular_velocity",
+    "frame_linear_velocity",
+    "frame_angular_acceleration",
+    "frame_linear_acceleration",
+    "tau",
+    "gravity_torque",
+    "bias",
+    "M_upper",
+    // M q̈ + bias, of the q̈ that these torques produce.
+    "torque",
+    // J in the axes of the frame, turned back.
+    "J_local_world_aligned",
+    "bias",
+];
+
+/// What a robot returns, in the conventions of the file.
+fn converted<R, const N: usize>(
+    robot: &R,
+    state: &State<f64, N>,
+    listed: &Listed,
+) -> Vec<Block<f64>>
+where
+    R: EveryFunction<N, f64>,
+{
+    let State { q, qd, qdd } = state;
+    let m = robot.forward_kinematics(q);
+    let origin = Point(m.translation());
+    let w = robot.velocity(q, qd);
+    let h = robot.acceleration(q, qd, qdd);
+    let mass = robot.mass_matrix(q);
+    let bias = robot.bias(q, qd);
+    let rows = |rows: [[f64; N]; 6]| rows.as_flattened().to_vec();
+    let upper = (0..N).flat_map(|i| mass[i][i..].to_vec()).collect();
+    let times = |vector: [f64; N]| -> Vec<f64> {
+        let rows = mass.iter();
+        rows.map(|row| row.iter().zip(vector).map(|(m, x)| m * x).sum())
+            .collect()
+    };
+    let plus = |a: Vec<f64>, b: [f64; N]| a.iter().zip(b).map(|(a, b)| a + b).collect();
+    // The body Jacobian is about the same pole, in the axes of the frame.
+    let turn = homogen::Pose::new(*m.rotation(), [0.0; 3]);
+    let turned = robot
+        .body_jacobian(q)
+        .map(|column| turn.change_frame(&column));
+    let results: [Vec<f64>; FIELDS.len()] = [
+        m.rotation().as_flattened().to_vec(),
+        m.translation().to_vec(),
+        rows(robot.spatial_jacobian(q).to_matrix_linear_first()),
+        rows(robot.geometric_jacobian(q).to_matrix_linear_first()),
+        w.omega().to_vec(),
+        (w * origin).0.to_vec(),
+        h.omega_dot().to_vec(),
+        (h * origin).0.to_vec(),
+        robot.inverse_dynamics(q, qd, qdd).to_vec(),
+        robot.gravity(q).to_vec(),
+        bias.to_vec(),
+        upper,
+        plus(times(listed.vector("ddq")), bias),
+        rows(turned.to_matrix_linear_first()),
+        // The Christoffel symbols do not enter here, but their sum with q̇ does.
+        plus(coriolis(listed, qd), robot.gravity(q)),
+    ];
+    let named = FIELDS.into_iter().zip(results);
+    named
+        .map(|(name, entries)| Block { name, entries })
+        .collect()
+}
+
+/// C q̇ with the matrix of the file.
+fn coriolis<const N: usize>(listed: &Listed, qd: &[f64; N]) -> Vec<f64> {
+    let matrix = listed.all("coriolis");
+    let rows = matrix.chunks(N);
+    rows.map(|row| row.iter().zip(qd).map(|(c, rate)| c * rate).sum())
+        .collect()
+}
+
+fn agree<R, const N: usize, const F: usize>(robot: &R, chain: &Chain<N, F>, file: &str, json: &str)
+where
+    R: EveryFunction<N, f64>,
+{
+    let document: Value = serde_json::from_str(json).expect("JSON");
+    assert_eq!(document["robot"], file);
+    assert_eq!(document["frame"], chain.tip().name);
+    let joints = document["joints"].as_array().expect("joints").iter();
+    assert!(
+        joints
+            .map(|joint| &joint["name"])
+            .eq(chain.joints.map(|joint| joint.name))
+    );
+    let states = document["states"].as_array().expect("states");
+    assert_eq!(states.len(), 16);
+
+    let mut generated = Worst::in_units_of(1.0);
+    let mut interpreted = Worst::in_units_of(1.0);
+    for listed in states.iter().map(Listed) {
+        let state = listed.state::<N>();
+        let expected = listed.blocks(&FIELDS);
+        generated.note(&converted(robot, &state, &listed), &expected);
+        interpreted.note(&converted(chain, &state, &listed), &expected);
+        let energies = [
+            (
+                "kinetic_energy",
+                generic::kinetic_energy(chain, &state.q, &state.qd),
+            ),
+            (
+                "potential_energy",
+                generic::potential_energy(chain, &state.q),
+            ),
+        ];
+        let energies = energies.map(|(name, energy)| Block::new(name, [energy]));
+        interpreted.note(
+            &energies,
+            &listed.blocks(&["kinetic_energy", "potential_energy"]),
+        );
+    }
+    println!("generated\n{generated}\ngeneric\n{interpreted}");
+    generated.assert_within(TOLERANCE);
+    interpreted.assert_within(TOLERANCE);
+}
+
+macro_rules! reference {
+    ($name:ident, $robot:ident) => {
+        #[test]
+        fn $name() {
+            let json = include_str!(concat!("../reference/", stringify!($name), ".json"));
+            agree(&$robot, &$robot::chain(), stringify!($name), json);
+        }
+    };
+}
+for_every_robot!(reference);

@@ -87,6 +87,8 @@ same() { # description, committed, made
 
 check() { # writes the tables to $seen/table.md
     mkdir -p "$seen"
+    say "=== the host's own tests"
+    "${cargo[@]}" test --quiet --release --locked -p host >&2
     {
         echo "With $("${rustc[@]}" --version | cut -d' ' -f1,2), M4F / M7:"
         echo

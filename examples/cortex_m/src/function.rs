@@ -49,7 +49,7 @@ pub fn examine<R: Numbers, const WORDS: usize>(
     line.text("differences ")
         .text(name)
         .text(" ")
-        .integer(different as u32);
+        .integer(different);
     line.print();
     time(name, clock, states, function) && different == 0
 }
@@ -73,9 +73,10 @@ pub fn time<R>(
     }
     let mut line = Line::new();
     line.text("cost ").text(name);
-    for count in [least, most, deepest] {
+    for count in [least, most] {
         line.text(" ").integer(count);
     }
+    line.text(" ").integer(deepest);
     line.print();
     least == most
 }

@@ -96,7 +96,7 @@ fn run(clock: &Clock) -> bool {
 
 fn torques(what: &str, state: usize, torques: &[f32]) {
     let mut line = Line::new();
-    line.text(what).text(" ").integer(state as u32);
+    line.text(what).text(" ").integer(state);
     for torque in torques {
         line.text(" ").number(*torque);
     }

@@ -26,8 +26,9 @@ impl Line {
         self
     }
 
-    /// Appends an integer.
-    pub fn integer(&mut self, value: u32) -> &mut Self {
+    /// Appends an integer, the largest where it is larger.
+    pub fn integer(&mut self, value: impl TryInto<u32>) -> &mut Self {
+        let value = value.try_into().unwrap_or(u32::MAX);
         let mut power = 1;
         while value / power >= 10 {
             power *= 10;
@@ -41,6 +42,11 @@ impl Line {
     }
 
     /// Appends a number with three digits after the point.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the size of what is not huge"
+    )]
     pub fn number(&mut self, value: f32) -> &mut Self {
         let size = value.abs();
         if size.is_nan() {

@@ -17,7 +17,7 @@ const PAINT: u32 = 0xdead_beef;
 
 /// The bytes of stack that `call` used.
 #[inline(never)]
-pub fn depth(call: impl Fn()) -> u32 {
+pub fn depth(call: impl Fn()) -> usize {
     let top = msp::read() as usize;
     let words = (1..=WORDS).rev().map(|below| top - 4 * below);
     for address in words.clone() {
@@ -25,7 +25,7 @@ pub fn depth(call: impl Fn()) -> u32 {
     }
     call();
     let used = words.clone().find(|address| !is_painted(*address));
-    used.map_or(0, |address| (top - address) as u32)
+    used.map_or(0, |address| top - address)
 }
 
 #[expect(

@@ -24,7 +24,10 @@ fn main() -> ExitCode {
         ["expected"] => Ok(expected::text()),
         ["judge", arm, budget, boards @ ..] => judge::judge(arm, budget, boards),
         ["sines", boards @ ..] => sines::table(boards),
-        _ => Err("usage: host expected | host judge ARM BUDGET FOLDER... | host sines FOLDER...".to_owned()),
+        _ => Err(
+            "usage: host expected | host judge ARM BUDGET FOLDER... | host sines FOLDER..."
+                .to_owned(),
+        ),
     };
     match answer {
         Ok(text) => {

@@ -9,9 +9,16 @@ use std::path::Path;
 
 use homogen::trigonometry::single;
 
+/// A function from an angle to its sine and cosine.
+type SinCos = fn(f32) -> (f32, f32);
+
 /// The functions: what the log calls them, what the table does, and the function.
-const SINES: [(&str, &str, fn(f32) -> (f32, f32)); 3] = [
-    ("moderate", "`homogen`, up to 3200 rad", single::sin_cos_moderate),
+const SINES: [(&str, &str, SinCos); 3] = [
+    (
+        "moderate",
+        "`homogen`, up to 3200 rad",
+        single::sin_cos_moderate,
+    ),
     ("any", "`homogen`, any angle", single::sin_cos),
     ("libm", "`libm::sincosf`", libm::sincosf),
 ];
@@ -34,7 +41,9 @@ pub fn table(folders: &[&str]) -> Result<String, String> {
     for (name, title, function) in SINES {
         let counts = boards.iter().map(|(log, _)| counts(log, name));
         let counts: Vec<_> = counts.collect();
-        let bytes = boards.iter().map(|(_, symbols)| bytes(symbols, name).to_string());
+        let bytes = boards
+            .iter()
+            .map(|(_, symbols)| bytes(symbols, name).to_string());
         let bytes: Vec<_> = bytes.collect();
         // Writing to a string cannot fail.
         let _ = writeln!(
@@ -51,7 +60,10 @@ pub fn table(folders: &[&str]) -> Result<String, String> {
 /// `76`, or `32 to 2947`.
 fn counts(log: &str, name: &str) -> String {
     let start = format!("sines {name} ");
-    let line = log.lines().find_map(|line| line.strip_prefix(&start)).unwrap_or("?");
+    let line = log
+        .lines()
+        .find_map(|line| line.strip_prefix(&start))
+        .unwrap_or("?");
     match line.split_once(' ') {
         Some((least, most)) if least != most => format!("{least} to {most}"),
         Some((least, _)) => least.to_owned(),
@@ -65,11 +77,20 @@ fn bytes(symbols: &str, name: &str) -> u32 {
         "moderate" => symbol == "controller::sines::sin_cos",
         "any" => symbol == "sines::any" || symbol.ends_with("single::sin_cos_wide"),
         _ => {
-            let starts = ["sines::libm", "libm::", "compiler_builtins::float", "__aeabi_d", "__aeabi_f2d", "__aeabi_i2d"];
+            let starts = [
+                "sines::libm",
+                "libm::",
+                "compiler_builtins::float",
+                "__aeabi_d",
+                "__aeabi_f2d",
+                "__aeabi_i2d",
+            ];
             starts.iter().any(|start| symbol.starts_with(start))
         }
     };
-    let lines = symbols.lines().map(|line| line.splitn(4, ' ').collect::<Vec<_>>());
+    let lines = symbols
+        .lines()
+        .map(|line| line.splitn(4, ' ').collect::<Vec<_>>());
     let sizes = lines.filter_map(|line| match *line {
         [_, size, _, symbol] if own(symbol) => u32::from_str_radix(size, 16).ok(),
         _ => None,
@@ -78,7 +99,7 @@ fn bytes(symbols: &str, name: &str) -> u32 {
 }
 
 /// The worst error over angles up to 3200 rad, in units of rounding (2⁻²⁴) of each value.
-fn worst(function: fn(f32) -> (f32, f32)) -> f64 {
+fn worst(function: SinCos) -> f64 {
     let angles = (0..2_000_000_u32).map(|i| f32::from_bits(0x3000_0000 + 119 * i));
     let errors = angles.filter(|angle| *angle <= single::LIMIT).map(|angle| {
         let (sine, cosine) = function(angle);

@@ -35,12 +35,23 @@ pub struct Tree {
 }
 
 impl Tree {
-    /// A tree in which something moves.
+    /// A tree in which something moves, and all that struct fields weigh.
     pub fn random(random: &mut Random) -> Self {
         loop {
             let grown = grow::grow(random);
             let reference = Reference::of(&grown.description, &grown.request, &grown.fields);
-            if reference.held.contains(&None) {
+            let mut weighed =
+                grown
+                    .request
+                    .parameters
+                    .iter()
+                    .filter_map(|field| match &field.target {
+                        Target::MassOf(link) | Target::CenterOfMassOf(link) => {
+                            Some(index(&link.text))
+                        }
+                        Target::OriginOf(_) | Target::Gravity => None,
+                    });
+            if reference.held.contains(&None) && weighed.all(|link| reference.moves(link)) {
                 return Self {
                     description: grown.description,
                     request: grown.request,

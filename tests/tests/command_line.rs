@@ -90,8 +90,9 @@ fn check_tells_what_became_of_the_description() {
     );
     assert_eq!(arm["locked"], json!([{ "joint": "elbow", "q": 0.3 }]));
     assert_eq!(arm["dropped"], json!([]));
+    let written: f64 = "1.5708".parse().expect("a number");
     let snapped = json!({
-        "line": 15, "column": 18, "item": "shoulder", "written": 1.5708, "quarter_turns": 1,
+        "line": 15, "column": 18, "item": "shoulder", "written": written, "quarter_turns": 1,
     });
     assert_eq!(arm["snapped"], json!([snapped]));
     assert_eq!(arm["warnings"][0]["line"], 4);

@@ -147,6 +147,9 @@ fn settle<'g>(graph: &'g Graph, mark: usize, seat: &mut Seat<'g>, mut body: Opti
     let mut each = |change: &mut dyn FnMut(Term<'g>) -> Term<'g>| {
         seat.pose = seat.pose.map(&mut *change);
         if let Some(body) = &mut body {
+            if let Motion::Screw(pitch) = &mut body.motion {
+                *pitch = change(graph.term(*pitch)).expr();
+            }
             body.placement = body.placement.map(&mut *change);
             body.axis = body.axis.map(&mut *change);
             body.inertia = body.inertia.map(change);

@@ -3,8 +3,7 @@
 //! In: a description and names of functions. Out: a table of the prices that stand above the
 //! generated functions, the dense 4×4 products beside them.
 
-use std::fmt::Write as _;
-
+use std::fmt::Write;
 use std::io::Read;
 
 use clap::Args;
@@ -55,84 +54,56 @@ impl Count {
     }
 }
 
+/// The numbers of a price in the order of the table; a name of two words is a group and a key.
+fn columns(price: &Price) -> [(&'static str, usize); 12] {
+    [
+        ("mul", price.mul),
+        ("add", price.add),
+        ("div", price.div),
+        ("sqrt", price.sqrt),
+        ("sin", price.sin),
+        ("cos", price.cos),
+        ("neg", price.neg),
+        ("fused", price.fused),
+        ("depth", price.depth),
+        ("literals", price.literals),
+        ("naive mul", price.naive_mul),
+        ("naive add", price.naive_add),
+    ]
+}
+
 fn in_json(robot: &str, functions: &[Listed]) -> Value {
     let prices = functions.iter().map(|listed| {
-        let Price {
-            mul,
-            add,
-            div,
-            sqrt,
-            neg,
-            sin,
-            cos,
-            fused,
-            depth,
-            literals,
-            ..
-        } = listed.price;
-        let (naive_mul, naive_add) = (listed.price.naive_mul, listed.price.naive_add);
-        let price = json!({
-            "mul": mul, "add": add, "div": div, "sqrt": sqrt, "sin": sin, "cos": cos, "neg": neg,
-            "fused": fused, "depth": depth, "literals": literals,
-            "naive": { "mul": naive_mul, "add": naive_add },
-        });
+        let mut price = json!({});
+        for (name, number) in columns(&listed.price) {
+            match name.split_once(' ') {
+                Some((group, name)) => price[group][name] = json!(number),
+                None => price[name] = json!(number),
+            }
+        }
         (listed.name(), price)
     });
     let prices: Map<String, Value> = prices.collect();
     json!({ "robot": robot, "functions": prices })
 }
 
-const HEADS: [&str; 12] = [
-    "mul",
-    "add",
-    "div",
-    "sqrt",
-    "sin",
-    "cos",
-    "neg",
-    "fused",
-    "depth",
-    "literals",
-    "naive mul",
-    "naive add",
-];
-
 fn table(functions: &[Listed]) -> String {
     let names: Vec<String> = functions.iter().map(Listed::name).collect();
-    let width = names
-        .iter()
-        .map(|name| name.chars().count())
-        .max()
-        .unwrap_or(0);
+    let width = names.iter().map(|name| name.chars().count()).max();
+    let width = width.unwrap_or(0);
     let mut text = format!("{:width$}", "");
-    for head in HEADS {
+    for (head, _) in columns(&Price::default()) {
         text.push_str("  ");
         text.push_str(head);
     }
-    text.push('\n');
     for (name, listed) in names.iter().zip(functions) {
-        let price = &listed.price;
         // Writing to a string cannot fail.
-        let _ = write!(text, "{name:width$}");
-        let columns = [
-            price.mul,
-            price.add,
-            price.div,
-            price.sqrt,
-            price.sin,
-            price.cos,
-            price.neg,
-            price.fused,
-            price.depth,
-            price.literals,
-            price.naive_mul,
-            price.naive_add,
-        ];
-        for (head, number) in HEADS.iter().zip(columns) {
+        let _ = write!(text, "\n{name:width$}");
+        for (head, number) in columns(&listed.price) {
             let column = head.len();
             let _ = write!(text, "  {number:>column$}");
         }
-        text.push('\n');
     }
+    text.push('\n');
     text
 }

@@ -503,3 +503,37 @@ impl Inner {
         if key(b) < key(a) { (b, a) } else { (a, b) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Graph, Input};
+
+    #[test]
+    fn what_is_settled_keeps_its_value_and_nothing_else() {
+        let graph = Graph::new();
+        let third = graph.constant(1.0) / graph.constant(3.0);
+        let mark = graph.len();
+        let result = (third * third - third) * graph.constant(0.7);
+        let (value, before) = (result.value().expect("a number"), graph.len());
+        let settled = graph.settle(mark, vec![third.expr(), result.expr()]);
+        assert_eq!(settled[0], third.expr());
+        let kept = graph.value(settled[1]).expect("a number");
+        assert_eq!(kept.bits(), value.bits());
+        assert!(graph.len() < before);
+        // The same number made again is the same in a product, as every number is.
+        let x = graph.input(Input::Q(0));
+        let again = (third * third - third) * graph.constant(0.7);
+        assert_eq!((again * x).expr(), (graph.term(settled[1]) * x).expr());
+    }
+
+    #[test]
+    fn what_depends_on_an_input_is_not_settled() {
+        let graph = Graph::new();
+        let x = graph.input(Input::Q(0));
+        let mark = graph.len();
+        let result = x * graph.constant(0.7) + graph.constant(0.1);
+        let before = graph.len();
+        assert_eq!(graph.settle(mark, vec![result.expr()]), [result.expr()]);
+        assert_eq!(graph.len(), before);
+    }
+}

@@ -48,6 +48,13 @@ impl Reference {
         }
     }
 
+    /// Whether a joint that carries a link moves.
+    pub(super) fn moves(&self, link: usize) -> bool {
+        let parent = |k: &usize| self.chain.joints[*k].parent;
+        let mut carriers = std::iter::successors(self.body(link), parent);
+        carriers.any(|k| self.held[k].is_none())
+    }
+
     /// The joint whose body a link is; none for the base.
     pub(super) fn body(&self, link: usize) -> Option<usize> {
         body(link, self.base)

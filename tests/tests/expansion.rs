@@ -1,0 +1,285 @@
+//! What a robot expands to: the text of small ones, the price of all of them.
+//!
+//! Text is pinned so that a change of it is read by somebody; prices so that none rises unseen.
+//! Whichever door a robot comes through it must be the same code, and the same bytes each time.
+
+use std::fmt::Write;
+
+use homogen_codegen::chain::{self, Chain};
+use homogen_codegen::description::{Description, Name, read_file};
+use homogen_codegen::emit::{self, Source};
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::{expand, program};
+use homogen_codegen::request::Request;
+use homogen_codegen::schedule::Price;
+use homogen_codegen::{Builder, Function, Real, door};
+use homogen_tests::for_every_robot;
+use quote::{format_ident, quote};
+
+/// Of a snapshot, in lines: what can be read in a review.
+const READABLE: usize = 200;
+
+fn path(robot: &str) -> String {
+    format!("{}/../robots/{robot}.urdf", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn named(text: &str) -> Name {
+    Name {
+        text: text.to_owned(),
+        ..Name::default()
+    }
+}
+
+fn described(robot: &str) -> Description {
+    let mut errors = Errors::new();
+    let description = read_file(path(robot).as_ref(), None, &mut errors);
+    assert!(errors.is_empty(), "{errors}");
+    description.expect("it is a robot")
+}
+
+fn chain_of(robot: &str, tip: &str) -> Chain {
+    let request = Request {
+        tip: Some(named(tip)),
+        ..Request::default()
+    };
+    chain::build(&described(robot), &request).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// The file that a builder writes, short enough to be read.
+fn file(builder: &Builder) -> String {
+    let source = builder
+        .to_source()
+        .unwrap_or_else(|errors| panic!("{errors}"));
+    let text = source.to_string();
+    assert!(text.lines().count() <= READABLE, "{text}");
+    text
+}
+
+#[test]
+fn inverse_dynamics_of_two_links() {
+    let builder = Builder::from_urdf(path("two_link")).generate([Function::InverseDynamics]);
+    insta::assert_snapshot!(file(&builder.runtime("::homogen")));
+}
+
+#[test]
+fn pose_and_jacobian_of_two_links() {
+    let builder = Builder::from_urdf(path("two_link"));
+    let builder = builder.all_of([Function::ForwardKinematics, Function::GeometricJacobian]);
+    insta::assert_snapshot!(file(&builder.runtime("::homogen")));
+}
+
+#[test]
+fn mass_matrix_of_two_links_for_core_alone() {
+    let builder = Builder::from_urdf(path("two_link")).generate([Function::MassMatrix]);
+    insta::assert_snapshot!(file(&builder));
+}
+
+#[test]
+fn inverse_dynamics_of_a_scara_in_single_precision_for_core_alone() {
+    let builder = Builder::from_urdf(path("scara")).generate([Function::InverseDynamics]);
+    insta::assert_snapshot!(file(&builder.scalar(Real::F32)));
+}
+
+#[test]
+fn a_pendulum_with_a_field() {
+    let tokens = quote! {
+        #[robot(
+            gravity = [0.0, -9.81, 0.0],
+            generate(inverse_dynamics);
+            link wall;
+            joint hinge: revolute(z) { limits: [-3, 3] }
+            link rod { mass: 0.5, com: [0.5, 0.0, 0.0], inertia: [0.0, 0.01, 0.01] }
+            joint weld: fixed { at: xyz(1.0, 0.0, 0.0) }
+            link bob
+        )]
+        struct Pendulum {
+            #[robot(mass_of = bob)]
+            bob: f64,
+        }
+    };
+    let text = Source::new("", &door::derive(tokens)).to_string();
+    assert!(text.lines().count() <= READABLE, "{text}");
+    insta::assert_snapshot!(text);
+}
+
+/// What becomes a row of the table: the price of a function, without the dense products.
+fn price(chain: &Chain, function: Function) -> Price {
+    let program = program(chain, &[function], 0, Real::Generic);
+    Price::of(&program.unwrap_or_else(|errors| panic!("{errors}")))
+}
+
+#[test]
+fn prices_of_every_robot() {
+    let mut table = String::new();
+    let robots = [
+        ("two_link", "tip"),
+        ("scara", "tool"),
+        ("stanford", "tool"),
+        ("stanford_general", "tool"),
+        ("puma560", "tool"),
+        ("puma560_general", "tool"),
+        ("ur5_class", "tool0"),
+        ("panda_class", "link8"),
+        ("quadruped", "hr_foot"),
+    ];
+    for (robot, tip) in robots {
+        let chain = chain_of(robot, tip);
+        writeln!(
+            table,
+            "{robot:20} mul  add  div sqrt  sin  cos fused depth literals"
+        )
+        .expect("a string takes everything");
+        for function in Function::ALL {
+            let Price {
+                mul,
+                add,
+                div,
+                sqrt,
+                sin,
+                cos,
+                fused,
+                depth,
+                literals,
+                ..
+            } = price(&chain, function);
+            writeln!(
+                table,
+                "  {:19}{mul:4} {add:4} {div:4} {sqrt:4} {sin:4} {cos:4} {fused:5} {depth:5} {literals:8}",
+                function.name()
+            )
+            .expect("a string takes everything");
+        }
+    }
+    assert!(table.lines().count() <= READABLE);
+    insta::assert_snapshot!(table);
+}
+
+/// The counts that the project has published; a lower one is never given up.
+#[test]
+fn no_price_rises_above_what_was_published() {
+    let panda = chain_of("panda_class", "link8");
+    let price_of = |function| price(&panda, function);
+    let inverse_dynamics = price_of(Function::InverseDynamics);
+    assert!(
+        inverse_dynamics.mul + inverse_dynamics.add <= 605,
+        "{inverse_dynamics}"
+    );
+    assert!(inverse_dynamics.mul <= 320, "{inverse_dynamics}");
+    assert!(
+        inverse_dynamics.sin + inverse_dynamics.cos <= 12,
+        "{inverse_dynamics}"
+    );
+    for (function, bar) in [(Function::MassMatrix, 420), (Function::Gravity, 102)] {
+        let price = price_of(function);
+        assert!(price.mul + price.add <= bar, "{function:?}: {price}");
+    }
+    for (robot, bar) in [("stanford_general", 436), ("puma560_general", 499)] {
+        let price = price(&chain_of(robot, "tool"), Function::InverseDynamics);
+        assert!(price.mul + price.add <= bar, "{robot}: {price}");
+    }
+}
+
+/// The two-link arm of robots/, in the grammar of `chain!`.
+const IN_PLACE: &str = "
+    link base;
+    joint shoulder: revolute(z) { at: rx(pi/2), limits: [-3, 3] }
+    link upper { mass: 2.0, com: [0.2, 0, 0], inertia: [0.002, 0.03, 0.03] }
+    joint elbow: revolute(z) { at: xyz(0.4, 0, 0) }
+    link fore { mass: 1.0, com: [0.15, 0, 0], inertia: [0.001, 0.01, 0.01] }
+    joint tip_fixed: fixed { at: xyz(0.3, 0, 0) }
+    link tip";
+
+/// The methods and traits of formatted code, without comments and attributes.
+///
+/// Comments are left out because they tell the origin, which is a file or is not; the struct,
+/// because a derive does not write it; and the constant that makes the compiler watch a file.
+fn methods(text: &str) -> String {
+    text.lines()
+        .skip_while(|line| !line.starts_with("impl"))
+        .take_while(|line| !line.starts_with("const _"))
+        .filter(|line| !line.trim().is_empty())
+        .filter(|line| !line.trim().starts_with("//") && !line.trim().starts_with("#["))
+        .flat_map(|line| [line, "\n"])
+        .collect()
+}
+
+#[test]
+fn every_door_leads_to_the_same_code() {
+    let functions = Function::ALL;
+    let names = functions.map(|function| format_ident!("{}", function.name()));
+    let in_place: proc_macro2::TokenStream = IN_PLACE.parse().expect("tokens");
+    let source = |tokens| Source::new("", &tokens).to_string();
+
+    let derived = source(door::derive(quote! {
+        #[robot(urdf = "../robots/two_link.urdf", generate(#(#names),*))]
+        pub struct TwoLink;
+    }));
+    let written_in_place = source(door::chain(quote! {
+        pub struct TwoLink { generate(#(#names),*) }
+        #in_place
+    }));
+    let in_an_attribute = source(door::derive(quote! {
+        #[robot(generate(#(#names),*); #in_place)]
+        pub struct TwoLink;
+    }));
+    let builder = Builder::from_urdf(path("two_link")).generate(functions);
+    let built = builder
+        .runtime("::homogen")
+        .to_source()
+        .expect("no mistakes")
+        .to_string();
+    let request = Request {
+        functions: functions.map(|function| vec![function]).to_vec(),
+        ..Request::default()
+    };
+    let item = emit::Item::made(format_ident!("TwoLink"));
+    let listing = expand(&described("two_link"), &request, item).expect("no mistakes");
+    let by_the_library = source(emit::emit(&listing));
+
+    let expected = methods(&derived);
+    // Each function is a method and a trait of that name, and then there is `chain`.
+    assert_eq!(
+        expected.matches(" fn ").count(),
+        2 * functions.len() + 1,
+        "{expected}"
+    );
+    for (door, text) in [
+        ("chain!", written_in_place),
+        ("attribute", in_an_attribute),
+        ("builder", built),
+        ("library", by_the_library),
+    ] {
+        let methods = methods(&text);
+        assert!(
+            methods == expected,
+            "{door}:\n{methods}\nderive:\n{expected}"
+        );
+    }
+}
+
+macro_rules! same_bytes {
+    ($name:ident, $robot:ident) => {
+        #[test]
+        fn $name() {
+            let expanded = || {
+                let robot = stringify!($name);
+                let tip = described(robot)
+                    .links
+                    .last()
+                    .map(|link| link.name.text.clone());
+                let builder = Builder::from_urdf(path(robot)).tip(tip.expect("it has links"));
+                let builder = builder.generate(Function::ALL).runtime("::homogen");
+                builder.to_source().expect("no mistakes").to_string()
+            };
+            assert!(
+                expanded() == expanded(),
+                "hash maps are seeded anew each time"
+            );
+        }
+    };
+}
+
+mod the_same_bytes_each_time {
+    use super::*;
+    for_every_robot!(same_bytes);
+}

@@ -1,0 +1,170 @@
+//! Struct fields in the place of numbers of the description.
+//!
+//! Set to the file's numbers they must give what the constants give; set to others, what the
+//! generic recursions make of `chain(&self)`. Fields may be of any type that fits into `f64`.
+
+use homogen::{Chain, Robot};
+use homogen_codegen::description::{Description, Step, read_file};
+use homogen_codegen::error::Errors;
+use homogen_tests::functions::{EveryFunction, evaluate};
+use homogen_tests::robots::PandaClass;
+use homogen_tests::rounding::{DOUBLE, Worst};
+use homogen_tests::states::{Random, State};
+
+const STATES: usize = 100;
+
+/// The worst is 27 u.
+const LIMIT: f64 = 64.0;
+
+/// The Panda-class arm with one field of each kind, and two more.
+#[derive(Robot)]
+#[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+#[robot(generate(
+    forward_kinematics,
+    spatial_jacobian,
+    body_jacobian,
+    geometric_jacobian,
+    velocity,
+    acceleration,
+    inverse_dynamics,
+    gravity,
+    bias,
+    mass_matrix,
+    forward_dynamics,
+    mass_matrix_inverse,
+))]
+struct Panda {
+    #[robot(mass_of = "link5")]
+    mass: f64,
+    #[robot(com_of = "link5")]
+    center: [f64; 3],
+    #[robot(origin_of = "joint4")]
+    origin: [f64; 3],
+    #[robot(gravity)]
+    gravity: [f64; 3],
+    /// Of a link that weighs nothing in the file.
+    #[robot(mass_of = "link8")]
+    payload: f64,
+    /// The user's own.
+    calls: u32,
+}
+
+fn described() -> Description {
+    let mut errors = Errors::new();
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/panda_class.urdf");
+    let description = read_file(path.as_ref(), None, &mut errors);
+    assert!(errors.is_empty(), "{errors}");
+    description.expect("it is a robot")
+}
+
+fn translation(steps: &[Step]) -> [f64; 3] {
+    let Some(Step::Translate(offset)) = steps.first() else {
+        panic!("a translation comes first: {steps:?}");
+    };
+    offset.map(|entry| entry.value)
+}
+
+/// With the numbers of the file.
+fn as_described() -> Panda {
+    let description = described();
+    let link = description
+        .links
+        .iter()
+        .find(|link| link.name.text == "link5");
+    let joint = description
+        .joints
+        .iter()
+        .find(|joint| joint.name.text == "joint4");
+    let (link, joint) = link.zip(joint).expect("they are in the file");
+    let inertial = link.inertial.as_ref().expect("it has a mass");
+    Panda {
+        mass: inertial.mass.value,
+        center: translation(&inertial.origin),
+        origin: translation(&joint.origin),
+        gravity: [0.0, 0.0, -9.81],
+        payload: 0.0,
+        calls: 0,
+    }
+}
+
+fn agree<A, B, const N: usize>(one: &A, other: &B, seed: u64)
+where
+    A: EveryFunction<N, f64>,
+    B: EveryFunction<N, f64>,
+{
+    let mut random = Random::new(seed);
+    let mut worst = Worst::in_units_of(DOUBLE);
+    for _ in 0..STATES {
+        let state = State::random(&mut random);
+        worst.note(&evaluate(one, &state), &evaluate(other, &state));
+    }
+    println!("{worst}");
+    worst.assert_within(LIMIT);
+}
+
+#[test]
+fn the_numbers_of_the_file_give_the_constant_model() {
+    let panda = as_described();
+    agree(&panda, &PandaClass, 1);
+    assert_eq!(panda.calls, 0);
+}
+
+#[test]
+fn other_numbers_give_what_their_chain_gives() {
+    let panda = Panda {
+        mass: 2.75,
+        center: [0.03, -0.07, 0.11],
+        origin: [0.09, 0.01, -0.02],
+        gravity: [1.0, -2.0, 3.0],
+        payload: 1.25,
+        calls: 0,
+    };
+    let chain: Chain<7, 1> = panda.chain();
+    assert_eq!(chain.gravity, [1.0, -2.0, 3.0]);
+    agree(&panda, &chain, 2);
+}
+
+#[test]
+fn gravity_is_linear_in_a_payload() {
+    let empty = as_described();
+    let full = |payload| Panda {
+        payload,
+        ..as_described()
+    };
+    let mut random = Random::new(3);
+    let mut felt = false;
+    for _ in 0..STATES {
+        let State { q, .. } = State::<f64, 7>::random(&mut random);
+        let none: [f64; 7] = empty.gravity(&q);
+        let (one, three): ([f64; 7], [f64; 7]) = (full(1.0).gravity(&q), full(3.0).gravity(&q));
+        for k in 0..7 {
+            let (once, thrice) = (one[k] - none[k], three[k] - none[k]);
+            assert!((3.0 * once - thrice).abs() < 1e-13, "{once} {thrice}");
+            felt |= once.abs() > 1.0;
+        }
+    }
+    assert!(felt, "a kilogram at the flange is felt");
+}
+
+/// A field of a generic struct, in every type of number.
+#[derive(Robot)]
+#[robot(urdf = "../robots/two_link.urdf", generate(gravity))]
+struct Loaded<T: Copy>
+where
+    f64: From<T>,
+{
+    #[robot(mass_of = "fore")]
+    mass: T,
+}
+
+#[test]
+fn a_field_may_have_a_type_of_the_users() {
+    let q = [0.25_f32, -0.5];
+    let single: [f32; 2] = Loaded { mass: 2.0_f32 }.gravity(&q);
+    let whole: [f32; 2] = Loaded { mass: 2_i32 }.gravity(&q);
+    assert_eq!(single, whole);
+    let double: [f64; 2] = Loaded { mass: 2.0 }.gravity(&q.map(f64::from));
+    for (x, y) in single.into_iter().zip(double) {
+        assert!((f64::from(x) - y).abs() < 4e-6, "{x} {y}");
+    }
+}

@@ -105,7 +105,11 @@ where
                 let terms = row.iter().zip(column).map(|(m, n)| m * n);
                 size = size.max(terms.clone().map(f64::abs).sum());
                 found = found.max((terms.sum::<f64>() - unit).abs());
-                assert_eq!(column[i].to_bits(), inverse[i][k].to_bits(), "not symmetric");
+                assert_eq!(
+                    column[i].to_bits(),
+                    inverse[i][k].to_bits(),
+                    "not symmetric"
+                );
             }
         }
         worst.max(found / size / DOUBLE)

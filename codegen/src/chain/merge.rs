@@ -64,6 +64,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         .into_iter()
         .map(|body| Joint {
             name: description.joints[body.joint].name.text.clone(),
+            place: description.joints[body.joint].name.place,
             parent: body.parent,
             motion: body.motion,
             placement: body.placement.map(Term::expr),
@@ -82,6 +83,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         has_tip: tree.tip.is_some(),
         gravity,
         report,
+        source: description.source.clone(),
         graph,
     }
 }

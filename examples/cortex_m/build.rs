@@ -1,0 +1,53 @@
+//! Generates the arm's functions, and tells the linker where the board has its memory.
+//!
+//! In: the arm that the variable `ARM` names, one of `arms.rs`. Out: `arm.rs` and `memory.x` in
+//! `OUT_DIR`.
+
+mod arms;
+
+use std::error::Error;
+use std::path::Path;
+use std::{env, fs};
+
+use arms::Arm;
+use homogen_codegen::Function::{
+    ForwardDynamics, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics, MassMatrix,
+};
+use homogen_codegen::{Builder, Real};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("cargo::rerun-if-env-changed=ARM");
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=memory.x");
+    println!("cargo::rerun-if-changed=arms.rs");
+    let arm = arms::chosen()?;
+    println!("cargo::rustc-env=ARM={}", arm.name);
+    println!("cargo::rustc-env=JOINTS={}", arm.joints);
+    generate(arm)?;
+
+    if env::var("CARGO_CFG_TARGET_OS")? == "none" {
+        let out = env::var("OUT_DIR")?;
+        fs::copy("memory.x", Path::new(&out).join("memory.x"))?;
+        println!("cargo::rustc-link-search={out}");
+        println!("cargo::rustc-link-arg-bins=-Tlink.x");
+    }
+    Ok(())
+}
+
+fn generate(arm: &Arm) -> Result<(), Box<dyn Error>> {
+    let arm = Builder::from_urdf(arm.urdf)
+        .name("Arm")
+        .tip(arm.tip)
+        .generate([
+            ForwardKinematics,
+            GeometricJacobian,
+            Gravity,
+            InverseDynamics,
+            MassMatrix,
+            ForwardDynamics,
+        ])
+        .scalar(Real::F32)
+        .sin_cos("crate::sines::sin_cos");
+    // Has told cargo what is wrong where something is.
+    Ok(arm.write("arm.rs")?)
+}

@@ -1,0 +1,96 @@
+//! What each function may cost at most.
+//!
+//! In: a file of lines `arm function instructions text stack`. Out: complaints where a board needs
+//! more. The numbers may only go down.
+
+use std::collections::BTreeMap;
+
+/// What a function costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cost {
+    /// Instructions of a call.
+    pub instructions: u32,
+    /// Bytes of code and constants.
+    pub text: u32,
+    /// Bytes of stack.
+    pub stack: u32,
+}
+
+/// The budget of one arm, by function.
+pub struct Budget(BTreeMap<String, Cost>);
+
+impl Budget {
+    /// The lines of one arm.
+    ///
+    /// # Errors
+    /// A line that is none.
+    pub fn read(text: &str, arm: &str) -> Result<Self, String> {
+        let mut budget = BTreeMap::new();
+        let lines = text
+            .lines()
+            .filter(|line| !line.starts_with('#') && !line.trim().is_empty());
+        for line in lines {
+            let mut words = line.split_whitespace();
+            let of = words.next();
+            let function = words.next().unwrap_or_default();
+            let numbers: Vec<u32> = words.filter_map(|word| word.parse().ok()).collect();
+            let &[instructions, text, stack] = &*numbers else {
+                return Err(format!(
+                    "budget: `{line}` is not `arm function instructions text stack`"
+                ));
+            };
+            if of == Some(arm) {
+                let cost = Cost {
+                    instructions,
+                    text,
+                    stack,
+                };
+                budget.insert(function.to_owned(), cost);
+            }
+        }
+        Ok(Self(budget))
+    }
+
+    /// Complains where `cost` is more than allowed.
+    pub fn check(&self, board: &str, function: &str, cost: Cost, wrong: &mut Vec<String>) {
+        let Some(allowed) = self.0.get(function) else {
+            wrong.push(format!(
+                "budget: nothing is said of `{function}`, which costs {cost:?}"
+            ));
+            return;
+        };
+        for (what, cost, allowed) in [
+            ("instructions", cost.instructions, allowed.instructions),
+            ("bytes of text", cost.text, allowed.text),
+            ("bytes of stack", cost.stack, allowed.stack),
+        ] {
+            if cost > allowed {
+                wrong.push(format!(
+                    "budget: {function} on {board}: {cost} {what}, allowed {allowed}"
+                ));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Budget, Cost};
+
+    #[test]
+    fn more_than_allowed_is_told() {
+        let budget = Budget::read("# arm …\npuma gravity 10 20 30\n", "puma").expect("a line");
+        let mut wrong = Vec::new();
+        let mut cost = Cost {
+            instructions: 10,
+            text: 20,
+            stack: 30,
+        };
+        budget.check("M4F", "gravity", cost, &mut wrong);
+        assert!(wrong.is_empty());
+        cost.text += 1;
+        budget.check("M4F", "gravity", cost, &mut wrong);
+        budget.check("M4F", "bias", cost, &mut wrong);
+        assert_eq!(wrong.len(), 2, "{wrong:?}");
+    }
+}

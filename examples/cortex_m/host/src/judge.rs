@@ -1,0 +1,156 @@
+//! Whether the firmware is what it should be, on every board.
+//!
+//! In: for each board a folder with `log` (what the firmware said), `symbols` and `code` (its
+//! image), and the budget. Out: the rows of a table, or everything that is wrong.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use crate::budget::{Budget, Cost};
+use crate::error;
+use crate::image::{self, Functions};
+
+/// The functions in the order of the table.
+const FUNCTIONS: [&str; 7] = [
+    "forward_kinematics",
+    "geometric_jacobian",
+    "gravity",
+    "inverse_dynamics",
+    "computed_torque",
+    "mass_matrix",
+    "forward_dynamics",
+];
+
+/// The worst error that passes, in units of rounding.
+const ERROR: f64 = 20.0;
+
+/// How many more instructions a call may take than the function has: its caller loads arguments.
+const ARGUMENTS: u32 = 8;
+
+/// Judges the boards whose observations lie in `folders`, each called as its board.
+///
+/// # Errors
+/// Everything that is wrong, a line each.
+pub fn judge(arm: &str, budget: &str, folders: &[&str]) -> Result<String, String> {
+    let budget = Budget::read(&read(Path::new(budget))?, arm)?;
+    let mut wrong = Vec::new();
+    let mut boards = Vec::new();
+    for folder in folders {
+        boards.push(Board::observe(Path::new(folder), &budget, &mut wrong)?);
+    }
+    let mut table = String::new();
+    let errors = error::worst();
+    for function in FUNCTIONS {
+        let error = errors
+            .iter()
+            .find(|(name, _)| *name == function)
+            .map(|(_, error)| *error);
+        // Not `>`, which overlooks NaN.
+        if error.is_some_and(|error| !(error <= ERROR)) {
+            wrong.push(format!("{function} is off by {error:?} units of rounding"));
+        }
+        row(&mut table, arm, function, &boards, error);
+    }
+    row(&mut table, arm, "sin_cos", &boards, None);
+    if wrong.is_empty() {
+        Ok(table)
+    } else {
+        Err(wrong.join("\n"))
+    }
+}
+
+fn row(table: &mut String, arm: &str, function: &str, boards: &[Board], error: Option<f64>) {
+    let cell = |number: fn(&Cost) -> u32| {
+        let cells = boards
+            .iter()
+            .map(|board| number(&board.cost(function)).to_string());
+        cells.collect::<Vec<_>>().join(" / ")
+    };
+    let error = error.map_or_else(|| "–".to_owned(), |error| format!("{error:.1}"));
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        table,
+        "| {arm} | `{function}` | {} | {} | {} | {error} |",
+        cell(|cost| cost.instructions),
+        cell(|cost| cost.text),
+        cell(|cost| cost.stack),
+    );
+}
+
+/// What was seen of one board.
+struct Board {
+    functions: Functions,
+    log: String,
+}
+
+impl Board {
+    fn observe(folder: &Path, budget: &Budget, wrong: &mut Vec<String>) -> Result<Self, String> {
+        let name = folder.file_name().unwrap_or_default().to_string_lossy();
+        let [log, symbols, code] = ["log", "symbols", "code"].map(|file| read(&folder.join(file)));
+        let (log, symbols, code) = (log?, symbols?, code?);
+        let mut here = Vec::new();
+        let functions = image::read(&symbols, &code, &mut here);
+        let board = Self { functions, log };
+        for function in FUNCTIONS {
+            board.check(function, &mut here);
+            budget.check(&name, function, board.cost(function), &mut here);
+        }
+        budget.check(&name, "sin_cos", board.cost("sin_cos"), &mut here);
+        wrong.extend(here.into_iter().map(|what| format!("{name}: {what}")));
+        Ok(board)
+    }
+
+    /// Whether the bits were the host's, and every call took the instructions that stand there.
+    fn check(&self, function: &str, wrong: &mut Vec<String>) {
+        match *self.said("differences", function) {
+            [0] => {}
+            [different] => wrong.push(format!(
+                "{function}: {different} results are not the host's"
+            )),
+            _ => wrong.push(format!(
+                "{function}: the firmware said nothing of its results"
+            )),
+        }
+        let &[least, most, _] = &*self.said("cost", function) else {
+            wrong.push(format!("{function}: the firmware said nothing of its cost"));
+            return;
+        };
+        if least != most {
+            wrong.push(format!(
+                "{function}: from {least} to {most} instructions a call"
+            ));
+        }
+        // And the branch to it.
+        let listed = image::instructions(&self.functions, function) + 1;
+        if !(listed..=listed + ARGUMENTS).contains(&most) {
+            wrong.push(format!(
+                "{function}: {listed} instructions are listed, {most} were counted"
+            ));
+        }
+    }
+
+    fn cost(&self, function: &str) -> Cost {
+        let said = self.said("cost", function);
+        Cost {
+            instructions: said.get(1).copied().unwrap_or_default(),
+            text: self
+                .functions
+                .get(function)
+                .map_or(0, |function| function.bytes),
+            stack: said.get(2).copied().unwrap_or_default(),
+        }
+    }
+
+    /// The numbers of the line that begins with these words.
+    fn said(&self, what: &str, function: &str) -> Vec<u32> {
+        let start = format!("{what} {function} ");
+        let line = self.log.lines().find_map(|line| line.strip_prefix(&start));
+        let numbers = line.unwrap_or_default().split_whitespace();
+        numbers.filter_map(|number| number.parse().ok()).collect()
+    }
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    fs::read_to_string(path).map_err(|reason| format!("cannot read {}: {reason}", path.display()))
+}

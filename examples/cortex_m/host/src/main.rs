@@ -1,0 +1,39 @@
+//! What the controller should compute, and whether its image is what it should be.
+//!
+//! `host expected` writes the results that the firmware compares its own with.
+//! `host judge FOLDER…` reads what was seen of each board's firmware, and prints a table or what is
+//! wrong; `host sines FOLDER…` the same of the firmware that compares sines. It never builds or runs
+//! anything itself.
+
+mod arm;
+mod budget;
+mod error;
+mod expected;
+mod image;
+mod judge;
+mod magnitude;
+mod sines;
+
+use std::env;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments: Vec<_> = env::args().skip(1).collect();
+    let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+    let answer = match &*arguments {
+        ["expected"] => Ok(expected::text()),
+        ["judge", arm, budget, boards @ ..] => judge::judge(arm, budget, boards),
+        ["sines", boards @ ..] => sines::table(boards),
+        _ => Err("usage: host expected | host judge ARM BUDGET FOLDER... | host sines FOLDER...".to_owned()),
+    };
+    match answer {
+        Ok(text) => {
+            print!("{text}");
+            ExitCode::SUCCESS
+        }
+        Err(wrong) => {
+            eprintln!("{wrong}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,171 @@
+#!/usr/bin/env bash
+# Builds the firmware for two boards, runs it under QEMU and judges what it did.
+#
+#   run.sh              fails on any difference from what is committed here
+#   run.sh --update     writes expected results and the README's table anew
+#   run.sh --mutations  shows that a wrong literal, double precision and a path that panics are seen
+#
+# What is missing is installed: by rustup where it has the target, and by apt-get (as root, on Debian).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+mode="${1:-check}"
+target=thumbv7em-none-eabihf
+arms=(panda_class puma560)
+boards=(M4F M7)
+declare -A machine=([M4F]=mps2-an386 [M7]=mps2-an500)
+declare -A processor=([M4F]=cortex-m4 [M7]=cortex-m7)
+export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
+seen="$CARGO_TARGET_DIR/seen"
+
+say() { printf '%s\n' "$*" >&2; }
+has() { command -v "$1" >/dev/null; }
+
+install() {
+    if [ "$(id -u)" != 0 ] || ! has apt-get; then
+        say "run.sh: missing: $*. It installs them on Debian, as root; here, please do it by hand."
+        exit 2
+    fi
+    say "=== install $*"
+    apt-get update -qq
+    DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "$@" >/dev/null
+}
+
+# --- tools ----------------------------------------------------------------------------------------
+
+packages=()
+has qemu-system-arm || packages+=(qemu-system-arm)
+has arm-none-eabi-objdump || packages+=(binutils-arm-none-eabi)
+cargo=(cargo)
+rustc=(rustc)
+build_std=()
+linker="CARGO_TARGET_${target//-/_}_LINKER"
+if ! { has rustup && { rustup target list --installed | grep -qx "$target" ||
+    rustup target add "$target" >/dev/null 2>&1; }; }; then
+    # Debian's compiler comes with the sources of `core`; it is asked to build them, which it must be
+    # told to be allowed to, and to use the linker that belongs to the tools above.
+    { [ -x /usr/bin/rustc ] && [ -d /usr/lib/rustlib/src/rust/library ]; } ||
+        packages+=(rustc-web cargo-web rust-web-src)
+    cargo=(env RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc "${linker^^}=arm-none-eabi-ld" /usr/bin/cargo)
+    rustc=(/usr/bin/rustc)
+    build_std=(-Zbuild-std=core)
+fi
+[ ${#packages[@]} = 0 ] || install "${packages[@]}"
+
+# --- one arm, one board ---------------------------------------------------------------------------
+
+host() { # what the host says of an arm
+    ARM="$1" "${cargo[@]}" run --quiet --release --locked -p host -- "${@:2}"
+}
+
+build() { # arm board options: the images
+    local flags="CARGO_TARGET_${target//-/_}_RUSTFLAGS"
+    env "ARM=$1" "${flags^^}=-C target-cpu=${processor[$2]}" "${cargo[@]}" build --quiet --release \
+        --locked "${build_std[@]}" --target "$target" -p controller --bins "${@:3}"
+}
+
+observe() { # image board folder: takes it apart and runs it; an instruction lasts 1 ns
+    local image="$CARGO_TARGET_DIR/$target/release/$1" folder="$3"
+    mkdir -p "$folder"
+    arm-none-eabi-nm --demangle --print-size --defined-only "$image" >"$folder/symbols"
+    arm-none-eabi-objdump --disassemble --demangle "$image" >"$folder/code"
+    timeout 120 qemu-system-arm -machine "${machine[$2]}" -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$image" >"$folder/log" </dev/null ||
+        { cat "$folder/log" >&2; say "run.sh: the firmware on $2 says that it failed"; return 1; }
+}
+
+# --- modes ----------------------------------------------------------------------------------------
+
+same() { # description, committed, made
+    if [ "$mode" = --update ]; then
+        cp "$3" "$2"
+    elif ! diff -u "$2" "$3" >&2; then
+        say "run.sh: $1 changed; if it should, run it with --update"
+        return 1
+    fi
+}
+
+check() { # writes the tables to $seen/table.md
+    mkdir -p "$seen"
+    {
+        echo "With $("${rustc[@]}" --version | cut -d' ' -f1,2), M4F / M7:"
+        echo
+        echo '| arm | function | instructions a call | text in bytes | stack in bytes | worst error in u |'
+        echo '| --- | --- | --- | --- | --- | --- |'
+        local arm board folders
+        for arm in "${arms[@]}"; do
+            say "=== $arm: what the host computes"
+            host "$arm" expected >"$seen/expected.rs"
+            same "what the host computes of $arm" "expected/$arm.rs" "$seen/expected.rs"
+            folders=()
+            for board in "${boards[@]}"; do
+                say "=== $arm on $board"
+                build "$arm" "$board"
+                observe controller "$board" "$seen/$arm/$board"
+                observe sines "$board" "$seen/sines/$board"
+                folders+=("$seen/$arm/$board")
+            done
+            host "$arm" judge "$arm" budget.txt "${folders[@]}"
+        done
+        echo
+        echo '| sine and cosine | instructions a call | text in bytes | worst error in u |'
+        echo '| --- | --- | --- | --- |'
+        host "$arm" sines "${boards[@]/#/$seen/sines/}"
+    } >"$seen/table.md"
+}
+
+current() { # whether the README has the tables, if they are of the compiler that it names
+    local readme="$seen/README.md"
+    sed -n '1,/<!-- table -->/p' README.md >"$readme"
+    cat "$seen/table.md" >>"$readme"
+    sed -n '/<!-- end of table -->/,$p' README.md >>"$readme"
+    if [ "$mode" = --update ] || grep -qxF "$(head -n 1 "$seen/table.md")" README.md; then
+        same "the table of README.md" README.md "$readme"
+    else
+        say "run.sh: README.md has the table of another compiler, which is not compared"
+    fi
+}
+
+# Changes the generated file behind the build script's back, and wants to hear of it.
+mutate() { # description, expression of sed, what must be said
+    local arm=panda_class board=M4F folder="$seen/mutation/M4F" file
+    say "=== mutation: $1"
+    file=$(build "$arm" "$board" --message-format=json |
+        sed -n '/build-script-executed.*#controller@/s/.*"out_dir":"\([^"]*\)".*/\1/p')/arm.rs
+    cp "$file" "$seen/arm.rs"
+    sed -i "$2" "$file"
+    if cmp -s "$file" "$seen/arm.rs"; then
+        say "run.sh: the mutation changes nothing"
+        return 1
+    fi
+    build "$arm" "$board" && { observe controller "$board" "$folder" 2>/dev/null || true; }
+    cp "$seen/arm.rs" "$file"
+    if host "$arm" judge "$arm" budget.txt "$folder" >"$seen/said" 2>&1; then
+        say "run.sh: nobody saw it"
+        return 1
+    elif ! grep -m 3 "$3" "$seen/said" >&2; then
+        cat "$seen/said" >&2
+        say "run.sh: nobody said '$3'"
+        return 1
+    fi
+}
+
+case "$mode" in
+check | --update)
+    check
+    current
+    cat "$seen/table.md"
+    ;;
+--mutations)
+    mkdir -p "$seen"
+    mutate 'a wrong literal' '0,/ 0\.316_f32/s// 0.317_f32/' "are not the host's"
+    mutate 'double precision' '0,/= s_2 \* s_1;/s//= (0.1_f64 * f64::from(s_2)) as f32;/' \
+        'double precision'
+    mutate 'a path that panics' '0,/let \[q_1/s//assert!(q[0] < 4.0); &/' 'a path that panics'
+    say "=== every mutation was seen"
+    ;;
+*)
+    say "usage: run.sh [--update | --mutations]"
+    exit 2
+    ;;
+esac

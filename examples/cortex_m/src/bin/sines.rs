@@ -1,0 +1,80 @@
+//! A firmware that compares sines: this crate's own, the same for angles of any size, and `libm`'s.
+//!
+//! In: angles. Out: over semihosting, for each function the least and the largest number of
+//! instructions of a call. `libm` computes its single precision in double, by routines of the
+//! compiler where the processor has none, and takes a time that depends on the angle.
+#![no_std]
+#![no_main]
+
+#[path = "../clock.rs"]
+mod clock;
+#[allow(dead_code, reason = "nothing but integers is reported here")]
+#[path = "../report.rs"]
+mod report;
+
+use core::hint::black_box;
+use core::panic::PanicInfo;
+
+use controller::sines;
+use cortex_m_rt::entry;
+use cortex_m_semihosting::debug::{self, EXIT_FAILURE, EXIT_SUCCESS};
+use homogen::trigonometry::single;
+
+use clock::Clock;
+use report::Line;
+
+/// What joints do, and what they do not.
+const ANGLES: [f32; 12] = [
+    0.0, 0.1, -0.7, 1.5, -2.2, 3.1, 4.0, -5.5, 7.0, 30.0, -400.0, 3000.0,
+];
+
+#[entry]
+fn main() -> ! {
+    if let Some(clock) = Clock::start() {
+        compare(&clock);
+        debug::exit(EXIT_SUCCESS);
+    }
+    debug::exit(EXIT_FAILURE);
+    loop {
+        cortex_m::asm::wfi();
+    }
+}
+
+fn compare(clock: &Clock) {
+    say(clock, "moderate", sines::sin_cos);
+    say(clock, "any", any);
+    say(clock, "libm", libm);
+}
+
+fn say(clock: &Clock, name: &str, function: impl Fn(f32) -> (f32, f32)) {
+    let (mut least, mut most) = (u32::MAX, 0);
+    for angle in &ANGLES {
+        let duration = clock.one(|| {
+            black_box(function(*black_box(angle)));
+        });
+        least = least.min(duration);
+        most = most.max(duration);
+    }
+    let mut line = Line::new();
+    line.text("sines ").text(name);
+    line.text(" ").integer(least).text(" ").integer(most);
+    line.print();
+}
+
+#[inline(never)]
+fn any(angle: f32) -> (f32, f32) {
+    single::sin_cos(angle)
+}
+
+#[inline(never)]
+fn libm(angle: f32) -> (f32, f32) {
+    libm::sincosf(angle)
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    debug::exit(EXIT_FAILURE);
+    loop {
+        cortex_m::asm::wfi();
+    }
+}

@@ -1,0 +1,113 @@
+//! The firmware: runs the controller over a table of states, and tells what it gives and costs.
+//!
+//! In: [`states`], and what the host computed from them. Out: over semihosting torques, differences,
+//! instructions and stack of every function, for `run.sh` to judge; and a status, 0 where every bit
+//! was as expected and every call of a function took as long as its others.
+#![no_std]
+#![no_main]
+
+mod clock;
+mod expected;
+mod function;
+mod report;
+mod stack;
+
+use core::panic::PanicInfo;
+
+use controller::{
+    computed_torque, forward_dynamics, forward_kinematics, geometric_jacobian, gravity,
+    inverse_dynamics, mass_matrix, sines, states,
+};
+use cortex_m_rt::entry;
+use cortex_m_semihosting::debug::{self, EXIT_FAILURE, EXIT_SUCCESS};
+
+use clock::Clock;
+use function::{examine, time};
+use report::Line;
+
+#[entry]
+fn main() -> ! {
+    let passed = Clock::start().is_some_and(|clock| run(&clock));
+    debug::exit(if passed { EXIT_SUCCESS } else { EXIT_FAILURE });
+    loop {
+        cortex_m::asm::wfi();
+    }
+}
+
+/// Whether everything was as expected.
+fn run(clock: &Clock) -> bool {
+    let states = states();
+    for (i, state) in states.iter().enumerate() {
+        torques("hold", i, &gravity(&state.q));
+        torques("follow", i, &computed_torque(state));
+    }
+    let passed = [
+        examine(
+            "forward_kinematics",
+            clock,
+            &states,
+            &expected::FORWARD_KINEMATICS,
+            |state| forward_kinematics(&state.q),
+        ),
+        examine(
+            "geometric_jacobian",
+            clock,
+            &states,
+            &expected::GEOMETRIC_JACOBIAN,
+            |state| geometric_jacobian(&state.q),
+        ),
+        examine("gravity", clock, &states, &expected::GRAVITY, |state| {
+            gravity(&state.q)
+        }),
+        examine(
+            "inverse_dynamics",
+            clock,
+            &states,
+            &expected::INVERSE_DYNAMICS,
+            |state| inverse_dynamics(&state.q, &state.qd, &state.qdd),
+        ),
+        examine(
+            "computed_torque",
+            clock,
+            &states,
+            &expected::COMPUTED_TORQUE,
+            computed_torque,
+        ),
+        examine(
+            "mass_matrix",
+            clock,
+            &states,
+            &expected::MASS_MATRIX,
+            |state| mass_matrix(&state.q),
+        ),
+        examine(
+            "forward_dynamics",
+            clock,
+            &states,
+            &expected::FORWARD_DYNAMICS,
+            |state| forward_dynamics(&state.q, &state.qd, &state.tau),
+        ),
+    ];
+    let sines = time("sin_cos", clock, &states, |state| {
+        sines::sin_cos(state.q[0])
+    });
+    passed.iter().all(|passed| *passed) && sines
+}
+
+fn torques(what: &str, state: usize, torques: &[f32]) {
+    let mut line = Line::new();
+    line.text(what).text(" ").integer(state as u32);
+    for torque in torques {
+        line.text(" ").number(*torque);
+    }
+    line.print();
+}
+
+/// Never reached, and therefore never linked; `run.sh` looks.
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    debug::exit(EXIT_FAILURE);
+    loop {
+        cortex_m::asm::wfi();
+    }
+}

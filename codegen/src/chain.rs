@@ -16,8 +16,8 @@ mod shape;
 #[cfg(test)]
 mod tests;
 
-use crate::description::{Description, Limits};
-use crate::error::{Complaint, Errors};
+use crate::description::{Description, Limits, Source};
+use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
 use crate::matrix::{Inertia, Pose, Screw, Vector};
 use crate::request::Request;
@@ -40,6 +40,8 @@ pub struct Chain {
     pub nominal: Vec<Vec<f64>>,
     /// What became of the description on the way.
     pub report: Report,
+    /// Where the description came from.
+    pub source: Source,
 }
 
 /// A joint and the body it carries.
@@ -47,6 +49,8 @@ pub struct Chain {
 pub struct Joint {
     /// The joint's name.
     pub name: String,
+    /// Where that stands.
+    pub place: Place,
     /// The joint that carries the body it hangs on; none for the fixed base.
     pub parent: Option<usize>,
     /// The motion it allows.
@@ -112,7 +116,7 @@ pub struct Snapped {
     /// Quarter turns.
     pub quarters: i64,
     /// Where it stands.
-    pub place: crate::error::Place,
+    pub place: Place,
 }
 
 impl Chain {

@@ -23,7 +23,7 @@ use proc_macro2::Span;
 
 pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;
-use crate::error::{Complaint, Place};
+use crate::error::{Complaint, Errors, Place};
 
 /// A robot as it was described: links and joints in the order of the text.
 #[derive(Clone, Debug)]
@@ -49,6 +49,18 @@ pub struct Source {
     pub anchor: Option<Span>,
     /// FNV-1a hash (64 bits) of the file's bytes; 0 for tokens.
     pub hash: u64,
+}
+
+impl Source {
+    /// No mistakes yet, of this text.
+    #[must_use]
+    pub fn errors(&self) -> Errors {
+        let mut errors = Errors::new();
+        if let Some(file) = &self.file {
+            errors.set_file(file.clone(), self.anchor);
+        }
+        errors
+    }
 }
 
 /// A name and its place.

@@ -50,7 +50,10 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         generics: item.generics.clone(),
         declaration: declare(item),
     };
-    if let (Some(description), true) = (&item.description, errors.is_empty()) {
+    // Of what was misread the joints are not even counted: any number of them is better than a
+    // wrong one.
+    let read = item.description.as_ref().filter(|_| errors.is_empty());
+    if let Some(description) = read {
         match expand(description, &item.request, target.clone()) {
             Ok(mut listing) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
@@ -65,10 +68,7 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         }
     }
     let mistakes = errors.to_compile_errors();
-    let joints = item
-        .description
-        .as_ref()
-        .and_then(|robot| count(robot, &item.request));
+    let joints = read.and_then(|robot| count(robot, &item.request));
     let stub = emit::stub(&Wanted {
         item: &target,
         request: &item.request,
@@ -90,12 +90,15 @@ fn warning(doubt: &str, at: Span) -> TokenStream {
     }
 }
 
-/// The number of joints, if the description holds together when nothing is asked of it.
+/// The number of joints, if the description holds together when no more is asked of it than what
+/// decides about that number.
 fn count(description: &Description, request: &request::Request) -> Option<usize> {
     let shape = request::Request {
         base: request.base.clone(),
         lock: request.lock.clone(),
         drop: request.drop.clone(),
+        path_only: request.path_only,
+        tip: request.tip.clone().filter(|_| request.path_only),
         ..request::Request::default()
     };
     chain::build(description, &shape)

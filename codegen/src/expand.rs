@@ -52,7 +52,7 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
 /// Where more joints move than anyone can want a page of code for.
 pub fn check_size(chain: &Chain) -> Result<(), Errors> {
     const MOST: usize = 1000;
-    let mut errors = Errors::new();
+    let mut errors = chain.source.errors();
     let moving = chain.joints.len();
     if moving > MOST {
         errors.push_with_hint(
@@ -134,16 +134,10 @@ pub fn program_by(
 }
 
 /// What becomes a Rust function: each item of the request for the tip, or for the robot as a
-/// whole, and again for each further frame. A request that names nothing wants every function
-/// that the robot can have.
+/// whole, and again for each further frame.
 fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, usize)> {
-    let items = if request.functions.is_empty() {
-        Function::ALL.map(|function| vec![function]).to_vec()
-    } else {
-        request.functions.clone()
-    };
     let mut wanted = Vec::new();
-    for functions in items {
+    for functions in request.items() {
         let of_a_frame = functions.iter().all(|function| function.of_a_frame());
         let frames = if of_a_frame { chain.frames.len() } else { 1 };
         wanted.extend((0..frames).map(|frame| (functions.clone(), frame)));

@@ -25,11 +25,22 @@ use crate::function::{Argument, Function};
 /// One of several ways to compute the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Way {
-    /// Which column of a rotation is made from the two others, which alone are carried; none where
-    /// all three are.
-    pub by_product: Option<usize>,
+    /// How the pose of a frame is found.
+    pub pose: Carried,
     /// How accelerations are found from forces.
     pub forward: Forward,
+}
+
+/// How the pose of a frame is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carried {
+    /// From the frame to the base, column by column.
+    Inwards {
+        /// Which column is made from the two others, which alone are carried; none where all are.
+        by_product: Option<usize>,
+    },
+    /// From the base to the frame, as the Jacobians are, with which it then shares the work.
+    Outwards,
 }
 
 /// How accelerations are found from forces.
@@ -45,9 +56,9 @@ pub enum Forward {
 }
 
 impl Way {
-    /// Columns all carried, accelerations by the mass matrix.
+    /// Columns all carried inwards, accelerations by the mass matrix.
     pub const PLAIN: Self = Self {
-        by_product: None,
+        pose: Carried::Inwards { by_product: None },
         forward: Forward::MassMatrix { refinements: 0 },
     };
 
@@ -56,8 +67,11 @@ impl Way {
     pub fn all(function: Function) -> Vec<Self> {
         let mut ways = vec![Self::PLAIN];
         if function == Function::ForwardKinematics {
-            ways.extend((0..3).map(|column| Self {
+            let carried = (0..3).map(|column| Carried::Inwards {
                 by_product: Some(column),
+            });
+            ways.extend(carried.chain([Carried::Outwards]).map(|pose| Self {
+                pose,
                 ..Self::PLAIN
             }));
         }
@@ -78,7 +92,7 @@ pub fn build<'g>(
     let state = State { graph };
     let path = || carry::path(bodies, frame, &state);
     match function {
-        Function::ForwardKinematics => pose::forward_kinematics(&path(), way.by_product),
+        Function::ForwardKinematics => pose::forward_kinematics(&path(), way.pose),
         Function::SpatialJacobian => jacobian::spatial(&path()),
         Function::BodyJacobian => jacobian::body(&path()),
         Function::GeometricJacobian => jacobian::geometric(&path()),

@@ -77,6 +77,16 @@ pub enum Target {
 }
 
 impl Request {
+    /// What to generate: what is named, or every function where nothing is.
+    #[must_use]
+    pub fn items(&self) -> Vec<Vec<Function>> {
+        if self.functions.is_empty() {
+            Function::ALL.map(|function| vec![function]).to_vec()
+        } else {
+            self.functions.clone()
+        }
+    }
+
     /// Whether a struct field stands for the mass of a link.
     #[must_use]
     pub fn weighs(&self, link: &Name) -> bool {

@@ -154,7 +154,7 @@ impl Scalar for Pack {
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        let pairs = self.0.map(f64::sin_cos);
+        let pairs = self.0.map(homogen::trigonometry::double::sin_cos);
         (
             Self(pairs.map(|(sine, _)| sine)),
             Self(pairs.map(|(_, cosine)| cosine)),

@@ -46,10 +46,7 @@ pub struct Branch {
 /// # Errors
 /// All the mistakes that are found.
 pub fn check(description: &Description, request: &Request) -> Result<Tree, Errors> {
-    let mut errors = Errors::new();
-    if let Some(file) = &description.source.file {
-        errors.set_file(file.clone(), description.source.anchor);
-    }
+    let mut errors = description.source.errors();
     let links = Names::of(
         description.links.iter().map(|link| &link.name),
         "link",

@@ -64,6 +64,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         .into_iter()
         .map(|body| Joint {
             name: description.joints[body.joint].name.text.clone(),
+            place: description.joints[body.joint].name.place,
             parent: body.parent,
             motion: body.motion,
             placement: body.placement.map(Term::expr),
@@ -82,6 +83,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         has_tip: tree.tip.is_some(),
         gravity,
         report,
+        source: description.source.clone(),
         graph,
     }
 }
@@ -100,8 +102,10 @@ fn seat<'g>(
         pose: Pose::identity(graph),
     });
     for branch in &tree.branches {
-        let mark = graph.len();
         let joint = &description.joints[branch.joint];
+        // A pitch is no part of a seat or a body's matrices: it is made before what is forgotten.
+        let motion = reader.motion(joint.kind);
+        let mark = graph.len();
         let parent = seats[branch.parent].expect("parents come before children");
         let pose = parent.pose * reader.origin(description, branch);
         let axis = unit(graph, &joint.axis);
@@ -114,7 +118,7 @@ fn seat<'g>(
             bodies.push(Body {
                 joint: branch.joint,
                 parent: parent.body,
-                motion: reader.motion(joint.kind),
+                motion,
                 placement: pose,
                 axis,
                 inertia: Inertia::zero(graph),

@@ -62,10 +62,7 @@ pub fn check(
         });
     }
     if request.strict && !doubts.is_empty() {
-        let mut errors = Errors::new();
-        if let Some(file) = &description.source.file {
-            errors.set_file(file.clone(), description.source.anchor);
-        }
+        let mut errors = description.source.errors();
         for doubt in doubts {
             errors.push(doubt.place, format!("{} (refused: strict)", doubt.message));
         }

@@ -48,7 +48,7 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
     let mut traits = TokenStream::new();
     let mut names = Names::default();
     names.take("chain");
-    for functions in &request.functions {
+    for functions in &request.items() {
         let frames = request.frames.iter().map(|frame| Some(frame.text.as_str()));
         for frame in [None].into_iter().chain(frames) {
             if frame.is_some() && !functions.iter().all(|function| function.of_a_frame()) {
@@ -57,8 +57,9 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
             let name = names.fresh(&method::name(functions, frame));
             let signature =
                 method::signature(&name, functions, &count, parameter.as_ref(), &dialect);
-            methods.extend(unreachable(item, &signature));
-            if let ([function], None) = (&**functions, frame) {
+            let unreachable = quote! { ::core::unreachable!() };
+            methods.extend(absent(item, &signature, &unreachable));
+            if let ([function], None) = (functions.as_slice(), frame) {
                 let parameter: Option<GenericParam> = parameter
                     .as_ref()
                     .map(|parameter| parse_quote! { #parameter });
@@ -75,7 +76,10 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
         let frames = quote! { #frames };
         let signature =
             chain::signature(&count, &frames, parameter.as_ref(), reads_fields, runtime);
-        methods.extend(unreachable(item, &signature));
+        // What may be called in constants must still be after a mistake.
+        let constant = (!reads_fields).then(|| quote! { const });
+        let signature = quote! { #constant #signature };
+        methods.extend(absent(item, &signature, &nothing(&count, &frames, runtime)));
     }
     let declaration = match &item.declaration {
         Declaration::Written(tokens) => tokens.clone(),
@@ -85,10 +89,26 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
     quote! { #declaration #block #traits }
 }
 
-fn unreachable(item: &Item, signature: &TokenStream) -> TokenStream {
+fn absent(item: &Item, signature: &TokenStream, body: &TokenStream) -> TokenStream {
     let visibility = &item.visibility;
     quote! {
         /// Not generated: the description has errors.
-        #visibility #signature { ::core::unreachable!() }
+        #visibility #signature { #body }
+    }
+}
+
+/// A chain of so many joints and frames that are nowhere, because the compiler runs what stands in
+/// constants.
+fn nothing(joints: &TokenStream, frames: &TokenStream, runtime: &TokenStream) -> TokenStream {
+    let none = quote! { ::core::option::Option::None };
+    let pose = quote! { #runtime::Pose::new([[0.0; 3]; 3], [0.0; 3]) };
+    let screw = quote! { #runtime::Screw::new([0.0; 3], [0.0; 3]) };
+    let inertia = quote! { #runtime::Inertia::new([0.0; 6], [0.0; 3], 0.0) };
+    quote! {
+        #runtime::Chain::new(
+            [#runtime::Joint::new("", #none, #pose, #screw, #inertia); #joints],
+            [#runtime::Frame::new("", #none, #pose); #frames],
+            [0.0; 3],
+        )
     }
 }

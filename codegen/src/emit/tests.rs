@@ -334,14 +334,14 @@ fn a_stub_has_the_signatures_of_what_was_asked_for() {
     for signature in [
         "pub fn gravity<T: ::homogen::Scalar, const N: ::core::primitive::usize>",
         "( &self, q: &[T; N], qd: &[T; N], ) -> ([[T; N]; N], [T; N]) { ::core::unreachable!() }",
-        "pub fn chain<const N: ::core::primitive::usize>() -> ::homogen::Chain<N, 2> {",
+        "pub const fn chain<const N: ::core::primitive::usize>() -> ::homogen::Chain<N, 2> {",
         "::homogen::robot::Gravity<N, T> for Pendulum {",
     ] {
         assert!(unknown.contains(signature), "{unknown}");
     }
     let known = text(Some(2));
     assert!(
-        known.contains("fn chain() -> ::homogen::Chain<2, 2>"),
+        known.contains("const fn chain() -> ::homogen::Chain<2, 2>"),
         "{known}"
     );
 }

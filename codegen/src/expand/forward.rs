@@ -7,7 +7,7 @@
 
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{Chain, Motion};
-use crate::error::{Errors, Place};
+use crate::error::Errors;
 use crate::expression::{Double, Expr, Graph, Input, Term};
 use crate::model::{self, Forward};
 use crate::request::Real;
@@ -28,8 +28,8 @@ pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Errors> {
     let (loss, joint) = loss(chain);
     let name = &chain.joints[joint].name;
     let refuse = |message: String, hint: &str| {
-        let mut errors = Errors::new();
-        errors.push_with_hint(Place::Unknown, message, hint);
+        let mut errors = chain.source.errors();
+        errors.push_with_hint(chain.joints[joint].place, message, hint);
         Err(errors)
     };
     if !loss.is_finite() || loss > 1e20 {
@@ -198,7 +198,9 @@ mod tests {
             .expect_err("singular")
             .to_string();
         assert!(
-            refusal.starts_with("error: joint \"elbow\" can accelerate without any force"),
+            refusal.starts_with(
+                "error: arm.urdf:4:99: joint \"elbow\" can accelerate without any force"
+            ),
             "{refusal}"
         );
     }

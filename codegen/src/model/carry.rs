@@ -106,6 +106,25 @@ pub struct Path<'g> {
     pub end: Pose<Term<'g>>,
 }
 
+impl<'g> Path<'g> {
+    /// The joints from the base outwards, each with M₀ of its body.
+    pub fn outwards(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
+        let mut pose = Pose::identity(self.end.translation.x().graph());
+        let mut found = Vec::with_capacity(self.joints.len());
+        for &joint in &self.joints {
+            pose = pose * joint.placement * joint.displacement();
+            let index = joint.index + 1;
+            pose.translation.label(|| format!("m_0_{index}_t"));
+            for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+                let column = pose.rotation.column(k);
+                column.label(|| format!("m_0_{index}_{axis}"));
+            }
+            found.push((joint, pose));
+        }
+        found
+    }
+}
+
 /// The way to the frame of that index.
 pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>) -> Path<'g> {
     let (mut at, end) = bodies.frames[frame];

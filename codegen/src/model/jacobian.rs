@@ -6,28 +6,26 @@ use crate::matrix::{Pose, Screw, Vector};
 
 /// Columns in frame 0, pole at its origin.
 pub fn spatial<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
+    let seen = path.outwards().into_iter();
     columns(
         path,
-        outwards(path)
-            .into_iter()
-            .map(|(k, screw, pose)| (k, screw.change_frame(pose))),
+        seen.map(|(joint, pose)| (joint.index, joint.screw.change_frame(pose))),
     )
 }
 
 /// Columns in the axes of frame 0, pole at the origin of the frame at the end.
 pub fn geometric<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
-    let steps = outwards(path);
-    let end = steps.last().map_or(path.end.translation, |(_, _, pose)| {
-        pose.point(path.end.translation)
-    });
-    let columns_ = steps.into_iter().map(|(k, screw, pose)| {
-        let seen = Pose {
-            translation: pose.translation - end,
+    let steps = path.outwards();
+    let tip = path.end.translation;
+    let tip = steps.last().map_or(tip, |(_, pose)| pose.point(tip));
+    let seen = steps.into_iter().map(|(joint, pose)| {
+        let from_tip = Pose {
+            translation: pose.translation - tip,
             ..pose
         };
-        (k, screw.change_frame(seen))
+        (joint.index, joint.screw.change_frame(from_tip))
     });
-    columns(path, columns_.collect::<Vec<_>>().into_iter())
+    columns(path, seen)
 }
 
 /// Columns in the frame at the end, pole at its origin.
@@ -40,24 +38,6 @@ pub fn body<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
         pose = pose * joint.displacement().inverse() * joint.placement.inverse();
     }
     columns(path, found.into_iter())
-}
-
-/// For each joint on the path: its index, L in its body's frame, M₀ of that frame.
-fn outwards<'g>(path: &Path<'g>) -> Vec<(usize, Screw<Term<'g>>, Pose<Term<'g>>)> {
-    let mut pose = Pose::identity(path.end.translation.x().graph());
-    (path.joints.iter())
-        .map(|joint| {
-            pose = pose * joint.placement * joint.displacement();
-            let index = joint.index + 1;
-            pose.translation.label(|| format!("m_0_{index}_t"));
-            for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-                pose.rotation
-                    .column(k)
-                    .label(|| format!("m_0_{index}_{axis}"));
-            }
-            (joint.index, joint.screw, pose)
-        })
-        .collect()
 }
 
 /// All columns; those of joints off the path are null.

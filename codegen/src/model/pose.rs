@@ -1,11 +1,26 @@
-//! M₀,ₕ, carried inwards from the frame to the base, column by column.
+//! M₀,ₕ, the pose of a frame.
+//!
+//! In: the way from the base to the frame. Out: its pose, carried inwards column by column, or
+//! outwards matrix by matrix.
 
+use super::Carried;
 use super::carry::Path;
 use crate::expression::Term;
 use crate::matrix::{Pose, Rotation, Vector};
 
-/// M of the frame at the end of a path.
-pub fn forward_kinematics<'g>(path: &Path<'g>, by_product: Option<usize>) -> Vec<Term<'g>> {
+/// M of the frame at the end of a path, row by row.
+pub fn forward_kinematics<'g>(path: &Path<'g>, carried: Carried) -> Vec<Term<'g>> {
+    let pose = match carried {
+        Carried::Inwards { by_product } => inwards(path, by_product),
+        Carried::Outwards => path
+            .outwards()
+            .last()
+            .map_or(path.end, |&(_, pose)| pose * path.end),
+    };
+    pose.entries().to_vec()
+}
+
+fn inwards<'g>(path: &Path<'g>, by_product: Option<usize>) -> Pose<Term<'g>> {
     let mut columns: [Vector<Term<'g>>; 3] = std::array::from_fn(|k| path.end.rotation.column(k));
     let mut origin = path.end.translation;
     for joint in path.joints.iter().rev() {
@@ -24,8 +39,6 @@ pub fn forward_kinematics<'g>(path: &Path<'g>, by_product: Option<usize>) -> Vec
         rotation: Rotation::from_columns(columns),
         translation: origin,
     }
-    .entries()
-    .to_vec()
 }
 
 /// The entries of M from the body that carries joint `index` to the frame.

@@ -1,0 +1,14 @@
+//! Every mistake of a file, at once.
+
+use homogen::Robot;
+
+#[derive(Robot)]
+#[robot(urdf = "rejected/several_mistakes.urdf", generate(inverse_dynamics, gravity))]
+struct Arm;
+
+fn main() {
+    let _: [f64; 2] = Arm.inverse_dynamics(&[0.0; 2], &[0.0; 2], &[0.0; 2]);
+    let _ = Arm.gravity(&[0.0; 2]);
+    let chain: homogen::Chain<2, 1> = Arm::chain();
+    let _ = homogen::generic::gravity(&chain, &[0.0; 2]);
+}

@@ -3,7 +3,8 @@
 //!
 //! Every kind of joint, branches anywhere, offset axes, struct fields, any gravity, and whatever a
 //! request can combine. Lengths are about 1 m, masses about 1 kg, rates up to 4 rad/s; sums of
-//! products of seven such numbers are right to 1e-11 of the largest result.
+//! products of seven such numbers are right to 1e-12 of the largest result; the worst of 3,000 trees is
+//! 9e-14.
 
 use homogen_codegen::chain::frames::Layout;
 use homogen_codegen::chain::{self, Chain};
@@ -14,7 +15,7 @@ use homogen_codegen::{Function, Real};
 use homogen_tests::states::{Random, State};
 use homogen_tests::trees::{JOINTS, Tree};
 
-const TOLERANCE: f64 = 1e-11;
+const TOLERANCE: f64 = 1e-12;
 
 /// Compares a program with what the tree should return, and gives back the relative error.
 fn compare(

@@ -3,18 +3,19 @@
 //!
 //! Every kind of joint, branches anywhere, offset axes, struct fields, any gravity, and whatever a
 //! request can combine. Lengths are about 1 m, masses about 1 kg, rates up to 4 rad/s; sums of
-//! products of seven such numbers are right to 1e-11 of the largest result.
+//! products of seven such numbers are right to 1e-12 of the largest result; the worst of 3,000 trees is
+//! 9e-14.
 
-use homogen_codegen::Function;
 use homogen_codegen::chain::frames::Layout;
 use homogen_codegen::chain::{self, Chain};
-use homogen_codegen::expand::program_by;
+use homogen_codegen::expand::{program, program_by};
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Program, run};
+use homogen_codegen::{Function, Real};
 use homogen_tests::states::{Random, State};
 use homogen_tests::trees::{JOINTS, Tree};
 
-const TOLERANCE: f64 = 1e-11;
+const TOLERANCE: f64 = 1e-12;
 
 /// Compares a program with what the tree should return, and gives back the relative error.
 fn compare(
@@ -91,4 +92,38 @@ fn every_layout_of_200_trees() {
         }
     }
     println!("worst error {worst:.1e}");
+}
+
+#[test]
+fn functions_made_together_are_those_made_alone() {
+    let functions = [
+        Function::MassMatrix,
+        Function::InverseDynamics,
+        Function::Gravity,
+        Function::Bias,
+    ];
+    let mut random = Random::new(20);
+    for number in 0..20 {
+        let tree = Tree::random(&mut random);
+        let chain = build(&tree);
+        let program = program(&chain, &functions, 0, Real::Generic);
+        let program = program.unwrap_or_else(|errors| panic!("{errors}"));
+        let state = tree.state(&mut random);
+        let results = run(&program, |input| tree.input(&chain, &state, input));
+        let mut results = results.as_slice();
+        for function in functions {
+            let (these, rest) = results.split_at(function.shape().len(chain.joints.len()));
+            let expected = tree.expected(&chain, function, 0, &state);
+            let magnitude = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+            for (x, y) in these.iter().zip(expected) {
+                let error = (x - y).abs() / magnitude;
+                assert!(
+                    error < TOLERANCE,
+                    "tree {number}, {function:?}: {error:.1e}\n{tree}"
+                );
+            }
+            results = rest;
+        }
+        assert!(results.is_empty());
+    }
 }

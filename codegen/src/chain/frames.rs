@@ -29,8 +29,8 @@ pub struct Body<'g> {
     pub motion: Motion,
     /// M from the parent's frame to this one at q + offset = 0.
     pub placement: Pose<Term<'g>>,
-    /// What is added to q to give the angle about z \[rad\].
-    pub offset: Option<Term<'g>>,
+    /// Sine and cosine of what is added to q to give the angle about z.
+    pub offset: Option<(Term<'g>, Term<'g>)>,
     /// J of the body in its frame.
     pub inertia: Inertia<Term<'g>>,
 }
@@ -362,8 +362,6 @@ fn split_offset(body: &mut Body<'_>) {
     if sine.is_zero() || cosine.is_zero() {
         return;
     }
-    if let Some(offset) = sine.atan2(cosine) {
-        body.offset = Some(offset);
-        body.placement.rotation = rotation * Rotation::about_z((-sine, cosine));
-    }
+    body.offset = Some((sine, cosine));
+    body.placement.rotation = rotation * Rotation::about_z((-sine, cosine));
 }

@@ -103,15 +103,6 @@ impl Double {
         )
     }
 
-    /// The angle of the point (x, y), by one Newton step from the nearest `f64`.
-    #[must_use]
-    pub fn atan2(y: Self, x: Self) -> Self {
-        let start = Self::from(y.hi.atan2(x.hi));
-        let (sine, cosine) = start.sin_cos();
-        let length = (x * x + y * y).sqrt();
-        start + (y * cosine - x * sine) / length
-    }
-
     fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_product(a, b);
         Self {
@@ -276,14 +267,6 @@ mod tests {
         let (sine, _) = from(std::f64::consts::PI).sin_cos();
         assert_eq!(sine.to_f64(), 1.224_646_799_147_353_2e-16);
         assert!(!sine.is_zero());
-    }
-
-    #[test]
-    fn the_angle_of_a_point_has_its_sine_and_cosine() {
-        let angle = Double::atan2(from(-0.3), from(-0.4));
-        let (sine, cosine) = angle.sin_cos();
-        assert!((sine * from(0.4) - cosine * from(0.3)).is_zero());
-        assert_eq!(angle.to_f64(), (-0.3_f64).atan2(-0.4));
     }
 
     #[test]

@@ -63,8 +63,6 @@ pub enum Node {
     Sin(Expr),
     /// cos a.
     Cos(Expr),
-    /// The angle of the point (b, a); of numbers only.
-    Atan2(Expr, Expr),
 }
 
 /// Scalars in the order in which they were made.
@@ -212,10 +210,6 @@ impl Graph {
     pub(super) fn sin_cos(&self, a: Expr) -> (Expr, Expr) {
         self.inner.borrow_mut().sin_cos(a)
     }
-
-    pub(super) fn atan2(&self, a: Expr, b: Expr) -> Option<Expr> {
-        self.inner.borrow_mut().atan2(a, b)
-    }
 }
 
 /// The name of the entry with the other sign.
@@ -233,11 +227,7 @@ impl Node {
         match self {
             Self::Literal(_) | Self::Input(_) => Vec::new(),
             Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => vec![a],
-            Self::Add(a, b)
-            | Self::Sub(a, b)
-            | Self::Mul(a, b)
-            | Self::Div(a, b)
-            | Self::Atan2(a, b) => vec![a, b],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
         }
     }
 }
@@ -481,11 +471,6 @@ impl Inner {
         let sine = self.intern_signed(Node::Sin(a), values.map(|(sine, _)| sine));
         let cosine = self.intern_signed(Node::Cos(a), values.map(|(_, cosine)| cosine));
         (self.signed(negative, sine), cosine)
-    }
-
-    fn atan2(&mut self, a: Expr, b: Expr) -> Option<Expr> {
-        let angle = Double::atan2(self.value(a)?, self.value(b)?);
-        Some(self.intern_signed(Node::Atan2(a, b), Some(angle)))
     }
 
     /// A node whose value may be anything: zero becomes the literal.

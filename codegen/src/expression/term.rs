@@ -54,15 +54,6 @@ impl<'g> Term<'g> {
         (Self::new(self.graph, sine), Self::new(self.graph, cosine))
     }
 
-    /// The angle of which this and `cosine` are sine and cosine times a positive number, where
-    /// both are known.
-    #[must_use]
-    pub fn atan2(self, cosine: Self) -> Option<Self> {
-        self.graph
-            .atan2(self.expr, cosine.expr)
-            .map(|angle| Self::new(self.graph, angle))
-    }
-
     /// √x.
     #[must_use]
     pub fn sqrt(self) -> Self {

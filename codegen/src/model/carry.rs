@@ -24,13 +24,28 @@ pub struct Joint<'g> {
     pub screw: Screw<Term<'g>>,
 }
 
+/// Sine and cosine of a sum, of which those of one term are numbers. To add the angles instead
+/// would cost less, and lose the digits that a sum of many turns has no room for.
+fn turned<'g>(
+    (sine, cosine): (Term<'g>, Term<'g>),
+    (by_sine, by_cosine): (Term<'g>, Term<'g>),
+) -> (Term<'g>, Term<'g>) {
+    (
+        sine * by_cosine + cosine * by_sine,
+        cosine * by_cosine - sine * by_sine,
+    )
+}
+
 impl<'g> Joint<'g> {
     /// The joint of body `k`.
     pub fn new(bodies: &Bodies<'g>, k: usize, state: &State<'g>) -> Self {
         let body: &Body<'g> = &bodies.bodies[k];
         let (zero, one) = (state.zero(), state.graph.constant(1.0));
         let q = state.q(k);
-        let turned = || body.offset.map_or(q, |offset| q + offset).sin_cos();
+        let turned = || {
+            body.offset
+                .map_or_else(|| q.sin_cos(), |by| turned(q.sin_cos(), by))
+        };
         let along_z = |entry| Vector([zero, zero, entry]);
         let (angle, slide, u, b) = match body.motion {
             Motion::Revolute => (turned(), zero, one, zero),

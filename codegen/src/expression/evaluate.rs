@@ -30,11 +30,10 @@ pub trait Arithmetic:
 
 /// Expressions whose constants are computed, ready for any number of inputs.
 #[derive(Clone, Debug)]
-pub struct Evaluation<'g, T> {
-    graph: &'g Graph,
+pub struct Evaluation<T> {
     results: Vec<Expr>,
-    /// The nodes that depend on an input, children first.
-    varying: Vec<Expr>,
+    /// What depends on an input, children first.
+    varying: Vec<(Expr, Node)>,
     known: Values<T>,
 }
 
@@ -59,45 +58,39 @@ pub fn evaluate<T: Arithmetic>(
     Evaluation::of(graph, results).at(input)
 }
 
-impl<'g, T: Arithmetic> Evaluation<'g, T> {
+impl<T: Arithmetic> Evaluation<T> {
     /// Computes the constants that the expressions need.
     ///
     /// # Panics
     /// Where an expression is not of this graph.
     #[must_use]
-    pub fn of(graph: &'g Graph, results: &[Expr]) -> Self {
+    pub fn of(graph: &Graph, results: &[Expr]) -> Self {
         let (needed, _) = graph.needed(results);
-        let (constant, varying): (Vec<Expr>, Vec<Expr>) = needed
-            .into_iter()
-            .partition(|&expr| graph.value(expr).is_some());
+        let nodes = needed.into_iter().map(|expr| (expr, graph.node(expr)));
+        let (constant, varying): (Vec<_>, Vec<_>) =
+            nodes.partition(|(expr, _)| graph.value(*expr).is_some());
         let mut known = Values {
             nodes: vec![None; graph.len()],
             turns: vec![None; graph.len()],
         };
-        for expr in constant {
-            known.find(graph, expr, |_| unreachable!("no input enters a constant"));
+        for (expr, node) in constant {
+            known.find(expr, node, |_| unreachable!("no input enters a constant"));
         }
         Self {
-            graph,
             results: results.to_vec(),
             varying,
             known,
         }
     }
 
-    /// The values of the expressions.
-    ///
-    /// # Panics
-    /// Never: children come before parents.
+    /// The values of the expressions, in the order in which they were asked for.
     pub fn at(&self, input: impl Fn(Input) -> T) -> Vec<T> {
         let mut values = self.known.clone();
-        for &expr in &self.varying {
-            values.find(self.graph, expr, &input);
+        for &(expr, node) in &self.varying {
+            values.find(expr, node, &input);
         }
-        self.results
-            .iter()
-            .map(|&result| values.at(result))
-            .collect()
+        let results = self.results.iter();
+        results.map(|&result| values.at(result)).collect()
     }
 }
 
@@ -107,8 +100,8 @@ impl<T: Arithmetic> Values<T> {
         value.expect("children come before parents")
     }
 
-    fn find(&mut self, graph: &Graph, expr: Expr, input: impl Fn(Input) -> T) {
-        let value = match graph.node(expr) {
+    fn find(&mut self, expr: Expr, node: Node, input: impl Fn(Input) -> T) {
+        let value = match node {
             Node::Literal(bits) => T::literal(f64::from_bits(bits)),
             Node::Input(of) => input(of),
             Node::Neg(a) => -self.at(a),

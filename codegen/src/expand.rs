@@ -10,7 +10,7 @@ use crate::chain::{self, Chain};
 use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
-use crate::expression::{Double, Expr, Term};
+use crate::expression::{Double, Expr, Graph, Term};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::{Real, Request};
@@ -123,14 +123,26 @@ pub fn program_by(
     layout: Layout,
     way: Way,
 ) -> Program {
+    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+    schedule(&graph, &results)
+}
+
+/// What that program computes, with all its numbers as they came about.
+#[must_use]
+pub fn expressions_by(
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    layout: Layout,
+    way: Way,
+) -> (Graph, Vec<Expr>) {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
     let results: Vec<Expr> = (functions.iter())
         .flat_map(|&function| model::build(&graph, &bodies, function, frame, way))
         .map(Term::expr)
         .collect();
-    let (graph, results) = simplify(&graph, &results);
-    schedule(&graph, &results)
+    simplify(&graph, &results)
 }
 
 /// What becomes a Rust function: each item of the request for the tip, or for the robot as a

@@ -11,8 +11,9 @@ mod signs;
 
 pub use order::schedule;
 pub use price::Price;
-pub use run::{Arithmetic, run};
+pub use run::run;
 
+pub use crate::expression::Arithmetic;
 use crate::expression::Input;
 
 /// One generated function, ready to be printed, run or counted.

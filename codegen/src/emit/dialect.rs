@@ -10,6 +10,7 @@ use super::Listing;
 use super::item::Declaration;
 use super::literals::Numerals;
 use super::names::Names;
+use crate::formulation::Sines;
 use crate::request::Real;
 
 /// Where code without the runtime finds what `core` does not have.
@@ -46,6 +47,7 @@ pub(super) struct Dialect {
     /// The generic parameter that the number is, if it is one.
     pub generic: Option<Ident>,
     real: Real,
+    sines: Sines,
     /// Whether the type of every number stands beside it.
     bare: bool,
     /// The type of the struct's fields, where the user has not chosen it.
@@ -68,6 +70,7 @@ impl Dialect {
         let made = matches!(listing.item.declaration, Declaration::Made);
         Self {
             fields: made.then_some(listing.scalar),
+            sines: listing.sines,
             ..Self::runtime(listing.scalar, listing.runtime.clone(), &mut names)
         }
     }
@@ -86,6 +89,7 @@ impl Dialect {
             number,
             generic,
             real,
+            sines: Sines::default(),
             bare: false,
             fields: None,
         }
@@ -102,6 +106,7 @@ impl Dialect {
             number,
             generic: None,
             real,
+            sines: Sines::default(),
             bare: false,
             fields: None,
         }
@@ -114,6 +119,7 @@ impl Dialect {
             number: quote! { ::core::primitive::f64 },
             generic: None,
             real: Real::F64,
+            sines: self.sines,
             bare: true,
             fields: self.fields,
         }
@@ -193,6 +199,9 @@ impl Dialect {
     ) -> TokenStream {
         match &self.world {
             _ if angles.is_empty() => TokenStream::new(),
+            World::Runtime(runtime) if self.sines == Sines::Platform => quote! {
+                #(let (#sines, #cosines) = #runtime::Scalar::sin_cos(#angles);)*
+            },
             World::Runtime(runtime) if angles.len() <= ON_ONE_LINE => quote! {
                 let ([#(#sines),*], [#(#cosines),*]) =
                     #runtime::Scalar::sin_cos_all([#(#angles),*]);

@@ -204,12 +204,16 @@ fn origin(about: &About) -> String {
     line
 }
 
-/// What is modelled and what is doubted, a line each.
+/// What is modelled, how it is computed where that was asked for, and what is doubted, a line each.
 fn facts(about: &About) -> Vec<String> {
-    let lines = [("Modelled", &about.facts), ("Doubts", &about.warnings)];
-    let lines = lines.into_iter().filter(|(_, items)| !items.is_empty());
+    let lines = [
+        ("Modelled", &about.facts, "; "),
+        ("Formulation", &about.formulation, ", "),
+        ("Doubts", &about.warnings, "; "),
+    ];
+    let lines = lines.into_iter().filter(|(_, items, _)| !items.is_empty());
     lines
-        .map(|(title, items)| format!("{title}: {}.", items.join("; ")))
+        .map(|(title, items, between)| format!("{title}: {}.", items.join(between)))
         .collect()
 }
 

@@ -10,6 +10,7 @@ use super::{
 };
 use crate::description::Name;
 use crate::expression::Input;
+use crate::formulation::Sines;
 use crate::function::Function;
 use crate::request::{Parameter, Real, Request, Target};
 use crate::schedule::{Operand, Operation, Price, Program, Step};
@@ -94,6 +95,7 @@ pub(crate) fn listing(item: Item, scalar: Real) -> Listing {
                 "1 link merged".to_owned(),
                 "gravity only along −y".to_owned(),
             ],
+            formulation: Vec::new(),
             warnings: Vec::new(),
         },
         functions: vec![listed(&[Function::Gravity], gravity(literal(0.5)))],
@@ -104,6 +106,7 @@ pub(crate) fn listing(item: Item, scalar: Real) -> Listing {
             program: constant(&data),
         },
         scalar,
+        sines: Sines::default(),
         parameters: Vec::new(),
         runtime: None,
         watched: None,

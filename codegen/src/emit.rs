@@ -16,6 +16,7 @@ mod names;
 mod pretty;
 mod results;
 mod scope;
+mod sines;
 mod stub;
 #[cfg(all(test, feature = "pretty"))]
 pub(crate) mod tests;
@@ -144,8 +145,8 @@ pub fn methods(listing: &Listing) -> TokenStream {
     methods.collect()
 }
 
-/// The methods of a robot for a crate that has `core` and a way to compute sines: results are
-/// arrays, and there are no traits. [`Real::Generic`] is taken for `f64`.
+/// The methods of a robot for a crate that has nothing but `core`: results are arrays, and there are
+/// no traits. [`Real::Generic`] is taken for `f64`.
 #[must_use]
 pub fn standalone(listing: &Listing, library: &Library) -> TokenStream {
     let dialect = Dialect::of_core(listing, library);
@@ -164,6 +165,7 @@ fn parts(
     let mut traits = TokenStream::new();
     let mut names = Names::default();
     names.take("chain");
+    names.take(sines::NAME);
     for listed in &listing.functions {
         let name = names.fresh(&method::name(&listed.functions, listed.frame.as_deref()));
         methods.extend(method::method(listing, listed, &name, dialect));
@@ -174,6 +176,8 @@ fn parts(
     if runtime.is_some() {
         methods.extend(chain::chain(listing, dialect));
     }
+    methods.extend(dialect.own_sines(listing));
     let declaration = item::declaration(listing, dialect);
-    (declaration, item::block(&listing.item, &methods), traits)
+    let methods = item::block(&listing.item, &methods, dialect);
+    (declaration, methods, traits)
 }

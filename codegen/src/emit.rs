@@ -23,6 +23,7 @@ pub(crate) mod tests;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::accuracy::Accuracy;
 use crate::function::Function;
 use crate::request::{Parameter, Real};
 use crate::schedule::{Price, Program};
@@ -90,6 +91,8 @@ pub struct Listed {
     pub program: Program,
     /// What they cost.
     pub price: Price,
+    /// How far rounding can take their results.
+    pub accuracy: Accuracy,
 }
 
 impl Listed {

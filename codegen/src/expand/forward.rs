@@ -5,8 +5,9 @@
 //! in extended precision: what a pivot lost of its diagonal entry is what rounding takes from the
 //! result.
 
+use crate::chain::Chain;
 use crate::chain::frames::{Layout, arrange};
-use crate::chain::{Chain, Motion};
+use crate::chain::range::Range;
 use crate::error::Errors;
 use crate::expression::{Double, Expr, Graph, Input, Term};
 use crate::model::{self, Forward};
@@ -21,10 +22,7 @@ const POSTURES: u32 = 16;
 /// # Errors
 /// Where the mass matrix is singular in every posture, or loses so much that refining diverges.
 pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Errors> {
-    let roundoff = match scalar {
-        Real::F32 => f64::from(f32::EPSILON) / 2.0,
-        Real::F64 | Real::Generic => f64::EPSILON / 2.0,
-    };
+    let roundoff = scalar.roundoff();
     let (loss, joint) = loss(chain);
     let name = &chain.joints[joint].name;
     let refuse = |message: String, hint: &str| {
@@ -65,12 +63,15 @@ pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Errors> {
 fn loss(chain: &Chain) -> (f64, usize) {
     let graph = chain.graph.clone();
     let program = pivots(&graph, chain);
+    let range = Range::of(chain);
     let mut worst = (1.0_f64, 0);
     let count = chain.joints.len();
     // A joint that is singular in one posture may only be passing through it.
     let mut least = vec![f64::INFINITY; count];
     for posture in 0..POSTURES {
-        let values = run::<Double>(&program, |input| Double::from(value(chain, input, posture)));
+        let values = run::<Double>(&program, |input| {
+            Double::from(value(chain, &range, input, posture))
+        });
         for (joint, pair) in values.chunks(2).enumerate() {
             let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());
             let ratio = if pivot > 0.0 {
@@ -106,19 +107,10 @@ fn pivots(graph: &Graph, chain: &Chain) -> Program {
 
 /// A coordinate of a posture, from a sequence that fills the range evenly (multiples of the golden
 /// ratio's powers); or what is described where a struct field stands.
-fn value(chain: &Chain, input: Input, posture: u32) -> f64 {
+fn value(chain: &Chain, range: &Range, input: Input, posture: u32) -> f64 {
     match input {
         Input::Q(k) => {
-            let joint = &chain.joints[usize::from(k)];
-            let (lower, upper) = match (joint.limits, joint.motion) {
-                (Some(limits), _)
-                    if limits.upper > limits.lower && (limits.upper - limits.lower).is_finite() =>
-                {
-                    (limits.lower, limits.upper)
-                }
-                (_, Motion::Prismatic) => (-1.0, 1.0),
-                _ => (-std::f64::consts::PI, std::f64::consts::PI),
-            };
+            let [lower, upper] = range.q[usize::from(k)];
             let step = 0.618_033_988_749_895 * f64::from(k + 1).sqrt();
             lower + (upper - lower) * (0.5 + f64::from(posture) * step).fract()
         }

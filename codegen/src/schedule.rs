@@ -10,7 +10,7 @@ mod price;
 mod run;
 mod signs;
 
-pub use order::schedule;
+pub use order::{schedule, schedule_unfused};
 pub use price::Price;
 pub use run::run;
 

@@ -5,8 +5,9 @@ use super::*;
 use crate::chain::Motion;
 use crate::chain::frames::{Layout, Sliding, arrange};
 use crate::expression::{Double, Expr, Input, evaluate};
+use crate::formulation::Forward;
 use crate::function::Function;
-use crate::model::{self, Forward, Way};
+use crate::model::{self, Way};
 
 /// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
 const TOLERANCE: f64 = 1e-28;

@@ -24,6 +24,7 @@ pub(crate) mod tests;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::accuracy::Accuracy;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::request::{Parameter, Real};
@@ -96,6 +97,8 @@ pub struct Listed {
     pub program: Program,
     /// What they cost.
     pub price: Price,
+    /// How far rounding can take their results.
+    pub accuracy: Accuracy,
 }
 
 impl Listed {

@@ -5,6 +5,7 @@
 
 mod forward;
 
+use crate::accuracy;
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
@@ -223,6 +224,7 @@ fn list(
         add += more_add;
     }
     let price = Price::of(&program).beside_dense(mul, add);
+    let accuracy = accuracy::of(chain, &functions, &program, request.scalar);
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
     let further = of_a_frame && (frame > 0 || !chain.has_tip);
     let frame = further.then(|| chain.frames[frame].name.clone());
@@ -231,6 +233,7 @@ fn list(
         frame,
         program,
         price,
+        accuracy,
     })
 }
 

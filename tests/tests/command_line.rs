@@ -222,10 +222,15 @@ fn count_gives_every_price_by_name() {
             .map(String::as_str)
             .collect();
         let wanted = [
-            "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals", "naive",
+            "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals",
+            "naive", "error",
         ];
         assert_eq!(keys, wanted);
     }
+    let errors = |name: &str| &functions[name]["error"];
+    let error = errors("gravity")["f64"]["N m"].as_f64();
+    assert!(error.is_some_and(|error| (1e-17..1e-13).contains(&error)));
+    assert!(errors("forward_dynamics")["unknown"].is_string());
     let dynamics = &functions["inverse_dynamics"];
     let number = |value: &Value| value.as_u64().expect("a number");
     assert!(number(&dynamics["mul"]) * 10 < number(&dynamics["naive"]["mul"]));

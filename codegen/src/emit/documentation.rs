@@ -1,8 +1,8 @@
 //! What stands above the generated code.
 //!
-//! In: [`About`] a robot and the price of a function. Out: doc comments that tell what is computed,
-//! in which frame and unit, from which source, what is modelled, and what it costs; and the same
-//! for the head of a file. It never says anything that the listing does not hold.
+//! In: [`About`] a robot, the price of a function and its error. Out: doc comments that tell what is
+//! computed, in which frame and unit, from which source, what is modelled, what it costs and how
+//! exact it is; and the same for the head of a file. It never says anything that the listing does not hold.
 
 use std::fmt::Write;
 
@@ -46,6 +46,7 @@ pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -
     lines.extend(facts(about));
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
+    lines.push(format!("Error: {}.", listed.accuracy));
     comment(&lines)
 }
 
@@ -104,6 +105,7 @@ pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> St
     for listed in &listing.functions {
         let name = method::name(&listed.functions, listed.frame.as_deref());
         lines.push(format!("{}: {}.", sanitize(&name), listed.price));
+        lines.push(format!("    error: {}.", listed.accuracy));
     }
     lines.iter().fold(String::new(), |mut text, line| {
         // Writing to a string cannot fail.

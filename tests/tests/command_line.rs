@@ -644,6 +644,31 @@ fn no_form_saves_a_singular_chain() {
 }
 
 #[test]
+fn generate_writes_a_header_for_c() {
+    let robot = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/two_link.urdf");
+    let path = std::env::temp_dir().join(format!("homogen-{}.h", std::process::id()));
+    let answer = homogen(
+        &format!(
+            "generate {robot} --functions forward_kinematics,mass_matrix+bias --tip fore \
+             --extern-c arm_ --c-header {}",
+            path.display()
+        ),
+        "",
+    );
+    let header = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    for declaration in [
+        "void arm_forward_kinematics(const double q[2], double forward_kinematics[3][4]);",
+        "void arm_mass_matrix_and_bias(const double q[2], const double qd[2], \
+         double mass_matrix[2][2], double bias[2]);",
+    ] {
+        assert!(header.contains(declaration), "{header}");
+    }
+    assert_eq!(answer.output.matches("pub extern \"C\" fn arm_").count(), 2);
+    assert!(refused("generate - --extern-c 2nd", ARM).contains("no name in C"));
+}
+
+#[test]
 fn gravity_may_be_anything() {
     let states = r#"{"states":[{"q":[0,0,0]}]}"#;
     let at = |gravity: &str| {

@@ -10,8 +10,8 @@ use homogen::open_chain::motions;
 use homogen::robot::ForwardDynamics;
 use homogen::vector::{norm, sub};
 use homogen::{Chain, Momentum, Robot};
-use homogen_tests::flushed::Flushed;
 use homogen_tests::states::Random;
+use homogen_tests::tested::Flushed;
 
 use crate::measure::Number;
 

@@ -8,9 +8,9 @@ use std::array::from_fn;
 
 use homogen::Real;
 use homogen_tests::big::Big;
-use homogen_tests::flushed::Flushed;
 use homogen_tests::rounding::{DOUBLE, SINGLE};
 use homogen_tests::states::Random;
+use homogen_tests::tested::Flushed;
 
 /// A type under test.
 pub trait Number: Real {
@@ -139,7 +139,7 @@ macro_rules! in_every_type {
         fn $case() {
             $generic::<f64>();
             $generic::<f32>();
-            $generic::<homogen_tests::flushed::Flushed>();
+            $generic::<homogen_tests::tested::Flushed>();
         }
     )+};
 }

@@ -1,7 +1,7 @@
 //! The door for build scripts.
 //!
 //! In: calls, in the vocabulary of the derive's attributes. Out: a readable file in `OUT_DIR` that
-//! needs `core` and a way to compute sines, and nothing else. It never reads or writes anything
+//! needs `core` and nothing else. It never reads or writes anything
 //! before [`Builder::write`], [`Builder::to_tokens`] or [`Builder::to_source`].
 
 #[cfg(feature = "pretty")]
@@ -17,9 +17,10 @@ use quote::ToTokens;
 use syn::parse::Parse;
 
 use crate::description::{Description, Name, Number};
-use crate::emit::{Item, Listing};
+use crate::emit::{Item, Library, Listing};
 use crate::error::{Errors, Place};
 use crate::expand;
+use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::request::{Parameter, Real, Request, Target};
 
@@ -45,8 +46,7 @@ pub struct Builder {
     origin: Origin,
     name: Option<Ident>,
     request: Request,
-    sin_cos: Option<TokenStream>,
-    sqrt: Option<TokenStream>,
+    library: Library,
     /// Options that are not what they should be; told with all other mistakes.
     mistakes: Errors,
     expand: Expand,
@@ -83,8 +83,7 @@ impl Builder {
             origin,
             name: None,
             request: Request::default(),
-            sin_cos: None,
-            sqrt: None,
+            library: Library::default(),
             mistakes: Errors::new(),
             expand: expand::expand,
         }
@@ -156,7 +155,7 @@ impl Builder {
         self
     }
 
-    /// Refuses inertias that no body can have, instead of warning.
+    /// Refuses what is doubtful, such as inertias that no body can have, instead of warning.
     pub fn strict(mut self) -> Self {
         self.request.strict = true;
         self
@@ -181,6 +180,25 @@ impl Builder {
         self
     }
 
+    /// How the functions are computed; what is not chosen is left to the engine.
+    ///
+    /// ```no_run
+    /// # fn main() -> Result<(), homogen_codegen::error::Errors> {
+    /// use homogen_codegen::formulation::{Formulation, Parameters};
+    /// use homogen_codegen::{Builder, Function::InverseDynamics};
+    ///
+    /// Builder::from_urdf("arm.urdf")
+    ///     .formulation(Formulation { parameters: Parameters::Raw, ..Formulation::default() })
+    ///     .generate([InverseDynamics])
+    ///     .write("arm.rs")?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn formulation(mut self, formulation: Formulation) -> Self {
+        self.request.formulation = formulation;
+        self
+    }
+
     /// A public field of the struct that takes the place of a number of the description.
     pub fn parameter(mut self, field: &str, target: Target) -> Self {
         if let Some(field) = self.parsed(field) {
@@ -189,17 +207,21 @@ impl Builder {
         self
     }
 
-    /// The path of a function from an angle to its sine and cosine; `::libm::sincos` or
-    /// `::libm::sincosf` where none is given.
+    /// The path of a function from an angle \[rad\] to its sine and cosine.
+    ///
+    /// Where none is given the file brings its own: straight code in the type of its numbers, whose
+    /// doc comment tells error and range (3200 rad in `f32`, 2e5 rad in `f64`). `"::libm::sincosf"`
+    /// and `"::libm::sincos"` are ready for any angle (the first computes in double precision), and
+    /// `"crate::sines::table"` may be whatever suits the processor.
     pub fn sin_cos(mut self, path: &str) -> Self {
-        self.sin_cos = self.path(path);
+        self.library.sin_cos = self.path(path);
         self
     }
 
     /// The path of a function from a number to its square root; `::libm::sqrt` or `::libm::sqrtf`
-    /// where none is given.
+    /// where none is given. No function of a robot takes a root as yet.
     pub fn sqrt(mut self, path: &str) -> Self {
-        self.sqrt = self.path(path);
+        self.library.sqrt = self.path(path);
         self
     }
 

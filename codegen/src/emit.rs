@@ -16,6 +16,7 @@ mod names;
 mod pretty;
 mod results;
 mod scope;
+mod sines;
 mod stub;
 #[cfg(all(test, feature = "pretty"))]
 pub(crate) mod tests;
@@ -23,6 +24,7 @@ pub(crate) mod tests;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::formulation::Sines;
 use crate::function::Function;
 use crate::request::{Parameter, Real};
 use crate::schedule::{Price, Program};
@@ -50,6 +52,8 @@ pub struct Listing {
     pub data: ChainData,
     /// The type of number.
     pub scalar: Real,
+    /// Where sines and cosines come from.
+    pub sines: Sines,
     /// The struct's fields that programs read, in the order in which
     /// [`Input::Parameter`](crate::expression::Input) counts them.
     pub parameters: Vec<Parameter>,
@@ -75,6 +79,8 @@ pub struct About {
     pub joints: Vec<String>,
     /// What is modelled and what is not: `2 links merged`, `gravity only along −z`.
     pub facts: Vec<String>,
+    /// The words of the formulation that was asked for, where it is not the default.
+    pub formulation: Vec<String>,
     /// Doubts about the description, each a sentence with its place.
     pub warnings: Vec<String>,
 }
@@ -139,8 +145,8 @@ pub fn methods(listing: &Listing) -> TokenStream {
     methods.collect()
 }
 
-/// The methods of a robot for a crate that has `core` and a way to compute sines: results are
-/// arrays, and there are no traits. [`Real::Generic`] is taken for `f64`.
+/// The methods of a robot for a crate that has nothing but `core`: results are arrays, and there are
+/// no traits. [`Real::Generic`] is taken for `f64`.
 #[must_use]
 pub fn standalone(listing: &Listing, library: &Library) -> TokenStream {
     let dialect = Dialect::of_core(listing, library);
@@ -159,6 +165,7 @@ fn parts(
     let mut traits = TokenStream::new();
     let mut names = Names::default();
     names.take("chain");
+    names.take(sines::NAME);
     for listed in &listing.functions {
         let name = names.fresh(&method::name(&listed.functions, listed.frame.as_deref()));
         methods.extend(method::method(listing, listed, &name, dialect));
@@ -169,6 +176,8 @@ fn parts(
     if runtime.is_some() {
         methods.extend(chain::chain(listing, dialect));
     }
+    methods.extend(dialect.own_sines(listing));
     let declaration = item::declaration(listing, dialect);
-    (declaration, item::block(&listing.item, &methods), traits)
+    let methods = item::block(&listing.item, &methods, dialect);
+    (declaration, methods, traits)
 }

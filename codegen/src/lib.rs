@@ -17,6 +17,7 @@ pub mod emit;
 pub mod error;
 pub mod expand;
 pub mod expression;
+pub mod formulation;
 pub mod function;
 pub mod matrix;
 pub mod model;
@@ -26,5 +27,6 @@ pub mod simplify;
 mod wording;
 
 pub use builder::Builder;
+pub use formulation::Formulation;
 pub use function::Function;
 pub use request::{Real, Target};

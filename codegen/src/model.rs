@@ -16,6 +16,7 @@ mod newton_euler;
 mod pose;
 mod twist;
 
+pub use crate::formulation::Forward;
 pub use dense::dense;
 
 use crate::chain::frames::Bodies;
@@ -41,18 +42,6 @@ pub enum Carried {
     },
     /// From the base to the frame, as the Jacobians are, with which it then shares the work.
     Outwards,
-}
-
-/// How accelerations are found from forces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Forward {
-    /// By the mass matrix and its factors.
-    MassMatrix {
-        /// How often the result is refined, with the inverse dynamics as the residual.
-        refinements: usize,
-    },
-    /// By the articulated-body recursion.
-    Articulated,
 }
 
 impl Way {

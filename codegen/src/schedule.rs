@@ -9,10 +9,11 @@ mod price;
 mod run;
 mod signs;
 
-pub use order::schedule;
+pub use order::{schedule, schedule_unfused};
 pub use price::Price;
-pub use run::{Arithmetic, run};
+pub use run::run;
 
+pub use crate::expression::Arithmetic;
 use crate::expression::Input;
 
 /// One generated function, ready to be printed, run or counted.

@@ -46,7 +46,8 @@ impl Builder {
     }
 
     pub(crate) fn source(&self, listing: &Listing) -> emit::Source {
-        let header = emit::header(listing, &self.options());
+        let library = self.request.runtime.is_none().then_some(&self.library);
+        let header = emit::header(listing, &self.options(), library);
         emit::Source::new(header, &self.print(listing))
     }
 

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 
 use super::{Builder, Origin};
 use crate::description::{self, Description};
-use crate::emit::{self, Item, Library, Listing};
+use crate::emit::{self, Item, Listing};
 use crate::error::Errors;
 use crate::request::Real;
 
@@ -23,14 +23,7 @@ impl Builder {
         if self.request.runtime.is_some() {
             return emit::emit(listing);
         }
-        let mut library = Library::libm(listing.scalar);
-        if let Some(sin_cos) = &self.sin_cos {
-            library.sin_cos.clone_from(sin_cos);
-        }
-        if let Some(sqrt) = &self.sqrt {
-            library.sqrt.clone_from(sqrt);
-        }
-        emit::standalone(listing, &library)
+        emit::standalone(listing, &self.library)
     }
 
     pub(crate) fn listing(&self) -> Result<Listing, Errors> {

@@ -12,9 +12,8 @@ use serde_json::{Map, Value, json};
 use super::functions::Functions;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
-use crate::chain;
 use crate::emit::Listed;
-use crate::expand::expand;
+use crate::expand::{expand, understand};
 use crate::schedule::Price;
 
 /// Count the operations, depth and literals of each function
@@ -36,7 +35,7 @@ impl Count {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
         let request = self.functions.request(&self.robot);
-        let chain = chain::build(&description, &request)?;
+        let chain = understand(&description, &request)?;
         let listing = expand(&description, &request, options::item(&description))?;
         let robot = &description.name.text;
         Ok(match self.format {

@@ -1,4 +1,4 @@
-//! `homogen generate`: a file of Rust that needs `core` and a way to compute sines.
+//! `homogen generate`: a file of Rust that needs `core` and nothing else.
 //!
 //! In: a description and names of functions. Out: what the builder of a build script writes, with
 //! the same tokens. It never writes a file before everything is known to be right.
@@ -12,7 +12,7 @@ use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
 use super::{Answer, Said, options};
 use crate::builder::Builder;
-use crate::chain;
+use crate::expand;
 
 /// Write the functions of a robot as a file of Rust that needs core and nothing else
 #[derive(Args, Clone, Debug)]
@@ -27,7 +27,8 @@ pub(super) struct Generate {
     /// The type of number
     #[arg(long, value_enum, default_value = "f64")]
     scalar: Scalar,
-    /// The path of a function from an angle to its sine and cosine [default: that of libm]
+    /// The path of a function from an angle to its sine and cosine, such as ::libm::sincosf
+    /// [default: the file brings its own]
     #[arg(long, value_name = "PATH")]
     sin_cos: Option<String>,
     /// The path of a function from a number to its square root [default: that of libm]
@@ -46,7 +47,7 @@ impl Generate {
         let description = self.robot.description(input)?;
         let mut request = self.functions.request(&self.robot);
         request.scalar = self.scalar.into();
-        let chain = chain::build(&description, &request)?;
+        let chain = expand::understand(&description, &request)?;
         let mut remarks = options::warnings(&description, &chain.report.warnings);
         let mut builder = Builder::from_description(description).request(request);
         if let Some(name) = &self.name {

@@ -9,11 +9,11 @@ use std::fmt::Write;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::dialect::{Dialect, World};
+use super::dialect::{Dialect, Library, World};
 use super::names::sanitize;
-use super::{About, Listed, Listing, method};
+use super::{About, Listed, Listing, method, sines};
 use crate::function::{Argument, Function, Shape};
-use crate::request::Target;
+use crate::request::{Real, Target};
 
 /// The doc comment of a generated method.
 pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -> TokenStream {
@@ -33,13 +33,14 @@ pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -
     }
     lines.push(String::new());
     lines.extend(arguments(&listed.functions));
-    if let World::Core(_) = dialect.world {
+    if let World::Core(library) = &dialect.world {
         lines.extend(
             listed
                 .functions
                 .iter()
                 .filter_map(|function| layout(*function)),
         );
+        lines.push(range(library, listed, dialect.real));
     }
     lines.push(origin(about));
     lines.extend(facts(about));
@@ -85,9 +86,10 @@ pub(super) fn of_field(target: &Target) -> TokenStream {
     comment(&[line])
 }
 
-/// The head of a generated file, as line comments: origin, options, prices.
+/// The head of a generated file, as line comments: origin, options, what it needs, prices. Where
+/// there is no `library`, it needs the runtime.
 #[must_use]
-pub fn header(listing: &Listing, options: &str) -> String {
+pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> String {
     let about = &listing.about;
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = vec![
@@ -97,6 +99,7 @@ pub fn header(listing: &Listing, options: &str) -> String {
     if !options.is_empty() {
         lines.push(format!("Options: {options}."));
     }
+    lines.push(needs(listing, library));
     lines.extend(facts(about));
     for listed in &listing.functions {
         let name = method::name(&listed.functions, listed.frame.as_deref());
@@ -107,6 +110,28 @@ pub fn header(listing: &Listing, options: &str) -> String {
         let _ = writeln!(text, "// {}", plain(line));
         text
     })
+}
+
+/// The oldest compiler that takes a file for `core` alone, and the crates' own.
+const COMPILERS: [&str; 2] = ["1.63", env!("CARGO_PKG_RUST_VERSION")];
+
+/// What a file needs to be compiled.
+fn needs(listing: &Listing, library: Option<&Library>) -> String {
+    let [oldest, own] = COMPILERS;
+    let Some(library) = library else {
+        let runtime = listing
+            .runtime
+            .as_ref()
+            .map_or("::homogen".to_owned(), spelled);
+        return format!("Needs: Rust {own} or later, {}.", code(&runtime));
+    };
+    let mut needs = format!("Needs: Rust {oldest} or later, `core`");
+    if let Some(path) = &library.sin_cos {
+        needs.push_str(", ");
+        needs.push_str(&code(&spelled(path)));
+    }
+    needs.push('.');
+    needs
 }
 
 /// What a function computes, with the letters of the paper.
@@ -173,6 +198,19 @@ fn layout(function: Function) -> Option<String> {
     Some(text.to_owned())
 }
 
+/// For which arguments a result is precise, and what it is for others.
+fn range(library: &Library, listed: &Listed, real: Real) -> String {
+    let rest = "NaN, infinite and huge arguments give what IEEE arithmetic makes of them";
+    match &library.sin_cos {
+        _ if listed.program.angles.is_empty() => format!("{rest}."),
+        None => format!("Precise for angles up to {}; {rest}.", sines::range(real)),
+        Some(path) => {
+            let path = code(&spelled(path));
+            format!("Precise for angles that {path} is precise for; {rest}.")
+        }
+    }
+}
+
 fn arguments(functions: &[Function]) -> Option<String> {
     let all = functions.iter().flat_map(|function| function.arguments());
     let last = all.max()?;
@@ -204,18 +242,27 @@ fn origin(about: &About) -> String {
     line
 }
 
-/// What is modelled and what is doubted, a line each.
+/// What is modelled, how it is computed where that was asked for, and what is doubted, a line each.
 fn facts(about: &About) -> Vec<String> {
-    let lines = [("Modelled", &about.facts), ("Doubts", &about.warnings)];
-    let lines = lines.into_iter().filter(|(_, items)| !items.is_empty());
+    let lines = [
+        ("Modelled", &about.facts, "; "),
+        ("Formulation", &about.formulation, ", "),
+        ("Doubts", &about.warnings, "; "),
+    ];
+    let lines = lines.into_iter().filter(|(_, items, _)| !items.is_empty());
     lines
-        .map(|(title, items)| format!("{title}: {}.", items.join("; ")))
+        .map(|(title, items, between)| format!("{title}: {}.", items.join(between)))
         .collect()
 }
 
 /// A name of the user's, so that neither Markdown nor a lint takes it for prose.
 fn code(name: &str) -> String {
     format!("`{}`", plain(name).replace('`', "'"))
+}
+
+/// A path as people write it.
+fn spelled(path: &TokenStream) -> String {
+    path.to_string().replace(' ', "")
 }
 
 /// A text in one line.

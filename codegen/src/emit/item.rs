@@ -100,9 +100,16 @@ fn made(listing: &Listing, dialect: &Dialect) -> TokenStream {
 }
 
 /// The block of inherent methods.
-pub(super) fn block(item: &Item, methods: &TokenStream) -> TokenStream {
+pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> TokenStream {
     let ident = &item.ident;
     let (generics, arguments, bounds) = item.generics.split_for_impl();
+    // Compilers before 1.81 know no reasons, and code for `core` alone is for those as well.
+    let reason = match dialect.world {
+        World::Runtime(_) => {
+            quote! { reason = "generated code has one form for every robot" }
+        }
+        World::Core(_) => TokenStream::new(),
+    };
     quote! {
         #[allow(
             clippy::similar_names,
@@ -110,7 +117,7 @@ pub(super) fn block(item: &Item, methods: &TokenStream) -> TokenStream {
             clippy::trivially_copy_pass_by_ref,
             clippy::unreadable_literal,
             clippy::unused_self,
-            reason = "generated code has one form for every robot"
+            #reason
         )]
         impl #generics #ident #arguments #bounds { #methods }
     }

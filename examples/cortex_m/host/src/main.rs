@@ -2,8 +2,8 @@
 //!
 //! `host expected` writes the results that the firmware compares its own with.
 //! `host judge FOLDER…` reads what was seen of each board's firmware, and prints a table or what is
-//! wrong; `host sines FOLDER…` the same of the firmware that compares sines. It never builds or runs
-//! anything itself.
+//! wrong, `host budget FOLDER…` the budget lowered to that; `host sines FOLDER…` prints the table of
+//! the firmware that compares sines. It never builds or runs anything itself.
 
 mod arm;
 mod budget;
@@ -23,9 +23,10 @@ fn main() -> ExitCode {
     let answer = match &*arguments {
         ["expected"] => Ok(expected::text()),
         ["judge", arm, budget, boards @ ..] => judge::judge(arm, budget, boards),
+        ["budget", arm, budget, boards @ ..] => judge::lowered(arm, budget, boards),
         ["sines", boards @ ..] => sines::table(boards),
         _ => Err(
-            "usage: host expected | host judge ARM BUDGET FOLDER... | host sines FOLDER..."
+            "usage: host expected | host (judge | budget) ARM BUDGET FOLDER... | host sines FOLDER..."
                 .to_owned(),
         ),
     };

@@ -11,7 +11,7 @@ use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::formulation::{Formulation, Forward, Frame, Parameters, Products};
+use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::{Real, Request};
@@ -142,12 +142,23 @@ pub fn program_as(
             .unwrap_or_default(),
         Frame::Base => vec![Way::IN_FRAME_0],
     };
+    let angles: &[Angles] = match formulation.angles {
+        Angles::Apart => &[Angles::Apart],
+        Angles::Merged => &[Angles::Merged, Angles::Apart],
+    };
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
         let regroup = layout.regroup && !physical;
         let layout = Layout { regroup, ..layout };
-        for &way in &ways {
-            let way = Way { forward, ..way };
+        for (&way, &angles) in ways
+            .iter()
+            .flat_map(|way| angles.iter().map(move |by| (way, by)))
+        {
+            let way = Way {
+                angles,
+                forward,
+                ..way
+            };
             let (graph, results) = expressions(chain, functions, frame, layout, way);
             let program = schedule(&graph, &results);
             let weight = Price::of(&program).weight();

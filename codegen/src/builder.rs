@@ -1,7 +1,7 @@
 //! The door for build scripts.
 //!
 //! In: calls, in the vocabulary of the derive's attributes. Out: a readable file in `OUT_DIR` that
-//! needs `core` and a way to compute sines, and nothing else. It never reads or writes anything
+//! needs `core` and nothing else. It never reads or writes anything
 //! before [`Builder::write`], [`Builder::to_tokens`] or [`Builder::to_source`].
 
 #[cfg(feature = "pretty")]
@@ -17,7 +17,7 @@ use quote::ToTokens;
 use syn::parse::Parse;
 
 use crate::description::{Description, Name, Number};
-use crate::emit::{Item, Listing};
+use crate::emit::{Item, Library, Listing};
 use crate::error::{Errors, Place};
 use crate::expand;
 use crate::formulation::Formulation;
@@ -46,8 +46,7 @@ pub struct Builder {
     origin: Origin,
     name: Option<Ident>,
     request: Request,
-    sin_cos: Option<TokenStream>,
-    sqrt: Option<TokenStream>,
+    library: Library,
     /// Options that are not what they should be; told with all other mistakes.
     mistakes: Errors,
     expand: Expand,
@@ -84,8 +83,7 @@ impl Builder {
             origin,
             name: None,
             request: Request::default(),
-            sin_cos: None,
-            sqrt: None,
+            library: Library::default(),
             mistakes: Errors::new(),
             expand: expand::expand,
         }
@@ -209,17 +207,36 @@ impl Builder {
         self
     }
 
-    /// The path of a function from an angle to its sine and cosine; `::libm::sincos` or
-    /// `::libm::sincosf` where none is given.
+    /// The path of a function from an angle \[rad\] to its sine and cosine.
+    ///
+    /// Where none is given the file brings its own: straight code in the type of its numbers, whose
+    /// doc comment tells error and range (3200 rad in `f32`, 2e5 rad in `f64`). `"::libm::sincosf"`
+    /// and `"::libm::sincos"` are ready for any angle (the first computes in double precision), and
+    /// `"crate::sines::table"` may be whatever suits the processor.
     pub fn sin_cos(mut self, path: &str) -> Self {
-        self.sin_cos = self.path(path);
+        self.library.sin_cos = self.path(path);
         self
     }
 
     /// The path of a function from a number to its square root; `::libm::sqrt` or `::libm::sqrtf`
-    /// where none is given.
+    /// where none is given. No function of a robot takes a root as yet.
     pub fn sqrt(mut self, path: &str) -> Self {
-        self.sqrt = self.path(path);
+        self.library.sqrt = self.path(path);
+        self
+    }
+
+    /// Functions for C beside the methods, whose names are this and the method's: `arm_gravity`.
+    ///
+    /// [`Builder::write_c_header`] writes the header that declares them. They are `#[no_mangle]`,
+    /// which compilers from Rust 1.82 on take and `forbid(unsafe_code)` does not: nothing else in the
+    /// program may have their names.
+    pub fn extern_c(mut self, prefix: &str) -> Self {
+        let letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        if prefix.starts_with(|c: char| c.is_ascii_digit()) || !prefix.chars().all(letter) {
+            let message = format!("no name in C begins with `{prefix}`");
+            self.mistakes.push(Place::Unknown, message);
+        }
+        self.library.c_prefix = Some(prefix.to_owned());
         self
     }
 

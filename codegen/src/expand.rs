@@ -5,6 +5,7 @@
 
 mod forward;
 
+use crate::accuracy;
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
@@ -134,32 +135,14 @@ pub fn program_as(
         Products::Fused => schedule,
         Products::Unfused => schedule_unfused,
     };
-    let ways = match formulation.frame {
-        Frame::Link => functions
-            .iter()
-            .map(|&function| Way::all(function))
-            .max_by_key(Vec::len)
-            .unwrap_or_default(),
-        Frame::Base => vec![Way::IN_FRAME_0],
-    };
-    let angles: &[Angles] = match formulation.angles {
-        Angles::Apart => &[Angles::Apart],
-        Angles::Merged => &[Angles::Merged, Angles::Apart],
-    };
+    let ways = ways(formulation, functions);
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
         let regroup = layout.regroup && !physical;
         let layout = Layout { regroup, ..layout };
-        for (&way, &angles) in ways
-            .iter()
-            .flat_map(|way| angles.iter().map(move |by| (way, by)))
-        {
-            let way = Way {
-                angles,
-                forward,
-                ..way
-            };
-            let (graph, results) = expressions(chain, functions, frame, layout, way);
+        for &way in &ways {
+            let way = Way { forward, ..way };
+            let (graph, results) = expressions_by(chain, functions, frame, layout, way);
             let program = schedule(&graph, &results);
             let weight = Price::of(&program).weight();
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
@@ -168,6 +151,28 @@ pub fn program_as(
         }
     }
     Ok(best.expect("there is at least one layout and one way").1)
+}
+
+/// The ways between which the count decides.
+fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
+    let apart = match formulation.frame {
+        Frame::Link => functions
+            .iter()
+            .map(|&function| Way::all(function))
+            .max_by_key(Vec::len)
+            .unwrap_or_default(),
+        Frame::Base => vec![Way::IN_FRAME_0],
+    };
+    match formulation.angles {
+        Angles::Apart => apart,
+        Angles::Merged => {
+            let merged = apart.iter().map(|&way| Way {
+                angles: Angles::Merged,
+                ..way
+            });
+            merged.chain(apart.iter().copied()).collect()
+        }
+    }
 }
 
 /// The program that a layout and a way give.
@@ -179,12 +184,13 @@ pub fn program_by(
     layout: Layout,
     way: Way,
 ) -> Program {
-    let (graph, results) = expressions(chain, functions, frame, layout, way);
+    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
     schedule(&graph, &results)
 }
 
-/// The results that a layout and a way give, simplified.
-fn expressions(
+/// What that program computes, with all its numbers as they came about.
+#[must_use]
+pub fn expressions_by(
     chain: &Chain,
     functions: &[Function],
     frame: usize,
@@ -233,6 +239,7 @@ fn list(
         add += more_add;
     }
     let price = Price::of(&program).beside_dense(mul, add);
+    let accuracy = accuracy::of(chain, &functions, &program, request.scalar);
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
     let further = of_a_frame && (frame > 0 || !chain.has_tip);
     let frame = further.then(|| chain.frames[frame].name.clone());
@@ -241,6 +248,7 @@ fn list(
         frame,
         program,
         price,
+        accuracy,
     })
 }
 

@@ -46,8 +46,7 @@ fn generate(arm: &Arm) -> Result<(), Box<dyn Error>> {
             MassMatrix,
             ForwardDynamics,
         ])
-        .scalar(Real::F32)
-        .sin_cos("crate::sines::sin_cos");
+        .scalar(Real::F32);
     // Has told cargo what is wrong where something is.
     Ok(arm.write("arm.rs")?)
 }

@@ -16,7 +16,6 @@ fn main() -> ExitCode {
         .scalar(Real::F32)
         .parameter("payload", Target::MassOf("link8".into()))
         .generate([InverseDynamics, GeometricJacobian])
-        .sin_cos("f32::sin_cos") // on a microcontroller: leave this out and depend on libm
         .write("arm.rs");
     // The mistakes themselves have been told to cargo.
     written.map_or(ExitCode::FAILURE, |()| ExitCode::SUCCESS)

@@ -24,6 +24,8 @@ macro_rules! robot {
             gravity,
             bias,
             mass_matrix,
+            forward_dynamics,
+            mass_matrix_inverse,
             all_of(forward_kinematics, geometric_jacobian),
             all_of(mass_matrix, bias),
         ))]

@@ -224,10 +224,15 @@ fn count_gives_every_price_by_name() {
             .map(String::as_str)
             .collect();
         let wanted = [
-            "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals", "naive",
+            "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals",
+            "naive", "error",
         ];
         assert_eq!(keys, wanted);
     }
+    let errors = |name: &str| &functions[name]["error"];
+    let error = errors("gravity")["f64"]["N m"].as_f64();
+    assert!(error.is_some_and(|error| (1e-17..1e-13).contains(&error)));
+    assert!(errors("forward_dynamics")["unknown"].is_string());
     let dynamics = &functions["inverse_dynamics"];
     let number = |value: &Value| value.as_u64().expect("a number");
     assert!(number(&dynamics["mul"]) * 10 < number(&dynamics["naive"]["mul"]));
@@ -639,6 +644,31 @@ fn no_form_saves_a_singular_chain() {
             "{remarks}"
         );
     }
+}
+
+#[test]
+fn generate_writes_a_header_for_c() {
+    let robot = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/two_link.urdf");
+    let path = std::env::temp_dir().join(format!("homogen-{}.h", std::process::id()));
+    let answer = homogen(
+        &format!(
+            "generate {robot} --functions forward_kinematics,mass_matrix+bias --tip fore \
+             --extern-c arm_ --c-header {}",
+            path.display()
+        ),
+        "",
+    );
+    let header = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    for declaration in [
+        "void arm_forward_kinematics(const double q[2], double forward_kinematics[3][4]);",
+        "void arm_mass_matrix_and_bias(const double q[2], const double qd[2], \
+         double mass_matrix[2][2], double bias[2]);",
+    ] {
+        assert!(header.contains(declaration), "{header}");
+    }
+    assert_eq!(answer.output.matches("pub extern \"C\" fn arm_").count(), 2);
+    assert!(refused("generate - --extern-c 2nd", ARM).contains("no name in C"));
 }
 
 #[test]

@@ -6,8 +6,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 
 use super::{Builder, Origin};
 use crate::description::{self, Description};
-use crate::emit::{self, Item, Library, Listing};
-use crate::error::Errors;
+use crate::emit::{self, Item, Listing};
+use crate::error::{Errors, Place};
 use crate::request::Real;
 
 impl Builder {
@@ -23,14 +23,7 @@ impl Builder {
         if self.request.runtime.is_some() {
             return emit::emit(listing);
         }
-        let mut library = Library::libm(listing.scalar);
-        if let Some(sin_cos) = &self.sin_cos {
-            library.sin_cos.clone_from(sin_cos);
-        }
-        if let Some(sqrt) = &self.sqrt {
-            library.sqrt.clone_from(sqrt);
-        }
-        emit::standalone(listing, &library)
+        emit::standalone(listing, &self.library)
     }
 
     pub(crate) fn listing(&self) -> Result<Listing, Errors> {
@@ -44,6 +37,12 @@ impl Builder {
         let mut request = self.request.clone();
         if request.runtime.is_none() && request.scalar == Real::Generic {
             request.scalar = Real::F64;
+        }
+        if request.runtime.is_some() && self.library.c_prefix.is_some() {
+            let message =
+                "functions for C are of files that need `core` alone, without the runtime";
+            errors.push(Place::Unknown, message);
+            return Err(errors);
         }
         (self.expand)(&description, &request, item)
     }

@@ -6,32 +6,23 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::Listing;
 use super::item::Declaration;
 use super::literals::Numerals;
 use super::names::Names;
+use super::{Listing, sines};
 use crate::formulation::Sines;
 use crate::request::Real;
 
-/// Where code without the runtime finds what `core` does not have.
-#[derive(Clone, Debug)]
+/// What code without the runtime finds and leaves around it.
+#[derive(Clone, Debug, Default)]
 pub struct Library {
-    /// A function from an angle to its sine and cosine, as a pair.
-    pub sin_cos: TokenStream,
-    /// A function from a number to its square root.
-    pub sqrt: TokenStream,
-}
-
-impl Library {
-    /// The functions of the crate `libm`.
-    #[must_use]
-    pub fn libm(scalar: Real) -> Self {
-        let (sin_cos, sqrt) = match scalar {
-            Real::F32 => (quote! { ::libm::sincosf }, quote! { ::libm::sqrtf }),
-            Real::F64 | Real::Generic => (quote! { ::libm::sincos }, quote! { ::libm::sqrt }),
-        };
-        Self { sin_cos, sqrt }
-    }
+    /// A function from an angle to its sine and cosine, as a pair; where none is named, the struct
+    /// gets one of its own.
+    pub sin_cos: Option<TokenStream>,
+    /// A function from a number to its square root; that of the crate `libm` where none is named.
+    pub sqrt: Option<TokenStream>,
+    /// How the names of functions for C begin; there are none where this is not given.
+    pub c_prefix: Option<String>,
 }
 
 /// How many sines and cosines a reader can pair on one line.
@@ -46,7 +37,9 @@ pub(super) struct Dialect {
     pub number: TokenStream,
     /// The generic parameter that the number is, if it is one.
     pub generic: Option<Ident>,
-    real: Real,
+    /// The type of number, by name.
+    pub real: Real,
+    /// Where its sines come from.
     sines: Sines,
     /// Whether the type of every number stands beside it.
     bare: bool,
@@ -110,6 +103,11 @@ impl Dialect {
             bare: false,
             fields: None,
         }
+    }
+
+    /// Whether C shall understand the struct.
+    pub fn is_for_c(&self) -> bool {
+        matches!(&self.world, World::Core(library) if library.c_prefix.is_some())
     }
 
     /// The same world with plain `f64`s: the robot as data is not generic.
@@ -185,7 +183,11 @@ impl Dialect {
     pub fn sqrt(&self, a: &TokenStream) -> TokenStream {
         match &self.world {
             World::Runtime(runtime) => quote! { #runtime::Scalar::sqrt(#a) },
-            World::Core(Library { sqrt, .. }) => quote! { #sqrt(#a) },
+            World::Core(Library {
+                sqrt: Some(sqrt), ..
+            }) => quote! { #sqrt(#a) },
+            World::Core(_) if self.real == Real::F32 => quote! { ::libm::sqrtf(#a) },
+            World::Core(_) => quote! { ::libm::sqrt(#a) },
         }
     }
 
@@ -215,9 +217,24 @@ impl Dialect {
                     let [#(#cosines),*] = #c;
                 }
             }
-            World::Core(Library { sin_cos, .. }) => quote! {
-                #(let (#sines, #cosines) = #sin_cos(#angles);)*
-            },
+            World::Core(library) => {
+                let own = || {
+                    let name = Ident::new(sines::NAME, Span::call_site());
+                    quote! { Self::#name }
+                };
+                let sin_cos = library.sin_cos.clone().unwrap_or_else(own);
+                quote! { #(let (#sines, #cosines) = #sin_cos(#angles);)* }
+            }
+        }
+    }
+
+    /// The sines and cosines that the struct has of its own, for programs that have angles.
+    pub fn own_sines(&self, listing: &Listing) -> TokenStream {
+        let mut functions = listing.functions.iter();
+        let angles = functions.any(|listed| !listed.program.angles.is_empty());
+        match &self.world {
+            World::Core(Library { sin_cos: None, .. }) if angles => sines::function(self.real),
+            World::Core(_) | World::Runtime(_) => TokenStream::new(),
         }
     }
 }

@@ -1,29 +1,34 @@
 //! What stands above the generated code.
 //!
-//! In: [`About`] a robot and the price of a function. Out: doc comments that tell what is computed,
-//! in which frame and unit, from which source, what is modelled, and what it costs; and the same
-//! for the head of a file. It never says anything that the listing does not hold.
+//! In: [`About`] a robot, the price of a function and its error. Out: doc comments that tell what is
+//! computed, in which frame and unit, from which source, what is modelled, what it costs and how
+//! exact it is; and the same for the head of a file. It never says anything that the listing does not hold.
 
 use std::fmt::Write;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::dialect::{Dialect, World};
+use super::dialect::{Dialect, Library, World};
 use super::names::sanitize;
-use super::{About, Listed, Listing, method};
+use super::{About, Listed, Listing, method, sines};
 use crate::function::{Argument, Function, Shape};
-use crate::request::Target;
+use crate::request::{Real, Target};
 
 /// The doc comment of a generated method.
 pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -> TokenStream {
+    comment(&lines(listing, listed, dialect))
+}
+
+/// What is said of a generated method, a line each.
+pub(super) fn lines(listing: &Listing, listed: &Listed, dialect: &Dialect) -> Vec<String> {
     let about = &listing.about;
     let frame = listed.frame.as_deref().unwrap_or(&about.tip);
     let mut lines = Vec::new();
     match &*listed.functions {
         [function] => lines.push(sentence(*function, &code(frame), about)),
         several => {
-            lines.push("Several functions that share their work, as a tuple:".to_owned());
+            lines.push("Several functions that share their work, in this order:".to_owned());
             lines.push(String::new());
             let sentences = several.iter().zip(1..);
             lines.extend(sentences.map(|(function, number)| {
@@ -33,19 +38,21 @@ pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -
     }
     lines.push(String::new());
     lines.extend(arguments(&listed.functions));
-    if let World::Core(_) = dialect.world {
+    if let World::Core(library) = &dialect.world {
         lines.extend(
             listed
                 .functions
                 .iter()
                 .filter_map(|function| layout(*function)),
         );
+        lines.push(range(library, listed, dialect.real));
     }
     lines.push(origin(about));
     lines.extend(facts(about));
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
-    comment(&lines)
+    lines.push(format!("Error: {}.", listed.accuracy));
+    lines
 }
 
 /// The doc comment of the robot as data.
@@ -68,7 +75,12 @@ pub(super) fn of_robot(about: &About) -> TokenStream {
 
 /// The doc comment of a field.
 pub(super) fn of_field(target: &Target) -> TokenStream {
-    let line = match target {
+    comment(&[field(target)])
+}
+
+/// What is said of a field.
+pub(super) fn field(target: &Target) -> String {
+    match target {
         Target::MassOf(link) => format!("Mass of {} in kg.", code(&link.text)),
         Target::CenterOfMassOf(link) => {
             format!(
@@ -81,13 +93,29 @@ pub(super) fn of_field(target: &Target) -> TokenStream {
             "Translation from the parent's frame to that of {}, in m.",
             code(&joint.text)
         ),
-    };
-    comment(&[line])
+    }
 }
 
-/// The head of a generated file, as line comments: origin, options, prices.
+/// The head of a generated file, as line comments: origin, options, what it needs, prices. Where
+/// there is no `library`, it needs the runtime.
 #[must_use]
-pub fn header(listing: &Listing, options: &str) -> String {
+pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> String {
+    let mut lines = head(listing, options);
+    lines.push(needs(listing, library));
+    for listed in &listing.functions {
+        let name = method::name(&listed.functions, listed.frame.as_deref());
+        lines.push(format!("{}: {}.", sanitize(&name), listed.price));
+        lines.push(format!("    error: {}.", listed.accuracy));
+    }
+    lines.iter().fold(String::new(), |mut text, line| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "// {}", plain(line));
+        text
+    })
+}
+
+/// What is said of a robot at the head of a file, a line each.
+pub(super) fn head(listing: &Listing, options: &str) -> Vec<String> {
     let about = &listing.about;
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = vec![
@@ -98,15 +126,30 @@ pub fn header(listing: &Listing, options: &str) -> String {
         lines.push(format!("Options: {options}."));
     }
     lines.extend(facts(about));
-    for listed in &listing.functions {
-        let name = method::name(&listed.functions, listed.frame.as_deref());
-        lines.push(format!("{}: {}.", sanitize(&name), listed.price));
+    lines
+}
+
+/// The oldest compilers that take a file for `core` alone, without functions for C and with them.
+const COMPILERS: [&str; 2] = ["1.63", "1.82"];
+
+/// What a file needs to be compiled.
+fn needs(listing: &Listing, library: Option<&Library>) -> String {
+    let Some(library) = library else {
+        let runtime = listing
+            .runtime
+            .as_ref()
+            .map_or("::homogen".to_owned(), spelled);
+        let own = env!("CARGO_PKG_RUST_VERSION");
+        return format!("Needs: Rust {own} or later, {}.", code(&runtime));
+    };
+    let oldest = COMPILERS[usize::from(library.c_prefix.is_some())];
+    let mut needs = format!("Needs: Rust {oldest} or later, `core`");
+    if let Some(path) = &library.sin_cos {
+        needs.push_str(", ");
+        needs.push_str(&code(&spelled(path)));
     }
-    lines.iter().fold(String::new(), |mut text, line| {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "// {}", plain(line));
-        text
-    })
+    needs.push('.');
+    needs
 }
 
 /// What a function computes, with the letters of the paper.
@@ -173,6 +216,19 @@ fn layout(function: Function) -> Option<String> {
     Some(text.to_owned())
 }
 
+/// For which arguments a result is precise, and what it is for others.
+fn range(library: &Library, listed: &Listed, real: Real) -> String {
+    let rest = "NaN, infinite and huge arguments give what IEEE arithmetic makes of them";
+    match &library.sin_cos {
+        _ if listed.program.angles.is_empty() => format!("{rest}."),
+        None => format!("Precise for angles up to {}; {rest}.", sines::range(real)),
+        Some(path) => {
+            let path = code(&spelled(path));
+            format!("Precise for angles that {path} is precise for; {rest}.")
+        }
+    }
+}
+
 fn arguments(functions: &[Function]) -> Option<String> {
     let all = functions.iter().flat_map(|function| function.arguments());
     let last = all.max()?;
@@ -222,8 +278,13 @@ fn code(name: &str) -> String {
     format!("`{}`", plain(name).replace('`', "'"))
 }
 
+/// A path as people write it.
+fn spelled(path: &TokenStream) -> String {
+    path.to_string().replace(' ', "")
+}
+
 /// A text in one line.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     text.replace(char::is_control, " ")
 }
 

@@ -84,25 +84,37 @@ fn made(listing: &Listing, dialect: &Dialect) -> TokenStream {
     let fields = listing.parameters.iter().map(|parameter| {
         let field = &parameter.field;
         let about = documentation::of_field(&parameter.target);
-        let kind = match parameter.target {
-            Target::MassOf(_) => number.clone(),
-            Target::CenterOfMassOf(_) | Target::Gravity | Target::OriginOf(_) => {
-                quote! { [#number; 3] }
-            }
+        let kind = if is_array(&parameter.target) {
+            quote! { [#number; 3] }
+        } else {
+            number.clone()
         };
         quote! { #about pub #field: #kind, }
     });
+    let layout = dialect.is_for_c().then(|| quote! { #[repr(C)] });
     if listing.parameters.is_empty() {
         quote! { #about #derive #visibility struct #ident; }
     } else {
-        quote! { #about #derive #visibility struct #ident { #(#fields)* } }
+        quote! { #about #derive #layout #visibility struct #ident { #(#fields)* } }
     }
 }
 
+/// Whether a field holds three numbers rather than one.
+pub(super) const fn is_array(target: &Target) -> bool {
+    !matches!(target, Target::MassOf(_))
+}
+
 /// The block of inherent methods.
-pub(super) fn block(item: &Item, methods: &TokenStream) -> TokenStream {
+pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> TokenStream {
     let ident = &item.ident;
     let (generics, arguments, bounds) = item.generics.split_for_impl();
+    // Compilers before 1.81 know no reasons, and code for `core` alone is for those as well.
+    let reason = match dialect.world {
+        World::Runtime(_) => {
+            quote! { reason = "generated code has one form for every robot" }
+        }
+        World::Core(_) => TokenStream::new(),
+    };
     quote! {
         #[allow(
             clippy::similar_names,
@@ -110,7 +122,7 @@ pub(super) fn block(item: &Item, methods: &TokenStream) -> TokenStream {
             clippy::trivially_copy_pass_by_ref,
             clippy::unreadable_literal,
             clippy::unused_self,
-            reason = "generated code has one form for every robot"
+            #reason
         )]
         impl #generics #ident #arguments #bounds { #methods }
     }

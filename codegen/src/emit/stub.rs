@@ -85,7 +85,7 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
         Declaration::Written(tokens) => tokens.clone(),
         Declaration::Exists | Declaration::Made => TokenStream::new(),
     };
-    let block = item::block(item, &methods);
+    let block = item::block(item, &methods, &dialect);
     quote! { #declaration #block #traits }
 }
 

@@ -55,7 +55,7 @@ pub fn examine<R: Numbers, const WORDS: usize>(
 }
 
 /// Whether `function` takes the same time for every state.
-pub fn time<R>(
+fn time<R>(
     name: &str,
     clock: &Clock,
     states: &[State; STATES],

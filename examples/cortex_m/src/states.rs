@@ -16,9 +16,8 @@ pub type Joints = [f32; JOINTS];
 /// How many states there are.
 pub const STATES: usize = 11;
 
-/// How many of them, from the first on, are worth measuring errors of: in those with angles of many
-/// turns an offset of a joint that is added to its angle takes digits from it.
-pub const TRUSTED: usize = 6;
+/// How many of them, from the first on, are worth measuring errors of.
+pub const TRUSTED: usize = 7;
 
 /// A state of the arm and what is wanted of it.
 #[derive(Clone, Copy, Debug)]

@@ -4,37 +4,13 @@
 use super::*;
 use crate::chain::Motion;
 use crate::chain::frames::{Layout, Sliding, arrange};
-use crate::expression::{Double, Expr, Graph, Input, Node};
+use crate::expression::{Double, Expr, Input, evaluate};
 use crate::formulation::{Angles, Forward};
 use crate::function::Function;
 use crate::model::{self, Way};
 
 /// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
 const TOLERANCE: f64 = 1e-28;
-
-/// The values of expressions, with constants as they are in the graph and not as they are printed.
-fn evaluate(graph: &Graph, results: &[Expr], input: impl Fn(Input) -> Double) -> Vec<Double> {
-    let mut values = vec![Double::ZERO; graph.len()];
-    for expr in graph.needed(results).0 {
-        let at = |expr: Expr| values[expr.index()];
-        values[expr.index()] = graph.value(expr).unwrap_or_else(|| match graph.node(expr) {
-            Node::Input(of) => input(of),
-            Node::Neg(a) => -at(a),
-            Node::Add(a, b) => at(a) + at(b),
-            Node::Sub(a, b) => at(a) - at(b),
-            Node::Mul(a, b) => at(a) * at(b),
-            Node::Div(a, b) => at(a) / at(b),
-            Node::Sqrt(a) => at(a).sqrt(),
-            Node::Sin(a) => at(a).sin_cos().0,
-            Node::Cos(a) => at(a).sin_cos().1,
-            Node::Literal(_) => unreachable!("numbers have values"),
-        });
-    }
-    results
-        .iter()
-        .map(|result| values[result.index()])
-        .collect()
-}
 
 /// An arbitrary state: no two entries alike, none of them special.
 fn state(input: Input) -> Double {

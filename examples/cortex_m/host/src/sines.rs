@@ -7,20 +7,39 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use controller::sines;
 use homogen::trigonometry::single;
 
 /// A function from an angle to its sine and cosine.
 type SinCos = fn(f32) -> (f32, f32);
 
-/// The functions: what the log calls them, what the table does, and the function.
-const SINES: [(&str, &str, SinCos); 3] = [
+/// The functions: what the log calls them, what the table does, up to which angle their errors are
+/// sought \[rad\], and the function.
+const SINES: [(&str, &str, f32, SinCos); 4] = [
     (
-        "moderate",
-        "`homogen`, up to 3200 rad",
+        "own",
+        "those of the file, up to 3200 rad",
+        single::LIMIT,
         single::sin_cos_moderate,
     ),
-    ("any", "`homogen`, any angle", single::sin_cos),
-    ("libm", "`libm::sincosf`", libm::sincosf),
+    (
+        "any",
+        "`homogen::trigonometry`, any angle",
+        single::LIMIT,
+        single::sin_cos,
+    ),
+    (
+        "libm",
+        "`libm::sincosf`, any angle",
+        single::LIMIT,
+        libm::sincosf,
+    ),
+    (
+        "user",
+        "`crate::sines::quick`, up to 7 rad",
+        sines::QUICK,
+        sines::quick,
+    ),
 ];
 
 /// The table's rows, from what was seen of each board.
@@ -38,7 +57,7 @@ pub fn table(folders: &[&str]) -> Result<String, String> {
         boards.push((read("log")?, read("symbols")?));
     }
     let mut table = String::new();
-    for (name, title, function) in SINES {
+    for (name, title, limit, function) in SINES {
         let counts = boards.iter().map(|(log, _)| counts(log, name));
         let counts: Vec<_> = counts.collect();
         let bytes = boards
@@ -48,10 +67,10 @@ pub fn table(folders: &[&str]) -> Result<String, String> {
         // Writing to a string cannot fail.
         let _ = writeln!(
             table,
-            "| {title} | {} | {} | {:.2} |",
+            "| {title} | {} | {} | {} |",
             counts.join(" / "),
             bytes.join(" / "),
-            worst(function),
+            worst(limit, function),
         );
     }
     Ok(table)
@@ -74,7 +93,7 @@ fn counts(log: &str, name: &str) -> String {
 /// The bytes of the function and of all that exists for it.
 fn bytes(symbols: &str, name: &str) -> u32 {
     let own = |symbol: &str| match name {
-        "moderate" => symbol == "controller::sines::sin_cos",
+        "own" | "user" => symbol.strip_prefix("sines::") == Some(name),
         "any" => symbol == "sines::any" || symbol.ends_with("single::sin_cos_wide"),
         _ => {
             let starts = [
@@ -98,14 +117,18 @@ fn bytes(symbols: &str, name: &str) -> u32 {
     sizes.sum()
 }
 
-/// The worst error over angles up to 3200 rad, in units of rounding (2⁻²⁴) of each value.
-fn worst(function: SinCos) -> f64 {
+/// The worst errors over angles up to `limit`, in units of rounding (2⁻²⁴): of each value, and of 1.
+fn worst(limit: f32, function: SinCos) -> String {
     let angles = (0..2_000_000_u32).map(|i| f32::from_bits(0x3000_0000 + 119 * i));
-    let errors = angles.filter(|angle| *angle <= single::LIMIT).map(|angle| {
+    let (mut relative, mut absolute) = (0.0_f64, 0.0_f64);
+    for angle in angles.filter(|angle| *angle <= limit) {
         let (sine, cosine) = function(angle);
         let (true_sine, true_cosine) = f64::from(angle).sin_cos();
-        let error = |found: f32, truth: f64| ((f64::from(found) - truth) / truth).abs();
-        error(sine, true_sine).max(error(cosine, true_cosine))
-    });
-    errors.fold(0.0, f64::max) * 16_777_216.0
+        for (found, truth) in [(sine, true_sine), (cosine, true_cosine)] {
+            let error = (f64::from(found) - truth).abs() * 16_777_216.0;
+            relative = relative.max(error / truth.abs());
+            absolute = absolute.max(error);
+        }
+    }
+    format!("{relative:.2} | {absolute:.2}")
 }

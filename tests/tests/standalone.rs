@@ -1,0 +1,229 @@
+//! The file for `core` alone against the derive, both in single precision: the same bits, whatever
+//! the arguments.
+//!
+//! Where the processor fuses a product with a sum the derive rounds once what the file rounds
+//! twice, so that there is nothing to compare.
+#![cfg(not(any(target_feature = "fma", target_arch = "aarch64")))]
+
+use homogen::Chain;
+use homogen::robot::{ForwardDynamics, MassMatrixInverse};
+use homogen::trigonometry::single;
+use homogen_tests::for_every_robot;
+use homogen_tests::functions::{EveryFunction, evaluate};
+use homogen_tests::robots::{
+    PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
+    Ur5Class,
+};
+use homogen_tests::states::{Random, State};
+
+/// Random states of each robot.
+const STATES: usize = 200;
+
+/// What no sensor should say: each takes the place of some entries of a random state.
+const NASTY: [f32; 14] = [
+    f32::NAN,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::MAX,
+    -1e30,
+    1e10,
+    -3.0e6,
+    3201.0,
+    -3200.0,
+    1e-30,
+    f32::MIN_POSITIVE,
+    1e-40,
+    -0.0,
+    0.0,
+];
+
+/// A state and the torques of forward dynamics.
+struct Arguments<const N: usize> {
+    state: State<f32, N>,
+    tau: [f32; N],
+}
+
+impl<const N: usize> Arguments<N> {
+    fn random(random: &mut Random) -> Self {
+        let state = State::random(random).to();
+        let tau = State::random(random).to().q;
+        Self { state, tau }
+    }
+
+    /// The same with about a third of the numbers replaced by one or another of `NASTY`.
+    fn spoilt(mut self, random: &mut Random) -> Self {
+        let State { q, qd, qdd } = &mut self.state;
+        for number in [q, qd, qdd, &mut self.tau].into_iter().flatten() {
+            if random.chance(3) {
+                *number = *random.choose(&NASTY);
+            }
+        }
+        self
+    }
+
+    /// The same with every angle where the straight sines are those for any angle.
+    fn moderate(mut self) -> Self {
+        self.state.q = self.state.q.map(|angle| {
+            let huge = angle.is_finite() && angle.abs() > single::LIMIT;
+            if huge { single::LIMIT } else { angle }
+        });
+        self
+    }
+}
+
+/// Every function of a derived robot, in the order of [`standalone`].
+fn derived<R, const N: usize>(robot: &R, arguments: &Arguments<N>) -> Vec<f32>
+where
+    R: EveryFunction<N, f32> + ForwardDynamics<N, f32> + MassMatrixInverse<N, f32>,
+{
+    let Arguments { state, tau } = arguments;
+    let blocks = evaluate(robot, state).into_iter();
+    let mut numbers: Vec<_> = blocks.flat_map(|block| block.entries).collect();
+    numbers.extend(robot.forward_dynamics(&state.q, &state.qd, tau));
+    numbers.extend(robot.mass_matrix_inverse(&state.q).as_flattened());
+    numbers
+}
+
+/// The squares of the rows of an upper 3×4 block, and the column.
+fn square_and_column(rows: [[f32; 4]; 3]) -> Vec<f32> {
+    let square = rows.iter().flat_map(|row| row[..3].to_vec());
+    square.chain(rows.iter().map(|row| row[3])).collect()
+}
+
+/// The first halves of all screws, and the second ones.
+fn halves(screws: &[[f32; 6]]) -> Vec<f32> {
+    let [first, second] = [0..3, 3..6].map(|half| {
+        let halves = screws.iter().map(|screw| screw[half.clone()].to_vec());
+        halves.collect::<Vec<_>>().concat()
+    });
+    [first, second].concat()
+}
+
+/// Every function of a robot written for `core` alone.
+macro_rules! standalone {
+    ($robot:expr, $arguments:expr) => {{
+        let Arguments {
+            state: State { q, qd, qdd },
+            tau,
+        } = $arguments;
+        [
+            square_and_column($robot.forward_kinematics(q)),
+            halves(&$robot.spatial_jacobian(q)),
+            halves(&$robot.body_jacobian(q)),
+            halves(&$robot.geometric_jacobian(q)),
+            $robot.velocity(q, qd).to_vec(),
+            square_and_column($robot.acceleration(q, qd, qdd)),
+            $robot.inverse_dynamics(q, qd, qdd).to_vec(),
+            $robot.gravity(q).to_vec(),
+            $robot.bias(q, qd).to_vec(),
+            $robot.mass_matrix(q).as_flattened().to_vec(),
+            $robot.forward_dynamics(q, qd, tau).to_vec(),
+            $robot.mass_matrix_inverse(q).as_flattened().to_vec(),
+        ]
+        .concat()
+    }};
+}
+
+/// The bits, but for those of NaN, which the language leaves open.
+fn bits(numbers: &[f32]) -> Vec<u32> {
+    let one = |number: &f32| {
+        if number.is_nan() {
+            f32::NAN.to_bits()
+        } else {
+            number.to_bits()
+        }
+    };
+    numbers.iter().map(one).collect()
+}
+
+/// Compares a robot with its two files; the chain tells the number of joints.
+fn agree<R, const N: usize, const F: usize>(
+    robot: &R,
+    _: &Chain<N, F>,
+    own: impl Fn(&Arguments<N>) -> Vec<f32>,
+    named: impl Fn(&Arguments<N>) -> Vec<f32>,
+) where
+    R: EveryFunction<N, f32> + ForwardDynamics<N, f32> + MassMatrixInverse<N, f32>,
+{
+    let mut random = Random::new(5);
+    for _ in 0..STATES {
+        let arguments = Arguments::random(&mut random);
+        let expected = bits(&derived(robot, &arguments));
+        assert_eq!(bits(&own(&arguments)), expected);
+        let arguments = arguments.spoilt(&mut random);
+        let expected = bits(&derived(robot, &arguments));
+        assert_eq!(bits(&named(&arguments)), expected);
+        let arguments = arguments.moderate();
+        let expected = bits(&derived(robot, &arguments));
+        assert_eq!(bits(&own(&arguments)), expected);
+    }
+}
+
+macro_rules! standalone_files {
+    ($name:ident, $robot:ident) => {
+        mod $name {
+            pub mod own {
+                include!(concat!(env!("OUT_DIR"), "/", stringify!($name), "_own.rs"));
+            }
+            pub mod named {
+                include!(concat!(
+                    env!("OUT_DIR"),
+                    "/",
+                    stringify!($name),
+                    "_named.rs"
+                ));
+            }
+        }
+
+        #[test]
+        fn $name() {
+            agree(
+                &$robot,
+                &$robot::chain(),
+                |arguments| standalone!($name::own::Standalone, arguments),
+                |arguments| standalone!($name::named::Standalone, arguments),
+            );
+        }
+    };
+}
+for_every_robot!(standalone_files);
+
+/// The sines that a file brings along are the straight half of the runtime's.
+mod single_sines {
+    use super::{bits, single};
+
+    include!("../../codegen/src/emit/sines/single.rs");
+
+    #[test]
+    fn are_the_runtime_s() {
+        // Every 997th of all numbers, NaN and infinities among them.
+        for word in (0..=u32::MAX).step_by(997) {
+            let angle = f32::from_bits(word);
+            let (s, c) = single::sin_cos_moderate(angle);
+            let (sine, cosine) = sin_cos(angle);
+            assert_eq!(bits(&[sine, cosine]), bits(&[s, c]), "{angle:?}");
+        }
+    }
+}
+
+/// The same in double precision.
+mod double_sines {
+    use super::Random;
+    use homogen::trigonometry::double;
+
+    include!("../../codegen/src/emit/sines/double.rs");
+
+    #[test]
+    fn are_the_runtime_s() {
+        let one = |number: f64| (!number.is_nan()).then(|| number.to_bits());
+        let mut random = Random::new(6);
+        for _ in 0..1_000_000 {
+            // Any number, and one that is an angle.
+            for angle in [f64::from_bits(random.bits()), 1000.0 * random.unit()] {
+                let (s, c) = double::sin_cos_moderate(angle);
+                let (sine, cosine) = sin_cos(angle);
+                assert_eq!([sine, cosine].map(one), [s, c].map(one), "{angle:?}");
+            }
+        }
+    }
+}

@@ -12,7 +12,7 @@ use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::formulation::{Formulation, Forward, Parameters, Products};
+use crate::formulation::{Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::{Real, Request};
@@ -172,11 +172,14 @@ pub fn program_for(
         Products::Fused if processor.fuses(scalar) => schedule,
         Products::Fused | Products::Unfused => schedule_unfused,
     };
-    let ways = functions
-        .iter()
-        .map(|&function| Way::all(function))
-        .max_by_key(Vec::len)
-        .unwrap_or_default();
+    let ways = match formulation.frame {
+        Frame::Link => functions
+            .iter()
+            .map(|&function| Way::all(function))
+            .max_by_key(Vec::len)
+            .unwrap_or_default(),
+        Frame::Base => vec![Way::IN_FRAME_0],
+    };
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
         let regroup = layout.regroup && !physical;

@@ -7,7 +7,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use super::{Builder, Origin};
 use crate::description::{self, Description};
 use crate::emit::{self, Item, Listing};
-use crate::error::Errors;
+use crate::error::{Errors, Place};
 use crate::formulation::Products;
 use crate::request::Real;
 use crate::target::Processor;
@@ -43,6 +43,12 @@ impl Builder {
         // `core` has no fused product: a price that counted on it would be wrong.
         if request.runtime.is_none() && request.processor != Processor::Portable {
             request.formulation.products = Products::Unfused;
+        }
+        if request.runtime.is_some() && self.library.c_prefix.is_some() {
+            let message =
+                "functions for C are of files that need `core` alone, without the runtime";
+            errors.push(Place::Unknown, message);
+            return Err(errors);
         }
         (self.expand)(&description, &request, item)
     }

@@ -10,6 +10,7 @@ use super::{Builder, Origin};
 use crate::emit::{self, Listing};
 use crate::error::{Errors, Place};
 use crate::request::Real;
+use crate::target::Processor;
 
 impl Builder {
     /// The same as [`Builder::to_tokens`], formatted, under a head that tells origin, options and
@@ -105,6 +106,8 @@ impl Builder {
         }));
         options.extend(request.exact.then(|| "exact".to_owned()));
         options.extend(request.strict.then(|| "strict".to_owned()));
+        let chosen = request.processor != Processor::Portable;
+        options.extend(chosen.then(|| format!("target {}", request.processor.name())));
         options.join(", ")
     }
 }

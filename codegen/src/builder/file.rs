@@ -99,12 +99,26 @@ impl Builder {
                 .iter()
                 .map(|link| format!("drop {}", link.text)),
         );
+        options.extend(
+            request
+                .frames
+                .iter()
+                .map(|link| format!("frame {}", link.text)),
+        );
+        options.extend(
+            request
+                .parameters
+                .iter()
+                .map(|parameter| format!("field {}", parameter.field)),
+        );
         options.extend(request.gravity.map(|gravity| {
             let gravity = gravity.map(|number| number.value);
             format!("gravity {gravity:?}")
         }));
         options.extend(request.exact.then(|| "exact".to_owned()));
         options.extend(request.strict.then(|| "strict".to_owned()));
+        let prefix = self.library.c_prefix.as_ref();
+        options.extend(prefix.map(|prefix| format!("functions {prefix}… for C")));
         options.join(", ")
     }
 }

@@ -20,6 +20,7 @@ use crate::description::{Description, Name, Number};
 use crate::emit::{Item, Library, Listing};
 use crate::error::{Errors, Place};
 use crate::expand;
+use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::request::{Parameter, Real, Request, Target};
 
@@ -154,7 +155,7 @@ impl Builder {
         self
     }
 
-    /// Refuses inertias that no body can have, instead of warning.
+    /// Refuses what is doubtful, such as inertias that no body can have, instead of warning.
     pub fn strict(mut self) -> Self {
         self.request.strict = true;
         self
@@ -176,6 +177,25 @@ impl Builder {
     /// Functions that become one method: they share their work and are returned as a tuple.
     pub fn all_of(mut self, functions: impl IntoIterator<Item = Function>) -> Self {
         self.request.functions.push(functions.into_iter().collect());
+        self
+    }
+
+    /// How the functions are computed; what is not chosen is left to the engine.
+    ///
+    /// ```no_run
+    /// # fn main() -> Result<(), homogen_codegen::error::Errors> {
+    /// use homogen_codegen::formulation::{Formulation, Parameters};
+    /// use homogen_codegen::{Builder, Function::InverseDynamics};
+    ///
+    /// Builder::from_urdf("arm.urdf")
+    ///     .formulation(Formulation { parameters: Parameters::Raw, ..Formulation::default() })
+    ///     .generate([InverseDynamics])
+    ///     .write("arm.rs")?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn formulation(mut self, formulation: Formulation) -> Self {
+        self.request.formulation = formulation;
         self
     }
 

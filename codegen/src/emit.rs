@@ -25,6 +25,8 @@ pub(crate) mod tests;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::accuracy::Accuracy;
+use crate::formulation::Sines;
 use crate::function::Function;
 use crate::request::{Parameter, Real};
 use crate::schedule::{Price, Program};
@@ -53,6 +55,8 @@ pub struct Listing {
     pub data: ChainData,
     /// The type of number.
     pub scalar: Real,
+    /// Where sines and cosines come from.
+    pub sines: Sines,
     /// The struct's fields that programs read, in the order in which
     /// [`Input::Parameter`](crate::expression::Input) counts them.
     pub parameters: Vec<Parameter>,
@@ -78,6 +82,8 @@ pub struct About {
     pub joints: Vec<String>,
     /// What is modelled and what is not: `2 links merged`, `gravity only along −z`.
     pub facts: Vec<String>,
+    /// The words of the formulation that was asked for, where it is not the default.
+    pub formulation: Vec<String>,
     /// Doubts about the description, each a sentence with its place.
     pub warnings: Vec<String>,
 }
@@ -93,6 +99,8 @@ pub struct Listed {
     pub program: Program,
     /// What they cost.
     pub price: Price,
+    /// How far rounding can take their results.
+    pub accuracy: Accuracy,
 }
 
 impl Listed {

@@ -5,16 +5,18 @@
 
 mod forward;
 
+use crate::accuracy;
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
-use crate::expression::{Double, Expr, Term};
+use crate::expression::{Double, Expr, Graph, Term};
+use crate::formulation::{Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::{Real, Request};
-use crate::schedule::{Price, Program, schedule};
+use crate::schedule::{Price, Program, schedule, schedule_unfused};
 use crate::simplify::simplify;
 
 /// Expands a robot.
@@ -22,12 +24,12 @@ use crate::simplify::simplify;
 /// # Errors
 /// Every mistake of the description and of the request.
 pub fn expand(description: &Description, request: &Request, item: Item) -> Result<Listing, Errors> {
-    let chain = chain::build(description, request)?;
+    let chain = understand(description, request)?;
     check_size(&chain)?;
     let mut errors = Errors::new();
     let mut functions = Vec::new();
     for (wanted, frame) in wanted(&chain, request) {
-        match list(&chain, wanted, frame, request.scalar) {
+        match list(&chain, wanted, frame, request) {
             Ok(listed) => functions.push(listed),
             // Of all that a robot can have, what it cannot have is left out.
             Err(_) if request.functions.is_empty() => {}
@@ -36,14 +38,38 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
     }
     errors.into_result(Listing {
         item,
-        about: about(description, &chain),
+        about: about(description, &chain, request.formulation),
         functions,
         data: data(&chain),
         scalar: request.scalar,
+        sines: request.formulation.sines,
         parameters: request.parameters.clone(),
         runtime: request.runtime.clone(),
         watched: None,
     })
+}
+
+/// The chain of a description, with doubts about the formulation beside those about the robot.
+///
+/// # Errors
+/// Every mistake of the description and of the formulation; every doubt, where the request is
+/// strict.
+pub fn understand(description: &Description, request: &Request) -> Result<Chain, Errors> {
+    if let Err(refusal) = request.formulation.check() {
+        let mut errors = Errors::new();
+        errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
+        return Err(errors);
+    }
+    let mut chain = chain::build(description, request)?;
+    if let Some(doubt) = forward::doubt(&chain, request) {
+        if request.strict {
+            let mut errors = chain.source.errors();
+            errors.push(doubt.place, format!("{} (refused: strict)", doubt.message));
+            return Err(errors);
+        }
+        chain.report.warnings.push(doubt);
+    }
+    Ok(chain)
 }
 
 /// Refuses a chain that is too long for code without loops.
@@ -78,33 +104,53 @@ pub fn program(
     frame: usize,
     scalar: Real,
 ) -> Result<Program, Errors> {
-    let inverts = functions.iter().any(|function| {
-        matches!(
-            function,
-            Function::ForwardDynamics | Function::MassMatrixInverse
-        )
-    });
-    let forward = if inverts {
-        forward::choose(chain, scalar)?
-    } else {
-        Way::PLAIN.forward
-    };
+    program_as(Formulation::default(), chain, functions, frame, scalar)
+}
+
+/// The cheapest program found within a formulation.
+///
+/// # Errors
+/// As [`program`]; but a form of forward dynamics that is asked for is refused only where there is
+/// no forward dynamics at all.
+///
+/// # Panics
+/// As [`program`] does.
+pub fn program_as(
+    formulation: Formulation,
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    scalar: Real,
+) -> Result<Program, Errors> {
+    let forward = forward::form(chain, functions, scalar, formulation.forward)?;
     let dynamic = functions.iter().any(|function| !function.of_a_frame());
     let layouts = if dynamic {
         Layout::for_dynamics(chain)
     } else {
         Layout::for_kinematics(chain)
     };
-    let ways = functions
-        .iter()
-        .map(|&function| Way::all(function))
-        .max_by_key(Vec::len)
-        .unwrap_or_default();
+    // What a body opposes to an acceleration must be a body's.
+    let physical = forward == Forward::Articulated || formulation.parameters == Parameters::Raw;
+    let schedule = match formulation.products {
+        Products::Fused => schedule,
+        Products::Unfused => schedule_unfused,
+    };
+    let ways = match formulation.frame {
+        Frame::Link => functions
+            .iter()
+            .map(|&function| Way::all(function))
+            .max_by_key(Vec::len)
+            .unwrap_or_default(),
+        Frame::Base => vec![Way::IN_FRAME_0],
+    };
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
+        let regroup = layout.regroup && !physical;
+        let layout = Layout { regroup, ..layout };
         for &way in &ways {
             let way = Way { forward, ..way };
-            let program = program_by(chain, functions, frame, layout, way);
+            let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+            let program = schedule(&graph, &results);
             let weight = Price::of(&program).weight();
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
                 best = Some((weight, program));
@@ -123,14 +169,26 @@ pub fn program_by(
     layout: Layout,
     way: Way,
 ) -> Program {
+    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+    schedule(&graph, &results)
+}
+
+/// What that program computes, with all its numbers as they came about.
+#[must_use]
+pub fn expressions_by(
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    layout: Layout,
+    way: Way,
+) -> (Graph, Vec<Expr>) {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
     let results: Vec<Expr> = (functions.iter())
         .flat_map(|&function| model::build(&graph, &bodies, function, frame, way))
         .map(Term::expr)
         .collect();
-    let (graph, results) = simplify(&graph, &results);
-    schedule(&graph, &results)
+    simplify(&graph, &results)
 }
 
 /// What becomes a Rust function: each item of the request for the tip, or for the robot as a
@@ -149,9 +207,15 @@ fn list(
     chain: &Chain,
     functions: Vec<Function>,
     frame: usize,
-    scalar: Real,
+    request: &Request,
 ) -> Result<Listed, Errors> {
-    let program = program(chain, &functions, frame, scalar)?;
+    let program = program_as(
+        request.formulation,
+        chain,
+        &functions,
+        frame,
+        request.scalar,
+    )?;
     let (mut mul, mut add) = (0, 0);
     for &function in &functions {
         let (more_mul, more_add) =
@@ -160,6 +224,7 @@ fn list(
         add += more_add;
     }
     let price = Price::of(&program).beside_dense(mul, add);
+    let accuracy = accuracy::of(chain, &functions, &program, request.scalar);
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
     let further = of_a_frame && (frame > 0 || !chain.has_tip);
     let frame = further.then(|| chain.frames[frame].name.clone());
@@ -168,6 +233,7 @@ fn list(
         frame,
         program,
         price,
+        accuracy,
     })
 }
 
@@ -205,7 +271,7 @@ fn data(chain: &Chain) -> ChainData {
 }
 
 /// What the doc comments say of the robot.
-fn about(description: &Description, chain: &Chain) -> About {
+fn about(description: &Description, chain: &Chain, formulation: Formulation) -> About {
     let source = &description.source;
     let report = &chain.report;
     About {
@@ -221,7 +287,8 @@ fn about(description: &Description, chain: &Chain) -> About {
             .iter()
             .map(|joint| joint.name.clone())
             .collect(),
-        facts: facts(chain),
+        facts: facts(chain, formulation.parameters),
+        formulation: formulation.words(),
         warnings: warnings(description, chain),
     }
 }
@@ -239,7 +306,7 @@ fn warnings(description: &Description, chain: &Chain) -> Vec<String> {
         .collect()
 }
 
-fn facts(chain: &Chain) -> Vec<String> {
+fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
     let report = &chain.report;
     let mut facts = Vec::new();
     let mut count = |number: usize, one: &str, many: &str| match number {
@@ -256,7 +323,7 @@ fn facts(chain: &Chain) -> Vec<String> {
         "angles taken for right angles",
     );
     facts.push(gravity(chain));
-    let used = base_parameters(chain);
+    let used = inertial_parameters(chain, parameters);
     facts.push(format!(
         "{used} of {} inertial parameters used",
         10 * chain.joints.len()
@@ -293,11 +360,11 @@ fn gravity(chain: &Chain) -> String {
     }
 }
 
-/// How many inertial parameters are left after regrouping.
-fn base_parameters(chain: &Chain) -> usize {
+/// How many inertial parameters are not zero, or are left after regrouping.
+fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
     let graph = chain.graph.clone();
     let layout = Layout {
-        regroup: true,
+        regroup: parameters == Parameters::Regrouped,
         ..Layout::DESCRIBED
     };
     let bodies = arrange(&graph, chain, layout).bodies;

@@ -5,9 +5,11 @@
 //! knows what the numbers mean, and equal calls give equal graphs on every platform.
 
 mod double;
+mod evaluate;
 mod graph;
 mod term;
 
 pub use double::Double;
+pub use evaluate::{Arithmetic, Evaluation, evaluate};
 pub use graph::{Expr, Graph, Input, Node, opposite};
 pub use term::Term;

@@ -7,6 +7,7 @@
 //!                             of Expr
 //! ```
 
+pub mod accuracy;
 pub mod builder;
 pub mod chain;
 #[cfg(feature = "cli")]
@@ -17,6 +18,7 @@ pub mod emit;
 pub mod error;
 pub mod expand;
 pub mod expression;
+pub mod formulation;
 pub mod function;
 pub mod matrix;
 pub mod model;
@@ -26,5 +28,6 @@ pub mod simplify;
 mod wording;
 
 pub use builder::Builder;
+pub use formulation::Formulation;
 pub use function::Function;
 pub use request::{Real, Target};

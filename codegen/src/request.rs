@@ -7,6 +7,7 @@
 use proc_macro2::{Ident, TokenStream};
 
 use crate::description::{Name, Number};
+use crate::formulation::Formulation;
 use crate::function::Function;
 
 /// Everything that is asked for.
@@ -28,11 +29,13 @@ pub struct Request {
     pub gravity: Option<[Number; 3]>,
     /// Keep `1.5708` as written instead of taking it for π/2.
     pub exact: bool,
-    /// Refuse inertias that no body can have, instead of warning.
+    /// Refuse what is doubtful, such as inertias that no body can have, instead of warning.
     pub strict: bool,
     /// What to generate: each item becomes one Rust function, and an item of several functions
     /// (`all_of(…)`) one that shares their work and returns a tuple.
     pub functions: Vec<Vec<Function>>,
+    /// How they are computed.
+    pub formulation: Formulation,
     /// The type of number in the generated code.
     pub scalar: Real,
     /// Struct fields that stay free at run time.
@@ -51,6 +54,17 @@ pub enum Real {
     F32,
     /// Double precision.
     F64,
+}
+
+impl Real {
+    /// Half the distance from 1 to the next larger number; of `f64` where any type is meant.
+    #[must_use]
+    pub const fn roundoff(self) -> f64 {
+        match self {
+            Self::F32 => f32::EPSILON as f64 / 2.0,
+            Self::F64 | Self::Generic => f64::EPSILON / 2.0,
+        }
+    }
 }
 
 /// A struct field that takes the place of a number of the description at run time.

@@ -3,16 +3,18 @@
 //! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
 //! nothing else; emission, evaluation and counting all read it and never look at the graph again.
 
+pub mod bound;
 mod fuse;
 mod order;
 mod price;
 mod run;
 mod signs;
 
-pub use order::schedule;
+pub use order::{schedule, schedule_unfused};
 pub use price::Price;
-pub use run::{Arithmetic, run};
+pub use run::run;
 
+pub use crate::expression::Arithmetic;
 use crate::expression::Input;
 
 /// One generated function, ready to be printed, run or counted.

@@ -11,6 +11,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use dashu_float::FBig;
 use dashu_float::ops::Abs;
 use dashu_float::round::mode::HalfEven;
+use homogen_codegen::expression::Arithmetic;
 
 /// How many bits every number carries.
 pub const BITS: usize = 256;
@@ -153,6 +154,20 @@ operation!(Add, add);
 operation!(Sub, sub);
 operation!(Mul, mul);
 operation!(Div, div);
+
+impl Arithmetic for Big {
+    fn literal(value: f64) -> Self {
+        Self::new(value)
+    }
+
+    fn sqrt(self) -> Self {
+        Self::sqrt(&self)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        Self::sin_cos(&self)
+    }
+}
 
 #[cfg(test)]
 mod tests {

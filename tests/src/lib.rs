@@ -1,13 +1,19 @@
 //! What the tests share: the robots, random states and trees, a dual number, numbers of 256 bits, the
-//! measure of error.
+//! truth in them, the measures of error.
 //!
 //! In: robots/*.urdf, seeds. Out: structs with generated functions, and numbers that are the same
 //! on every machine. It never decides whether a test passes, except in [`rounding`].
 
+pub mod arguments;
 pub mod big;
 pub mod dual;
+mod flushed;
 pub mod functions;
+pub mod hexadecimal;
+pub mod metrics;
+pub mod oracle;
 pub mod robots;
 pub mod rounding;
 pub mod states;
+pub mod tested;
 pub mod trees;

@@ -10,6 +10,7 @@ use homogen_codegen::description::{Description, Name, read_file};
 use homogen_codegen::emit::{self, Source};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{expand, program};
+use homogen_codegen::formulation::{Formulation, Forward, Parameters, Products, Sines};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use homogen_codegen::{Builder, Function, Real, door};
@@ -205,31 +206,53 @@ fn methods(text: &str) -> String {
 
 #[test]
 fn every_door_leads_to_the_same_code() {
+    doors("", Formulation::default());
+}
+
+#[test]
+fn every_door_leads_to_the_same_formulation() {
+    let formulation = Formulation {
+        parameters: Parameters::Raw,
+        forward: Some(Forward::Articulated),
+        products: Products::Unfused,
+        sines: Sines::Platform,
+        ..Formulation::default()
+    };
+    let formulated = doors("raw, articulated, unfused, platform_sines", formulation);
+    assert!(!formulated.contains("mul_add") && !formulated.contains("sin_cos_all"));
+    assert!(formulated != doors("", Formulation::default()));
+}
+
+/// The code that every door but the command line leads to; the formulation as words and as data.
+fn doors(words: &str, formulation: Formulation) -> String {
     let functions = Function::ALL;
     let names = functions.map(|function| format_ident!("{}", function.name()));
     let in_place: proc_macro2::TokenStream = IN_PLACE.parse().expect("tokens");
+    let words: proc_macro2::TokenStream = words.parse().expect("tokens");
     let source = |tokens| Source::new("", &tokens).to_string();
 
     let derived = source(door::derive(quote! {
-        #[robot(urdf = "../robots/two_link.urdf", generate(#(#names),*))]
+        #[robot(urdf = "../robots/two_link.urdf", generate(#(#names),*), formulation(#words))]
         pub struct TwoLink;
     }));
     let written_in_place = source(door::chain(quote! {
-        pub struct TwoLink { generate(#(#names),*) }
+        pub struct TwoLink { generate(#(#names),*), formulation(#words) }
         #in_place
     }));
     let in_an_attribute = source(door::derive(quote! {
-        #[robot(generate(#(#names),*); #in_place)]
+        #[robot(generate(#(#names),*), formulation(#words); #in_place)]
         pub struct TwoLink;
     }));
     let builder = Builder::from_urdf(path("two_link")).generate(functions);
     let built = builder
+        .formulation(formulation)
         .runtime("::homogen")
         .to_source()
         .expect("no mistakes")
         .to_string();
     let request = Request {
         functions: functions.map(|function| vec![function]).to_vec(),
+        formulation,
         ..Request::default()
     };
     let item = emit::Item::made(format_ident!("TwoLink"));
@@ -255,6 +278,7 @@ fn every_door_leads_to_the_same_code() {
             "{door}:\n{methods}\nderive:\n{expected}"
         );
     }
+    expected
 }
 
 macro_rules! same_bytes {

@@ -5,6 +5,7 @@ use crate::description::Description;
 use crate::emit::tests::listing;
 use crate::emit::{Item, Listing};
 use crate::error::{Errors, Place};
+use crate::formulation::{Formulation, Products};
 use crate::function::Function;
 use crate::request::{Real, Request, Target};
 
@@ -71,6 +72,7 @@ fn every_option_reaches_the_stages() {
         assert!(request.exact && request.strict && request.path_only);
         assert_eq!(request.lock.len(), 2);
         assert_eq!(request.parameters.len(), 1);
+        assert_eq!(request.formulation.words(), ["unfused"]);
         let mut errors = Errors::new();
         errors.push(Place::Unknown, "as asked");
         Err(errors)
@@ -84,6 +86,10 @@ fn every_option_reaches_the_stages() {
         .strict()
         .lock("shoulder")
         .lock_at("elbow", 0.5)
+        .formulation(Formulation {
+            products: Products::Unfused,
+            ..Formulation::default()
+        })
         .parameter("field", Target::Gravity);
     let errors = builder.to_tokens().expect_err("as asked");
     assert_eq!(errors.to_string(), "error: as asked\n");

@@ -13,8 +13,9 @@ use serde_json::{Value, json};
 use super::functions::Frames;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
-use crate::chain::{self, Chain};
+use crate::chain::Chain;
 use crate::description::{Description, Joint, JointKind};
+use crate::expand;
 
 /// Tell what was read, merged, locked, left out or repaired, and every doubt with its place
 #[derive(Args, Clone, Debug)]
@@ -35,7 +36,7 @@ impl Check {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
         let request = self.robot.request(&self.frames.frames, &[]);
-        let chain = chain::build(&description, &request)?;
+        let chain = expand::understand(&description, &request)?;
         let output = match self.format {
             Format::Text => in_text(&description, &chain),
             Format::Json => json::text(&in_json(&description, &chain)),

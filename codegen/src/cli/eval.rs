@@ -14,7 +14,7 @@ use super::functions::{self, Together};
 use super::options::{Format, Robot, STANDARD_INPUT, Scalar, is_standard_input, mistake};
 use super::states::State;
 use super::{Answer, Said, json, options, states};
-use crate::chain::{self, Chain};
+use crate::chain::Chain;
 use crate::error::{Errors, Place};
 use crate::expand;
 use crate::expression::Input;
@@ -59,15 +59,22 @@ impl Eval {
         let function = self.function;
         let description = self.robot.description(input)?;
         let functions = [Together(vec![function])];
-        let request = self.robot.request(&self.frame, &functions);
-        let chain = chain::build(&description, &request)?;
+        let mut request = self.robot.request(&self.frame, &functions);
+        request.scalar = self.scalar.into();
+        let chain = expand::understand(&description, &request)?;
         let (text, file) = self.text(input)?;
         let states = states::read(&text, &file, function.arguments(), chain.joints.len())?;
 
         // Further frames come after the tip's.
         let frame = chain.frames.len().saturating_sub(1);
         expand::check_size(&chain)?;
-        let program = expand::program(&chain, &[function], frame, self.scalar.into())?;
+        let program = expand::program_as(
+            request.formulation,
+            &chain,
+            &[function],
+            frame,
+            self.scalar.into(),
+        )?;
         let results = self.results(&program, &states)?;
         let remarks = options::warnings(&description, &chain.report.warnings);
         Ok(match self.format {

@@ -12,8 +12,8 @@ use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
 use super::{Answer, Said, options};
 use crate::builder::Builder;
-use crate::chain;
 use crate::error::Errors;
+use crate::expand;
 
 /// Write the functions of a robot as a file of Rust that needs core and nothing else
 #[derive(Args, Clone, Debug)]
@@ -54,7 +54,7 @@ impl Generate {
         let description = self.robot.description(input)?;
         let mut request = self.functions.request(&self.robot);
         request.scalar = self.scalar.into();
-        let chain = chain::build(&description, &request)?;
+        let chain = expand::understand(&description, &request)?;
         let mut remarks = options::warnings(&description, &chain.report.warnings);
         let mut builder = Builder::from_description(description).request(request);
         if let Some(name) = &self.name {

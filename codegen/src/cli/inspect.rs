@@ -10,9 +10,8 @@ use clap::Args;
 use super::functions::{self, Together};
 use super::options::{Robot, Scalar};
 use super::{Answer, Said, options};
-use crate::chain;
 use crate::emit::{self, Source};
-use crate::expand::expand;
+use crate::expand::{expand, understand};
 
 /// Show the code that a derive expands to, formatted, with its price
 #[derive(Args, Clone, Debug)]
@@ -40,7 +39,7 @@ impl Inspect {
             .robot
             .request(&self.frame, std::slice::from_ref(&self.function));
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
-        let chain = chain::build(&description, &request)?;
+        let chain = understand(&description, &request)?;
         let mut listing = expand(&description, &request, options::item(&description))?;
         // A further frame comes after the tip's.
         let last = listing.functions.len().saturating_sub(1);

@@ -15,6 +15,7 @@ use crate::description::urdf::LARGEST_FILE;
 use crate::description::{self, Description, Name, Number};
 use crate::emit::{Item, type_name};
 use crate::error::{Complaint, Errors, Place};
+use crate::formulation::{self, Formulation};
 use crate::request::{Real, Request};
 
 /// Which robot, and which part of it.
@@ -44,9 +45,14 @@ pub(super) struct Robot {
     /// Keep an angle such as 1.5708 as written instead of taking it for a right angle
     #[arg(long)]
     exact: bool,
-    /// Refuse inertias that no body can have, instead of warning
+    /// Refuse what is doubtful, such as inertias that no body can have, instead of warning
     #[arg(long)]
     strict: bool,
+    /// How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, unfused,
+    /// platform-sines
+    /// [default: what the engine chooses]
+    #[arg(long, value_name = "WORD,…", value_parser = formulation)]
+    formulation: Option<Formulation>,
 }
 
 /// How an answer is printed.
@@ -104,6 +110,7 @@ impl Robot {
             exact: self.exact,
             strict: self.strict,
             functions: functions.iter().map(|item| item.0.clone()).collect(),
+            formulation: self.formulation.unwrap_or_default(),
             ..Request::default()
         }
     }
@@ -200,4 +207,23 @@ fn gravity(text: &str) -> Result<Gravity, String> {
     let entries: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
     let entries = entries.try_into().map(Gravity);
     entries.map_err(|_| "gravity is three numbers with commas between them, or none".to_owned())
+}
+
+/// The words of attributes, with dashes.
+fn formulation(text: &str) -> Result<Formulation, String> {
+    let mut reader = formulation::Reader::default();
+    for item in text.split(',') {
+        let (word, value) = match item.split_once('=') {
+            Some((word, value)) => (word, Some(value.trim())),
+            None => (item, None),
+        };
+        let word = word.trim().replace('-', "_");
+        reader.take(&word, value).map_err(|refusal| {
+            let (message, hint) = (refusal.message, refusal.hint);
+            format!("{message}\n  hint: {hint}")
+                .replace(" = ", "=")
+                .replace('_', "-")
+        })?;
+    }
+    Ok(reader.formulation())
 }

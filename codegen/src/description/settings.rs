@@ -3,7 +3,7 @@
 //! In: `key = value` (or `key: value`), `key(…)` or `key`. Out: a [`Request`] and the file that is
 //! named, if one is. It never looks at the description, so it knows no link from a joint.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::ParseStream;
 use syn::{Ident, LitStr, Path, Token, token};
@@ -11,13 +11,14 @@ use syn::{Ident, LitStr, Path, Token, token};
 use super::number;
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::error::{Errors, Place};
+use crate::formulation::{self, Formulation};
 use crate::function::Function;
 use crate::request::{Real, Request};
 use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 17] = [
+const WORDS: [&str; 18] = [
     "urdf",
     "dh",
     "base",
@@ -31,6 +32,7 @@ const WORDS: [&str; 17] = [
     "strict",
     "scalar",
     "generate",
+    "formulation",
     "crate",
     "link",
     "joint",
@@ -38,7 +40,7 @@ const WORDS: [&str; 17] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 14;
+const KEYS: usize = 15;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -130,6 +132,10 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         "generate" => {
             let content = in_parentheses(input, &key, "generate(inverse_dynamics)")?;
             request.functions = functions(&content, errors)?;
+        }
+        "formulation" => {
+            let content = in_parentheses(input, &key, "formulation(raw, refined = 1)")?;
+            request.formulation = formulation(&content, errors)?;
         }
         // The last of the known keys is `crate`.
         _ => {
@@ -231,6 +237,26 @@ fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
         ),
     };
     tokens::push(errors, problem);
+}
+
+/// Words, some with a value; complains of each that is unknown or contradicts another.
+fn formulation(input: ParseStream, errors: &mut Errors) -> Parsed<Formulation> {
+    let mut reader = formulation::Reader::default();
+    tokens::list(input, |input| {
+        let word = tokens::word(input)?;
+        let value = if input.peek(Token![=]) || input.peek(Token![:]) {
+            tokens::separator(input, &word)?;
+            Some(input.parse::<TokenTree>()?.to_string())
+        } else {
+            None
+        };
+        if let Err(refusal) = reader.take(&word.to_string(), value.as_deref()) {
+            let problem = complaint_with_hint(word.span(), refusal.message, refusal.hint);
+            tokens::push(errors, problem);
+        }
+        Ok(())
+    })?;
+    Ok(reader.formulation())
 }
 
 /// A path to the runtime crate, as a string or as tokens.

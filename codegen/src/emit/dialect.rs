@@ -10,6 +10,7 @@ use super::item::Declaration;
 use super::literals::Numerals;
 use super::names::Names;
 use super::{Listing, sines};
+use crate::formulation::Sines;
 use crate::request::Real;
 
 /// What code without the runtime finds and leaves around it.
@@ -38,6 +39,8 @@ pub(super) struct Dialect {
     pub generic: Option<Ident>,
     /// The type of number, by name.
     pub real: Real,
+    /// Where its sines come from.
+    sines: Sines,
     /// Whether the type of every number stands beside it.
     bare: bool,
     /// The type of the struct's fields, where the user has not chosen it.
@@ -60,6 +63,7 @@ impl Dialect {
         let made = matches!(listing.item.declaration, Declaration::Made);
         Self {
             fields: made.then_some(listing.scalar),
+            sines: listing.sines,
             ..Self::runtime(listing.scalar, listing.runtime.clone(), &mut names)
         }
     }
@@ -78,6 +82,7 @@ impl Dialect {
             number,
             generic,
             real,
+            sines: Sines::default(),
             bare: false,
             fields: None,
         }
@@ -94,6 +99,7 @@ impl Dialect {
             number,
             generic: None,
             real,
+            sines: Sines::default(),
             bare: false,
             fields: None,
         }
@@ -111,6 +117,7 @@ impl Dialect {
             number: quote! { ::core::primitive::f64 },
             generic: None,
             real: Real::F64,
+            sines: self.sines,
             bare: true,
             fields: self.fields,
         }
@@ -194,6 +201,9 @@ impl Dialect {
     ) -> TokenStream {
         match &self.world {
             _ if angles.is_empty() => TokenStream::new(),
+            World::Runtime(runtime) if self.sines == Sines::Platform => quote! {
+                #(let (#sines, #cosines) = #runtime::Scalar::sin_cos(#angles);)*
+            },
             World::Runtime(runtime) if angles.len() <= ON_ONE_LINE => quote! {
                 let ([#(#sines),*], [#(#cosines),*]) =
                     #runtime::Scalar::sin_cos_all([#(#angles),*]);

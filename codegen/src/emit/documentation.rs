@@ -1,8 +1,8 @@
 //! What stands above the generated code.
 //!
-//! In: [`About`] a robot and the price of a function. Out: doc comments that tell what is computed,
-//! in which frame and unit, from which source, what is modelled, and what it costs; and the same
-//! for the head of a file. It never says anything that the listing does not hold.
+//! In: [`About`] a robot, the price of a function and its error. Out: doc comments that tell what is
+//! computed, in which frame and unit, from which source, what is modelled, what it costs and how
+//! exact it is; and the same for the head of a file. It never says anything that the listing does not hold.
 
 use std::fmt::Write;
 
@@ -51,6 +51,7 @@ pub(super) fn lines(listing: &Listing, listed: &Listed, dialect: &Dialect) -> Ve
     lines.extend(facts(about));
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
+    lines.push(format!("Error: {}.", listed.accuracy));
     lines
 }
 
@@ -104,6 +105,7 @@ pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> St
     for listed in &listing.functions {
         let name = method::name(&listed.functions, listed.frame.as_deref());
         lines.push(format!("{}: {}.", sanitize(&name), listed.price));
+        lines.push(format!("    error: {}.", listed.accuracy));
     }
     lines.iter().fold(String::new(), |mut text, line| {
         // Writing to a string cannot fail.
@@ -258,12 +260,16 @@ fn origin(about: &About) -> String {
     line
 }
 
-/// What is modelled and what is doubted, a line each.
+/// What is modelled, how it is computed where that was asked for, and what is doubted, a line each.
 fn facts(about: &About) -> Vec<String> {
-    let lines = [("Modelled", &about.facts), ("Doubts", &about.warnings)];
-    let lines = lines.into_iter().filter(|(_, items)| !items.is_empty());
+    let lines = [
+        ("Modelled", &about.facts, "; "),
+        ("Formulation", &about.formulation, ", "),
+        ("Doubts", &about.warnings, "; "),
+    ];
+    let lines = lines.into_iter().filter(|(_, items, _)| !items.is_empty());
     lines
-        .map(|(title, items)| format!("{title}: {}.", items.join("; ")))
+        .map(|(title, items, between)| format!("{title}: {}.", items.join(between)))
         .collect()
 }
 

@@ -8,8 +8,10 @@ use super::{
     About, ChainData, Item, Library, Listed, Listing, Source, Wanted, c_header, emit, header,
     standalone, stub,
 };
+use crate::accuracy::{Accuracy, Bound};
 use crate::description::Name;
 use crate::expression::Input;
+use crate::formulation::Sines;
 use crate::function::Function;
 use crate::request::{Parameter, Real, Request, Target};
 use crate::schedule::{Operand, Operation, Price, Program, Step};
@@ -57,6 +59,14 @@ fn listed(functions: &[Function], program: Program) -> Listed {
         frame: None,
         program,
         price,
+        accuracy: Accuracy::Within {
+            bounds: vec![Bound {
+                unit: "N m",
+                double: Some(3.4e-15),
+                single: Some(1.8e-6),
+            }],
+            range: "q within its limits".to_owned(),
+        },
     }
 }
 
@@ -94,6 +104,7 @@ pub(crate) fn listing(item: Item, scalar: Real) -> Listing {
                 "1 link merged".to_owned(),
                 "gravity only along −y".to_owned(),
             ],
+            formulation: Vec::new(),
             warnings: Vec::new(),
         },
         functions: vec![listed(&[Function::Gravity], gravity(literal(0.5)))],
@@ -104,6 +115,7 @@ pub(crate) fn listing(item: Item, scalar: Real) -> Listing {
             program: constant(&data),
         },
         scalar,
+        sines: Sines::default(),
         parameters: Vec::new(),
         runtime: None,
         watched: None,
@@ -158,6 +170,7 @@ impl Pendulum {
     /// Modelled: 1 link merged; gravity only along −y.
     ///
     /// 3 mul, 2 add, 0 div, 2 sin and cos; depth 4; dense 4×4 products: 384 mul, 288 add.
+    /// Error: at most 3.4e-15 N m in f64, 1.8e-6 N m in f32; q within its limits.
     #[must_use]
     pub fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2] {
         let k = <T as ::homogen::Scalar>::constant;
@@ -246,6 +259,7 @@ fn a_file_for_core_alone() {
 // Modelled: 1 link merged; gravity only along −y.
 // Needs: Rust 1.63 or later, `core`.
 // gravity: 3 mul, 2 add, 0 div, 2 sin and cos; depth 4; dense 4×4 products: 384 mul, 288 add.
+//     error: at most 3.4e-15 N m in f64, 1.8e-6 N m in f32; q within its limits.
 
 /// Robot `double pendulum` from `pendulum.urdf` (FNV-1a 0000000000c0ffee); q: `shoulder`, `elbow`.
 /// Modelled: 1 link merged; gravity only along −y.

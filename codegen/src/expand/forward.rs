@@ -1,93 +1,179 @@
 //! Which form of forward dynamics a chain can bear.
 //!
-//! In: a chain and the unit roundoff of the generated code. Out: how often to refine, or the
-//! mistake that no form helps. It looks at the pivots of the mass matrix in a handful of postures,
-//! in extended precision: what a pivot lost of its diagonal entry is what rounding takes from the
-//! result.
+//! In: a chain and the unit roundoff of the generated code. Out: how often to refine; a doubt about
+//! the form that was asked for; or the mistake that no form helps. It looks at the pivots of the
+//! mass matrix in a handful of postures, in extended precision: what a pivot lost of its diagonal
+//! entry is what rounding takes from the result.
 
+use crate::chain::Chain;
 use crate::chain::frames::{Layout, arrange};
-use crate::chain::{Chain, Motion};
-use crate::error::Errors;
+use crate::chain::range::Range;
+use crate::error::{Complaint, Errors};
 use crate::expression::{Double, Expr, Graph, Input, Term};
-use crate::model::{self, Forward};
-use crate::request::Real;
+use crate::formulation::Forward;
+use crate::function::Function;
+use crate::model;
+use crate::request::{Real, Request};
 use crate::schedule::{Program, run, schedule};
 
 /// How many postures are looked at.
 const POSTURES: u32 = 16;
+
+/// The form that some functions take: the one that is asked for, or else the one that keeps more
+/// than half of the digits.
+///
+/// # Errors
+/// Where the mass matrix is singular in every posture; where it loses so much that refining
+/// diverges, unless a form is asked for.
+pub fn form(
+    chain: &Chain,
+    functions: &[Function],
+    scalar: Real,
+    asked: Option<Forward>,
+) -> Result<Forward, Errors> {
+    let solves = functions.contains(&Function::ForwardDynamics);
+    // The inverse of the mass matrix has one form, which must do.
+    let inverts = functions.contains(&Function::MassMatrixInverse);
+    match asked {
+        Some(asked) if solves && !inverts => Worst::of(chain).regular(chain).map(|_| asked),
+        _ if solves || inverts => {
+            let chosen = choose(chain, scalar)?;
+            Ok(asked.unwrap_or(chosen))
+        }
+        _ => Ok(model::Way::PLAIN.forward),
+    }
+}
+
+/// What a form that is asked for, instead of the one that would be chosen, may cost.
+pub fn doubt(chain: &Chain, request: &Request) -> Option<Complaint> {
+    let Some(Forward::MassMatrix { refinements }) = request.formulation.forward else {
+        return None;
+    };
+    let wanted = request.items().concat();
+    if !wanted.contains(&Function::ForwardDynamics) {
+        return None;
+    }
+    // A singular chain is refused, function by function.
+    let worst = Worst::of(chain).regular(chain).ok()?;
+    let roundoff = request.scalar.roundoff();
+    if keeps_half(worst.loss * roundoff, roundoff, refinements) {
+        return None;
+    }
+    let joint = &chain.joints[worst.joint];
+    let (name, loss) = (&joint.name, worst.loss);
+    let hint = match refinements_needed(worst.loss * roundoff, roundoff) {
+        Some(needed) => format!("write refined = {needed}, or leave the choice to the engine"),
+        None => "generate it for f64, or model a robot whose masses differ less".to_owned(),
+    };
+    Some(Complaint {
+        place: joint.place,
+        message: format!(
+            "forward dynamics with refined = {refinements} loses more than half of the digits: at \
+             joint \"{name}\" the mass matrix loses a factor of {loss:.0e}, and the unit roundoff \
+             is {roundoff:.0e}"
+        ),
+        hint: Some(hint),
+    })
+}
 
 /// The form whose result keeps more than half of the digits.
 ///
 /// # Errors
 /// Where the mass matrix is singular in every posture, or loses so much that refining diverges.
 pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Errors> {
-    let roundoff = match scalar {
-        Real::F32 => f64::from(f32::EPSILON) / 2.0,
-        Real::F64 | Real::Generic => f64::EPSILON / 2.0,
-    };
-    let (loss, joint) = loss(chain);
-    let name = &chain.joints[joint].name;
-    let refuse = |message: String, hint: &str| {
+    let roundoff = scalar.roundoff();
+    let worst = Worst::of(chain).regular(chain)?;
+    let loss = worst.loss;
+    if let Some(refinements) = refinements_needed(loss * roundoff, roundoff) {
+        return Ok(Forward::MassMatrix { refinements });
+    }
+    let joint = &chain.joints[worst.joint];
+    let mut errors = chain.source.errors();
+    errors.push_with_hint(
+        joint.place,
+        format!(
+            "forward dynamics would be left without a correct digit: at joint \"{}\" the mass \
+             matrix loses a factor of {loss:.0e}, and the unit roundoff is {roundoff:.0e}",
+            joint.name
+        ),
+        "generate it for f64, or model a robot whose masses differ less",
+    );
+    Err(errors)
+}
+
+/// The fewest refinements that keep half of the digits, if two do.
+fn refinements_needed(error: f64, roundoff: f64) -> Option<usize> {
+    (0..3).find(|&refinements| keeps_half(error, roundoff, refinements))
+}
+
+/// Whether half of the digits are left of a result with a relative error after so many refinements,
+/// of which each multiplies the error by itself once more.
+fn keeps_half(error: f64, roundoff: f64, refinements: usize) -> bool {
+    let exponent = i32::try_from(refinements).map_or(i32::MAX, |count| count.saturating_add(1));
+    error.powi(exponent) <= roundoff.sqrt() && (refinements == 0 || error < 0.1)
+}
+
+/// Where the mass matrix loses most.
+struct Worst {
+    /// The largest ratio of a diagonal entry to its pivot; infinite where it is singular.
+    loss: f64,
+    /// The joint that they belong to.
+    joint: usize,
+}
+
+impl Worst {
+    fn of(chain: &Chain) -> Self {
+        let graph = chain.graph.clone();
+        let program = pivots(&graph, chain);
+        let range = Range::of(chain);
+        let mut worst = Self {
+            loss: 1.0,
+            joint: 0,
+        };
+        let count = chain.joints.len();
+        // A joint that is singular in one posture may only be passing through it.
+        let mut least = vec![f64::INFINITY; count];
+        for posture in 0..POSTURES {
+            let values = run::<Double>(&program, |input| {
+                Double::from(value(chain, &range, input, posture))
+            });
+            for (joint, pair) in values.chunks(2).enumerate() {
+                let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());
+                let loss = if pivot > 0.0 {
+                    entry / pivot
+                } else {
+                    f64::INFINITY
+                };
+                least[joint] = least[joint].min(loss);
+                if loss > worst.loss && loss.is_finite() {
+                    worst = Self { loss, joint };
+                }
+            }
+        }
+        // Outermost first: what is outboard spoils what is inboard of it.
+        let singular = (0..count).rev().find(|&joint| !least[joint].is_finite());
+        singular.map_or(worst, |joint| Self {
+            loss: f64::INFINITY,
+            joint,
+        })
+    }
+
+    /// Itself, where the mass matrix is regular.
+    fn regular(self, chain: &Chain) -> Result<Self, Errors> {
+        if self.loss.is_finite() && self.loss <= 1e20 {
+            return Ok(self);
+        }
+        let joint = &chain.joints[self.joint];
         let mut errors = chain.source.errors();
-        errors.push_with_hint(chain.joints[joint].place, message, hint);
-        Err(errors)
-    };
-    if !loss.is_finite() || loss > 1e20 {
-        return refuse(
+        errors.push_with_hint(
+            joint.place,
             format!(
-                "joint \"{name}\" can accelerate without any force: the mass matrix is singular"
+                "joint \"{}\" can accelerate without any force: the mass matrix is singular",
+                joint.name
             ),
             "give what it carries a mass or an inertia about its axis, or lock it",
         );
-    }
-    let error = loss * roundoff;
-    // Each refinement multiplies the error by itself once more.
-    let enough = (0..3_u32).find(|&refinements| {
-        let exponent = i32::try_from(refinements).expect("few") + 1;
-        error.powi(exponent) <= roundoff.sqrt() && (refinements == 0 || error < 0.1)
-    });
-    match enough {
-        Some(refinements) => Ok(Forward::MassMatrix {
-            refinements: refinements as usize,
-        }),
-        None => refuse(
-            format!(
-                "forward dynamics would be left without a correct digit: at joint \"{name}\" the \
-                 mass matrix loses a factor of {loss:.0e}, and the unit roundoff is {roundoff:.0e}"
-            ),
-            "generate it for f64, or model a robot whose masses differ less",
-        ),
-    }
-}
-
-/// The largest ratio of a diagonal entry of the mass matrix to its pivot, and the joint it belongs
-/// to.
-fn loss(chain: &Chain) -> (f64, usize) {
-    let graph = chain.graph.clone();
-    let program = pivots(&graph, chain);
-    let mut worst = (1.0_f64, 0);
-    let count = chain.joints.len();
-    // A joint that is singular in one posture may only be passing through it.
-    let mut least = vec![f64::INFINITY; count];
-    for posture in 0..POSTURES {
-        let values = run::<Double>(&program, |input| Double::from(value(chain, input, posture)));
-        for (joint, pair) in values.chunks(2).enumerate() {
-            let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());
-            let ratio = if pivot > 0.0 {
-                entry / pivot
-            } else {
-                f64::INFINITY
-            };
-            least[joint] = least[joint].min(ratio);
-            if ratio > worst.0 && ratio.is_finite() {
-                worst = (ratio, joint);
-            }
-        }
-    }
-    // Outermost first: what is outboard spoils what is inboard of it.
-    match (0..count).rev().find(|&joint| !least[joint].is_finite()) {
-        Some(joint) => (f64::INFINITY, joint),
-        None => worst,
+        Err(errors)
     }
 }
 
@@ -106,19 +192,10 @@ fn pivots(graph: &Graph, chain: &Chain) -> Program {
 
 /// A coordinate of a posture, from a sequence that fills the range evenly (multiples of the golden
 /// ratio's powers); or what is described where a struct field stands.
-fn value(chain: &Chain, input: Input, posture: u32) -> f64 {
+fn value(chain: &Chain, range: &Range, input: Input, posture: u32) -> f64 {
     match input {
         Input::Q(k) => {
-            let joint = &chain.joints[usize::from(k)];
-            let (lower, upper) = match (joint.limits, joint.motion) {
-                (Some(limits), _)
-                    if limits.upper > limits.lower && (limits.upper - limits.lower).is_finite() =>
-                {
-                    (limits.lower, limits.upper)
-                }
-                (_, Motion::Prismatic) => (-1.0, 1.0),
-                _ => (-std::f64::consts::PI, std::f64::consts::PI),
-            };
+            let [lower, upper] = range.q[usize::from(k)];
             let step = 0.618_033_988_749_895 * f64::from(k + 1).sqrt();
             lower + (upper - lower) * (0.5 + f64::from(posture) * step).fract()
         }
@@ -139,7 +216,7 @@ mod tests {
     use crate::chain::{self, Chain};
     use crate::description::read_text;
     use crate::error::Errors;
-    use crate::model::Forward;
+    use crate::formulation::Forward;
     use crate::request::{Real, Request};
 
     /// Two links in a plane, with masses at their ends.

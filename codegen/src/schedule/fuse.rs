@@ -24,6 +24,14 @@ pub struct Fused {
 }
 
 impl Fused {
+    /// No sum takes a product with it, in a graph of so many nodes.
+    pub fn nothing(nodes: usize) -> Self {
+        Self {
+            product_of: vec![None; nodes],
+            vanishes: vec![false; nodes],
+        }
+    }
+
     /// The factors, the other term and the form, where the sum is fused.
     pub fn product_of(&self, sum: Expr) -> Option<(Expr, Expr, Expr, Form)> {
         self.product_of[sum.index()]
@@ -37,11 +45,7 @@ impl Fused {
 
 /// Chooses one product a sum, among those that nothing else uses.
 pub fn choose(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Fused {
-    let count = uses.len();
-    let mut fused = Fused {
-        product_of: vec![None; count],
-        vanishes: vec![false; count],
-    };
+    let mut fused = Fused::nothing(uses.len());
     let product = |expr: Expr| match graph.node(expr) {
         Node::Mul(a, b) if uses[expr.index()] == 1 && graph.value(expr).is_none() => Some((a, b)),
         _ => None,

@@ -16,16 +16,30 @@ use crate::expression::{Expr, Graph, Input, Node, opposite};
 pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
     let (needed, uses) = graph.needed(results);
     let fused = fuse::choose(graph, &needed, &uses);
+    place(graph, results, &needed, fused)
+}
+
+/// The same program with every product and every sum rounded for itself.
+///
+/// # Panics
+/// As [`schedule`] does.
+#[must_use]
+pub fn schedule_unfused(graph: &Graph, results: &[Expr]) -> Program {
+    let (needed, uses) = graph.needed(results);
+    place(graph, results, &needed, Fused::nothing(uses.len()))
+}
+
+fn place(graph: &Graph, results: &[Expr], needed: &[Expr], fused: Fused) -> Program {
     let mut placing = Placing {
         graph,
-        signs: Signs::choose(graph, &needed, results, &fused),
+        signs: Signs::choose(graph, needed, results, &fused),
         fused,
         operands: vec![None; graph.len()],
         steps: Vec::new(),
     };
     // Whether each expression takes part in an angle.
     let mut early = vec![false; graph.len()];
-    let turns = angles(graph, &needed);
+    let turns = angles(graph, needed);
     for &angle in &turns {
         early[angle.index()] = true;
     }

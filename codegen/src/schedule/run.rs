@@ -3,29 +3,8 @@
 //! In: a program and its inputs. Out: its results, in any arithmetic. It never reorders an operation, so
 //! that its results are those of the generated code on a target that does not fuse.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
-
 use super::{Operand, Operation, Program};
-use crate::expression::{Double, Input};
-
-/// A type of number that programs run in.
-pub trait Arithmetic:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-{
-    /// The number nearest to a literal.
-    fn literal(value: f64) -> Self;
-    /// √x.
-    #[must_use]
-    fn sqrt(self) -> Self;
-    /// Sine and cosine.
-    #[must_use]
-    fn sin_cos(self) -> (Self, Self);
-}
+use crate::expression::{Arithmetic, Input};
 
 /// Runs a program on what `input` says.
 pub fn run<T: Arithmetic>(program: &Program, input: impl Fn(Input) -> T) -> Vec<T> {
@@ -75,54 +54,8 @@ fn value<T: Arithmetic>(
     match operand {
         Operand::Literal(value) => T::literal(value),
         Operand::Input(of) => input(of),
-        Operand::Sin(k) => angles[k as usize].0,
-        Operand::Cos(k) => angles[k as usize].1,
-        Operand::Step(k) => steps[k as usize],
-    }
-}
-
-impl Arithmetic for f64 {
-    fn literal(value: f64) -> Self {
-        value
-    }
-
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
-    }
-}
-
-impl Arithmetic for f32 {
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "rounding is what is asked for"
-    )]
-    fn literal(value: f64) -> Self {
-        value as Self
-    }
-
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
-    }
-}
-
-impl Arithmetic for Double {
-    fn literal(value: f64) -> Self {
-        Self::from(value)
-    }
-
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
+        Operand::Sin(k) => angles[k as usize].0.clone(),
+        Operand::Cos(k) => angles[k as usize].1.clone(),
+        Operand::Step(k) => steps[k as usize].clone(),
     }
 }

@@ -60,6 +60,7 @@ fn everything_that_can_be_asked_for() {
         #[robot(lock("a-1", b = -pi/2), drop("c"), frames(d, "e"), gravity = [0, 0, -9.81])]
         #[robot(exact, strict, scalar = f32, crate = "::my::homogen")]
         #[robot(generate(forward_kinematics, all_of(mass_matrix, bias)))]
+        #[robot(formulation(raw, refined = 1, platform_sines,))]
         pub struct Arm<T> where T: Copy {
             #[robot(mass_of = "tool")]
             payload: T,
@@ -101,6 +102,10 @@ fn everything_that_can_be_asked_for() {
             vec![Function::ForwardKinematics],
             vec![Function::MassMatrix, Function::Bias]
         ]
+    );
+    assert_eq!(
+        request.formulation.words(),
+        ["raw", "refined = 1", "platform_sines"]
     );
     let fields: Vec<_> = request
         .parameters
@@ -147,7 +152,7 @@ fn all_mistakes_are_reported_at_once() {
     assert_eq!(
         said,
         "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, tip, \
-         path_only, lock, drop, frames, gravity, exact, strict, scalar, generate, crate, link, joint and denavit_hartenberg\n\
+         path_only, lock, drop, frames, gravity, exact, strict, scalar, generate, formulation, crate, link, joint and denavit_hartenberg\n\
          1:30: unknown scalar \"f16\"\n  \
          hint: known scalars: f32, f64 and generic\n\
          1:45: gravity has 2 numbers instead of 3\n\
@@ -303,5 +308,24 @@ fn a_field_stands_for_one_number() {
     assert_eq!(
         errors_in_fields("#[robot] m: f64"),
         "2:3: `robot` needs a list in parentheses\n  hint: write #[robot(mass_of = \"link\")]\n"
+    );
+}
+
+#[test]
+fn words_of_a_formulation_are_each_told() {
+    assert_eq!(
+        errors_in("formulation(row, refined, articulated, refined: 1, unfused = yes, raw)"),
+        "1:21: unknown word \"row\"\n  hint: did you mean \"raw\"? known words: link_frames, \
+         frame_0, regrouped, raw, refined, articulated, fused, unfused, own_sines and \
+         platform_sines\n\
+         1:26: \"refined\" needs a number of refinements\n  \
+         hint: write refined = 0, refined = 1 or refined = 2\n\
+         1:48: \"refined = 1\" contradicts \"articulated\"\n  hint: leave one of them out\n\
+         1:60: \"unfused\" takes no value\n  hint: write unfused\n"
+    );
+    assert_eq!(
+        errors_in("formulation = raw"),
+        "1:21: `formulation` needs a list in parentheses\n  \
+         hint: write formulation(raw, refined = 1)\n"
     );
 }

@@ -1,0 +1,120 @@
+//! The arguments of a function of a robot with any number of joints.
+//!
+//! In: a seed, or a line of text. Out: q, q̇, q̈ and τ as vectors, which programs read entry by
+//! entry; the line holds every number exactly. Nothing here knows a robot.
+
+use std::fmt;
+use std::str::FromStr;
+
+use homogen_codegen::expression::Input;
+
+use crate::hexadecimal;
+use crate::states::Random;
+
+/// One value of every argument; a function reads those that it has.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Arguments {
+    /// Coordinates [rad or m].
+    pub q: Vec<f64>,
+    /// Their rates.
+    pub qd: Vec<f64>,
+    /// Their second rates.
+    pub qdd: Vec<f64>,
+    /// Torques and forces \[N m or N\].
+    pub tau: Vec<f64>,
+}
+
+impl Arguments {
+    /// All entries in [−4, 4) and multiples of 2⁻²¹, which `f32` holds exactly.
+    pub fn random(joints: usize, random: &mut Random) -> Self {
+        let mut vector = || (0..joints).map(|_| 4.0 * random.unit()).collect();
+        Self {
+            q: vector(),
+            qd: vector(),
+            qdd: vector(),
+            tau: vector(),
+        }
+    }
+
+    /// What a program reads under a name.
+    ///
+    /// # Panics
+    /// For a struct field, and for a joint that is not there.
+    #[must_use]
+    pub fn at(&self, input: Input) -> f64 {
+        match input {
+            Input::Q(k) => self.q[usize::from(k)],
+            Input::Qd(k) => self.qd[usize::from(k)],
+            Input::Qdd(k) => self.qdd[usize::from(k)],
+            Input::Tau(k) => self.tau[usize::from(k)],
+            Input::Parameter(..) => panic!("robots with struct fields have more arguments"),
+        }
+    }
+
+    fn vectors(&self) -> [(&'static str, &Vec<f64>); 4] {
+        [
+            ("q", &self.q),
+            ("qd", &self.qd),
+            ("qdd", &self.qdd),
+            ("tau", &self.tau),
+        ]
+    }
+}
+
+/// `q 0x1.8p+0 … qd … qdd … tau …`, to the last bit.
+impl fmt::Display for Arguments {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, (name, entries)) in self.vectors().into_iter().enumerate() {
+            let blank = if index == 0 { "" } else { " " };
+            write!(out, "{blank}{name}")?;
+            for entry in entries {
+                write!(out, " {}", hexadecimal::format(*entry))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl FromStr for Arguments {
+    type Err = String;
+
+    fn from_str(line: &str) -> Result<Self, String> {
+        let mut arguments = Self::default();
+        let mut vector = None;
+        for word in line.split_whitespace() {
+            vector = match word {
+                "q" => Some(&mut arguments.q),
+                "qd" => Some(&mut arguments.qd),
+                "qdd" => Some(&mut arguments.qdd),
+                "tau" => Some(&mut arguments.tau),
+                _ => {
+                    let entries = vector.ok_or_else(|| format!("{word:?} belongs to nothing"))?;
+                    let entry = hexadecimal::parse(word);
+                    entries.push(entry.ok_or_else(|| format!("{word:?} is no number"))?);
+                    Some(entries)
+                }
+            };
+        }
+        Ok(arguments)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Arguments;
+    use crate::states::Random;
+
+    #[test]
+    fn a_line_says_everything() {
+        let mut arguments = Arguments::random(3, &mut Random::new(1));
+        arguments.qd[1] = f64::from_bits(1);
+        arguments.tau[2] = -0.1;
+        assert_eq!(arguments.to_string().parse(), Ok(arguments));
+    }
+
+    #[test]
+    fn what_is_no_line_is_refused() {
+        assert!("0x1p+0".parse::<Arguments>().is_err());
+        assert!("q 1.0".parse::<Arguments>().is_err());
+    }
+}

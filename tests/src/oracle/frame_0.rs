@@ -1,0 +1,230 @@
+//! Every function as Part II of the paper writes it: dense 4×4 matrices in frame 0, at 256 bits.
+//!
+//! In: a robot in matrices and the arguments. Out: what the function should return. No matrix is
+//! taken apart and no zero is known: this is the definition, and therefore slow (about 1 ms a
+//! joint).
+
+use homogen_codegen::Function;
+
+use super::matrix::Matrix;
+use super::robot::{Coordinate, Robot};
+use super::solve::solve;
+use crate::arguments::Arguments;
+use crate::big::Big;
+
+/// What a function returns; of the frame of that index where it is of one.
+///
+/// # Panics
+/// Where a frame is asked for that is not there, or the mass matrix is singular and asked to be inverted.
+#[must_use]
+pub fn evaluate(
+    robot: &Robot,
+    function: Function,
+    frame: usize,
+    arguments: &Arguments,
+) -> Vec<Big> {
+    let of = |vector: &[f64]| -> Vec<Big> { vector.iter().map(|&x| Big::new(x)).collect() };
+    let rest = vec![Big::zero(); robot.joints()];
+    let positions = Positions::at(robot, &of(&arguments.q));
+    let moving = |qd: &[Big], qdd: &[Big]| Motion::at(robot, &positions, qd, qdd);
+    let bias = || torques(robot, &positions, &moving(&of(&arguments.qd), &rest));
+    let at = || robot.frames[frame];
+    match function {
+        Function::ForwardKinematics => positions.of_frame(at()).rows(),
+        Function::SpatialJacobian => jacobian(robot, &positions, at(), &Matrix::identity()),
+        Function::BodyJacobian => {
+            jacobian(robot, &positions, at(), &positions.of_frame(at()).inverse())
+        }
+        Function::GeometricJacobian => {
+            let tip = positions.of_frame(at()).column().map(|entry| -entry);
+            jacobian(robot, &positions, at(), &Matrix::translation(&tip))
+        }
+        Function::Velocity => {
+            let w = moving(&of(&arguments.qd), &rest).w_of(at());
+            [w.vector(), w.column()].concat()
+        }
+        Function::Acceleration => {
+            let motion = moving(&of(&arguments.qd), &of(&arguments.qdd));
+            motion.h_of(at()).rows()
+        }
+        Function::InverseDynamics => {
+            let motion = moving(&of(&arguments.qd), &of(&arguments.qdd));
+            torques(robot, &positions, &motion)
+        }
+        Function::Gravity => torques(robot, &positions, &moving(&rest, &rest)),
+        Function::Bias => bias(),
+        Function::MassMatrix => mass_matrix(robot, &positions).concat(),
+        Function::ForwardDynamics => {
+            let tau = of(&arguments.tau).into_iter().zip(bias());
+            let lacking = tau.map(|(tau, bias)| vec![tau - bias]).collect();
+            solve(mass_matrix(robot, &positions), lacking).concat()
+        }
+        Function::MassMatrixInverse => {
+            let unit =
+                |i: usize| (0..rest.len()).map(move |j| Big::new(f64::from(u8::from(i == j))));
+            let identity = (0..rest.len()).map(|i| unit(i).collect()).collect();
+            solve(mass_matrix(robot, &positions), identity).concat()
+        }
+    }
+}
+
+/// What depends on q alone, in frame 0.
+struct Positions {
+    /// M₀ᵢ.
+    m: Vec<Matrix>,
+    /// Lᵢ₍₀₎.
+    l: Vec<Matrix>,
+    /// Jᵢ₍₀₎.
+    j: Vec<Matrix>,
+}
+
+impl Positions {
+    fn at(robot: &Robot, q: &[Big]) -> Self {
+        let mut positions = Self {
+            m: Vec::new(),
+            l: Vec::new(),
+            j: Vec::new(),
+        };
+        for body in &robot.bodies {
+            let at = match &body.coordinate {
+                Coordinate::Free(index) => &q[*index],
+                Coordinate::Held(at) => at,
+            };
+            let placed = &positions.of_frame(body.parent) * &body.placement;
+            let m = &placed * &exponential(&body.screw, at);
+            let l = &(&m * &body.screw) * &m.inverse();
+            let j = &(&m * &body.inertia) * &m.transposed();
+            positions.m.push(m);
+            positions.l.push(l);
+            positions.j.push(j);
+        }
+        positions
+    }
+
+    fn of_frame(&self, body: Option<usize>) -> Matrix {
+        body.map_or_else(Matrix::identity, |body| self.m[body].clone())
+    }
+}
+
+/// What depends on the rates as well, in frame 0.
+struct Motion {
+    /// W₀ᵢ.
+    w: Vec<Matrix>,
+    /// H₀ᵢ.
+    h: Vec<Matrix>,
+}
+
+impl Motion {
+    /// W = L q̇ and H = L q̈ + L² q̇² of one joint, composed by (12) and (13).
+    fn at(robot: &Robot, positions: &Positions, qd: &[Big], qdd: &[Big]) -> Self {
+        let mut motion = Self {
+            w: Vec::new(),
+            h: Vec::new(),
+        };
+        for (body, l) in robot.bodies.iter().zip(&positions.l) {
+            let (mut w, mut h) = (motion.w_of(body.parent), motion.h_of(body.parent));
+            if let Coordinate::Free(index) = body.coordinate {
+                let (rate, second) = (&qd[index], &qdd[index]);
+                let of_joint = l.times(rate);
+                let drift = &(&w * &of_joint).times(&Big::new(2.0)) + &(&of_joint * &of_joint);
+                h = &(&h + &l.times(second)) + &drift;
+                w = &w + &of_joint;
+            }
+            motion.w.push(w);
+            motion.h.push(h);
+        }
+        motion
+    }
+
+    fn w_of(&self, body: Option<usize>) -> Matrix {
+        body.map_or_else(Matrix::zero, |body| self.w[body].clone())
+    }
+
+    fn h_of(&self, body: Option<usize>) -> Matrix {
+        body.map_or_else(Matrix::zero, |body| self.h[body].clone())
+    }
+}
+
+/// Q = 1 + L φ + L² (1 − cos φ) + L³ (φ − sin φ), the series of § 5 summed by u̲ⁿ⁺² = −u̲ⁿ.
+fn exponential(l: &Matrix, phi: &Big) -> Matrix {
+    let (sine, cosine) = phi.sin_cos();
+    let square = l * l;
+    let cube = &square * l;
+    let linear = &Matrix::identity() + &l.times(phi);
+    let quadratic = square.times(&(Big::one() - cosine));
+    &(&linear + &quadratic) + &cube.times(&(phi - sine))
+}
+
+/// The bodies' matrices, each with those of all that hang on it.
+fn carried(robot: &Robot, mut each: Vec<Matrix>) -> Vec<Matrix> {
+    for (index, body) in robot.bodies.iter().enumerate().rev() {
+        if let Some(parent) = body.parent {
+            each[parent] = &each[parent] + &each[index];
+        }
+    }
+    each
+}
+
+/// τ = L ⊗ Σ Φ with Φ = skew[(H − H_g) J] of the bodies that the joint carries (Newton–Euler).
+fn torques(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
+    let actions = motion.h.iter().zip(&positions.j).map(|(h, j)| {
+        let moved = &(h - &robot.gravity) * j;
+        &moved - &moved.transposed()
+    });
+    let actions = carried(robot, actions.collect());
+    moving(robot)
+        .map(|body| pseudo_product(&positions.l[body], &actions[body]))
+        .collect()
+}
+
+/// L ⊗ Φ = u · c + b · f.
+fn pseudo_product(l: &Matrix, phi: &Matrix) -> Big {
+    let dot = |x: [Big; 3], y: [Big; 3]| {
+        let pairs = x.into_iter().zip(y);
+        pairs.fold(Big::zero(), |sum, (x, y)| sum + x * y)
+    };
+    dot(l.vector(), phi.vector()) + dot(l.column(), phi.column())
+}
+
+/// M\[i\]\[m\] = Tr(Lᵢ Σ J Lₘᵗ), over the bodies that both joints carry (Lagrange).
+fn mass_matrix(robot: &Robot, positions: &Positions) -> Vec<Vec<Big>> {
+    let inertias = carried(robot, positions.j.clone());
+    let entry = |i: usize, m: usize| {
+        let carries =
+            |outer: usize, inner: usize| robot.upwards(Some(outer)).any(|body| body == inner);
+        let outermost = if carries(i, m) {
+            i
+        } else if carries(m, i) {
+            m
+        } else {
+            return Big::zero();
+        };
+        let product = &positions.l[i] * &inertias[outermost];
+        (&product * &positions.l[m].transposed()).trace()
+    };
+    moving(robot)
+        .map(|i| moving(robot).map(|m| entry(i, m)).collect())
+        .collect()
+}
+
+/// The columns M L₍₀₎ M⁻¹; null for the joints that do not move the frame.
+fn jacobian(robot: &Robot, positions: &Positions, frame: Option<usize>, m: &Matrix) -> Vec<Big> {
+    let moves = |joint: usize| robot.upwards(frame).any(|body| body == joint);
+    let columns = moving(robot).map(|joint| {
+        if moves(joint) {
+            let l = &(m * &positions.l[joint]) * &m.inverse();
+            [l.vector(), l.column()].concat()
+        } else {
+            vec![Big::zero(); 6]
+        }
+    });
+    columns.flatten().collect()
+}
+
+/// The bodies whose joints move, in the order of q.
+fn moving(robot: &Robot) -> impl Iterator<Item = usize> {
+    let bodies = robot.bodies.iter().enumerate();
+    bodies
+        .filter(|(_, body)| matches!(body.coordinate, Coordinate::Free(_)))
+        .map(|(index, _)| index)
+}

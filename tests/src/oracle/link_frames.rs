@@ -1,0 +1,40 @@
+//! What the generator is about to print, at 256 bits.
+//!
+//! In: a chain, a choice of frames and of form. Out: an evaluation that starts from the literals of
+//! the description: no number is rounded to the 106 bits of the generator or to `f64`.
+
+use homogen_codegen::Function;
+use homogen_codegen::chain::Chain;
+use homogen_codegen::chain::frames::Layout;
+use homogen_codegen::expand::expressions_by;
+use homogen_codegen::expression::Evaluation;
+use homogen_codegen::model::Way;
+
+use crate::arguments::Arguments;
+use crate::big::Big;
+
+/// Functions of a chain in the frames and with the parameters of a layout, in one of the ways to
+/// compute them: the results of one after those of the other.
+#[must_use]
+pub fn expressions(
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    layout: Layout,
+    way: Way,
+) -> Evaluation<Big> {
+    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+    Evaluation::of(&graph, &results)
+}
+
+/// A function in the frames of the description: the plainest of the ways that give the same.
+#[must_use]
+pub fn reference(chain: &Chain, function: Function, frame: usize) -> Evaluation<Big> {
+    expressions(chain, &[function], frame, Layout::DESCRIBED, Way::PLAIN)
+}
+
+/// The values of an evaluation.
+#[must_use]
+pub fn evaluate(evaluation: &Evaluation<Big>, arguments: &Arguments) -> Vec<Big> {
+    evaluation.at(|input| Big::new(arguments.at(input)))
+}

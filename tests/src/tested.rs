@@ -1,0 +1,175 @@
+//! The types of number that programs are tested in.
+//!
+//! In: the operations of a program. Out: what generated code gets on a target that does not fuse:
+//! IEEE 754 in double and in single precision with the runtime's own sines, and in single precision
+//! where every subnormal number is taken for zero, as many processors do.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use homogen::trigonometry::{double, single};
+use homogen_codegen::expression::Arithmetic;
+
+/// A type whose errors are measured.
+pub trait Tested: Arithmetic + Copy + Debug {
+    /// What it is called in tables.
+    const NAME: &'static str;
+    /// u, the largest relative error of an operation.
+    const ROUNDOFF: f64;
+    /// What an operation may be off by where the result underflows, in units of u.
+    const FLOOR: f64;
+
+    /// The number, which `f64` holds exactly.
+    fn to_f64(self) -> f64;
+}
+
+/// Double precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct F64(pub f64);
+
+/// Single precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct F32(pub f32);
+
+/// Single precision without subnormal numbers: what is one, in or out, becomes zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Flushed(f32);
+
+impl Flushed {
+    /// The number, or zero in its place.
+    #[must_use]
+    pub const fn new(x: f32) -> Self {
+        Self(if x.is_subnormal() {
+            0.0_f32.copysign(x)
+        } else {
+            x
+        })
+    }
+}
+
+/// Implements the operations of a wrapped number.
+macro_rules! implement {
+    ($type:ident, $new:expr, $sin_cos:path) => {
+        impl Add for $type {
+            type Output = Self;
+
+            fn add(self, other: Self) -> Self {
+                $new(self.0 + other.0)
+            }
+        }
+
+        impl Sub for $type {
+            type Output = Self;
+
+            fn sub(self, other: Self) -> Self {
+                $new(self.0 - other.0)
+            }
+        }
+
+        impl Mul for $type {
+            type Output = Self;
+
+            fn mul(self, other: Self) -> Self {
+                $new(self.0 * other.0)
+            }
+        }
+
+        impl Div for $type {
+            type Output = Self;
+
+            fn div(self, other: Self) -> Self {
+                $new(self.0 / other.0)
+            }
+        }
+
+        impl Neg for $type {
+            type Output = Self;
+
+            fn neg(self) -> Self {
+                $new(-self.0)
+            }
+        }
+
+        impl Arithmetic for $type {
+            fn literal(value: f64) -> Self {
+                $new(Arithmetic::literal(value))
+            }
+
+            fn sqrt(self) -> Self {
+                $new(self.0.sqrt())
+            }
+
+            fn sin_cos(self) -> (Self, Self) {
+                let (sine, cosine) = $sin_cos(self.0);
+                ($new(sine), $new(cosine))
+            }
+        }
+    };
+}
+
+implement!(F64, Self, double::sin_cos);
+implement!(F32, Self, single::sin_cos);
+implement!(Flushed, Self::new, single::sin_cos);
+
+impl Tested for F64 {
+    const NAME: &'static str = "f64";
+    const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    const FLOOR: f64 = f64::MIN_POSITIVE;
+
+    fn to_f64(self) -> f64 {
+        self.0
+    }
+}
+
+impl Tested for F32 {
+    const NAME: &'static str = "f32";
+    // 2⁻²⁴ and 2⁻¹²⁶, for which `f64::from` is not const.
+    const ROUNDOFF: f64 = 5.960_464_477_539_063e-8;
+    const FLOOR: f64 = 1.175_494_350_822_287_5e-38;
+
+    fn to_f64(self) -> f64 {
+        self.0.into()
+    }
+}
+
+impl Tested for Flushed {
+    const NAME: &'static str = "flushed";
+    const ROUNDOFF: f64 = F32::ROUNDOFF;
+    // The smallest normal number is lost whole: 2⁻¹²⁶ / u.
+    const FLOOR: f64 = F32::FLOOR / F32::ROUNDOFF;
+
+    fn to_f64(self) -> f64 {
+        self.0.into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use homogen_codegen::expression::Arithmetic;
+
+    use super::{F32, F64, Flushed, Tested};
+
+    #[test]
+    fn the_constants_are_those_of_the_types() {
+        assert_eq!(F64::ROUNDOFF, 2_f64.powi(-53));
+        assert_eq!(F32::ROUNDOFF, 2_f64.powi(-24));
+        assert_eq!(F32::FLOOR, f64::from(f32::MIN_POSITIVE));
+        assert_eq!(Flushed::FLOOR, 2_f64.powi(-102));
+    }
+
+    #[test]
+    fn a_subnormal_number_is_flushed_wherever_it_turns_up() {
+        let smallest = Flushed::literal(f32::MIN_POSITIVE.into());
+        let half = Flushed::literal(0.5);
+        let nothing = [
+            Flushed::literal(1e-40),
+            Flushed::new(-1e-40),
+            smallest * half,
+            smallest / Flushed::literal(2.0),
+            smallest * Flushed::literal(1.5) - smallest,
+        ];
+        assert!(nothing.iter().all(|x| x.to_f64() == 0.0), "{nothing:?}");
+        assert_eq!(smallest.to_f64(), F32::FLOOR);
+        assert_ne!((F32::literal(1e-40) * F32::literal(0.5)).to_f64(), 0.0);
+    }
+}

@@ -225,6 +225,21 @@ impl Builder {
         self
     }
 
+    /// Functions for C beside the methods, whose names are this and the method's: `arm_gravity`.
+    ///
+    /// [`Builder::write_c_header`] writes the header that declares them. They are `#[no_mangle]`,
+    /// which compilers from Rust 1.82 on take and `forbid(unsafe_code)` does not: nothing else in the
+    /// program may have their names.
+    pub fn extern_c(mut self, prefix: &str) -> Self {
+        let letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        if prefix.starts_with(|c: char| c.is_ascii_digit()) || !prefix.chars().all(letter) {
+            let message = format!("no name in C begins with `{prefix}`");
+            self.mistakes.push(Place::Unknown, message);
+        }
+        self.library.c_prefix = Some(prefix.to_owned());
+        self
+    }
+
     /// Writes what the derive would: code for a crate that has the runtime, at `path`
     /// (`::homogen`), with typed matrices and traits.
     pub fn runtime(mut self, path: &str) -> Self {

@@ -5,13 +5,14 @@
 
 mod forward;
 
+use crate::accuracy;
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::formulation::{Formulation, Forward, Parameters, Products};
+use crate::formulation::{Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::{Real, Request};
@@ -134,11 +135,14 @@ pub fn program_as(
         Products::Fused => schedule,
         Products::Unfused => schedule_unfused,
     };
-    let ways = functions
-        .iter()
-        .map(|&function| Way::all(function))
-        .max_by_key(Vec::len)
-        .unwrap_or_default();
+    let ways = match formulation.frame {
+        Frame::Link => functions
+            .iter()
+            .map(|&function| Way::all(function))
+            .max_by_key(Vec::len)
+            .unwrap_or_default(),
+        Frame::Base => vec![Way::IN_FRAME_0],
+    };
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
         let regroup = layout.regroup && !physical;
@@ -220,6 +224,7 @@ fn list(
         add += more_add;
     }
     let price = Price::of(&program).beside_dense(mul, add);
+    let accuracy = accuracy::of(chain, &functions, &program, request.scalar);
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
     let further = of_a_frame && (frame > 0 || !chain.has_tip);
     let frame = further.then(|| chain.frames[frame].name.clone());
@@ -228,6 +233,7 @@ fn list(
         frame,
         program,
         price,
+        accuracy,
     })
 }
 

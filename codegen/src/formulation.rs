@@ -19,6 +19,8 @@ use crate::wording::{known, list, quoted};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Formulation {
+    /// The frame in which the recursions run.
+    pub frame: Frame,
     /// The inertial parameters that dynamics starts from.
     pub parameters: Parameters,
     /// How accelerations are found from forces; where none is chosen, by the least that the
@@ -28,6 +30,16 @@ pub struct Formulation {
     pub products: Products,
     /// Where sines and cosines come from.
     pub sines: Sines,
+}
+
+/// The frame in which the recursions run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Frame {
+    /// That of each link: the least work, and no digit lost far from the base.
+    #[default]
+    Link,
+    /// Frame 0, in which the paper writes every sum.
+    Base,
 }
 
 /// Which inertial parameters dynamics starts from.
@@ -86,6 +98,7 @@ pub struct Refusal {
 /// A choice for one part.
 #[derive(Clone, Copy, Debug)]
 enum Choice {
+    Frame(Frame),
     Parameters(Parameters),
     Forward(Forward),
     Products(Products),
@@ -94,7 +107,9 @@ enum Choice {
 
 /// The words, each with the value that it needs and what it chooses.
 #[rustfmt::skip]
-const WORDS: [(&str, Option<&str>, Choice); 10] = [
+const WORDS: [(&str, Option<&str>, Choice); 12] = [
+    ("link_frames",    None,      Choice::Frame(Frame::Link)),
+    ("frame_0",        None,      Choice::Frame(Frame::Base)),
     ("regrouped",      None,      Choice::Parameters(Parameters::Regrouped)),
     ("raw",            None,      Choice::Parameters(Parameters::Raw)),
     ("refined",        Some("0"), Choice::Forward(Forward::MassMatrix { refinements: 0 })),
@@ -122,8 +137,12 @@ impl Formulation {
     /// # Errors
     /// Where there is no such way.
     pub fn check(&self) -> Result<(), Refusal> {
-        match self.forward {
-            Some(Forward::MassMatrix { refinements: 3.. }) => Err(Refusal {
+        match (self.forward, self.frame) {
+            (Some(Forward::Articulated), Frame::Base) => Err(Refusal {
+                message: "\"articulated\" contradicts \"frame_0\"".to_owned(),
+                hint: "articulated bodies are carried in the frames of the links".to_owned(),
+            }),
+            (Some(Forward::MassMatrix { refinements: 3.. }), _) => Err(Refusal {
                 message: "more than two refinements gain nothing".to_owned(),
                 hint: values("refined"),
             }),
@@ -135,6 +154,7 @@ impl Formulation {
 impl Choice {
     fn make_in(self, formulation: &mut Formulation) {
         match self {
+            Self::Frame(frame) => formulation.frame = frame,
             Self::Parameters(parameters) => formulation.parameters = parameters,
             Self::Forward(forward) => formulation.forward = Some(forward),
             Self::Products(products) => formulation.products = products,
@@ -223,7 +243,7 @@ fn values(word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Formulation, Forward, Parameters, Products, Reader, Sines};
+    use super::{Formulation, Forward, Frame, Parameters, Products, Reader, Sines};
 
     /// What some words say, or why not.
     fn read(words: &[(&str, Option<&str>)]) -> Result<Formulation, String> {
@@ -239,12 +259,14 @@ mod tests {
     #[test]
     fn every_part_is_said_and_told_again() {
         let all = Formulation {
+            frame: Frame::Base,
             parameters: Parameters::Raw,
             forward: Some(Forward::MassMatrix { refinements: 2 }),
             products: Products::Unfused,
             sines: Sines::Platform,
         };
         let said = [
+            ("frame_0", None),
             ("raw", None),
             ("refined", Some("2")),
             ("unfused", None),
@@ -253,7 +275,7 @@ mod tests {
         assert_eq!(read(&said), Ok(all));
         assert_eq!(
             all.words(),
-            ["raw", "refined = 2", "unfused", "platform_sines"]
+            ["frame_0", "raw", "refined = 2", "unfused", "platform_sines"]
         );
         let defaults = [("fused", None), ("own_sines", None), ("regrouped", None)];
         assert_eq!(read(&defaults), Ok(Formulation::default()));
@@ -265,8 +287,8 @@ mod tests {
         for (words, refusal) in [
             (
                 vec![("row", None)],
-                "unknown word \"row\" (did you mean \"raw\"? known words: regrouped, raw, refined, \
-                 articulated, fused, unfused, own_sines and platform_sines)",
+                "unknown word \"row\" (did you mean \"raw\"? known words: link_frames, frame_0, \
+                 regrouped, raw, refined, articulated, fused, unfused, own_sines and platform_sines)",
             ),
             (
                 vec![("raw", Some("1"))],
@@ -285,6 +307,11 @@ mod tests {
             (
                 vec![("articulated", None), ("refined", Some("1"))],
                 "\"refined = 1\" contradicts \"articulated\" (leave one of them out)",
+            ),
+            (
+                vec![("articulated", None), ("frame_0", None)],
+                "\"articulated\" contradicts \"frame_0\" \
+                 (articulated bodies are carried in the frames of the links)",
             ),
             (
                 vec![("raw", None), ("raw", None)],

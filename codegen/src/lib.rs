@@ -7,6 +7,7 @@
 //!                             of Expr
 //! ```
 
+pub mod accuracy;
 pub mod builder;
 pub mod chain;
 #[cfg(feature = "cli")]

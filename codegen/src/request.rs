@@ -56,6 +56,17 @@ pub enum Real {
     F64,
 }
 
+impl Real {
+    /// Half the distance from 1 to the next larger number; of `f64` where any type is meant.
+    #[must_use]
+    pub const fn roundoff(self) -> f64 {
+        match self {
+            Self::F32 => f32::EPSILON as f64 / 2.0,
+            Self::F64 | Self::Generic => f64::EPSILON / 2.0,
+        }
+    }
+}
+
 /// A struct field that takes the place of a number of the description at run time.
 #[derive(Clone, Debug)]
 pub struct Parameter {

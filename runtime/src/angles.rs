@@ -20,7 +20,7 @@ use crate::error::Error;
 use crate::pose::Pose;
 use crate::rotation::from_axis_angle;
 use crate::scalar::{Real, Scalar};
-use crate::vector::{add, cross, dot, matrix_product, norm, product, scale, sub};
+use crate::vector::{add, cross, matrix_product, norm, product, scale, sub};
 use crate::velocity::Velocity;
 
 /// The axes i, j, k of three successive rotations about axes of the moving frame.
@@ -250,7 +250,7 @@ pub fn acceleration<T: Scalar>(
 /// [`Error::Degenerate`] at the singular middle angles, where cos β (Cardan) or sin β (Euler)
 /// vanishes to rounding.
 pub fn rates<T: Real>(sequence: Sequence, angles: [T; 3], omega: [T; 3]) -> Result<[T; 3], Error> {
-    components(sequence, &axes_in_space(sequence, angles), omega)
+    components(sequence, angles, omega)
 }
 
 /// The second rates (rad/s²) of the angles at the angular acceleration `omega_dot` (rad/s²), given
@@ -268,7 +268,7 @@ pub fn second_rates<T: Real>(
     omega_dot: [T; 3],
 ) -> Result<[T; 3], Error> {
     let e = axes_in_space(sequence, angles);
-    components(sequence, &e, sub(omega_dot, carried(&e, rates)))
+    components(sequence, angles, sub(omega_dot, carried(&e, rates)))
 }
 
 /// The three rotations.
@@ -311,24 +311,32 @@ fn carried<T: Scalar>(e: &[[T; 3]; 3], rates: [T; 3]) -> [T; 3] {
 }
 
 /// x in e₁ x₁ + e₂ x₂ + e₃ x₃ = v.
-fn components<T: Real>(sequence: Sequence, e: &[[T; 3]; 3], v: [T; 3]) -> Result<[T; 3], Error> {
-    let normal = cross(e[1], e[2]);
-    let determinant = dot(e[0], normal);
-    if determinant.abs() <= T::EPSILON || !determinant.is_finite() {
+///
+/// In the axes that the first rotation carries along, e₁ and e₂ are two of them, and only e₃ is to be
+/// divided by: the vector found is right to rounding however small the divisor is.
+fn components<T: Real>(
+    sequence: Sequence,
+    [alpha, beta, _]: [T; 3],
+    v: [T; 3],
+) -> Result<[T; 3], Error> {
+    let ([i, j, k], cyclic) = sequence.frame();
+    let signed = |x: T| if cyclic { x } else { -x };
+    let ((sin_alpha, cos_alpha), (sin_beta, cos_beta)) = (alpha.sin_cos(), beta.sin_cos());
+    let along_j = cos_alpha * v[j] + signed(sin_alpha) * v[k];
+    let along_k = cos_alpha * v[k] - signed(sin_alpha) * v[j];
+    let (quantity, e_3_i, e_3_k) = if sequence.is_euler() {
+        let quantity = "the sine of the middle angle";
+        (quantity, cos_beta, -signed(sin_beta))
+    } else {
+        let quantity = "the cosine of the middle angle";
+        (quantity, signed(sin_beta), cos_beta)
+    };
+    if e_3_k.abs() <= T::EPSILON || !e_3_k.is_finite() {
         return Err(Error::Degenerate {
-            quantity: if sequence.is_euler() {
-                "the sine of the middle angle"
-            } else {
-                "the cosine of the middle angle"
-            },
-            value: determinant.to_f64(),
+            quantity,
+            value: e_3_k.to_f64(),
         });
     }
-    // e₂ is perpendicular to both others.
-    let third = cross(e[0], e[1]);
-    Ok([
-        dot(normal, v) / determinant,
-        dot(e[1], v),
-        dot(third, v) / determinant,
-    ])
+    let third = along_k / e_3_k;
+    Ok([v[i] - e_3_i * third, along_j, third])
 }

@@ -107,7 +107,8 @@ impl<T: Scalar> Screw<T> {
     ///
     /// u must be a unit vector or zero. One formula holds for all pairs and every φ:
     /// R = I + u̲ sin φ + u̲² (1 − cos φ) and t = b φ + u × b (1 − cos φ) + u × (u × b) (φ − sin φ),
-    /// with 1 − cos φ as 2 sin²(φ/2), so that small angles lose no digits.
+    /// with 1 − cos φ as 2 sin²(φ/2) and φ − sin φ by [`Scalar::less_sine`], so that small angles lose
+    /// no digits.
     ///
     /// SPACELIB: `screwtom`, `rotat`, `rotat2`, `rotat24`, `rotat34`, `traslat`.
     ///
@@ -134,7 +135,10 @@ impl<T: Scalar> Screw<T> {
             [xz - y, yz + x, one - (xx + yy)],
         ];
         let across = cross(u, b);
-        let turn = add(scale(versine, across), scale(phi - sine, cross(u, across)));
+        let turn = add(
+            scale(versine, across),
+            scale(phi.less_sine(sine), cross(u, across)),
+        );
         Displacement::new(rotation, add(scale(phi, b), turn))
     }
 

@@ -7,6 +7,7 @@
 pub mod arguments;
 pub mod big;
 pub mod dual;
+mod flushed;
 pub mod functions;
 pub mod hexadecimal;
 pub mod metrics;

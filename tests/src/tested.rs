@@ -38,7 +38,7 @@ pub struct Flushed(f32);
 impl Flushed {
     /// The number, or zero in its place.
     #[must_use]
-    pub fn new(x: f32) -> Self {
+    pub const fn new(x: f32) -> Self {
         Self(if x.is_subnormal() {
             0.0_f32.copysign(x)
         } else {

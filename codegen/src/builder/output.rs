@@ -7,7 +7,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use super::{Builder, Origin};
 use crate::description::{self, Description};
 use crate::emit::{self, Item, Listing};
-use crate::error::Errors;
+use crate::error::{Errors, Place};
 use crate::request::Real;
 
 impl Builder {
@@ -37,6 +37,12 @@ impl Builder {
         let mut request = self.request.clone();
         if request.runtime.is_none() && request.scalar == Real::Generic {
             request.scalar = Real::F64;
+        }
+        if request.runtime.is_some() && self.library.c_prefix.is_some() {
+            let message =
+                "functions for C are of files that need `core` alone, without the runtime";
+            errors.push(Place::Unknown, message);
+            return Err(errors);
         }
         (self.expand)(&description, &request, item)
     }

@@ -48,7 +48,8 @@ pub(super) struct Robot {
     /// Refuse what is doubtful, such as inertias that no body can have, instead of warning
     #[arg(long)]
     strict: bool,
-    /// How functions are computed: raw, refined=1 (or 0, 2), articulated, unfused, platform-sines
+    /// How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, unfused,
+    /// platform-sines
     /// [default: what the engine chooses]
     #[arg(long, value_name = "WORD,…", value_parser = formulation)]
     formulation: Option<Formulation>,

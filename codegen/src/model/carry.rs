@@ -1,7 +1,7 @@
 //! A joint at work: how matrices get from one side of it to the other.
 //!
-//! In: a body and the state. Out: the displacement of its joint as a turn and a slide, and the
-//! displacements met on the way from the base to a frame.
+//! In: the bodies and the state. Out: the displacements of their joints, each a turn and a slide,
+//! of all of them or of those on the way from the base to a frame.
 
 use super::State;
 use crate::chain::Motion;
@@ -14,6 +14,10 @@ use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
 pub struct Joint<'g> {
     /// Index of the joint in q.
     pub index: usize,
+    /// The joint that carries the body it hangs on; none for the fixed base.
+    pub parent: Option<usize>,
+    /// The motion it allows.
+    pub motion: Motion,
     /// M from the parent's frame to where the displacement starts.
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of the turn.
@@ -22,6 +26,8 @@ pub struct Joint<'g> {
     pub slide: Term<'g>,
     /// L of the joint in its body's frame.
     pub screw: Screw<Term<'g>>,
+    /// J of the body in its frame.
+    pub inertia: Inertia<Term<'g>>,
 }
 
 /// Sine and cosine of a sum, of which those of one term are numbers. To add the angles instead
@@ -61,11 +67,26 @@ impl<'g> Joint<'g> {
         };
         Self {
             index: k,
+            parent: body.parent,
+            motion: body.motion,
             placement: body.placement,
             angle,
             slide,
             screw,
+            inertia: body.inertia,
         }
+    }
+
+    /// M₀ of the body, where `outer` is that of the body it hangs on.
+    pub fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
+        let pose = outer * self.placement * self.displacement();
+        let index = self.index + 1;
+        pose.translation.label(|| format!("m_0_{index}_t"));
+        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+            let column = pose.rotation.column(k);
+            column.label(|| format!("m_0_{index}_{axis}"));
+        }
+        pose
     }
 
     /// The turn as a matrix.
@@ -111,6 +132,13 @@ impl<'g> Joint<'g> {
     }
 }
 
+/// All joints, in the order of q.
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Joint<'g>> {
+    (0..bodies.bodies.len())
+        .map(|k| Joint::new(bodies, k, state))
+        .collect()
+}
+
 /// The way from the base to a frame.
 pub struct Path<'g> {
     /// The joints that move the frame, from the base outwards.
@@ -127,13 +155,7 @@ impl<'g> Path<'g> {
         let mut pose = Pose::identity(self.end.translation.x().graph());
         let mut found = Vec::with_capacity(self.joints.len());
         for &joint in &self.joints {
-            pose = pose * joint.placement * joint.displacement();
-            let index = joint.index + 1;
-            pose.translation.label(|| format!("m_0_{index}_t"));
-            for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-                let column = pose.rotation.column(k);
-                column.label(|| format!("m_0_{index}_{axis}"));
-            }
+            pose = joint.pose(pose);
             found.push((joint, pose));
         }
         found

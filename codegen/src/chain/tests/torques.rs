@@ -1,4 +1,4 @@
-//! The same results from every choice of frames, with and without regrouping, to the last digits of
+//! The same results from every choice of frames and every formulation, to the last digits of
 //! 106 bits; and from a joint that is locked as from one that stands still there.
 
 use super::*;
@@ -77,7 +77,7 @@ fn ways(function: Function) -> Vec<Way> {
         Forward::MassMatrix { refinements: 1 },
         Forward::Articulated,
     ];
-    match function {
+    let mut ways = match function {
         Function::ForwardDynamics => forms
             .map(|forward| Way {
                 forward,
@@ -85,7 +85,9 @@ fn ways(function: Function) -> Vec<Way> {
             })
             .to_vec(),
         _ => Way::all(function),
-    }
+    };
+    ways.push(Way::IN_FRAME_0);
+    ways
 }
 
 fn agree(name: &str, chain: &Chain) {
@@ -143,7 +145,11 @@ fn robots_that_ship_have_the_same_torques_in_every_layout() {
     for (file, tip) in [
         ("two_link.urdf", "tip"),
         ("scara.urdf", "tool"),
+        ("stanford.urdf", "tool"),
         ("stanford_general.urdf", "tool"),
+        ("puma560.urdf", "tool"),
+        ("puma560_general.urdf", "tool"),
+        ("ur5_class.urdf", "tool0"),
         ("panda_class.urdf", "link8"),
         ("quadruped.urdf", "hr_foot"),
     ] {

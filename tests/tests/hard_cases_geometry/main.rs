@@ -1,0 +1,17 @@
+//! The hard cases of geometry and simulation: exponentials and logarithms at every switch, singular
+//! angles and arms, dead centres, and drift over many steps.
+//!
+//! In: at least a thousand seeded states a case, and the worst inputs ever met, in bits. Out: nothing
+//! but a failed assertion. Errors are measured against 256 bits in f64, in f32, and in f32 with
+//! subnormal numbers flushed to zero; nothing here measures time.
+
+mod arms;
+mod cardan;
+mod exact;
+mod exact_arm;
+mod exponential;
+mod flight;
+mod logarithm;
+mod measure;
+mod screw_axis;
+mod slider_crank;

@@ -1,0 +1,145 @@
+//! How a case is held to its limit.
+//!
+//! In: states, the worst inputs of earlier runs, and a function that tells the error of one state.
+//! Out: a failed assertion with the bits of the worst state, so that it can be kept. It never draws a
+//! state by itself.
+
+use std::array::from_fn;
+
+use homogen::Real;
+use homogen_tests::big::Big;
+use homogen_tests::rounding::{DOUBLE, SINGLE};
+use homogen_tests::states::Random;
+use homogen_tests::tested::Flushed;
+
+/// A type under test.
+pub trait Number: Real {
+    /// Its name.
+    const NAME: &'static str;
+    /// The unit roundoff u.
+    const UNIT: f64;
+    /// What underflow takes from a result at most.
+    const UNDERFLOW: f64;
+    /// The largest number.
+    const LARGEST: f64;
+    /// The least power of ten that is a number of full precision, with room for a product by 10⁻⁸.
+    const LEAST: f64;
+
+    /// The exact value.
+    fn big(self) -> Big {
+        Big::new(self.to_f64())
+    }
+
+    /// The number nearest to an exact value.
+    fn nearest(x: &Big) -> Self {
+        Self::constant(x.to_f64())
+    }
+}
+
+impl Number for f64 {
+    const NAME: &'static str = "f64";
+    const UNIT: f64 = DOUBLE;
+    const UNDERFLOW: f64 = 5e-324;
+    const LARGEST: f64 = f64::MAX;
+    const LEAST: f64 = -300.0;
+}
+
+impl Number for f32 {
+    const NAME: &'static str = "f32";
+    const UNIT: f64 = SINGLE;
+    const UNDERFLOW: f64 = 1.5e-45;
+    const LARGEST: f64 = f32::MAX as f64;
+    const LEAST: f64 = -30.0;
+}
+
+impl Number for Flushed {
+    const NAME: &'static str = "f32, flushed";
+    const UNIT: f64 = SINGLE;
+    const UNDERFLOW: f64 = 1.2e-38;
+    const LARGEST: f64 = f32::MAX as f64;
+    const LEAST: f64 = -30.0;
+}
+
+/// Every state must be right to within the limits, and so must the inputs kept as bits of f64.
+///
+/// # Panics
+/// Where one is not, and where an error is NaN.
+pub fn hold<T: Number, const K: usize, const M: usize>(
+    limits: [(&str, f64); M],
+    kept: &[[u64; K]],
+    states: &[[T; K]],
+    errors: impl Fn(&[T; K]) -> [f64; M],
+) {
+    let kept = kept.iter();
+    let kept = kept.map(|bits| bits.map(|bits| T::constant(f64::from_bits(bits))));
+    let mut worst = [(-1.0, states[0]); M];
+    for state in kept.chain(states.iter().copied()) {
+        for ((name, _), (worst, found)) in limits.iter().zip(worst.iter_mut().zip(errors(&state))) {
+            assert!(!found.is_nan(), "{name}: NaN at {}", hexadecimal(&state));
+            if found > worst.0 {
+                *worst = (found, state);
+            }
+        }
+    }
+    for ((name, limit), (found, state)) in limits.iter().zip(worst) {
+        let place = hexadecimal(&state);
+        println!("{name}, {}: {found:.2} of {limit} at {place}", T::NAME);
+        assert!(found <= *limit, "{name}, {}: {found} at {place}", T::NAME);
+    }
+}
+
+/// The bits of a state as numbers of f64.
+fn hexadecimal<T: Number, const K: usize>(state: &[T; K]) -> String {
+    let words = state.map(|x| format!("0x{:016x}", x.to_f64().to_bits()));
+    format!("[{}]", words.join(", "))
+}
+
+/// |found − exact| in units of u · |`size`|, less what underflow may take.
+pub fn units<T: Number>(found: T, exact: &Big, size: &Big) -> f64 {
+    if !found.is_finite() {
+        return f64::NAN;
+    }
+    let error = (found.big() - exact).abs();
+    let unit = Big::new(T::UNIT) * size.abs();
+    (error / (unit + Big::new(T::UNDERFLOW))).to_f64()
+}
+
+/// 10 to a power between two, all powers alike, of either sign.
+pub fn size<T: Number>(random: &mut Random, least: f64, most: f64) -> T {
+    let power = least + (most - least) * 0.5 * (random.unit() + 1.0);
+    let sign = if random.chance(2) { -1.0 } else { 1.0 };
+    T::constant(sign * 10_f64.powf(power))
+}
+
+/// Three numbers in [−1, 1).
+pub fn vector<T: Number>(random: &mut Random) -> [T; 3] {
+    from_fn(|_| T::constant(random.unit()))
+}
+
+/// A unit vector: at random, or one of the 26 whose entries are 0 or of one size.
+pub fn direction<T: Number>(random: &mut Random) -> [T; 3] {
+    loop {
+        let v = if random.chance(3) {
+            from_fn(|_| T::constant([-1.0, 0.0, 1.0][random.below(3)]))
+        } else {
+            vector(random)
+        };
+        if let Some(u) = homogen::vector::unit(v) {
+            return u;
+        }
+    }
+}
+
+/// One test for each type of number.
+#[macro_export]
+macro_rules! in_every_type {
+    ($($(#[$about:meta])* $case:ident => $generic:ident;)+) => {$(
+        $(#[$about])*
+        #[test]
+        fn $case() {
+            $generic::<f64>();
+            $generic::<f32>();
+            $generic::<homogen_tests::tested::Flushed>();
+        }
+    )+};
+}

@@ -166,8 +166,10 @@ pub fn program_for(
     } else {
         Layout::for_kinematics(chain)
     };
-    // What a body opposes to an acceleration must be a body's.
-    let physical = forward == Forward::Articulated || formulation.parameters == Parameters::Raw;
+    // What a body opposes to an acceleration must be a body's; and a refinement is as good as its
+    // residual: a literal that has taken in a heavy neighbour's mass is rounded to the size of that.
+    let physical = !matches!(forward, Forward::MassMatrix { refinements: 0 })
+        || formulation.parameters == Parameters::Raw;
     let schedule = match formulation.products {
         Products::Fused if processor.fuses(scalar) => schedule,
         Products::Fused | Products::Unfused => schedule_unfused,

@@ -56,12 +56,13 @@ pub fn doubt(chain: &Chain, request: &Request) -> Option<Complaint> {
     // A singular chain is refused, function by function.
     let worst = Worst::of(chain).regular(chain).ok()?;
     let roundoff = request.scalar.roundoff();
-    if keeps_half(worst.loss * roundoff, roundoff, refinements) {
+    let error = worst.error(chain, roundoff);
+    if keeps_half(error, roundoff, refinements) {
         return None;
     }
     let joint = &chain.joints[worst.joint];
     let (name, loss) = (&joint.name, worst.loss);
-    let hint = match refinements_needed(worst.loss * roundoff, roundoff) {
+    let hint = match refinements_needed(error, roundoff) {
         Some(needed) => format!("write refined = {needed}, or leave the choice to the engine"),
         None => "generate it for f64, or model a robot whose masses differ less".to_owned(),
     };
@@ -84,7 +85,7 @@ pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Errors> {
     let roundoff = scalar.roundoff();
     let worst = Worst::of(chain).regular(chain)?;
     let loss = worst.loss;
-    if let Some(refinements) = refinements_needed(loss * roundoff, roundoff) {
+    if let Some(refinements) = refinements_needed(worst.error(chain, roundoff), roundoff) {
         return Ok(Forward::MassMatrix { refinements });
     }
     let joint = &chain.joints[worst.joint];
@@ -156,6 +157,13 @@ impl Worst {
             loss: f64::INFINITY,
             joint,
         })
+    }
+
+    /// The relative error to be expected of what is not refined: the loss magnifies as many roundings
+    /// as there are joints.
+    fn error(&self, chain: &Chain, roundoff: f64) -> f64 {
+        let joints = u32::try_from(chain.joints.len()).expect("fewer than 65536 joints");
+        self.loss * f64::from(joints) * roundoff
     }
 
     /// Itself, where the mass matrix is regular.

@@ -698,6 +698,10 @@ fn arguments_that_make_no_sense() {
             "gravity is three numbers with commas between them, or none",
         ),
         ("check - --gravity 0,0,inf", "`inf` is not a finite number"),
+        (
+            "count - --target cortex-m5",
+            "there is no such target\n  hint: did you mean \"cortex-m4\"? known targets: portable,",
+        ),
         ("check - --lock elbow=bent", "`bent` is not a number"),
         ("eval - --function gravity", "--states <FILE>"),
         ("report", "unrecognized subcommand"),

@@ -10,6 +10,7 @@ use super::{Builder, Origin};
 use crate::emit::{self, Listing};
 use crate::error::{Errors, Place};
 use crate::request::Real;
+use crate::target::Processor;
 
 impl Builder {
     /// The same as [`Builder::to_tokens`], formatted, under a head that tells origin, options and
@@ -99,12 +100,28 @@ impl Builder {
                 .iter()
                 .map(|link| format!("drop {}", link.text)),
         );
+        options.extend(
+            request
+                .frames
+                .iter()
+                .map(|link| format!("frame {}", link.text)),
+        );
+        options.extend(
+            request
+                .parameters
+                .iter()
+                .map(|parameter| format!("field {}", parameter.field)),
+        );
         options.extend(request.gravity.map(|gravity| {
             let gravity = gravity.map(|number| number.value);
             format!("gravity {gravity:?}")
         }));
         options.extend(request.exact.then(|| "exact".to_owned()));
         options.extend(request.strict.then(|| "strict".to_owned()));
+        let chosen = request.processor != Processor::Portable;
+        options.extend(chosen.then(|| format!("target {}", request.processor.name())));
+        let prefix = self.library.c_prefix.as_ref();
+        options.extend(prefix.map(|prefix| format!("functions {prefix}… for C")));
         options.join(", ")
     }
 }

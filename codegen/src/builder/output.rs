@@ -9,8 +9,9 @@ use super::{Builder, Origin};
 use crate::description::{self, Description};
 use crate::emit::{self, Item, Library, Listing};
 use crate::error::{Errors, Place};
-use crate::formulation::Sines;
+use crate::formulation::{Products, Sines};
 use crate::request::Real;
+use crate::target::Processor;
 
 impl Builder {
     /// The struct and its methods.
@@ -52,6 +53,10 @@ impl Builder {
         let mut request = self.request.clone();
         if request.runtime.is_none() && request.scalar == Real::Generic {
             request.scalar = Real::F64;
+        }
+        // `core` has no fused product: a price that counted on it would be wrong.
+        if request.runtime.is_none() && request.processor != Processor::Portable {
+            request.formulation.products = Products::Unfused;
         }
         if request.runtime.is_some() && self.library.c_prefix.is_some() {
             let message =

@@ -12,7 +12,7 @@ use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::formulation::{Formulation, Forward, Frame, Parameters, Products};
+use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::{Real, Request};
@@ -172,14 +172,7 @@ pub fn program_for(
         Products::Fused if processor.fuses(scalar) => schedule,
         Products::Fused | Products::Unfused => schedule_unfused,
     };
-    let ways = match formulation.frame {
-        Frame::Link => functions
-            .iter()
-            .map(|&function| Way::all(function))
-            .max_by_key(Vec::len)
-            .unwrap_or_default(),
-        Frame::Base => vec![Way::IN_FRAME_0],
-    };
+    let ways = ways(formulation, functions);
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
         let regroup = layout.regroup && !physical;
@@ -195,6 +188,28 @@ pub fn program_for(
         }
     }
     Ok(best.expect("there is at least one layout and one way").1)
+}
+
+/// The ways between which the count decides.
+fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
+    let apart = match formulation.frame {
+        Frame::Link => functions
+            .iter()
+            .map(|&function| Way::all(function))
+            .max_by_key(Vec::len)
+            .unwrap_or_default(),
+        Frame::Base => vec![Way::IN_FRAME_0],
+    };
+    match formulation.angles {
+        Angles::Apart => apart,
+        Angles::Merged => {
+            let merged = apart.iter().map(|&way| Way {
+                angles: Angles::Merged,
+                ..way
+            });
+            merged.chain(apart.iter().copied()).collect()
+        }
+    }
 }
 
 /// The program that a layout and a way give.

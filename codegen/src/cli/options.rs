@@ -53,8 +53,8 @@ pub(super) struct Robot {
     /// [default: portable]
     #[arg(long, value_name = "NAME", value_parser = target)]
     target: Option<Processor>,
-    /// How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, unfused,
-    /// platform-sines
+    /// How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged,
+    /// unfused, platform-sines
     /// [default: what the engine chooses]
     #[arg(long, value_name = "WORD,…", value_parser = formulation)]
     formulation: Option<Formulation>,

@@ -316,8 +316,8 @@ fn words_of_a_formulation_are_each_told() {
     assert_eq!(
         errors_in("formulation(row, refined, articulated, refined: 1, unfused = yes, raw)"),
         "1:21: unknown word \"row\"\n  hint: did you mean \"raw\"? known words: link_frames, \
-         frame_0, regrouped, raw, refined, articulated, fused, unfused, own_sines and \
-         platform_sines\n\
+         frame_0, regrouped, raw, refined, articulated, apart, merged, fused, unfused, \
+         own_sines and platform_sines\n\
          1:26: \"refined\" needs a number of refinements\n  \
          hint: write refined = 0, refined = 1 or refined = 2\n\
          1:48: \"refined = 1\" contradicts \"articulated\"\n  hint: leave one of them out\n\

@@ -15,7 +15,7 @@ use homogen_codegen::description::{Name, read_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::program_as;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
-use homogen_codegen::formulation::{Formulation, Frame, Parameters};
+use homogen_codegen::formulation::{Angles, Formulation, Frame, Parameters};
 use homogen_codegen::model::{self, Way};
 use homogen_codegen::request::{Parameter, Request, Target};
 use homogen_codegen::schedule::{Program, run};
@@ -231,6 +231,20 @@ fn in_frame_0() {
         farthest: 6000.0,
         ..panda()
     });
+}
+
+#[test]
+fn with_the_angles_of_parallel_axes_merged() {
+    let formulation = Formulation {
+        angles: Angles::Merged,
+        ..Formulation::default()
+    };
+    for (robot, tip) in [("ur5_class", "tool0"), ("puma560_general", "tool")] {
+        check_both(Asked {
+            formulation,
+            ..asked(robot, tip)
+        });
+    }
 }
 
 #[test]

@@ -100,6 +100,18 @@ impl Builder {
                 .iter()
                 .map(|link| format!("drop {}", link.text)),
         );
+        options.extend(
+            request
+                .frames
+                .iter()
+                .map(|link| format!("frame {}", link.text)),
+        );
+        options.extend(
+            request
+                .parameters
+                .iter()
+                .map(|parameter| format!("field {}", parameter.field)),
+        );
         options.extend(request.gravity.map(|gravity| {
             let gravity = gravity.map(|number| number.value);
             format!("gravity {gravity:?}")
@@ -108,6 +120,8 @@ impl Builder {
         options.extend(request.strict.then(|| "strict".to_owned()));
         let chosen = request.processor != Processor::Portable;
         options.extend(chosen.then(|| format!("target {}", request.processor.name())));
+        let prefix = self.library.c_prefix.as_ref();
+        options.extend(prefix.map(|prefix| format!("functions {prefix}… for C")));
         options.join(", ")
     }
 }

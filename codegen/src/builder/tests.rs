@@ -112,6 +112,14 @@ fn c_has_names_of_its_own_and_no_runtime() {
     assert_eq!(one, "error: no name in C begins with `arm-`\n");
     let other = errors(arm(as_asked).extern_c("arm_").runtime("::homogen"));
     assert!(other.contains("without the runtime"), "{other}");
+    let header = arm(as_asked)
+        .extern_c("arm_")
+        .frames(["eye"])
+        .parameter("payload", Target::MassOf("rod-2".into()))
+        .to_c_header()
+        .expect("no mistakes");
+    let options = " * Options: f64, frame eye, field payload, functions arm_… for C.\n";
+    assert!(header.contains(options), "{header}");
     let none = arm(as_asked).to_c_header().expect("no mistakes");
     assert_eq!(none, "");
 }

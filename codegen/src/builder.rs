@@ -23,6 +23,7 @@ use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::request::{Parameter, Real, Request, Target};
+use crate::target::Processor;
 
 /// Reads a robot and writes its functions.
 ///
@@ -196,6 +197,13 @@ impl Builder {
     /// ```
     pub fn formulation(mut self, formulation: Formulation) -> Self {
         self.request.formulation = formulation;
+        self
+    }
+
+    /// The processor that the functions run on; it decides which operations are chosen, and the price
+    /// tells its cycles.
+    pub fn target(mut self, processor: Processor) -> Self {
+        self.request.processor = processor;
         self
     }
 

@@ -11,13 +11,14 @@ use crate::chain::{self, Chain};
 use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
-use crate::expression::{Double, Expr, Graph, Term};
-use crate::formulation::{Formulation, Forward, Frame, Parameters, Products};
+use crate::expression::{Double, Expr, Graph, Input, Node, Term};
+use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::{Real, Request};
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
 use crate::simplify::simplify;
+use crate::target::Processor;
 
 /// Expands a robot.
 ///
@@ -55,6 +56,7 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
 /// Every mistake of the description and of the formulation; every doubt, where the request is
 /// strict.
 pub fn understand(description: &Description, request: &Request) -> Result<Chain, Errors> {
+    check_processor(request)?;
     if let Err(refusal) = request.formulation.check() {
         let mut errors = Errors::new();
         errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
@@ -70,6 +72,22 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         chain.report.warnings.push(doubt);
     }
     Ok(chain)
+}
+
+/// Refuses a type of number that the processor would call a library for.
+fn check_processor(request: &Request) -> Result<(), Errors> {
+    let mut errors = Errors::new();
+    if !request.processor.has(request.scalar) {
+        errors.push_with_hint(
+            Place::Unknown,
+            format!(
+                "{} computes f64 in software, operation by operation",
+                request.processor.name()
+            ),
+            "choose f32 as the scalar, or another target",
+        );
+    }
+    errors.into_result(())
 }
 
 /// Refuses a chain that is too long for code without loops.
@@ -122,6 +140,25 @@ pub fn program_as(
     frame: usize,
     scalar: Real,
 ) -> Result<Program, Errors> {
+    let processor = Processor::Portable;
+    program_for(processor, formulation, chain, functions, frame, scalar)
+}
+
+/// The program that is cheapest on a processor, within a formulation.
+///
+/// # Errors
+/// As [`program_as`].
+///
+/// # Panics
+/// As [`program`] does.
+pub fn program_for(
+    processor: Processor,
+    formulation: Formulation,
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    scalar: Real,
+) -> Result<Program, Errors> {
     let forward = forward::form(chain, functions, scalar, formulation.forward)?;
     let dynamic = functions.iter().any(|function| !function.of_a_frame());
     let layouts = if dynamic {
@@ -129,20 +166,15 @@ pub fn program_as(
     } else {
         Layout::for_kinematics(chain)
     };
-    // What a body opposes to an acceleration must be a body's.
-    let physical = forward == Forward::Articulated || formulation.parameters == Parameters::Raw;
+    // What a body opposes to an acceleration must be a body's; and a refinement is as good as its
+    // residual: a literal that has taken in a heavy neighbour's mass is rounded to the size of that.
+    let physical = !matches!(forward, Forward::MassMatrix { refinements: 0 })
+        || formulation.parameters == Parameters::Raw;
     let schedule = match formulation.products {
-        Products::Fused => schedule,
-        Products::Unfused => schedule_unfused,
+        Products::Fused if processor.fuses(scalar) => schedule,
+        Products::Fused | Products::Unfused => schedule_unfused,
     };
-    let ways = match formulation.frame {
-        Frame::Link => functions
-            .iter()
-            .map(|&function| Way::all(function))
-            .max_by_key(Vec::len)
-            .unwrap_or_default(),
-        Frame::Base => vec![Way::IN_FRAME_0],
-    };
+    let ways = ways(formulation, functions);
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
         let regroup = layout.regroup && !physical;
@@ -151,13 +183,35 @@ pub fn program_as(
             let way = Way { forward, ..way };
             let (graph, results) = expressions_by(chain, functions, frame, layout, way);
             let program = schedule(&graph, &results);
-            let weight = Price::of(&program).weight();
+            let weight = processor.weight(scalar, &Price::of(&program));
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
                 best = Some((weight, program));
             }
         }
     }
     Ok(best.expect("there is at least one layout and one way").1)
+}
+
+/// The ways between which the count decides.
+fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
+    let apart = match formulation.frame {
+        Frame::Link => functions
+            .iter()
+            .map(|&function| Way::all(function))
+            .max_by_key(Vec::len)
+            .unwrap_or_default(),
+        Frame::Base => vec![Way::IN_FRAME_0],
+    };
+    match formulation.angles {
+        Angles::Apart => apart,
+        Angles::Merged => {
+            let merged = apart.iter().map(|&way| Way {
+                angles: Angles::Merged,
+                ..way
+            });
+            merged.chain(apart.iter().copied()).collect()
+        }
+    }
 }
 
 /// The program that a layout and a way give.
@@ -209,7 +263,8 @@ fn list(
     frame: usize,
     request: &Request,
 ) -> Result<Listed, Errors> {
-    let program = program_as(
+    let program = program_for(
+        request.processor,
         request.formulation,
         chain,
         &functions,
@@ -223,7 +278,9 @@ fn list(
         mul += more_mul;
         add += more_add;
     }
-    let price = Price::of(&program).beside_dense(mul, add);
+    let price = Price::of(&program)
+        .beside_dense(mul, add)
+        .on(request.processor, request.scalar);
     let accuracy = accuracy::of(chain, &functions, &program, request.scalar);
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
     let further = of_a_frame && (frame > 0 || !chain.has_tip);
@@ -360,17 +417,31 @@ fn gravity(chain: &Chain) -> String {
     }
 }
 
-/// How many inertial parameters are not zero, or are left after regrouping.
+/// How many inertial parameters inverse dynamics reads, of those of the description or of those that
+/// regrouping leaves.
 fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
     let graph = chain.graph.clone();
     let layout = Layout {
         regroup: parameters == Parameters::Regrouped,
         ..Layout::DESCRIBED
     };
-    let bodies = arrange(&graph, chain, layout).bodies;
-    bodies
-        .iter()
-        .flat_map(|body| body.inertia.entries())
-        .filter(|entry| !entry.is_zero())
-        .count()
+    let mut bodies = arrange(&graph, chain, layout);
+    // Each becomes an input of its own, beyond those of struct fields, to be found among what is read.
+    let fields = chain.nominal.len();
+    for (body, field) in bodies.bodies.iter_mut().zip(fields..) {
+        let field = u16::try_from(field).expect("fewer than 65536 joints and fields");
+        let mut entries = 0..;
+        body.inertia = body.inertia.map(|entry| match entries.next() {
+            Some(k) if !entry.is_zero() => graph.input(Input::Parameter(field, k)),
+            _ => entry,
+        });
+    }
+    let torques = model::build(&graph, &bodies, Function::InverseDynamics, 0, Way::PLAIN);
+    let torques: Vec<Expr> = torques.into_iter().map(Term::expr).collect();
+    let (needed, _) = graph.needed(&torques);
+    let is_read = |expr: &Expr| match graph.node(*expr) {
+        Node::Input(Input::Parameter(field, _)) => usize::from(field) >= fields,
+        _ => false,
+    };
+    needed.iter().filter(|expr| is_read(expr)).count()
 }

@@ -26,6 +26,8 @@ pub struct Formulation {
     /// How accelerations are found from forces; where none is chosen, by the least that the
     /// conditioning of the mass matrix asks for.
     pub forward: Option<Forward>,
+    /// Whether the angles of parallel axes are summed.
+    pub angles: Angles,
     /// Whether a product and a sum are rounded once.
     pub products: Products,
     /// Where sines and cosines come from.
@@ -65,6 +67,18 @@ pub enum Forward {
     Articulated,
 }
 
+/// What becomes of the angles of joints that follow each other with parallel axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Angles {
+    /// Each has its sine and cosine, and a function is as accurate at any number of turns.
+    #[default]
+    Apart,
+    /// They are summed first where that is cheaper. It costs the digits that a sum of large angles
+    /// has no room for: an error of the angle of up to u |q|, which nobody sees within a few turns.
+    /// The frame of a link that carries none but such joints keeps the axes of the link before it.
+    Merged,
+}
+
 /// Whether a product and a sum become one operation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Products {
@@ -75,14 +89,15 @@ pub enum Products {
     Unfused,
 }
 
-/// Where sines and cosines come from in code for the runtime; code for `core` alone calls the
-/// function that it is given.
+/// Where sines and cosines come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sines {
-    /// All at once, from `Scalar::sin_cos_all`: the runtime's own for `f32` and `f64`.
+    /// Our own, all at once: those of `Scalar::sin_cos_all`; those that a file for `core` alone
+    /// brings along or is given.
     #[default]
     Own,
-    /// One by one, from `Scalar::sin_cos`: those of the standard library, or of `libm`.
+    /// The platform's, one by one: those of `Scalar::sin_cos`, which are the standard library's or
+    /// `libm`'s; `libm`'s in a file for `core` alone that is given none.
     Platform,
 }
 
@@ -101,13 +116,14 @@ enum Choice {
     Frame(Frame),
     Parameters(Parameters),
     Forward(Forward),
+    Angles(Angles),
     Products(Products),
     Sines(Sines),
 }
 
 /// The words, each with the value that it needs and what it chooses.
 #[rustfmt::skip]
-const WORDS: [(&str, Option<&str>, Choice); 12] = [
+const WORDS: [(&str, Option<&str>, Choice); 14] = [
     ("link_frames",    None,      Choice::Frame(Frame::Link)),
     ("frame_0",        None,      Choice::Frame(Frame::Base)),
     ("regrouped",      None,      Choice::Parameters(Parameters::Regrouped)),
@@ -116,6 +132,8 @@ const WORDS: [(&str, Option<&str>, Choice); 12] = [
     ("refined",        Some("1"), Choice::Forward(Forward::MassMatrix { refinements: 1 })),
     ("refined",        Some("2"), Choice::Forward(Forward::MassMatrix { refinements: 2 })),
     ("articulated",    None,      Choice::Forward(Forward::Articulated)),
+    ("apart",          None,      Choice::Angles(Angles::Apart)),
+    ("merged",         None,      Choice::Angles(Angles::Merged)),
     ("fused",          None,      Choice::Products(Products::Fused)),
     ("unfused",        None,      Choice::Products(Products::Unfused)),
     ("own_sines",      None,      Choice::Sines(Sines::Own)),
@@ -157,6 +175,7 @@ impl Choice {
             Self::Frame(frame) => formulation.frame = frame,
             Self::Parameters(parameters) => formulation.parameters = parameters,
             Self::Forward(forward) => formulation.forward = Some(forward),
+            Self::Angles(angles) => formulation.angles = angles,
             Self::Products(products) => formulation.products = products,
             Self::Sines(sines) => formulation.sines = sines,
         }
@@ -243,7 +262,7 @@ fn values(word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Formulation, Forward, Frame, Parameters, Products, Reader, Sines};
+    use super::{Angles, Formulation, Forward, Frame, Parameters, Products, Reader, Sines};
 
     /// What some words say, or why not.
     fn read(words: &[(&str, Option<&str>)]) -> Result<Formulation, String> {
@@ -262,6 +281,7 @@ mod tests {
             frame: Frame::Base,
             parameters: Parameters::Raw,
             forward: Some(Forward::MassMatrix { refinements: 2 }),
+            angles: Angles::Merged,
             products: Products::Unfused,
             sines: Sines::Platform,
         };
@@ -269,13 +289,21 @@ mod tests {
             ("frame_0", None),
             ("raw", None),
             ("refined", Some("2")),
+            ("merged", None),
             ("unfused", None),
             ("platform_sines", None),
         ];
         assert_eq!(read(&said), Ok(all));
         assert_eq!(
             all.words(),
-            ["frame_0", "raw", "refined = 2", "unfused", "platform_sines"]
+            [
+                "frame_0",
+                "raw",
+                "refined = 2",
+                "merged",
+                "unfused",
+                "platform_sines"
+            ]
         );
         let defaults = [("fused", None), ("own_sines", None), ("regrouped", None)];
         assert_eq!(read(&defaults), Ok(Formulation::default()));
@@ -288,7 +316,8 @@ mod tests {
             (
                 vec![("row", None)],
                 "unknown word \"row\" (did you mean \"raw\"? known words: link_frames, frame_0, \
-                 regrouped, raw, refined, articulated, fused, unfused, own_sines and platform_sines)",
+                 regrouped, raw, refined, articulated, apart, merged, fused, unfused, own_sines \
+                 and platform_sines)",
             ),
             (
                 vec![("raw", Some("1"))],

@@ -25,9 +25,11 @@ pub mod model;
 pub mod request;
 pub mod schedule;
 pub mod simplify;
+pub mod target;
 mod wording;
 
 pub use builder::Builder;
 pub use formulation::Formulation;
 pub use function::Function;
 pub use request::{Real, Target};
+pub use target::Processor;

@@ -15,9 +15,10 @@ mod gravity;
 mod jacobian;
 mod newton_euler;
 mod pose;
+mod turn;
 mod twist;
 
-pub use crate::formulation::{Forward, Frame};
+pub use crate::formulation::{Angles, Forward, Frame};
 pub use dense::dense;
 
 use crate::chain::frames::Bodies;
@@ -29,6 +30,8 @@ use crate::function::{Argument, Function};
 pub struct Way {
     /// The frame in which the recursions run; the articulated bodies' are those of the links.
     pub frame: Frame,
+    /// Whether the angles of parallel axes are summed.
+    pub angles: Angles,
     /// How the pose of a frame is found.
     pub pose: Carried,
     /// How accelerations are found from forces.
@@ -51,6 +54,7 @@ impl Way {
     /// Columns all carried inwards, accelerations by the mass matrix.
     pub const PLAIN: Self = Self {
         frame: Frame::Link,
+        angles: Angles::Apart,
         pose: Carried::Inwards { by_product: None },
         forward: Forward::MassMatrix { refinements: 0 },
     };
@@ -90,8 +94,8 @@ pub fn build<'g>(
     way: Way,
 ) -> Vec<Term<'g>> {
     let state = State { graph };
-    let path = || carry::path(bodies, frame, &state);
-    let joints = || carry::joints(bodies, &state);
+    let path = || carry::path(bodies, frame, &state, way.angles);
+    let joints = || carry::joints(bodies, &state, way.angles);
     let gravity = bodies.gravity;
     let torques = |qdd: &[Term<'g>]| match way.frame {
         Frame::Link => newton_euler::inverse_dynamics(&joints(), gravity, &state, qdd),
@@ -138,7 +142,7 @@ pub fn build<'g>(
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
     let state = State { graph };
-    let matrix = composite::mass_matrix(&carry::joints(bodies, &state), &state);
+    let matrix = composite::mass_matrix(&carry::joints(bodies, &state, Angles::Apart), &state);
     forward_dynamics::pivots(&matrix, &parents(bodies))
 }
 

@@ -9,6 +9,7 @@ use proc_macro2::{Ident, TokenStream};
 use crate::description::{Name, Number};
 use crate::formulation::Formulation;
 use crate::function::Function;
+use crate::target::Processor;
 
 /// Everything that is asked for.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +37,8 @@ pub struct Request {
     pub functions: Vec<Vec<Function>>,
     /// How they are computed.
     pub formulation: Formulation,
+    /// The processor that they are computed on.
+    pub processor: Processor,
     /// The type of number in the generated code.
     pub scalar: Real,
     /// Struct fields that stay free at run time.

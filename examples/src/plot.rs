@@ -7,6 +7,7 @@
 mod axis;
 pub mod grid;
 pub mod heat;
+mod label;
 mod legend;
 mod panel;
 mod symbol;
@@ -62,6 +63,8 @@ pub enum Scale {
     Every(f64),
     /// By powers of ten; numbers that are not positive are left out.
     Log,
+    /// By powers of two, which are written out.
+    Doubling,
 }
 
 /// A line through points.

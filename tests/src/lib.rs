@@ -15,5 +15,6 @@ pub mod oracle;
 pub mod robots;
 pub mod rounding;
 pub mod states;
+pub mod subjects;
 pub mod tested;
 pub mod trees;

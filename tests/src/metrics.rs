@@ -38,7 +38,7 @@ pub fn scaled<T: Tested>(found: &[f64], exact: &[Big], sizes: &[f64]) -> Vec<f64
     assert_eq!((found.len(), sizes.len()), (exact.len(), exact.len()));
     let pairs = found.iter().zip(exact).zip(sizes);
     pairs
-        .map(|((&found, exact), size)| distance(found, exact) / (T::ROUNDOFF * size))
+        .map(|((&found, exact), &size)| units::<T>(found, exact, size))
         .collect()
 }
 
@@ -50,10 +50,9 @@ pub fn scaled<T: Tested>(found: &[f64], exact: &[Big], sizes: &[f64]) -> Vec<f64
 #[must_use]
 pub fn relative<T: Tested>(found: &[f64], exact: &[Big]) -> f64 {
     assert_eq!(found.len(), exact.len());
+    let size = largest(exact.iter().map(|exact| exact.abs().to_f64())).max(T::FLOOR);
     let pairs = found.iter().zip(exact);
-    let error = largest(pairs.map(|(&found, exact)| distance(found, exact)));
-    let size = largest(exact.iter().map(|exact| exact.abs().to_f64()));
-    error / (T::ROUNDOFF * size.max(T::FLOOR))
+    largest(pairs.map(|(&found, exact)| units::<T>(found, exact, size)))
 }
 
 /// |error| in units of the last place of the exact value.
@@ -62,7 +61,7 @@ pub fn ulps<T: Tested>(found: f64, exact: &Big) -> f64 {
     let size = exact.abs().to_f64().max(T::FLOOR);
     // The largest power of two that is no larger.
     let power = f64::from_bits(size.to_bits() & f64::INFINITY.to_bits());
-    distance(found, exact) / (2.0 * T::ROUNDOFF * power)
+    units::<T>(found, exact, 2.0 * power)
 }
 
 /// The backward error of forward dynamics, joint by joint: by how much the torques that the found
@@ -91,9 +90,11 @@ pub fn largest(errors: impl IntoIterator<Item = f64>) -> f64 {
     })
 }
 
-fn distance(found: f64, exact: &Big) -> f64 {
+/// |error| / (u size), at 256 bits: u times the smallest normal number is none of `f64`.
+fn units<T: Tested>(found: f64, exact: &Big, size: f64) -> f64 {
     if found.is_finite() {
-        (Big::new(found) - exact).abs().to_f64()
+        let error = (Big::new(found) - exact).abs();
+        (error / (Big::new(T::ROUNDOFF) * Big::new(size))).to_f64()
     } else {
         f64::INFINITY
     }
@@ -188,6 +189,18 @@ mod tests {
             assert_eq!(relative::<F64>(&[found], &[Big::one()]), f64::INFINITY);
         }
         assert_eq!(largest([f64::NAN, 1.0]), f64::INFINITY);
+    }
+
+    #[test]
+    fn what_underflows_is_measured_too() {
+        let smallest = f64::from_bits(1);
+        let errors = scaled::<F64>(
+            &[0.0, smallest],
+            &[smallest, 0.0].map(Big::new),
+            &[F64::FLOOR; 2],
+        );
+        assert_eq!(errors, [2.0, 2.0]);
+        assert_eq!(relative::<F64>(&[0.0], &[Big::zero()]), 0.0);
     }
 
     #[test]

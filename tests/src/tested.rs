@@ -16,7 +16,8 @@ pub trait Tested: Arithmetic + Copy + Debug {
     const NAME: &'static str;
     /// u, the largest relative error of an operation.
     const ROUNDOFF: f64;
-    /// What an operation may be off by where the result underflows, in units of u.
+    /// No result is smaller for the purpose of measuring its error: where one underflows, the operation
+    /// is off by up to u times this.
     const FLOOR: f64;
 
     /// The number, which `f64` holds exactly.

@@ -7,7 +7,9 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use homogen_codegen::cli::{Answer, answer, run};
-use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters, Products, Sines};
+use homogen_codegen::formulation::{
+    Angles, Formulation, Forward, Frame, Parameters, Products, Sines,
+};
 use homogen_codegen::{Builder, Function};
 use serde_json::{Value, json};
 
@@ -512,17 +514,18 @@ fn inspect_shows_the_formulation_that_the_builder_takes() {
         frame: Frame::Base,
         parameters: Parameters::Raw,
         forward: Some(Forward::MassMatrix { refinements: 1 }),
+        angles: Angles::Merged,
         products: Products::Unfused,
         sines: Sines::Platform,
     };
-    let words = "frame-0,raw,refined=1,unfused,platform-sines";
+    let words = "frame-0,raw,refined=1,merged,unfused,platform-sines";
     let arm = "../robots/two_link.urdf";
     let shown = homogen(
         &format!("inspect {arm} --function forward_dynamics --formulation {words}"),
         "",
     );
     assert_eq!((&*shown.remarks, shown.code), ("", 0));
-    let doc = "/// Formulation: frame_0, raw, refined = 1, unfused, platform_sines.\n";
+    let doc = "/// Formulation: frame_0, raw, refined = 1, merged, unfused, platform_sines.\n";
     assert!(shown.output.contains(doc), "{}", shown.output);
     let builder = Builder::from_urdf(arm).formulation(formulation);
     let built = builder
@@ -532,7 +535,7 @@ fn inspect_shows_the_formulation_that_the_builder_takes() {
         .expect("no mistakes")
         .to_string();
     assert!(built.starts_with("// @generated"), "{built}");
-    let head = "// Formulation: frame_0, raw, refined = 1, unfused, platform_sines.\n";
+    let head = "// Formulation: frame_0, raw, refined = 1, merged, unfused, platform_sines.\n";
     assert!(built.contains(head), "{built}");
     let bare = |text: &str| text.replace([' ', '\n'], "");
     assert!(
@@ -695,6 +698,10 @@ fn arguments_that_make_no_sense() {
             "gravity is three numbers with commas between them, or none",
         ),
         ("check - --gravity 0,0,inf", "`inf` is not a finite number"),
+        (
+            "count - --target cortex-m5",
+            "there is no such target\n  hint: did you mean \"cortex-m4\"? known targets: portable,",
+        ),
         ("check - --lock elbow=bent", "`bent` is not a number"),
         ("eval - --function gravity", "--states <FILE>"),
         ("report", "unrecognized subcommand"),

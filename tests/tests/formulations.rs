@@ -20,12 +20,12 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 200;
 
-/// Derives the Panda-class arm in a formulation, after the formulation as a test compares it.
-macro_rules! panda {
-    ($(#[$about:meta])* $name:ident: $($words:tt)*) => {
+/// Derives a robot in a formulation.
+macro_rules! robot {
+    ($(#[$about:meta])* $name:ident, $urdf:literal, $tip:literal: $($words:tt)*) => {
         $(#[$about])*
         #[derive(Robot)]
-        #[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+        #[robot(urdf = $urdf, tip = $tip)]
         #[robot(generate(
             forward_kinematics,
             spatial_jacobian,
@@ -44,33 +44,42 @@ macro_rules! panda {
     };
 }
 
-panda! {
+robot! {
     /// Every operation rounded for itself, as `run` does it.
-    Plain: unfused, platform_sines
+    Plain, "../robots/panda_class.urdf", "link8": unfused, platform_sines
 }
-panda! {
+robot! {
     /// As the paper writes it.
-    InFrame0: frame_0, raw, unfused, platform_sines
+    InFrame0, "../robots/panda_class.urdf", "link8": frame_0, raw, unfused, platform_sines
 }
-panda! {
+robot! {
     /// Accelerations by articulated bodies.
-    Articulated: articulated
+    Articulated, "../robots/panda_class.urdf", "link8": articulated
 }
-panda! {
+robot! {
     /// Accelerations refined twice, for no need.
-    Refined: refined = 2
+    Refined, "../robots/panda_class.urdf", "link8": refined = 2
+}
+
+robot! {
+    /// Three parallel axes, whose angles are summed.
+    Merged, "../robots/ur5_class.urdf", "tool0": merged
+}
+robot! {
+    /// The same arm with each angle by itself.
+    Apart, "../robots/ur5_class.urdf", "tool0": apart
 }
 
 /// Every function against the dense recursions, in units of rounding.
-fn agree<R>(robot: &R, chain: &Chain<7, 1>, limit: f64)
+fn agree<R, const N: usize>(robot: &R, chain: &Chain<N, 1>, limit: f64)
 where
-    R: EveryFunction<7, f64> + ForwardDynamics<7, f64>,
+    R: EveryFunction<N, f64> + ForwardDynamics<N, f64>,
 {
     let mut random = Random::new(8);
     let mut worst = Worst::in_units_of(DOUBLE);
     let mut furthest: f64 = 0.0;
     for _ in 0..STATES {
-        let state: State<f64, 7> = State::random(&mut random);
+        let state: State<f64, N> = State::random(&mut random);
         worst.note(&evaluate(robot, &state), &evaluate(chain, &state));
         // The torques of a motion give the motion back.
         let tau = generic::inverse_dynamics(chain, &state.q, &state.qd, &state.qdd);
@@ -97,6 +106,33 @@ fn code_in_frame_0_computes_the_same() {
 fn every_form_of_forward_dynamics_computes_the_same() {
     agree(&Articulated, &Articulated::chain(), 64.0);
     agree(&Refined, &Refined::chain(), 64.0);
+}
+
+#[test]
+fn summed_angles_compute_the_same() {
+    agree(&Merged, &Merged::chain(), 64.0);
+    agree(&Apart, &Apart::chain(), 64.0);
+}
+
+/// After many turns of a joint, the sum with the next one's angle has no room for all its digits.
+#[test]
+fn the_sum_of_large_angles_costs_what_is_said() {
+    let turns = 1e6;
+    let q = [0.3, turns, 1.0 / 3.0, 0.1, 0.4, -0.5];
+    let found = |tau: [f64; 6], expected: [f64; 6]| {
+        let differences = tau.iter().zip(expected).map(|(x, y)| (x - y).abs());
+        let largest = expected.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        differences.fold(0.0, f64::max) / largest
+    };
+    let expected = generic::gravity(&Apart::chain(), &q);
+    let apart = found(Apart.gravity(&q), expected);
+    let merged = found(Merged.gravity(&q), expected);
+    assert!(apart <= 16.0 * DOUBLE, "{apart:e}");
+    assert!(merged <= 4.0 * turns * DOUBLE, "{merged:e}");
+    assert!(
+        merged > 16.0 * DOUBLE,
+        "{merged:e}: the sum is no dearer than it is cheap"
+    );
 }
 
 /// Inverse dynamics of the engine's own program, run as it stands.

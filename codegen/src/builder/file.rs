@@ -10,6 +10,7 @@ use super::{Builder, Origin};
 use crate::emit::{self, Listing};
 use crate::error::{Errors, Place};
 use crate::request::Real;
+use crate::target::Processor;
 
 impl Builder {
     /// The same as [`Builder::to_tokens`], formatted, under a head that tells origin, options and
@@ -63,12 +64,12 @@ impl Builder {
     }
 
     pub(crate) fn c_header(&self, listing: &Listing) -> String {
-        emit::c_header(listing, &self.options(), &self.library).unwrap_or_default()
+        emit::c_header(listing, &self.options(), &self.library()).unwrap_or_default()
     }
 
     pub(crate) fn source(&self, listing: &Listing) -> emit::Source {
-        let library = self.request.runtime.is_none().then_some(&self.library);
-        let header = emit::header(listing, &self.options(), library);
+        let library = self.request.runtime.is_none().then(|| self.library());
+        let header = emit::header(listing, &self.options(), library.as_ref());
         emit::Source::new(header, &self.print(listing))
     }
 
@@ -117,6 +118,8 @@ impl Builder {
         }));
         options.extend(request.exact.then(|| "exact".to_owned()));
         options.extend(request.strict.then(|| "strict".to_owned()));
+        let chosen = request.processor != Processor::Portable;
+        options.extend(chosen.then(|| format!("target {}", request.processor.name())));
         let prefix = self.library.c_prefix.as_ref();
         options.extend(prefix.map(|prefix| format!("functions {prefix}… for C")));
         options.join(", ")

@@ -81,6 +81,9 @@ fn in_json(robot: &str, functions: &[Listed]) -> Value {
                 None => price[name] = json!(number),
             }
         }
+        if let Some((_, cycles)) = listed.price.cycles {
+            price["cycles"] = json!(cycles);
+        }
         price["error"] = error(&listed.accuracy);
         (listed.name(), price)
     });

@@ -111,6 +111,7 @@ fn formulations(measured: &Measured<'_>) -> String {
     let mut text = String::from(
         "## Formulations\n\n\
          The same functions by other ways, `f64`; times in ns.\n\n\
+         ![Formulations: time per call against worst error](formulations.svg)\n\n\
          | robot | function | formulation | mul | add | div | baseline | native | error, baseline | native |\n\
          |---|---|---|---:|---:|---:|---:|---:|---:|---:|\n",
     );
@@ -154,19 +155,21 @@ fn peers(measured: &Measured<'_>) -> String {
         let _ = writeln!(
             text,
             "### {}\n\n![{0}: time per call against worst error]({}.svg)\n\n\
-             | function | ours | error | Pinocchio | CasADi | snap | snap, ptr | error | ours / best |\n\
-             |---|---:|---:|---:|---:|---:|---:|---:|---:|",
+             | function | ours | with platform sines | error | Pinocchio | CasADi | snap | snap, ptr | error | ours / best | with platform sines |\n\
+             |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
             scene.title, scene.name
         );
         for &function in &scene.functions {
-            let ours = find(
-                measured,
-                scene,
-                function,
-                Variant::DEFAULT.name,
-                Scalar::F64,
-                Flags::Native,
-            );
+            let [ours, platform] = [Variant::DEFAULT.name, "platform_sines"].map(|variant| {
+                find(
+                    measured,
+                    scene,
+                    function,
+                    variant,
+                    Scalar::F64,
+                    Flags::Native,
+                )
+            });
             let makers = ["pinocchio", "casadi", "casadi-snap", "casadi-snap-ptr"];
             let best = makers.map(|maker| fastest(measured, scene, function, maker));
             let least = best
@@ -174,15 +177,18 @@ fn peers(measured: &Measured<'_>) -> String {
                 .flatten()
                 .map(|point| point.time[1])
                 .fold(f64::INFINITY, f64::min);
-            let ratio = ours.map_or(f64::NAN, |ours| ours.time[1] / least);
+            let ratio = |ours: Option<&Point>| ours.map_or(f64::NAN, |ours| ours.time[1] / least);
             let [pinocchio, casadi, snap, ptr] = best.map(time);
             let _ = writeln!(
                 text,
-                "| `{}` | {} | {} | {pinocchio} | {casadi} | {snap} | {ptr} | {} | {ratio:.2} |",
+                "| `{}` | {} | {} | {} | {pinocchio} | {casadi} | {snap} | {ptr} | {} | {:.2} | {:.2} |",
                 function.name(),
                 time(ours),
+                time(platform),
                 units(ours),
                 units(best[3]),
+                ratio(ours),
+                ratio(platform),
             );
         }
         text.push('\n');
@@ -237,7 +243,7 @@ fn grown(grown: &[Grown]) -> String {
     let mut text = String::from(
         "## Growth\n\n\
          Chains of like links with full inertia tensors and skew axes, `f64`; each function alone in a file that needs \
-         `core` and the platform's sines, compiled with `-C opt-level=3`. Expansion is the time from the description \
+         `core` and brings its own sines, compiled with `-C opt-level=3`. Expansion is the time from the description \
          to tokens, in a generator built with opt-level 1.\n\n\
          ![Counts and times of chains of 1 to 64 joints](growth.svg)\n\n\
          | function | joints | mul | add | div | expansion, ms | compilation, s | call, ns |\n\

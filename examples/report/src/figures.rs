@@ -35,7 +35,14 @@ pub fn trade(title: &str, scene: &Scene, functions: &[Function], points: &[Point
         let peers = points.iter().filter(|point| point.key.is_of_a_peer());
         let ours = points.iter().filter(|point| !point.key.is_of_a_peer());
         curves.extend(peers.chain(ours).map(|point| dot(scene, point)));
-        (title_of(function), panel(TIME, ERROR, curves, 226.0))
+        let untold = points.iter().filter(|point| point.worst.is_nan());
+        let untold = untold.min_by(|a, b| a.time[1].total_cmp(&b.time[1]));
+        let marks = untold.map(|point| (point.time[1], "Pinocchio".to_owned()));
+        let panel = Panel {
+            marks: marks.into_iter().collect(),
+            ..panel(TIME, ERROR, curves, 226.0)
+        };
+        (title_of(function), panel)
     };
     Grid {
         title: title.to_owned(),
@@ -47,11 +54,17 @@ pub fn trade(title: &str, scene: &Scene, functions: &[Function], points: &[Point
 
 /// The simpler models of a robot, each scene in a panel, with their names beside the points.
 pub fn models(scenes: &[Scene], points: &[Point]) -> Grid {
+    let of = |scene: &Scene| -> Vec<&Point> {
+        let all = points.iter().filter(|point| point.scene == scene.name);
+        all.filter(|point| point.key.flags == Flags::Native)
+            .collect()
+    };
+    let longest = scenes.iter().flat_map(&of).map(|point| point.time[1]);
+    let longest = longest.fold(0.0, f64::max);
     let panel = |scene: &Scene| {
-        let points = points
-            .iter()
-            .filter(|point| point.scene == scene.name && point.key.flags == Flags::Native);
-        let named = points.map(|point| {
+        let points = of(scene);
+        let height = if points.len() > 4 { 330.0 } else { 190.0 };
+        let named = points.into_iter().map(|point| {
             let variant = scene.variants.iter().find(|v| v.name == point.key.variant);
             let title = variant.map_or("", |variant| variant.title);
             let (color, label) = match point.key.scalar {
@@ -65,9 +78,17 @@ pub fn models(scenes: &[Scene], points: &[Point]) -> Grid {
                 style: Style::Named(shape(&point.key)),
             }
         });
+        // One scale for all.
+        let corners = Curve {
+            label: String::new(),
+            points: vec![[0.0, 1e-15], [f64::NAN; 2], [1.1 * longest, 0.5]],
+            color: Color::Grey,
+            style: Style::Thin,
+        };
+        let curves = std::iter::once(corners).chain(named).collect();
         (
             scene.title.clone(),
-            panel(LINEAR_TIME, ERROR, named.collect(), 300.0),
+            panel(LINEAR_TIME, ERROR, curves, height),
         )
     };
     Grid {
@@ -80,6 +101,45 @@ pub fn models(scenes: &[Scene], points: &[Point]) -> Grid {
 }
 
 const LINEAR_TIME: Axis = Axis {
+    label: "time per call, this processor [ns]",
+    scale: Scale::Linear,
+};
+
+/// The ways to compute a function in `f64`, with their names beside the points of this processor.
+pub fn formulations(panels: &[(&Scene, Function)], points: &[Point]) -> Grid {
+    let draw = |&(scene, function): &(&Scene, Function)| {
+        let points = points.iter().filter(|point| {
+            point.scene == scene.name
+                && point.function == function
+                && point.key.scalar == Scalar::F64
+                && point.key.variant != GENERIC
+        });
+        let curves = points.map(|point| {
+            let variant = scene.variants.iter().find(|v| v.name == point.key.variant);
+            let native = point.key.flags == Flags::Native;
+            let shape = shape(&point.key);
+            Curve {
+                label: variant.map_or("", |variant| variant.title).to_owned(),
+                style: if native {
+                    Style::Named(shape)
+                } else {
+                    Style::Points(shape)
+                },
+                ..dot(scene, point)
+            }
+        });
+        let title = format!("{}: {}", scene.title, title_of(function));
+        (title, panel(EITHER_TIME, ERROR, curves.collect(), 236.0))
+    };
+    Grid {
+        title: "Formulations in f64; hollow: baseline processor".into(),
+        legend: Vec::new(),
+        columns: 1,
+        panels: panels.iter().map(draw).collect(),
+    }
+}
+
+const EITHER_TIME: Axis = Axis {
     label: "time per call [ns]",
     scale: Scale::Linear,
 };
@@ -104,7 +164,10 @@ pub fn growth(grown: &[Grown]) -> Grid {
         label,
         scale: Scale::Log,
     };
-    let joints = axis("moving joints");
+    let joints = Axis {
+        label: "moving joints",
+        scale: Scale::Doubling,
+    };
     let titled = |title: &str, label, value| {
         (
             title.to_owned(),
@@ -175,22 +238,23 @@ fn shape(key: &Key) -> Shape {
 
 /// Ours in the order of the scene's table, the reference in grey, peers by who wrote them.
 fn color(scene: &Scene, variant: &str) -> Color {
-    const OURS: [Color; 6] = [
+    const OURS: [Color; 7] = [
         Color::Blue,
         Color::Sky,
         Color::Green,
         Color::Orange,
         Color::Vermilion,
         Color::Purple,
+        Color::Black,
     ];
     if variant == GENERIC {
         return Color::Grey;
     }
     if let Some((maker, _)) = variant.split_once('/') {
-        return if maker == "pinocchio" {
-            Color::Purple
+        return if maker == "casadi" {
+            Color::Orange
         } else {
-            Color::Black
+            Color::Vermilion
         };
     }
     let place = scene.variants.iter().position(|v| v.name == variant);
@@ -218,7 +282,8 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
         .any(|p| p.scene == scene.name && p.key.is_of_a_peer())
     {
         let square = Style::Points(Shape::Square { filled: true });
-        legend.push(sample("CasADi C", Color::Black, square));
+        legend.push(sample("CasADi C", Color::Orange, square));
+        legend.push(sample("the same, tuned", Color::Vermilion, square));
     }
     legend.push(sample("f64", Color::Black, full(true)));
     legend.push(sample(

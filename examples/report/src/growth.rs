@@ -5,7 +5,6 @@
 //! that needs `core` and the platform's sines.
 
 use std::error::Error;
-use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
@@ -14,15 +13,15 @@ use std::{env, fs};
 use homogen_codegen::Function::{
     self, ForwardDynamics, ForwardKinematics, Gravity, InverseDynamics, MassMatrix,
 };
-use homogen_codegen::description::{Description, read_text};
+use homogen_codegen::description::Description;
 use homogen_codegen::emit::{self, Item, Library};
-use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
 use homogen_codegen::request::{Real, Request};
 use homogen_codegen::schedule::Price;
 use proc_macro2::{Ident, Span};
 use quote::quote;
 
+use crate::chain::chain;
 use crate::progress::Progress;
 use crate::truth::told;
 
@@ -93,9 +92,10 @@ fn one(
     let start = Instant::now();
     let item = Item::made(Ident::new("Chain", Span::call_site()));
     let listing = expand(description, &request, item).map_err(told)?;
+    // The file brings its own sines.
     let library = Library {
-        sin_cos: quote! { f64::sin_cos },
-        sqrt: quote! { f64::sqrt },
+        sqrt: Some(quote! { f64::sqrt }),
+        ..Library::default()
     };
     let tokens = emit::standalone(&listing, &library).to_string();
     let expansion = start.elapsed().as_secs_f64();
@@ -154,28 +154,4 @@ fn main() {{
 ",
         timing.display()
     )
-}
-
-/// A chain of like links, with a full inertia tensor each and joints in turn about skew axes.
-fn chain(joints: usize) -> Result<Description, Errors> {
-    let mut text = String::from("<robot name=\"chain\"><link name=\"l0\"/>");
-    for joint in 1..=joints {
-        let (parent, turned) = (joint - 1, if joint % 2 == 0 { "-" } else { "" });
-        // Writing to a string cannot fail.
-        let _ = write!(
-            text,
-            "<joint name=\"j{joint}\" type=\"continuous\"><parent link=\"l{parent}\"/>\
-             <child link=\"l{joint}\"/><origin xyz=\"0.1 0.02 0.2\" \
-             rpy=\"{turned}1.5707963267948966 0 0\"/><axis xyz=\"0 0 1\"/></joint>\
-             <link name=\"l{joint}\"><inertial><origin xyz=\"0.05 0.02 0.1\"/><mass value=\"1\"/>\
-             <inertia ixx=\"0.01\" ixy=\"0.001\" ixz=\"-0.002\" iyy=\"0.012\" iyz=\"0.0015\" \
-             izz=\"0.008\"/></inertial></link>"
-        );
-    }
-    text.push_str("</robot>");
-    let mut errors = Errors::new();
-    match read_text(&text, "chain.urdf", None, &mut errors) {
-        Some(description) => errors.into_result(description),
-        None => Err(errors),
-    }
 }

@@ -5,15 +5,18 @@
 //! for this processor; exact results are computed; the programs run in turns; what they say is
 //! drawn and written.
 
+mod chain;
 mod document;
 mod figures;
 mod growth;
 mod measure;
+mod output;
 mod peers;
 mod program;
 mod progress;
 mod scene;
 mod simplified;
+mod summed;
 mod truth;
 
 use std::error::Error;
@@ -23,7 +26,6 @@ use std::{env, fs};
 
 use clap::Parser;
 use document::Measured;
-use homogen_examples::plot::grid;
 use measure::{Effort, Run};
 use program::Flags;
 use progress::Progress;
@@ -94,7 +96,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     }
     let models = scene::models(&root).map_err(truth::told)?;
     let beside = match &peers {
-        Some(peers) => peers.scenes(&scene::formulations())?,
+        Some(peers) => peers.scenes(&scene::beside_peers())?,
         None => Vec::new(),
     };
     let scenes = || robots.iter().chain(&models).chain(&beside);
@@ -141,27 +143,17 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
             root.join("report")
         }
     });
-    fs::create_dir_all(&folder)?;
-    let svg =
-        |name: &str, grid| fs::write(folder.join(name).with_extension("svg"), grid::draw(&grid));
-    for scene in robots.iter().chain(&beside) {
-        let title = format!("{}: time per call against worst error", scene.title);
-        svg(
-            &scene.name,
-            figures::trade(&title, scene, &scene.functions, &points),
-        )?;
-    }
-    svg("models", figures::models(&models, &points))?;
-    svg("growth", figures::growth(&grown))?;
-    let measured = Measured {
-        effort,
-        robots: &robots,
-        models: &models,
-        peers: &beside,
-        points: &points,
-        prices: &source.prices,
-        grown: &grown,
-    };
-    fs::write(folder.join("REPORT.md"), document::write(&measured))?;
+    output::write(
+        &folder,
+        &Measured {
+            effort,
+            robots: &robots,
+            models: &models,
+            peers: &beside,
+            points: &points,
+            prices: &source.prices,
+            grown: &grown,
+        },
+    )?;
     Ok(folder)
 }

@@ -13,6 +13,7 @@ use homogen_codegen::Function::{
 use homogen_codegen::chain;
 use homogen_codegen::description::{self, Description, Name};
 use homogen_codegen::error::Errors;
+use homogen_codegen::formulation::{Forward, Parameters, Products, Sines};
 use homogen_codegen::request::Request;
 use homogen_examples::states::unit;
 
@@ -113,8 +114,67 @@ impl Variant {
 
 /// The ways to compute that are compared.
 pub fn formulations() -> Vec<Variant> {
-    vec![Variant::DEFAULT]
+    let way = |name, title, functions, change| Variant {
+        name,
+        title,
+        change,
+        functions,
+        scalars: &[Scalar::F64],
+        ..Variant::DEFAULT
+    };
+    vec![
+        Variant::DEFAULT,
+        way("raw", "raw parameters", &DYNAMICS, |_, request| {
+            request.formulation.parameters = Parameters::Raw;
+        }),
+        way("unfused", "unfused", &[], |_, request| {
+            request.formulation.products = Products::Unfused;
+        }),
+        way("platform_sines", "platform sines", &[], |_, request| {
+            request.formulation.sines = Sines::Platform;
+        }),
+        way(
+            "refined_1",
+            "refined once",
+            &[ForwardDynamics],
+            |_, request| {
+                request.formulation.forward = Some(Forward::MassMatrix { refinements: 1 });
+            },
+        ),
+        way(
+            "refined_2",
+            "refined twice",
+            &[ForwardDynamics],
+            |_, request| {
+                request.formulation.forward = Some(Forward::MassMatrix { refinements: 2 });
+            },
+        ),
+        way(
+            "articulated",
+            "articulated bodies",
+            &[ForwardDynamics],
+            |_, request| {
+                request.formulation.forward = Some(Forward::Articulated);
+            },
+        ),
+    ]
 }
+
+/// What stands beside others: with our sines, and with those that they call as well.
+pub fn beside_peers() -> Vec<Variant> {
+    let ways = formulations().into_iter();
+    ways.filter(|way| ["default", "platform_sines"].contains(&way.name))
+        .collect()
+}
+
+const DYNAMICS: [Function; 6] = [
+    Gravity,
+    InverseDynamics,
+    Bias,
+    MassMatrix,
+    MassMatrixInverse,
+    ForwardDynamics,
+];
 
 /// The robots that ship, each in random states.
 ///

@@ -12,10 +12,11 @@ use homogen_codegen::Function;
 use homogen_codegen::chain::frames::{Layout, arrange};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::error::Errors;
-use homogen_codegen::expression::{Double, Expr, Graph, Input, Node, Term};
+use homogen_codegen::expression::{Arithmetic, Evaluation, Expr, Input, Term};
 use homogen_codegen::model::{self, Way};
 
 use crate::scene::Scene;
+use crate::summed::Summed;
 
 /// Writes states and exact results to a folder.
 ///
@@ -32,12 +33,9 @@ pub fn write(scene: &Scene, folder: &Path) -> Result<(), Box<dyn std::error::Err
         let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
         let results = model::build(&graph, &bodies, function, 0, Way::PLAIN);
         let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
+        let evaluation = Evaluation::of(&graph, &results);
         for state in scene.states.chunks_exact(4 * scene.joints) {
-            numbers.extend(
-                exact(&graph, &results, function, state)
-                    .into_iter()
-                    .flatten(),
-            );
+            numbers.extend(exact(&evaluation, function, state).into_iter().flatten());
         }
         save(&folder.join(function.name()), &numbers)?;
     }
@@ -50,18 +48,12 @@ pub fn told(errors: Errors) -> Box<dyn std::error::Error> {
     errors.to_string().into()
 }
 
-/// A value to 106 bits, and the sum of the magnitudes that it was summed from.
-#[derive(Clone, Copy)]
-struct Summed {
-    value: Double,
-    magnitude: f64,
-}
-
 /// High part, low part and magnitude of each result at a state. What is found by division has the
-/// largest result for its magnitude: its terms may be far larger than itself.
-fn exact(graph: &Graph, results: &[Expr], function: Function, state: &[f64]) -> Vec<[f64; 3]> {
+/// largest result for its magnitude, since its terms may be far larger than itself; so has what is
+/// always zero.
+fn exact(evaluation: &Evaluation<Summed>, function: Function, state: &[f64]) -> Vec<[f64; 3]> {
     let joints = state.len() / 4;
-    let input = |input| {
+    let results = evaluation.at(|input| {
         let (part, k) = match input {
             Input::Q(k) => (0, k),
             Input::Qd(k) => (1, k),
@@ -69,70 +61,21 @@ fn exact(graph: &Graph, results: &[Expr], function: Function, state: &[f64]) -> 
             Input::Tau(k) => (3, k),
             Input::Parameter(..) => unreachable!("no number was left open"),
         };
-        state[part * joints + usize::from(k)]
-    };
-    let values = evaluate(graph, results, input);
-    let largest = values
-        .iter()
-        .map(|x| x.value.to_f64().abs())
-        .fold(0.0, f64::max);
+        Summed::literal(state[part * joints + usize::from(k)])
+    });
+    let sizes = results.iter().map(|x| x.value.to_f64().abs());
+    let largest = sizes.fold(0.0, f64::max);
     let divides = matches!(
         function,
         Function::ForwardDynamics | Function::MassMatrixInverse
     );
     let entry = |x: &Summed| {
         let (high, low) = x.value.bits();
-        let magnitude = if divides { largest } else { x.magnitude };
+        let whole = divides || x.magnitude == 0.0;
+        let magnitude = if whole { largest } else { x.magnitude };
         [f64::from_bits(high), f64::from_bits(low), magnitude]
     };
-    values.iter().map(entry).collect()
-}
-
-fn evaluate(graph: &Graph, results: &[Expr], input: impl Fn(Input) -> f64) -> Vec<Summed> {
-    let (needed, _) = graph.needed(results);
-    let size = needed.last().map_or(0, |expr| expr.index() + 1);
-    let zero = Summed {
-        value: Double::ZERO,
-        magnitude: 0.0,
-    };
-    let mut values = vec![zero; size];
-    let alone = |value: Double| Summed {
-        value,
-        magnitude: value.to_f64().abs(),
-    };
-    for expr in needed {
-        let at = |expr: Expr| values[expr.index()];
-        values[expr.index()] = if let Some(value) = graph.value(expr) {
-            alone(value)
-        } else {
-            match graph.node(expr) {
-                Node::Literal(bits) => alone(Double::from(f64::from_bits(bits))),
-                Node::Input(of) => alone(Double::from(input(of))),
-                Node::Neg(a) => Summed {
-                    value: -at(a).value,
-                    ..at(a)
-                },
-                Node::Add(a, b) => Summed {
-                    value: at(a).value + at(b).value,
-                    magnitude: at(a).magnitude + at(b).magnitude,
-                },
-                Node::Sub(a, b) => Summed {
-                    value: at(a).value - at(b).value,
-                    magnitude: at(a).magnitude + at(b).magnitude,
-                },
-                Node::Mul(a, b) => Summed {
-                    value: at(a).value * at(b).value,
-                    magnitude: at(a).magnitude * at(b).magnitude,
-                },
-                Node::Div(a, b) => alone(at(a).value / at(b).value),
-                Node::Sqrt(a) => alone(at(a).value.sqrt()),
-                Node::Sin(a) => alone(at(a).value.sin_cos().0),
-                Node::Cos(a) => alone(at(a).value.sin_cos().1),
-            }
-        };
-    }
-    let results = results.iter();
-    results.map(|expr| values[expr.index()]).collect()
+    results.iter().map(entry).collect()
 }
 
 fn save(path: &Path, numbers: &[f64]) -> io::Result<()> {

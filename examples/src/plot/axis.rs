@@ -13,8 +13,10 @@ pub(super) struct Span {
 }
 
 impl Span {
+    /// Of those values and a margin at both ends: a part of what they span, or decades of a
+    /// logarithmic axis, which ends at whole ones.
     pub fn of(scale: Scale, values: impl Iterator<Item = f64>, margin: f64) -> Self {
-        let position = |x: f64| if scale == Scale::Log { x.log10() } else { x };
+        let position = |x: f64| position(scale, x);
         let (low, high) = values
             .map(position)
             .filter(|x| x.is_finite())
@@ -23,7 +25,7 @@ impl Span {
             });
         let (low, high) = if low > high { (0.0, 1.0) } else { (low, high) };
         let (low, high) = match scale {
-            Scale::Log => (low.floor(), high.ceil()),
+            Scale::Log => ((low - margin).floor(), (high + margin).ceil()),
             _ => (low - margin * (high - low), high + margin * (high - low)),
         };
         // A constant needs some room as well.
@@ -37,11 +39,7 @@ impl Span {
 
     /// From 0 at the low end to 1 at the high one.
     pub fn fraction(&self, x: f64) -> f64 {
-        let x = if self.scale == Scale::Log {
-            x.log10()
-        } else {
-            x
-        };
+        let x = position(self.scale, x);
         (x - self.low) / (self.high - self.low)
     }
 
@@ -49,6 +47,7 @@ impl Span {
     pub fn ticks(&self, room: f64) -> Vec<(f64, String)> {
         let step = match self.scale {
             Scale::Every(step) => step,
+            Scale::Doubling => 1.0,
             Scale::Log => ((self.high - self.low) * 28.0 / room).ceil().max(1.0),
             Scale::Linear => round_step((self.high - self.low) * 60.0 / room),
         };
@@ -58,9 +57,19 @@ impl Span {
             .take_while(|x| *x <= self.high + 1e-9 * step)
             .map(|x| match self.scale {
                 Scale::Log => (10_f64.powf(x), format!("10{}", superscript(x))),
-                _ => (x, number(x, step)),
+                Scale::Doubling => (x.exp2(), number(x.exp2(), 1.0)),
+                Scale::Linear | Scale::Every(_) => (x, number(x, step)),
             })
             .collect()
+    }
+}
+
+/// Where a number lies on an axis.
+fn position(scale: Scale, x: f64) -> f64 {
+    match scale {
+        Scale::Linear | Scale::Every(_) => x,
+        Scale::Log => x.log10(),
+        Scale::Doubling => x.log2(),
     }
 }
 

@@ -15,11 +15,11 @@ pub(super) fn draw(svg: &mut String, curves: &[Curve], [left, right]: [f64; 2], 
         if curve.label.is_empty() || matches!(curve.style, Style::Named(_)) {
             continue;
         }
-        // Letters of 13 px are at most 8 px wide on average.
+        // Letters of 13 px are at most 7 px wide on average.
         let letters = u32::try_from(curve.label.chars().count()).unwrap_or(0);
         let point = matches!(curve.style, Style::Points(_));
         let sample = if point { 16.0 } else { 30.0 };
-        let width = sample + 7.2 * f64::from(letters) + 18.0;
+        let width = sample + 6.9 * f64::from(letters) + 16.0;
         if x > left && x + width > right + 18.0 {
             (x, y, rows) = (left, y + ROW, rows + 1);
         }

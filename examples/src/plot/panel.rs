@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use super::axis::Span;
 use super::symbol::{Shape, line, symbol, text};
-use super::{Curve, Panel, Style};
+use super::{Curve, Panel, Scale, Style, label};
 
 /// Where a panel lies on the page, and what its axes span.
 pub(super) struct Frame {
@@ -21,9 +21,20 @@ impl Frame {
     /// Inside that area.
     pub fn of(panel: &Panel, area: [f64; 4]) -> Self {
         let points = || panel.curves.iter().flat_map(|curve| &curve.points);
-        let margin = if panel.to_scale { 0.05 } else { 0.0 };
-        let mut x = Span::of(panel.x.scale, points().map(|p| p[0]), margin);
-        let mut y = Span::of(panel.y.scale, points().map(|p| p[1]), 0.06);
+        let symbols = |curve: &Curve| matches!(curve.style, Style::Points(_) | Style::Named(_));
+        let symbols = panel.curves.iter().any(symbols);
+        // A symbol needs room on all sides, a line above and below.
+        let margin = |scale, line| match (symbols, scale) {
+            (true, Scale::Log) => 0.35,
+            (true, _) => 0.05,
+            (false, Scale::Log) => 0.0,
+            (false, _) => line,
+        };
+        let to_scale = if panel.to_scale { 0.05 } else { 0.0 };
+        let in_x = margin(panel.x.scale, to_scale);
+        let in_y = margin(panel.y.scale, 0.06);
+        let mut x = Span::of(panel.x.scale, points().map(|p| p[0]), in_x);
+        let mut y = Span::of(panel.y.scale, points().map(|p| p[1]), in_y);
         if !panel.marks.is_empty() {
             // The labels of the marks stand above the curves.
             y.high += 0.18 * (y.high - y.low);
@@ -76,6 +87,19 @@ impl Frame {
         for curve in &panel.curves {
             self.draw_curve(curve, svg);
         }
+        let named = panel
+            .curves
+            .iter()
+            .filter(|curve| matches!(curve.style, Style::Named(_)));
+        let named: Vec<_> = named
+            .flat_map(|curve| {
+                curve
+                    .points
+                    .iter()
+                    .map(|point| (self.at(*point), &*curve.label))
+            })
+            .collect();
+        label::draw(svg, &named, self.area);
     }
 
     fn draw_axes(&self, panel: &Panel, svg: &mut String) {
@@ -127,7 +151,7 @@ impl Frame {
             }
             let points = points.trim_end();
             let joined = !matches!(curve.style, Style::Points(_) | Style::Named(_));
-            if joined && !points.is_empty() {
+            if joined && part.len() > 1 {
                 let _ = writeln!(
                     svg,
                     "<polyline points=\"{points}\" fill=\"none\" stroke=\"{stroke}\" \
@@ -140,12 +164,8 @@ impl Frame {
                         let hollow = Shape::Circle { filled: false };
                         svg.push_str(&symbol(*at, hollow, stroke));
                     }
-                    Style::Points(shape) => svg.push_str(&symbol(*at, shape, stroke)),
-                    Style::Named(shape) => {
+                    Style::Points(shape) | Style::Named(shape) => {
                         svg.push_str(&symbol(*at, shape, stroke));
-                        let [x, y] = *at;
-                        let small = "font-size=\"11\"";
-                        text(svg, [x + 8.0, y + 4.0], "start", small, &curve.label);
                     }
                     Style::Line | Style::Dashed | Style::Thin => {}
                 }

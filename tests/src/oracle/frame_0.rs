@@ -165,16 +165,66 @@ fn carried(robot: &Robot, mut each: Vec<Matrix>) -> Vec<Matrix> {
     each
 }
 
-/// τ = L ⊗ Σ Φ with Φ = skew[(H − H_g) J] of the bodies that the joint carries (Newton–Euler).
+/// τ = L ⊗ Σ Φ over the bodies that the joint carries (Newton–Euler).
 fn torques(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
-    let actions = motion.h.iter().zip(&positions.j).map(|(h, j)| {
-        let moved = &(h - &robot.gravity) * j;
-        &moved - &moved.transposed()
-    });
-    let actions = carried(robot, actions.collect());
+    let actions = carried(robot, actions(robot, positions, motion).collect());
     moving(robot)
         .map(|body| pseudo_product(&positions.l[body], &actions[body]))
         .collect()
+}
+
+/// For each joint, the sum of the sizes of what the bodies it carries ask of it: |u| times the couple of
+/// each body's Φ about the joint's origin, and |b| times its force.
+///
+/// It measures rounding where S cannot: S of a long chain grows as the product of |sin| + |cos| of all
+/// its angles, which no sum of torques does.
+#[must_use]
+pub fn torque_sizes(robot: &Robot, arguments: &Arguments) -> Vec<f64> {
+    let of = |vector: &[f64]| -> Vec<Big> { vector.iter().map(|&x| Big::new(x)).collect() };
+    let positions = Positions::at(robot, &of(&arguments.q));
+    let motion = Motion::at(robot, &positions, &of(&arguments.qd), &of(&arguments.qdd));
+    // A measure needs no more than `f64`: of Φ the couple and the force, of L the direction and the
+    // rest, about the origin of frame 0.
+    let parts = |matrix: &Matrix| {
+        [matrix.vector(), matrix.column()].map(|vector| vector.map(|x| x.to_f64()))
+    };
+    let actions: Vec<_> = actions(robot, &positions, &motion)
+        .map(|action| parts(&action))
+        .collect();
+    let asked = |joint: usize, body: usize| {
+        let origin = positions.m[joint].column().map(|x| x.to_f64());
+        let ([u, b], [c, f]) = (parts(&positions.l[joint]), actions[body]);
+        // About the joint's origin: b + u × o, c − o × f.
+        let (b, c) = (sum(b, cross(u, origin)), sum(c, cross(f, origin)));
+        length(u) * length(c) + length(b) * length(f)
+    };
+    moving(robot)
+        .map(|joint| {
+            let bodies = (joint..actions.len())
+                .filter(|&body| robot.upwards(Some(body)).any(|carrier| carrier == joint));
+            bodies.map(|body| asked(joint, body)).sum()
+        })
+        .collect()
+}
+
+fn cross([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> [f64; 3] {
+    [y * c - z * b, z * a - x * c, x * b - y * a]
+}
+
+fn sum(x: [f64; 3], y: [f64; 3]) -> [f64; 3] {
+    core::array::from_fn(|k| x[k] + y[k])
+}
+
+fn length(x: [f64; 3]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Φ = skew[(H − H_g) J] of each body.
+fn actions(robot: &Robot, positions: &Positions, motion: &Motion) -> impl Iterator<Item = Matrix> {
+    motion.h.iter().zip(&positions.j).map(|(h, j)| {
+        let moved = &(h - &robot.gravity) * j;
+        &moved - &moved.transposed()
+    })
 }
 
 /// L ⊗ Φ = u · c + b · f.

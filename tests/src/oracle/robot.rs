@@ -69,8 +69,7 @@ impl Robot {
             frames: Vec::new(),
             gravity: reader.gravity(),
         };
-        let mut links = Vec::new();
-        reader.hang(base, None, path.as_ref(), &mut robot, &mut links);
+        let links = reader.hang(base, path.as_ref(), &mut robot);
         let seat = |link: &str| {
             let body = links.iter().position(|carried| *carried == link);
             assert!(
@@ -155,22 +154,30 @@ impl<'d> Reader<'d> {
         std::iter::successors(Some(link), above).collect()
     }
 
-    /// Adds what hangs on a link: branch after branch, siblings as described.
+    /// Adds what hangs on the base: branch after branch, siblings as described.
     fn hang(
         &self,
-        link: &str,
-        parent: Option<usize>,
+        base: &'d str,
         path: Option<&BTreeSet<&str>>,
         robot: &mut Robot,
-        links: &mut Vec<&'d str>,
-    ) {
-        for joint in self.below(link) {
+    ) -> Vec<&'d str> {
+        let mut links = Vec::new();
+        let mut waiting: Vec<(Option<usize>, &Joint)> = Vec::new();
+        let below = |parent, link: &str, waiting: &mut Vec<_>| {
+            let before = waiting.len();
+            waiting.extend(self.below(link).map(|joint| (parent, joint)));
+            // The last one in is the first one out.
+            waiting[before..].reverse();
+        };
+        below(None, base, &mut waiting);
+        while let Some((parent, joint)) = waiting.pop() {
             let child = joint.child.text.as_str();
             let off_path = path.is_some_and(|path| !path.contains(child));
             let coordinate = match self.held(joint, off_path) {
                 Some(at) => Coordinate::Held(at),
                 None => Coordinate::Free(robot.joints()),
             };
+            links.push(child);
             robot.bodies.push(Body {
                 parent,
                 placement: self.placement(&joint.origin),
@@ -178,9 +185,9 @@ impl<'d> Reader<'d> {
                 inertia: self.inertia(child),
                 coordinate,
             });
-            links.push(child);
-            self.hang(child, Some(robot.bodies.len() - 1), path, robot, links);
+            below(Some(robot.bodies.len() - 1), child, &mut waiting);
         }
+        links
     }
 
     /// Where a joint is held; none where it moves.

@@ -13,6 +13,10 @@ use crate::truth::Truth;
 
 /// Arguments of N joints.
 #[derive(Clone, Copy)]
+#[allow(
+    dead_code,
+    reason = "the generated robots read it, where there are any"
+)]
 pub struct State<T, const N: usize> {
     /// q.
     pub q: [T; N],

@@ -1,0 +1,25 @@
+//! Chains and states that are hard on arithmetic, each by its name, with its limit.
+//!
+//! In: robots of [`homogen_tests::subjects`], seeded states. Out: errors in units of rounding against
+//! 256 bits, in double precision, in single precision, and in single precision without subnormal
+//! numbers. Every sixth state stands still, and every sixth creeps with subnormal rates. Arguments are
+//! exact in every type; numbers of the robot are exact in the reference, so that rounding them to the
+//! type is part of the error. Limits are the figure aimed at where it was known beforehand, and otherwise
+//! about twice what was measured; each says so.
+
+#[path = "hard_cases/angles.rs"]
+mod angles;
+#[path = "hard_cases/cancelling.rs"]
+mod cancelling;
+#[path = "hard_cases/case.rs"]
+mod case;
+#[path = "hard_cases/forward_dynamics.rs"]
+mod forward_dynamics;
+#[path = "hard_cases/large.rs"]
+mod large;
+#[path = "hard_cases/regrouped.rs"]
+mod regrouped;
+#[path = "hard_cases/states.rs"]
+mod states;
+#[path = "hard_cases/worst.rs"]
+mod worst;

@@ -1,0 +1,131 @@
+//! Angles of many turns, and sums of angles.
+
+use homogen_codegen::Function;
+use homogen_codegen::expression::{Evaluation, Expr, Graph, Input};
+use homogen_codegen::schedule::schedule;
+use homogen_tests::arguments::Arguments;
+use homogen_tests::big::Big;
+use homogen_tests::metrics;
+use homogen_tests::states::Random;
+use homogen_tests::tested::{F32, F64, Flushed, Tested};
+
+use crate::case::{Case, judge};
+use crate::states::{of_size, single, states};
+
+use Function::{ForwardKinematics, InverseDynamics};
+
+pub const CASES: &[Case] = &[BIG_ID, BIG_FK];
+
+/// The most is 4.2 u of torques and 5.4 u of poses, as at any angle.
+const BIG_ID: Case = Case::scaled("big_angles", InverseDynamics, 10.0);
+const BIG_FK: Case = Case::scaled("big_angles/pose", ForwardKinematics, 10.0);
+
+/// Angles of 10² to 10⁸ rad, a half of them next to multiples of π/2.
+fn big_angle(random: &mut Random) -> f64 {
+    let angle = of_size(random, 2.0, 8.0);
+    if random.chance(2) {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        single((angle / quarter).round() * quarter)
+    } else {
+        angle
+    }
+}
+
+/// Torques and poses of the given angles, not of those that they are a multiple of 2π away from.
+#[test]
+fn big_angles() {
+    for (label, joints) in [("panda_class/0", 7), ("ur5_class/0", 6), ("spatial/6", 6)] {
+        for case in [BIG_ID, BIG_FK] {
+            judge(&[&case], label, |_| {
+                states(336, joints, |arguments, random| {
+                    arguments.q.fill_with(|| big_angle(random));
+                })
+            });
+        }
+    }
+}
+
+/// Sines and cosines of the given angles, within 2 units of the last place; that they are within 0.92 is
+/// held elsewhere.
+#[test]
+fn big_angles_sines() {
+    let mut random = Random::new(23);
+    for _ in 0..2000 {
+        let angle = big_angle(&mut random);
+        let (sine, cosine) = Big::new(angle).sin_cos();
+        check_sines::<F64>(angle, &sine, &cosine);
+        check_sines::<F32>(angle, &sine, &cosine);
+        check_sines::<Flushed>(angle, &sine, &cosine);
+    }
+}
+
+fn check_sines<T: Tested>(angle: f64, sine: &Big, cosine: &Big) {
+    let found = T::literal(angle).sin_cos();
+    let pairs = [(found.0, sine), (found.1, cosine)];
+    let worst = metrics::largest(pairs.map(|(x, exact)| metrics::ulps::<T>(x.to_f64(), exact)));
+    assert!(worst <= 2.0, "{angle:e} in {}: {worst} ulp", T::NAME);
+}
+
+/// sin(q₂ + q₃) and cos(q₂ + q₃) by the sum of the angles and by products, where the angles nearly cancel at
+/// up to 10⁶ rad. The sum is rounded before it is turned, so that its sine is off by u|q₂ + q₃| and no more,
+/// since what cancels is exact; products are off by a few u at any angle.
+#[test]
+fn merged_angle() {
+    let graph = Graph::new();
+    let [a, b] = [0, 1].map(|k| graph.input(Input::Q(k)));
+    let merged = (a + b).sin_cos();
+    let ((sine_a, cosine_a), (sine_b, cosine_b)) = (a.sin_cos(), b.sin_cos());
+    let products = (
+        sine_a * cosine_b + cosine_a * sine_b,
+        cosine_a * cosine_b - sine_a * sine_b,
+    );
+    let [merged, products] = [merged, products].map(|(sine, cosine)| [sine.expr(), cosine.expr()]);
+    let truth = Evaluation::of(&graph, &merged);
+    let mut worst = [[0.0_f64; 2]; 3];
+    let mut random = Random::new(24);
+    for k in 0..1200 {
+        let angle = single(match k % 3 {
+            0 => 4.0 * random.unit(),
+            1 => of_size(&mut random, 0.0, 6.0),
+            _ => 1e6 * random.unit(),
+        });
+        let other = match k % 4 {
+            0 => single(1e-9 - angle),
+            1 => single(of_size(&mut random, -9.0, -3.0) - angle),
+            _ => single(4.0 * random.unit()),
+        };
+        let q = vec![angle, other];
+        let arguments = Arguments {
+            q,
+            ..Arguments::default()
+        };
+        let truth: Vec<Big> = truth.at(|input| Big::new(arguments.at(input)));
+        let size = angle.abs().max(other.abs()).max(1.0);
+        let errors = [
+            absolute::<F64>(&graph, [&merged, &products], &arguments, &truth),
+            absolute::<F32>(&graph, [&merged, &products], &arguments, &truth),
+            absolute::<Flushed>(&graph, [&merged, &products], &arguments, &truth),
+        ];
+        for (worst, [merged, products]) in worst.iter_mut().zip(errors) {
+            *worst = [worst[0].max(merged / size), worst[1].max(products)];
+        }
+    }
+    println!("merged, by u max(1, |q|), and products, by u: {worst:?}");
+    for [merged, products] in worst {
+        assert!(merged <= 2.0, "{merged} u max(1, |q|)");
+        assert!(products <= 4.0, "{products} u");
+    }
+}
+
+/// The largest errors of both forms, in u of 1.
+fn absolute<T: Tested>(
+    graph: &Graph,
+    forms: [&[Expr; 2]; 2],
+    arguments: &Arguments,
+    truth: &[Big],
+) -> [f64; 2] {
+    forms.map(|results| {
+        let found = metrics::results::<T>(&schedule(graph, results), arguments);
+        metrics::largest(metrics::scaled::<T>(&found, truth, &[1.0; 2]))
+    })
+}

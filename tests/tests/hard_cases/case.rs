@@ -1,0 +1,329 @@
+//! How a hard case is judged.
+//!
+//! In: a case, a robot, states. Out: a table of errors, and a failed test where one is beyond the
+//! limit. It never chooses states.
+
+use homogen_codegen::chain::Chain;
+use homogen_codegen::chain::frames::Layout;
+use homogen_codegen::expand::{program, program_by};
+use homogen_codegen::expression::Evaluation;
+use homogen_codegen::formulation::Forward;
+use homogen_codegen::model::Way;
+use homogen_codegen::schedule::Program;
+use homogen_codegen::{Function, Real};
+use homogen_tests::arguments::Arguments;
+use homogen_tests::big::Big;
+use homogen_tests::metrics::{self, Distribution};
+use homogen_tests::oracle::robot::Robot;
+use homogen_tests::oracle::{frame_0, link_frames};
+use homogen_tests::subjects::subject;
+use homogen_tests::tested::{F32, F64, Flushed, Tested};
+
+/// What is measured, and what it may be.
+#[derive(Clone, Copy, Debug)]
+pub struct Case {
+    /// The hard case, and the part of it.
+    pub name: &'static str,
+    pub function: Function,
+    pub form: Form,
+    pub metric: Metric,
+    /// The largest error [u] in double precision, in single precision and without subnormal
+    /// numbers; none where the type is not for this form.
+    pub limits: [Option<f64>; 3],
+    /// What the limits are multiplied by.
+    pub growth: Growth,
+}
+
+/// How a function is computed.
+#[derive(Clone, Copy, Debug)]
+pub enum Form {
+    /// As the generator would, which chooses.
+    Generated,
+    /// In frames and with parameters of that layout.
+    Laid(Layout),
+    /// By the mass matrix, refined so often.
+    Refined(usize),
+    /// By the articulated-body recursion.
+    Articulated,
+}
+
+/// What an error is measured by.
+#[derive(Clone, Copy, Debug)]
+pub enum Metric {
+    /// Each result by its own S.
+    Scaled,
+    /// Each torque by the sum of the sizes of what the bodies ask of the joint.
+    Carried,
+    /// Rotations by 1, translations by the sum of all lengths.
+    Reach,
+    /// All by the largest result.
+    Relative,
+    /// The torques that the accelerations need, each by its own S.
+    Backward,
+}
+
+/// How a limit grows.
+#[derive(Clone, Copy, Debug)]
+pub enum Growth {
+    Constant,
+    /// With the number of joints.
+    Joints,
+    /// With its square root, as errors that go either way add up.
+    Root,
+}
+
+impl Case {
+    /// Scaled errors of a function as it is generated.
+    pub const fn scaled(name: &'static str, function: Function, limit: f64) -> Self {
+        Self {
+            name,
+            function,
+            form: Form::Generated,
+            metric: Metric::Scaled,
+            limits: [Some(limit); 3],
+            growth: Growth::Constant,
+        }
+    }
+
+    /// Relative errors of forward dynamics in a form, in double precision.
+    pub const fn solved(name: &'static str, form: Form, limit: f64) -> Self {
+        Self {
+            name,
+            function: Function::ForwardDynamics,
+            form,
+            metric: Metric::Relative,
+            limits: [Some(limit), None, None],
+            growth: Growth::Constant,
+        }
+    }
+
+    /// Also in single precision, with subnormal numbers and without.
+    pub const fn in_single(self, limit: f64) -> Self {
+        let [double, ..] = self.limits;
+        Self {
+            limits: [double, Some(limit), Some(limit)],
+            ..self
+        }
+    }
+
+    pub const fn measured_by(self, metric: Metric) -> Self {
+        Self { metric, ..self }
+    }
+
+    pub const fn growing(self, growth: Growth) -> Self {
+        Self { growth, ..self }
+    }
+
+    /// The limit in a type, for so many joints.
+    pub fn limit<T: Tested>(&self, joints: usize) -> Option<f64> {
+        let limit = self.limits[["f64", "f32", "flushed"]
+            .iter()
+            .position(|name| *name == T::NAME)?];
+        let joints = f64::from(u32::try_from(joints).expect("few joints"));
+        let growth = match self.growth {
+            Growth::Constant => 1.0,
+            Growth::Joints => joints,
+            Growth::Root => joints.sqrt(),
+        };
+        limit.map(|limit| growth * limit)
+    }
+
+    fn program(&self, chain: &Chain, scalar: Real) -> Program {
+        let functions = [self.function];
+        let way = |forward| Way {
+            forward,
+            ..Way::PLAIN
+        };
+        let by = |layout, way| program_by(chain, &functions, 0, layout, way);
+        match self.form {
+            Form::Generated => program(chain, &functions, 0, scalar)
+                .unwrap_or_else(|errors| panic!("{}: {errors}", self.name)),
+            Form::Laid(layout) => by(layout, Way::PLAIN),
+            Form::Refined(refinements) => {
+                by(Layout::DESCRIBED, way(Forward::MassMatrix { refinements }))
+            }
+            Form::Articulated => by(Layout::DESCRIBED, way(Forward::Articulated)),
+        }
+    }
+}
+
+/// Arguments and what is known of the function there.
+pub struct State {
+    arguments: Arguments,
+    truth: Vec<Big>,
+    /// What [`Metric::Carried`] measures by.
+    carried: Vec<f64>,
+}
+
+/// A robot ready to be judged: the truth about a function of it.
+pub struct Bench {
+    label: String,
+    pub chain: Chain,
+    robot: Robot,
+    function: Function,
+    truth: Evaluation<Big>,
+    /// Inverse dynamics and its S, where forward dynamics is judged.
+    torques: Option<(Evaluation<Big>, Program)>,
+}
+
+impl Bench {
+    pub fn new(label: &str, function: Function) -> Self {
+        let subject = subject(label);
+        let chain = subject.chain();
+        let torques = || {
+            let torques = Function::InverseDynamics;
+            let sizes = program_by(&chain, &[torques], 0, Layout::DESCRIBED, Way::PLAIN);
+            (link_frames::reference(&chain, torques, 0), sizes)
+        };
+        Self {
+            label: label.to_owned(),
+            robot: Robot::of(&subject.description, &subject.request),
+            truth: link_frames::reference(&chain, function, 0),
+            torques: (function == Function::ForwardDynamics).then(torques),
+            chain,
+            function,
+        }
+    }
+
+    /// How many joints move.
+    pub fn joints(&self) -> usize {
+        self.chain.joints.len()
+    }
+
+    /// The sum of the lengths of all links.
+    fn reach(&self) -> f64 {
+        let lengths = self.robot.bodies.iter().map(|body| {
+            let squares = body.placement.column().map(|x| x.to_f64().powi(2));
+            squares.iter().sum::<f64>().sqrt()
+        });
+        lengths.sum()
+    }
+
+    pub fn truth(&self, arguments: &Arguments) -> Vec<Big> {
+        link_frames::evaluate(&self.truth, arguments)
+    }
+
+    /// Finds out all about a state that a case needs.
+    pub fn prepare(&self, case: &Case, arguments: Arguments) -> State {
+        let carried = match case.metric {
+            Metric::Carried => frame_0::torque_sizes(&self.robot, &arguments),
+            _ => Vec::new(),
+        };
+        State {
+            truth: self.truth(&arguments),
+            carried,
+            arguments,
+        }
+    }
+
+    fn error<T: Tested>(
+        &self,
+        case: &Case,
+        program: &Program,
+        State {
+            arguments,
+            truth,
+            carried,
+        }: &State,
+    ) -> f64 {
+        let found = metrics::results::<T>(program, arguments);
+        match case.metric {
+            Metric::Scaled => {
+                let sizes = metrics::sizes::<T>(program, arguments);
+                metrics::largest(metrics::scaled::<T>(&found, truth, &sizes))
+            }
+            Metric::Carried => metrics::largest(metrics::scaled::<T>(&found, truth, carried)),
+            Metric::Reach => {
+                let sizes: Vec<f64> = (0..12)
+                    .map(|entry| if entry % 4 == 3 { self.reach() } else { 1.0 })
+                    .collect();
+                metrics::largest(metrics::scaled::<T>(&found, truth, &sizes))
+            }
+            Metric::Relative => metrics::relative::<T>(&found, truth),
+            Metric::Backward => {
+                if !found.iter().all(|x| x.is_finite()) {
+                    return f64::INFINITY;
+                }
+                let found = Arguments {
+                    qdd: found,
+                    ..arguments.clone()
+                };
+                let (torques, sizes) = self.torques.as_ref().expect("made for forward dynamics");
+                let needed = link_frames::evaluate(torques, &found);
+                let sizes = metrics::sizes::<T>(sizes, &found);
+                metrics::largest(metrics::backward::<T>(&arguments.tau, &needed, &sizes))
+            }
+        }
+    }
+
+    /// The program of a case in a type.
+    pub fn program<T: Tested>(&self, case: &Case) -> Program {
+        assert_eq!(self.function, case.function);
+        let scalar = if T::NAME == "f64" {
+            Real::F64
+        } else {
+            Real::F32
+        };
+        case.program(&self.chain, scalar)
+    }
+
+    /// The errors of a case at some states.
+    pub fn measure<T: Tested>(
+        &self,
+        case: &Case,
+        program: &Program,
+        states: &[State],
+    ) -> Distribution {
+        let mut errors = Distribution::default();
+        for state in states {
+            let error = self.error::<T>(case, program, state);
+            errors.note(error, &state.arguments);
+        }
+        errors
+    }
+}
+
+/// Judges cases of one function and one kind of metric by states of a robot in all types.
+pub fn judge(cases: &[&Case], label: &str, states: impl Fn(&Chain) -> Vec<Arguments>) {
+    let bench = Bench::new(label, cases[0].function);
+    let states: Vec<State> = states(&bench.chain)
+        .into_iter()
+        .map(|arguments| bench.prepare(cases[0], arguments))
+        .collect();
+    let mut beyond = String::new();
+    for case in cases {
+        let [double, single, flushed] = case.limits;
+        if double.is_some() {
+            let program = bench.program::<F64>(case);
+            beyond += &judge_in::<F64>(case, &bench, &program, &states);
+        }
+        if single.or(flushed).is_some() {
+            let program = bench.program::<F32>(case);
+            beyond += &judge_in::<F32>(case, &bench, &program, &states);
+            beyond += &judge_in::<Flushed>(case, &bench, &program, &states);
+        }
+    }
+    assert!(beyond.is_empty(), "beyond the limit:\n{beyond}");
+}
+
+/// Measures in one type and returns what is beyond the limit, as a line of the table of worst inputs.
+fn judge_in<T: Tested>(case: &Case, bench: &Bench, program: &Program, states: &[State]) -> String {
+    let Some(limit) = case.limit::<T>(bench.joints()) else {
+        return String::new();
+    };
+    let errors = bench.measure::<T>(case, program, states);
+    let (worst, arguments) = errors.worst();
+    let (name, label, of) = (case.name, &bench.label, T::NAME);
+    println!(
+        "{name:32} {label:20} {of:7} median {:8.2e}  99 % {:8.2e}  worst {worst:8.2e}  limit {limit:8.2e} u",
+        errors.quantile(0.5),
+        errors.quantile(0.99),
+    );
+    let line = format!("{name} {label} {of} {arguments}");
+    println!("> {worst:e} {line}");
+    if worst <= limit {
+        String::new()
+    } else {
+        format!("{worst:e} u of {limit:e}: {line}\n")
+    }
+}

@@ -1,0 +1,365 @@
+//! Mass matrices that are badly conditioned, or singular.
+//!
+//! Errors are beside the largest acceleration, since forward dynamics has no other S than its condition.
+//! What the condition takes from the accelerations it does not take from the torques that they need:
+//! the backward error is a few u whatever the form and the robot.
+
+use homogen_codegen::Function::{ForwardDynamics, InverseDynamics};
+use homogen_codegen::Real;
+use homogen_codegen::chain::Chain;
+use homogen_codegen::expand::program;
+use homogen_tests::arguments::Arguments;
+use homogen_tests::subjects::subject;
+
+use crate::case::{Case, Form, Metric, judge};
+use crate::states::{of_size, states};
+
+use Form::{Articulated, Generated, Refined};
+
+pub const CASES: &[Case] = &[
+    STRAIGHT[0],
+    STRAIGHT[1],
+    STRAIGHT[2],
+    RANDOM[0],
+    RANDOM[1],
+    RANDOM[2],
+    TIP[0],
+    TIP[1],
+    TIP[2],
+    TIP_STRAIGHT,
+    HEAVIER[0],
+    HEAVIER[1],
+    HEAVIER[2],
+    BASE[0],
+    BASE[1],
+    BASE[2],
+    SHRINKING[0],
+    SHRINKING[1],
+    SHRINKING[2],
+    GROWING,
+    GROWING_ARTICULATED,
+    SHORT[0],
+    SHORT[1],
+    WRIST[0],
+    WRIST[1],
+    WRIST[2],
+    ROD[0],
+    ROD[1],
+    ROD[2],
+    ROD_TORQUES,
+    BACKWARD[0],
+    BACKWARD[1],
+    BACKWARD[2],
+    GENERATED,
+    SHIPPED,
+    SHIPPED_BACKWARD,
+];
+
+/// Once refined in double precision, twice in single; and articulated bodies.
+const fn forms(names: [&'static str; 3], limit: f64) -> [Case; 3] {
+    let [once, twice, articulated] = names;
+    [
+        Case::solved(once, Refined(1), limit),
+        Case::solved(twice, Refined(2), limit).in_single(limit),
+        Case::solved(articulated, Articulated, limit).in_single(limit),
+    ]
+}
+
+/// Aimed at 20 u a joint; the most is 28 u, of two joints, and more joints are no worse.
+const STRAIGHT: [Case; 3] = forms(
+    [
+        "chain_fd_straight",
+        "chain_fd_straight/twice",
+        "chain_fd_straight/articulated",
+    ],
+    60.0,
+);
+const RANDOM: [Case; 3] = forms(
+    [
+        "chain_fd_random",
+        "chain_fd_random/twice",
+        "chain_fd_random/articulated",
+    ],
+    60.0,
+);
+
+/// The most is 14.5 u; articulated bodies lose what the ratio of the masses is.
+const TIP: [Case; 3] = [
+    Case::solved("fd_tip_heavy", Refined(1), 100.0),
+    Case::solved("fd_tip_heavy/twice", Refined(2), 100.0).in_single(20.0),
+    Case::solved("fd_tip_heavy/articulated", Articulated, 2e4).in_single(2e4),
+];
+/// Straight, two refinements leave 690 u in single precision.
+const TIP_STRAIGHT: Case = Case::solved("fd_tip_heavy/straight", Refined(2), 100.0).in_single(2e3);
+const HEAVIER: [Case; 3] = [
+    Case::solved("fd_tip_heavy/1e6", Refined(1), 100.0),
+    Case::solved("fd_tip_heavy/1e6/twice", Refined(2), 100.0),
+    Case::solved("fd_tip_heavy/1e6/articulated", Articulated, 1e7),
+];
+
+/// The most is 14.7 u.
+const BASE: [Case; 3] = forms(
+    [
+        "fd_base_heavy",
+        "fd_base_heavy/twice",
+        "fd_base_heavy/articulated",
+    ],
+    20.0,
+);
+/// Aimed at 20 u; the most is 21.2 u.
+const SHRINKING: [Case; 3] = forms(
+    [
+        "fd_shrinking",
+        "fd_shrinking/twice",
+        "fd_shrinking/articulated",
+    ],
+    45.0,
+);
+/// The most is 28 u of six rods; of twelve, no form with a mass matrix is any good.
+const GROWING: Case = Case::solved("fd_growing", Refined(2), 100.0);
+/// Aimed at 10⁶ u; the most is 2,500 u, of twelve rods.
+const GROWING_ARTICULATED: Case =
+    Case::solved("fd_growing/articulated", Articulated, 5e3).in_single(5e3);
+/// Aimed at 100 u and 10⁴ u; the most is 217 u of the matrix and 700 u of articulated bodies.
+const SHORT: [Case; 2] = [
+    Case::solved("fd_short_link", Refined(2), 500.0),
+    Case::solved("fd_short_link/articulated", Articulated, 2e3).in_single(2e3),
+];
+/// The most is 41 u.
+const WRIST: [Case; 3] = forms(
+    [
+        "massless_wrist",
+        "massless_wrist/twice",
+        "massless_wrist/articulated",
+    ],
+    100.0,
+);
+/// Aimed at 20 u; the most is 14.4 u.
+const ROD: [Case; 3] = forms(
+    [
+        "thin_rod/solved",
+        "thin_rod/solved_twice",
+        "thin_rod/articulated",
+    ],
+    30.0,
+);
+const ROD_TORQUES: Case = Case::scaled("thin_rod", InverseDynamics, 10.0);
+
+/// The most is 4.0 u of the matrix alone, 1.9 u refined and 2.2 u of articulated bodies.
+const BACKWARD: [Case; 3] = [
+    backward("fd_backward", Refined(0), 10.0),
+    backward("fd_backward/once", Refined(1), 5.0),
+    backward("fd_backward/articulated", Articulated, 5.0),
+];
+
+const fn backward(name: &'static str, form: Form, limit: f64) -> Case {
+    Case::solved(name, form, limit)
+        .in_single(limit)
+        .measured_by(Metric::Backward)
+}
+
+/// The half of all digits that the generator promises: √u.
+const GENERATED: Case = Case::solved("fd_generated", Generated, 94_906_265.0).in_single(4096.0);
+
+/// The most is 72 u, of the arm of seven joints, and 6.1 u of torques, of the quadruped.
+const SHIPPED: Case = Case::solved("fd_shipped", Generated, 200.0).in_single(200.0);
+const SHIPPED_BACKWARD: Case = backward("fd_shipped/backward", Generated, 15.0);
+
+/// Any posture.
+fn anywhere(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
+    move |chain| states(count, chain.joints.len(), |_, _| ())
+}
+
+/// Straight but for up to 10⁻⁸ … 10⁻² rad.
+fn straight(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
+    move |chain| {
+        states(count, chain.joints.len(), |arguments, random| {
+            arguments.q.fill_with(|| of_size(random, -8.0, -2.0));
+        })
+    }
+}
+
+/// Refuses at generation, under the name of a joint and with the reason.
+fn assert_refused(label: &str, scalar: Real, reason: &str) {
+    let chain = subject(label).chain();
+    let refusal = program(&chain, &[ForwardDynamics], 0, scalar).expect_err("hopeless");
+    let refusal = refusal.to_string();
+    let named = chain
+        .joints
+        .iter()
+        .any(|joint| refusal.contains(&format!("\"{}\"", joint.name)));
+    assert!(
+        named && refusal.contains(reason),
+        "{label}, {scalar:?}: {refusal}"
+    );
+}
+
+#[test]
+fn chain_fd_straight() {
+    let [once, twice, articulated] = &STRAIGHT;
+    for (links, count) in [(2, 360), (4, 300), (8, 240), (16, 120)] {
+        judge(
+            &[once, twice, articulated],
+            &format!("planar/{links}"),
+            straight(count),
+        );
+    }
+    // Here single precision is left with 3,500 u after two refinements.
+    judge(&[once, articulated], "planar/32", straight(30));
+}
+
+#[test]
+fn chain_fd_random() {
+    let [once, twice, articulated] = &RANDOM;
+    for (links, count) in [(2, 240), (4, 150), (8, 90), (16, 30)] {
+        for family in ["planar", "spatial"] {
+            let label = format!("{family}/{links}");
+            judge(&[once, twice, articulated], &label, anywhere(count));
+        }
+    }
+    judge(&[once, twice, articulated], "planar/32", anywhere(12));
+}
+
+/// A last rod of 1 t, and of 1,000 t, which single precision cannot bear.
+#[test]
+fn fd_tip_heavy() {
+    judge(&[&TIP[0], &TIP[1], &TIP[2]], "heavy_tip/1e3", anywhere(510));
+    judge(&[&TIP_STRAIGHT], "heavy_tip/1e3", straight(510));
+    let heavier = [&HEAVIER[0], &HEAVIER[1], &HEAVIER[2]];
+    judge(&heavier, "heavy_tip/1e6", anywhere(510));
+    judge(&heavier, "heavy_tip/1e6", straight(510));
+    assert_refused("heavy_tip/1e6", Real::F32, "without a correct digit");
+}
+
+#[test]
+fn fd_base_heavy() {
+    let cases = [&BASE[0], &BASE[1], &BASE[2]];
+    judge(&cases, "heavy_base/1e6", anywhere(510));
+    judge(&cases, "heavy_base/1e6", straight(510));
+}
+
+#[test]
+fn fd_shrinking() {
+    let cases = [&SHRINKING[0], &SHRINKING[1], &SHRINKING[2]];
+    for (links, count) in [(4, 180), (8, 180), (12, 150)] {
+        let label = format!("shrinking/{links}");
+        judge(&cases, &label, anywhere(count));
+        judge(&cases, &label, straight(count));
+    }
+}
+
+/// The matrix as long as it is any good; articulated bodies further; and no code that would be wrong.
+#[test]
+fn fd_growing() {
+    for links in [4, 6] {
+        let label = format!("growing/{links}");
+        judge(&[&GROWING, &GROWING_ARTICULATED], &label, anywhere(240));
+        judge(&[&GROWING, &GROWING_ARTICULATED], &label, straight(240));
+    }
+    judge(&[&GROWING_ARTICULATED], "growing/12", anywhere(60));
+    judge(&[&GROWING_ARTICULATED], "growing/12", straight(60));
+    assert_refused("growing/6", Real::F32, "without a correct digit");
+    assert_refused("growing/12", Real::F64, "without a correct digit");
+}
+
+#[test]
+fn fd_short_link() {
+    judge(&[&SHORT[0], &SHORT[1]], "short_link/1e-4", anywhere(510));
+    judge(&[&SHORT[0], &SHORT[1]], "short_link/1e-4", straight(510));
+    assert_refused("short_link/1e-4", Real::F32, "without a correct digit");
+}
+
+/// Links without mass between joints about one line, which nothing could hold, and the same with 10⁻⁶ kg m²;
+/// and such links with axes across each other, which are singular in one posture only.
+#[test]
+fn massless_wrist() {
+    let cases = [&WRIST[0], &WRIST[1], &WRIST[2]];
+    for label in [
+        "massless_wrist/1e-6",
+        "spherical_wrist/0",
+        "spherical_wrist/1e-6",
+    ] {
+        judge(&cases, label, anywhere(336));
+    }
+    for scalar in [Real::F32, Real::F64] {
+        assert_refused(
+            "massless_wrist/0",
+            scalar,
+            "can accelerate without any force",
+        );
+    }
+}
+
+/// Rods without a moment of inertia about themselves: exact in torques, of no matter for axes across them,
+/// and singular about an axis along the last.
+#[test]
+fn thin_rod() {
+    for label in ["thin_rod/0", "thin_rod/1e-12", "rolling_rod/1e-12"] {
+        judge(&[&ROD_TORQUES], label, anywhere(336));
+        judge(&[&ROD[0], &ROD[1], &ROD[2]], label, anywhere(336));
+    }
+    judge(&[&ROD_TORQUES], "rolling_rod/0", anywhere(60));
+    for scalar in [Real::F32, Real::F64] {
+        assert_refused("rolling_rod/0", scalar, "can accelerate without any force");
+    }
+}
+
+/// The accelerations found are those of torques a few u away, also where half of their digits are lost.
+#[test]
+fn fd_backward() {
+    let cases = [&BACKWARD[0], &BACKWARD[1], &BACKWARD[2]];
+    for label in [
+        "planar/8",
+        "spatial/6",
+        "heavy_tip/1e3",
+        "heavy_base/1e6",
+        "shrinking/8",
+        "growing/4",
+    ] {
+        judge(&cases, label, anywhere(90));
+        judge(&cases, label, straight(90));
+    }
+}
+
+/// What the generator chooses keeps the half of all digits that it promises, or is refused above.
+#[test]
+fn fd_generated() {
+    for (label, count) in [
+        ("planar/2", 90),
+        ("planar/8", 90),
+        ("planar/16", 60),
+        ("heavy_tip/1e3", 90),
+        ("heavy_base/1e6", 90),
+        ("shrinking/8", 60),
+        ("growing/4", 90),
+    ] {
+        judge(&[&GENERATED], label, anywhere(count));
+        judge(&[&GENERATED], label, straight(count));
+    }
+    let double = Case {
+        limits: [GENERATED.limits[0], None, None],
+        ..GENERATED
+    };
+    for label in ["heavy_tip/1e6", "growing/6", "short_link/1e-4"] {
+        judge(&[&double], label, anywhere(90));
+        judge(&[&double], label, straight(90));
+    }
+}
+
+/// Every robot that ships, as it is generated.
+#[test]
+fn fd_shipped() {
+    for label in [
+        "two_link/0",
+        "scara/0",
+        "stanford/0",
+        "stanford_general/0",
+        "puma560/0",
+        "puma560_general/0",
+        "ur5_class/0",
+        "panda_class/0",
+        "quadruped/0",
+    ] {
+        judge(&[&SHIPPED, &SHIPPED_BACKWARD], label, anywhere(120));
+    }
+}

@@ -1,0 +1,61 @@
+//! Base parameters against those of the description.
+
+use homogen_codegen::Function::{self, InverseDynamics};
+use homogen_codegen::chain::frames::Layout;
+use homogen_codegen::expand::program_by;
+use homogen_codegen::model::Way;
+use homogen_tests::metrics;
+use homogen_tests::tested::{F32, F64, Tested};
+
+use crate::case::{Bench, Case, Form, judge};
+use crate::states::states;
+
+pub const CASES: &[Case] = &[RAW, REGROUPED];
+
+const BASE: Layout = Layout {
+    regroup: true,
+    ..Layout::DESCRIBED
+};
+
+const fn by(name: &'static str, layout: Layout) -> Case {
+    Case {
+        form: Form::Laid(layout),
+        ..Case::scaled(name, InverseDynamics, 10.0)
+    }
+}
+
+/// The most is 3.5 u of base parameters and 3.1 u of those of the description.
+const RAW: Case = by("regrouped_par/raw", Layout::DESCRIBED);
+const REGROUPED: Case = by("regrouped_par", BASE);
+
+/// A payload of 1 kg, 1 t and 10⁶ kg at 10 m: most of what is regrouped is its.
+#[test]
+fn regrouped_par() {
+    for mass in ["1", "1e3", "1e6"] {
+        judge(&[&RAW, &REGROUPED], &format!("payload/{mass}"), |_| {
+            states(336, 7, |_, _| ())
+        });
+    }
+    assert_no_worse::<F64>("payload/1e3");
+    assert_no_worse::<F32>("payload/1e3");
+}
+
+/// Beside the S of the raw parameters, too: what regrouping moves about does not make sums larger.
+fn assert_no_worse<T: Tested>(label: &str) {
+    const FUNCTIONS: [Function; 1] = [InverseDynamics];
+    let bench = Bench::new(label, InverseDynamics);
+    let [raw, base] = [Layout::DESCRIBED, BASE]
+        .map(|layout| program_by(&bench.chain, &FUNCTIONS, 0, layout, Way::PLAIN));
+    let mut worst: f64 = 0.0;
+    for arguments in states(120, 7, |_, _| ()) {
+        let found = metrics::results::<T>(&base, &arguments);
+        let sizes = metrics::sizes::<T>(&raw, &arguments);
+        let errors = metrics::scaled::<T>(&found, &bench.truth(&arguments), &sizes);
+        worst = worst.max(metrics::largest(errors));
+    }
+    println!(
+        "regrouped, by S of the raw parameters, {}: {worst:.2} u",
+        T::NAME
+    );
+    assert!(worst <= 10.0, "{worst} u");
+}

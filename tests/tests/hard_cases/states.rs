@@ -1,0 +1,48 @@
+//! States for the hard cases: the ordinary ones, and those that stand still or creep.
+
+use homogen_tests::arguments::Arguments;
+use homogen_tests::states::Random;
+
+/// States of so many joints, each changed as the case has it before every sixth is brought to rest
+/// and every sixth made to creep.
+pub fn states(
+    count: usize,
+    joints: usize,
+    mut change: impl FnMut(&mut Arguments, &mut Random),
+) -> Vec<Arguments> {
+    let mut random = Random::new(joints as u64);
+    let each = |k: usize| {
+        let mut arguments = Arguments::random(joints, &mut random);
+        change(&mut arguments, &mut random);
+        match k % 6 {
+            4 => arguments.qd.fill(0.0),
+            // Of single precision and of double precision: multiples of 2⁻¹⁴⁹ and of 2⁻¹⁰⁷⁴.
+            5 => {
+                let smallest = if k % 12 == 5 {
+                    2_f64.powi(-149)
+                } else {
+                    5e-324
+                };
+                for rate in &mut arguments.qd {
+                    *rate = smallest * (random.unit() * 8e6).round();
+                }
+            }
+            _ => {}
+        }
+        arguments
+    };
+    (0..count).map(each).collect()
+}
+
+/// A number of either sign whose size is 10 to a power between two, exact in single precision.
+pub fn of_size(random: &mut Random, least: f64, most: f64) -> f64 {
+    let exponent = least + (most - least) * (random.unit() + 1.0) / 2.0;
+    let sign = if random.chance(2) { 1.0 } else { -1.0 };
+    single(sign * 10_f64.powf(exponent))
+}
+
+/// The nearest number of single precision.
+#[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
+pub fn single(x: f64) -> f64 {
+    f64::from(x as f32)
+}

@@ -23,6 +23,7 @@ use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::request::{Parameter, Real, Request, Target};
+use crate::target::Processor;
 
 /// Reads a robot and writes its functions.
 ///
@@ -199,6 +200,13 @@ impl Builder {
         self
     }
 
+    /// The processor that the functions run on; it decides which operations are chosen, and the price
+    /// tells its cycles.
+    pub fn target(mut self, processor: Processor) -> Self {
+        self.request.processor = processor;
+        self
+    }
+
     /// A public field of the struct that takes the place of a number of the description.
     pub fn parameter(mut self, field: &str, target: Target) -> Self {
         if let Some(field) = self.parsed(field) {
@@ -222,6 +230,21 @@ impl Builder {
     /// where none is given. No function of a robot takes a root as yet.
     pub fn sqrt(mut self, path: &str) -> Self {
         self.library.sqrt = self.path(path);
+        self
+    }
+
+    /// Functions for C beside the methods, whose names are this and the method's: `arm_gravity`.
+    ///
+    /// [`Builder::write_c_header`] writes the header that declares them. They are `#[no_mangle]`,
+    /// which compilers from Rust 1.82 on take and `forbid(unsafe_code)` does not: nothing else in the
+    /// program may have their names.
+    pub fn extern_c(mut self, prefix: &str) -> Self {
+        let letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        if prefix.starts_with(|c: char| c.is_ascii_digit()) || !prefix.chars().all(letter) {
+            let message = format!("no name in C begins with `{prefix}`");
+            self.mistakes.push(Place::Unknown, message);
+        }
+        self.library.c_prefix = Some(prefix.to_owned());
         self
     }
 

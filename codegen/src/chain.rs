@@ -11,6 +11,7 @@ pub mod frames;
 mod merge;
 mod names;
 mod physical;
+pub mod range;
 pub mod regroup;
 mod shape;
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //!
 //! In: arguments and standard input. Out: an [`Answer`], complete before anything of it is
 //! printed, so that a mistake leaves nothing on standard output. One file a command; none of them
-//! does a stage's work.
+//! does a stage's work. Only `report`, which runs for minutes, shows what it does meanwhile.
 
 mod check;
 mod count;
@@ -13,6 +13,7 @@ mod inspect;
 mod json;
 mod options;
 mod progress;
+mod report;
 mod states;
 
 use std::ffi::OsString;
@@ -31,7 +32,10 @@ pub fn run(
     output: &mut dyn Write,
     remarks: &mut dyn Write,
 ) -> ExitCode {
-    let progress = Progress::start();
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    // The report shows its own.
+    let other = arguments.get(1).is_none_or(|command| command != "report");
+    let progress = other.then(Progress::start);
     let answer = answer(arguments, input);
     drop(progress);
     // Nobody is left to be told if this fails.
@@ -73,6 +77,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::Count(count) => count.run(input),
         Command::Eval(eval) => eval.run(input),
         Command::Generate(generate) => generate.run(input),
+        Command::Report(report) => report.run(),
     };
     said.unwrap_or_else(|errors| Answer {
         remarks: errors.to_string(),
@@ -96,6 +101,7 @@ enum Command {
     Count(count::Count),
     Eval(eval::Eval),
     Generate(generate::Generate),
+    Report(report::Report),
 }
 
 /// What a command that did not fail says.

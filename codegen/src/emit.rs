@@ -5,6 +5,7 @@
 //! ([`standalone`]). It never computes a number, changes an operation or chooses an order.
 
 mod body;
+mod c;
 mod chain;
 mod dialect;
 mod documentation;
@@ -24,6 +25,7 @@ pub(crate) mod tests;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::accuracy::Accuracy;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::request::{Parameter, Real};
@@ -31,6 +33,7 @@ use crate::schedule::{Price, Program};
 use dialect::Dialect;
 use names::Names;
 
+pub use c::c_header;
 pub use dialect::Library;
 pub use documentation::header;
 pub use item::{Declaration, Item};
@@ -96,6 +99,8 @@ pub struct Listed {
     pub program: Program,
     /// What they cost.
     pub price: Price,
+    /// How far rounding can take their results.
+    pub accuracy: Accuracy,
 }
 
 impl Listed {
@@ -151,7 +156,9 @@ pub fn methods(listing: &Listing) -> TokenStream {
 pub fn standalone(listing: &Listing, library: &Library) -> TokenStream {
     let dialect = Dialect::of_core(listing, library);
     let (declaration, methods, _) = parts(listing, &dialect, None);
-    quote! { #declaration #methods }
+    let prefix = library.c_prefix.as_deref();
+    let for_c = prefix.map(|prefix| c::functions(listing, prefix, &dialect));
+    quote! { #declaration #methods #for_c }
 }
 
 /// The struct, the block of its methods, and the traits; `chain()` and the traits only where
@@ -163,11 +170,7 @@ fn parts(
 ) -> (TokenStream, TokenStream, TokenStream) {
     let mut methods = TokenStream::new();
     let mut traits = TokenStream::new();
-    let mut names = Names::default();
-    names.take("chain");
-    names.take(sines::NAME);
-    for listed in &listing.functions {
-        let name = names.fresh(&method::name(&listed.functions, listed.frame.as_deref()));
+    for (listed, name) in listing.functions.iter().zip(method::names(listing)) {
         methods.extend(method::method(listing, listed, &name, dialect));
         if let ([function], None, Some(_)) = (&*listed.functions, &listed.frame, runtime) {
             traits.extend(method::in_trait(listing, *function, &name, dialect));

@@ -5,18 +5,20 @@
 
 mod forward;
 
+use crate::accuracy;
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::formulation::{Formulation, Forward, Parameters, Products};
+use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::model::{self, Way};
 use crate::request::{Real, Request};
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
 use crate::simplify::simplify;
+use crate::target::Processor;
 
 /// Expands a robot.
 ///
@@ -54,6 +56,7 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
 /// Every mistake of the description and of the formulation; every doubt, where the request is
 /// strict.
 pub fn understand(description: &Description, request: &Request) -> Result<Chain, Errors> {
+    check_processor(request)?;
     if let Err(refusal) = request.formulation.check() {
         let mut errors = Errors::new();
         errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
@@ -69,6 +72,22 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         chain.report.warnings.push(doubt);
     }
     Ok(chain)
+}
+
+/// Refuses a type of number that the processor would call a library for.
+fn check_processor(request: &Request) -> Result<(), Errors> {
+    let mut errors = Errors::new();
+    if !request.processor.has(request.scalar) {
+        errors.push_with_hint(
+            Place::Unknown,
+            format!(
+                "{} computes f64 in software, operation by operation",
+                request.processor.name()
+            ),
+            "choose f32 as the scalar, or another target",
+        );
+    }
+    errors.into_result(())
 }
 
 /// Refuses a chain that is too long for code without loops.
@@ -121,6 +140,25 @@ pub fn program_as(
     frame: usize,
     scalar: Real,
 ) -> Result<Program, Errors> {
+    let processor = Processor::Portable;
+    program_for(processor, formulation, chain, functions, frame, scalar)
+}
+
+/// The program that is cheapest on a processor, within a formulation.
+///
+/// # Errors
+/// As [`program_as`].
+///
+/// # Panics
+/// As [`program`] does.
+pub fn program_for(
+    processor: Processor,
+    formulation: Formulation,
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    scalar: Real,
+) -> Result<Program, Errors> {
     let forward = forward::form(chain, functions, scalar, formulation.forward)?;
     let dynamic = functions.iter().any(|function| !function.of_a_frame());
     let layouts = if dynamic {
@@ -131,14 +169,10 @@ pub fn program_as(
     // What a body opposes to an acceleration must be a body's.
     let physical = forward == Forward::Articulated || formulation.parameters == Parameters::Raw;
     let schedule = match formulation.products {
-        Products::Fused => schedule,
-        Products::Unfused => schedule_unfused,
+        Products::Fused if processor.fuses(scalar) => schedule,
+        Products::Fused | Products::Unfused => schedule_unfused,
     };
-    let ways = functions
-        .iter()
-        .map(|&function| Way::all(function))
-        .max_by_key(Vec::len)
-        .unwrap_or_default();
+    let ways = ways(formulation, functions);
     let mut best: Option<(usize, Program)> = None;
     for layout in layouts {
         let regroup = layout.regroup && !physical;
@@ -147,13 +181,35 @@ pub fn program_as(
             let way = Way { forward, ..way };
             let (graph, results) = expressions_by(chain, functions, frame, layout, way);
             let program = schedule(&graph, &results);
-            let weight = Price::of(&program).weight();
+            let weight = processor.weight(scalar, &Price::of(&program));
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
                 best = Some((weight, program));
             }
         }
     }
     Ok(best.expect("there is at least one layout and one way").1)
+}
+
+/// The ways between which the count decides.
+fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
+    let apart = match formulation.frame {
+        Frame::Link => functions
+            .iter()
+            .map(|&function| Way::all(function))
+            .max_by_key(Vec::len)
+            .unwrap_or_default(),
+        Frame::Base => vec![Way::IN_FRAME_0],
+    };
+    match formulation.angles {
+        Angles::Apart => apart,
+        Angles::Merged => {
+            let merged = apart.iter().map(|&way| Way {
+                angles: Angles::Merged,
+                ..way
+            });
+            merged.chain(apart.iter().copied()).collect()
+        }
+    }
 }
 
 /// The program that a layout and a way give.
@@ -205,7 +261,8 @@ fn list(
     frame: usize,
     request: &Request,
 ) -> Result<Listed, Errors> {
-    let program = program_as(
+    let program = program_for(
+        request.processor,
         request.formulation,
         chain,
         &functions,
@@ -219,7 +276,10 @@ fn list(
         mul += more_mul;
         add += more_add;
     }
-    let price = Price::of(&program).beside_dense(mul, add);
+    let price = Price::of(&program)
+        .beside_dense(mul, add)
+        .on(request.processor, request.scalar);
+    let accuracy = accuracy::of(chain, &functions, &program, request.scalar);
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
     let further = of_a_frame && (frame > 0 || !chain.has_tip);
     let frame = further.then(|| chain.frames[frame].name.clone());
@@ -228,6 +288,7 @@ fn list(
         frame,
         program,
         price,
+        accuracy,
     })
 }
 

@@ -19,15 +19,29 @@ use crate::wording::{known, list, quoted};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Formulation {
+    /// The frame in which the recursions run.
+    pub frame: Frame,
     /// The inertial parameters that dynamics starts from.
     pub parameters: Parameters,
     /// How accelerations are found from forces; where none is chosen, by the least that the
     /// conditioning of the mass matrix asks for.
     pub forward: Option<Forward>,
+    /// Whether the angles of parallel axes are summed.
+    pub angles: Angles,
     /// Whether a product and a sum are rounded once.
     pub products: Products,
     /// Where sines and cosines come from.
     pub sines: Sines,
+}
+
+/// The frame in which the recursions run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Frame {
+    /// That of each link: the least work, and no digit lost far from the base.
+    #[default]
+    Link,
+    /// Frame 0, in which the paper writes every sum.
+    Base,
 }
 
 /// Which inertial parameters dynamics starts from.
@@ -51,6 +65,17 @@ pub enum Forward {
     },
     /// By the articulated-body recursion, which takes the parameters of the description.
     Articulated,
+}
+
+/// What becomes of the angles of joints that follow each other with parallel axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Angles {
+    /// Each has its sine and cosine, and a function is as accurate at any number of turns.
+    #[default]
+    Apart,
+    /// They are summed first where that is cheaper. It costs the digits that a sum of large angles
+    /// has no room for: an error of the angle of up to u |q|, which nobody sees within a few turns.
+    Merged,
 }
 
 /// Whether a product and a sum become one operation.
@@ -86,21 +111,27 @@ pub struct Refusal {
 /// A choice for one part.
 #[derive(Clone, Copy, Debug)]
 enum Choice {
+    Frame(Frame),
     Parameters(Parameters),
     Forward(Forward),
+    Angles(Angles),
     Products(Products),
     Sines(Sines),
 }
 
 /// The words, each with the value that it needs and what it chooses.
 #[rustfmt::skip]
-const WORDS: [(&str, Option<&str>, Choice); 10] = [
+const WORDS: [(&str, Option<&str>, Choice); 14] = [
+    ("link_frames",    None,      Choice::Frame(Frame::Link)),
+    ("frame_0",        None,      Choice::Frame(Frame::Base)),
     ("regrouped",      None,      Choice::Parameters(Parameters::Regrouped)),
     ("raw",            None,      Choice::Parameters(Parameters::Raw)),
     ("refined",        Some("0"), Choice::Forward(Forward::MassMatrix { refinements: 0 })),
     ("refined",        Some("1"), Choice::Forward(Forward::MassMatrix { refinements: 1 })),
     ("refined",        Some("2"), Choice::Forward(Forward::MassMatrix { refinements: 2 })),
     ("articulated",    None,      Choice::Forward(Forward::Articulated)),
+    ("apart",          None,      Choice::Angles(Angles::Apart)),
+    ("merged",         None,      Choice::Angles(Angles::Merged)),
     ("fused",          None,      Choice::Products(Products::Fused)),
     ("unfused",        None,      Choice::Products(Products::Unfused)),
     ("own_sines",      None,      Choice::Sines(Sines::Own)),
@@ -122,8 +153,12 @@ impl Formulation {
     /// # Errors
     /// Where there is no such way.
     pub fn check(&self) -> Result<(), Refusal> {
-        match self.forward {
-            Some(Forward::MassMatrix { refinements: 3.. }) => Err(Refusal {
+        match (self.forward, self.frame) {
+            (Some(Forward::Articulated), Frame::Base) => Err(Refusal {
+                message: "\"articulated\" contradicts \"frame_0\"".to_owned(),
+                hint: "articulated bodies are carried in the frames of the links".to_owned(),
+            }),
+            (Some(Forward::MassMatrix { refinements: 3.. }), _) => Err(Refusal {
                 message: "more than two refinements gain nothing".to_owned(),
                 hint: values("refined"),
             }),
@@ -135,8 +170,10 @@ impl Formulation {
 impl Choice {
     fn make_in(self, formulation: &mut Formulation) {
         match self {
+            Self::Frame(frame) => formulation.frame = frame,
             Self::Parameters(parameters) => formulation.parameters = parameters,
             Self::Forward(forward) => formulation.forward = Some(forward),
+            Self::Angles(angles) => formulation.angles = angles,
             Self::Products(products) => formulation.products = products,
             Self::Sines(sines) => formulation.sines = sines,
         }
@@ -223,7 +260,7 @@ fn values(word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Formulation, Forward, Parameters, Products, Reader, Sines};
+    use super::{Angles, Formulation, Forward, Frame, Parameters, Products, Reader, Sines};
 
     /// What some words say, or why not.
     fn read(words: &[(&str, Option<&str>)]) -> Result<Formulation, String> {
@@ -239,21 +276,32 @@ mod tests {
     #[test]
     fn every_part_is_said_and_told_again() {
         let all = Formulation {
+            frame: Frame::Base,
             parameters: Parameters::Raw,
             forward: Some(Forward::MassMatrix { refinements: 2 }),
+            angles: Angles::Merged,
             products: Products::Unfused,
             sines: Sines::Platform,
         };
         let said = [
+            ("frame_0", None),
             ("raw", None),
             ("refined", Some("2")),
+            ("merged", None),
             ("unfused", None),
             ("platform_sines", None),
         ];
         assert_eq!(read(&said), Ok(all));
         assert_eq!(
             all.words(),
-            ["raw", "refined = 2", "unfused", "platform_sines"]
+            [
+                "frame_0",
+                "raw",
+                "refined = 2",
+                "merged",
+                "unfused",
+                "platform_sines"
+            ]
         );
         let defaults = [("fused", None), ("own_sines", None), ("regrouped", None)];
         assert_eq!(read(&defaults), Ok(Formulation::default()));
@@ -265,8 +313,9 @@ mod tests {
         for (words, refusal) in [
             (
                 vec![("row", None)],
-                "unknown word \"row\" (did you mean \"raw\"? known words: regrouped, raw, refined, \
-                 articulated, fused, unfused, own_sines and platform_sines)",
+                "unknown word \"row\" (did you mean \"raw\"? known words: link_frames, frame_0, \
+                 regrouped, raw, refined, articulated, apart, merged, fused, unfused, own_sines \
+                 and platform_sines)",
             ),
             (
                 vec![("raw", Some("1"))],
@@ -285,6 +334,11 @@ mod tests {
             (
                 vec![("articulated", None), ("refined", Some("1"))],
                 "\"refined = 1\" contradicts \"articulated\" (leave one of them out)",
+            ),
+            (
+                vec![("articulated", None), ("frame_0", None)],
+                "\"articulated\" contradicts \"frame_0\" \
+                 (articulated bodies are carried in the frames of the links)",
             ),
             (
                 vec![("raw", None), ("raw", None)],

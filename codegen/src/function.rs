@@ -140,6 +140,44 @@ impl Function {
         }
     }
 
+    /// The unit of each number of its result, 1 where it has none; `slides` says of each joint whether
+    /// it is prismatic.
+    #[must_use]
+    pub fn units(self, slides: &[bool]) -> Vec<&'static str> {
+        let by_joint =
+            |turning, sliding| move |&slides: &bool| if slides { sliding } else { turning };
+        let rows = |rotation: &'static str, translation: &'static str| {
+            [rotation, rotation, rotation, translation].repeat(3)
+        };
+        let by_pair = |[both, one, none]: [&'static str; 3]| {
+            let pairs = slides
+                .iter()
+                .flat_map(|a| slides.iter().map(move |b| (*a, *b)));
+            pairs
+                .map(|pair| match pair {
+                    (false, false) => both,
+                    (true, true) => none,
+                    _ => one,
+                })
+                .collect()
+        };
+        match self {
+            Self::ForwardKinematics => rows("1", "m"),
+            Self::Acceleration => rows("1/s²", "m/s²"),
+            Self::Velocity => ["rad/s", "m/s"].map(|unit| [unit; 3]).concat(),
+            Self::SpatialJacobian | Self::BodyJacobian | Self::GeometricJacobian => {
+                let b = slides.iter().map(by_joint("m", "1"));
+                b.flat_map(|b| ["1", "1", "1", b, b, b]).collect()
+            }
+            Self::InverseDynamics | Self::Gravity | Self::Bias => {
+                slides.iter().map(by_joint("N m", "N")).collect()
+            }
+            Self::ForwardDynamics => slides.iter().map(by_joint("rad/s²", "m/s²")).collect(),
+            Self::MassMatrix => by_pair(["kg m²", "kg m", "kg"]),
+            Self::MassMatrixInverse => by_pair(["1/(kg m²)", "1/(kg m)", "1/kg"]),
+        }
+    }
+
     /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
     #[must_use]
     pub const fn of_a_frame(self) -> bool {

@@ -7,6 +7,7 @@
 //!                             of Expr
 //! ```
 
+pub mod accuracy;
 pub mod builder;
 pub mod chain;
 #[cfg(feature = "cli")]
@@ -24,9 +25,11 @@ pub mod model;
 pub mod request;
 pub mod schedule;
 pub mod simplify;
+pub mod target;
 mod wording;
 
 pub use builder::Builder;
 pub use formulation::Formulation;
 pub use function::Function;
 pub use request::{Real, Target};
+pub use target::Processor;

@@ -1,10 +1,11 @@
 //! The functions, as matrices of expressions.
 //!
 //! In: the bodies of a chain with their frames. Out: the scalars that a function returns. One file
-//! a function or family; all recursions run in the frames of the links (structure rules 1 to 3). It
-//! never counts, orders or prints.
+//! a function or family, whose recursions run in the frames of the links (structure rules 1 to 3),
+//! and one for all of them in frame 0. It never counts, orders or prints.
 
 mod articulated;
+mod base_frame;
 mod carry;
 mod composite;
 mod dense;
@@ -14,9 +15,10 @@ mod gravity;
 mod jacobian;
 mod newton_euler;
 mod pose;
+mod turn;
 mod twist;
 
-pub use crate::formulation::Forward;
+pub use crate::formulation::{Angles, Forward, Frame};
 pub use dense::dense;
 
 use crate::chain::frames::Bodies;
@@ -26,6 +28,10 @@ use crate::function::{Argument, Function};
 /// One of several ways to compute the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Way {
+    /// The frame in which the recursions run; the articulated bodies' are those of the links.
+    pub frame: Frame,
+    /// Whether the angles of parallel axes are summed.
+    pub angles: Angles,
     /// How the pose of a frame is found.
     pub pose: Carried,
     /// How accelerations are found from forces.
@@ -47,8 +53,17 @@ pub enum Carried {
 impl Way {
     /// Columns all carried inwards, accelerations by the mass matrix.
     pub const PLAIN: Self = Self {
+        frame: Frame::Link,
+        angles: Angles::Apart,
         pose: Carried::Inwards { by_product: None },
         forward: Forward::MassMatrix { refinements: 0 },
+    };
+
+    /// Everything in frame 0, accelerations by the mass matrix.
+    pub const IN_FRAME_0: Self = Self {
+        frame: Frame::Base,
+        pose: Carried::Outwards,
+        ..Self::PLAIN
     };
 
     /// The ways of a function between which only the count decides.
@@ -79,34 +94,60 @@ pub fn build<'g>(
     way: Way,
 ) -> Vec<Term<'g>> {
     let state = State { graph };
-    let path = || carry::path(bodies, frame, &state);
-    match function {
-        Function::ForwardKinematics => pose::forward_kinematics(&path(), way.pose),
-        Function::SpatialJacobian => jacobian::spatial(&path()),
-        Function::BodyJacobian => jacobian::body(&path()),
-        Function::GeometricJacobian => jacobian::geometric(&path()),
-        Function::Velocity => twist::velocity(&path(), &state),
-        Function::Acceleration => twist::acceleration(&path(), &state),
-        Function::InverseDynamics => {
-            newton_euler::inverse_dynamics(bodies, &state, &state.qdds(bodies))
+    let path = || carry::path(bodies, frame, &state, way.angles);
+    let joints = || carry::joints(bodies, &state, way.angles);
+    let gravity = bodies.gravity;
+    let torques = |qdd: &[Term<'g>]| match way.frame {
+        Frame::Link => newton_euler::inverse_dynamics(&joints(), gravity, &state, qdd),
+        Frame::Base => base_frame::inverse_dynamics(&joints(), gravity, &state, qdd),
+    };
+    let mass_matrix = || match way.frame {
+        Frame::Link => composite::mass_matrix(&joints(), &state),
+        Frame::Base => base_frame::mass_matrix(&joints(), &state),
+    };
+    let parents = || parents(bodies);
+    let count = bodies.bodies.len();
+    match (function, way.frame) {
+        (Function::ForwardKinematics, _) => pose::forward_kinematics(&path(), way.pose),
+        (Function::SpatialJacobian, _) => jacobian::spatial(&path()),
+        (Function::GeometricJacobian, _) => jacobian::geometric(&path()),
+        (Function::BodyJacobian, Frame::Link) => jacobian::body(&path()),
+        (Function::BodyJacobian, Frame::Base) => base_frame::body_jacobian(&path()),
+        (Function::Velocity, Frame::Link) => twist::velocity(&path(), &state),
+        (Function::Velocity, Frame::Base) => base_frame::velocity(&path(), &state),
+        (Function::Acceleration, Frame::Link) => twist::acceleration(&path(), &state),
+        (Function::Acceleration, Frame::Base) => base_frame::acceleration(&path(), &state),
+        (Function::InverseDynamics, _) => torques(&state.qdds(count)),
+        (Function::Bias, _) => torques(&vec![state.zero(); count]),
+        (Function::Gravity, Frame::Link) => gravity::gravity(&joints(), gravity, &state),
+        (Function::Gravity, Frame::Base) => base_frame::gravity(&joints(), gravity, &state),
+        (Function::MassMatrix, _) => mass_matrix(),
+        (Function::MassMatrixInverse, _) => {
+            forward_dynamics::mass_matrix_inverse(&mass_matrix(), &parents())
         }
-        Function::Bias => newton_euler::bias(bodies, &state),
-        Function::ForwardDynamics => match way.forward {
-            Forward::MassMatrix { refinements } => {
-                forward_dynamics::forward_dynamics(bodies, &state, refinements)
-            }
-            Forward::Articulated => articulated::forward_dynamics(bodies, &state),
+        (Function::ForwardDynamics, _) => match way.forward {
+            Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
+                &mass_matrix(),
+                &parents(),
+                |k| state.tau(k),
+                torques,
+                refinements,
+            ),
+            Forward::Articulated => articulated::forward_dynamics(&joints(), gravity, &state),
         },
-        Function::MassMatrixInverse => forward_dynamics::mass_matrix_inverse(bodies, &state),
-        Function::Gravity => gravity::gravity(bodies, &state),
-        Function::MassMatrix => composite::mass_matrix(bodies, &state),
     }
 }
 
 /// For each joint the diagonal entry of the mass matrix and the pivot that its factors leave of it.
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
-    forward_dynamics::pivots(bodies, &State { graph })
+    let state = State { graph };
+    let matrix = composite::mass_matrix(&carry::joints(bodies, &state, Angles::Apart), &state);
+    forward_dynamics::pivots(&matrix, &parents(bodies))
+}
+
+fn parents(bodies: &Bodies<'_>) -> Vec<Option<usize>> {
+    bodies.bodies.iter().map(|body| body.parent).collect()
 }
 
 /// The arguments of the generated functions.
@@ -142,8 +183,8 @@ impl<'g> State<'g> {
         self.entry(Argument::Tau, k)
     }
 
-    fn qdds(&self, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
-        (0..bodies.bodies.len()).map(|k| self.qdd(k)).collect()
+    fn qdds(&self, count: usize) -> Vec<Term<'g>> {
+        (0..count).map(|k| self.qdd(k)).collect()
     }
 
     fn zero(&self) -> Term<'g> {

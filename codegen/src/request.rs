@@ -9,6 +9,7 @@ use proc_macro2::{Ident, TokenStream};
 use crate::description::{Name, Number};
 use crate::formulation::Formulation;
 use crate::function::Function;
+use crate::target::Processor;
 
 /// Everything that is asked for.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +37,8 @@ pub struct Request {
     pub functions: Vec<Vec<Function>>,
     /// How they are computed.
     pub formulation: Formulation,
+    /// The processor that they are computed on.
+    pub processor: Processor,
     /// The type of number in the generated code.
     pub scalar: Real,
     /// Struct fields that stay free at run time.
@@ -54,6 +57,17 @@ pub enum Real {
     F32,
     /// Double precision.
     F64,
+}
+
+impl Real {
+    /// Half the distance from 1 to the next larger number; of `f64` where any type is meant.
+    #[must_use]
+    pub const fn roundoff(self) -> f64 {
+        match self {
+            Self::F32 => f32::EPSILON as f64 / 2.0,
+            Self::F64 | Self::Generic => f64::EPSILON / 2.0,
+        }
+    }
 }
 
 /// A struct field that takes the place of a number of the description at run time.

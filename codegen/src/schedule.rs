@@ -3,6 +3,7 @@
 //! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
 //! nothing else; emission, evaluation and counting all read it and never look at the graph again.
 
+pub mod bound;
 mod fuse;
 mod order;
 mod price;

@@ -36,6 +36,7 @@ install() {
 packages=()
 has qemu-system-arm || packages+=(qemu-system-arm)
 has arm-none-eabi-objdump || packages+=(binutils-arm-none-eabi)
+has arm-none-eabi-gcc || packages+=(gcc-arm-none-eabi)
 cargo=(cargo)
 rustc=(rustc)
 build_std=()
@@ -64,14 +65,43 @@ build() { # arm board options: the images
         --locked "${build_std[@]}" --target "$target" -p controller --bins "${@:3}"
 }
 
-observe() { # image board folder: takes it apart and runs it; an instruction lasts 1 ns
+observe() { # image board folder: takes it apart and runs it
     local image="$CARGO_TARGET_DIR/$target/release/$1" folder="$3"
     mkdir -p "$folder"
     arm-none-eabi-nm --demangle --print-size --defined-only "$image" >"$folder/symbols"
     arm-none-eabi-objdump --disassemble --demangle "$image" >"$folder/code"
-    timeout 120 qemu-system-arm -machine "${machine[$2]}" -icount shift=0 -nographic \
-        -semihosting-config enable=on,target=native -kernel "$image" >"$folder/log" </dev/null ||
-        { cat "$folder/log" >&2; say "run.sh: the firmware on $2 says that it failed"; return 1; }
+    emulate "$2" "$image" "$folder/log"
+}
+
+emulate() { # board image log: an instruction lasts 1 ns
+    timeout 120 qemu-system-arm -machine "${machine[$1]}" -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$2" >"$3" </dev/null ||
+        { cat "$3" >&2; say "run.sh: the firmware on $1 says that it failed"; return 1; }
+}
+
+# The folder of what the last build script of a package wrote.
+written_by() { # package, the messages of its build
+    sed -n "/build-script-executed.*[#\/]$1[#@]/s/.*\"out_dir\":\"\([^\"]*\)\".*/\1/p"
+}
+
+call_from_c() { # arm board: a firmware in C gives the bits that the host gives
+    local folder="$seen/c/$1/$2" out flags="CARGO_TARGET_${target//-/_}_RUSTFLAGS"
+    mkdir -p "$folder"
+    out=$(env "ARM=$1" "${flags^^}=-C target-cpu=${processor[$2]}" "${cargo[@]}" build --quiet \
+        --release --locked "${build_std[@]}" --target "$target" -p c_caller \
+        --message-format=json | written_by c_caller)
+    host "$1" states >"$folder/states.h"
+    arm-none-eabi-gcc -std=c99 -O2 -Wall -Wextra -Wpedantic -Werror -ffreestanding -nostdlib \
+        -mthumb "-mcpu=${processor[$2]}" -mfpu=auto -mfloat-abi=hard -I "$out" -I "$folder" \
+        c_caller/main.c c_caller/board.c -L "$CARGO_TARGET_DIR/$target/release" -larm -lgcc \
+        -T c_caller/link.ld -L . -Wl,-z,noexecstack -o "$folder/firmware"
+    emulate "$2" "$folder/firmware" "$folder/log"
+    sed -n 's/^pub static \([A-Z_]*\):.*/\1/p; /^    \[/p' "expected/$1.rs" |
+        sed '/^COMPUTED_TORQUE/,/^MASS_MATRIX/{/^MASS_MATRIX/!d}' >"$folder/expected"
+    if ! diff "$folder/expected" "$folder/log" >&2; then
+        say "run.sh: called from C on $2, functions of $1 give other results than on the host"
+        return 1
+    fi
 }
 
 # --- modes ----------------------------------------------------------------------------------------
@@ -106,6 +136,7 @@ check() { # writes the tables to $seen/table.md, and the budget that they leave 
                 build "$arm" "$board"
                 observe controller "$board" "$seen/$arm/$board"
                 observe sines "$board" "$seen/sines/$board"
+                call_from_c "$arm" "$board"
                 folders+=("$seen/$arm/$board")
             done
             host "$arm" judge "$arm" budget.txt "${folders[@]}"
@@ -135,8 +166,7 @@ current() { # whether README and budget say what was measured, if by the compile
 mutate() { # description, expression of sed, what must be said
     local arm=panda_class board=M4F folder="$seen/mutation/M4F" file
     say "=== mutation: $1"
-    file=$(build "$arm" "$board" --message-format=json |
-        sed -n '/build-script-executed.*#controller@/s/.*"out_dir":"\([^"]*\)".*/\1/p')/arm.rs
+    file=$(build "$arm" "$board" --message-format=json | written_by controller)/arm.rs
     cp "$file" "$seen/arm.rs"
     sed -i "$2" "$file"
     if cmp -s "$file" "$seen/arm.rs"; then

@@ -6,13 +6,14 @@
 
 use std::hint::black_box;
 
+use homogen::Real;
 use homogen::robot::{
     Acceleration, Bias, BodyJacobian, ForwardDynamics, ForwardKinematics, GeometricJacobian,
     Gravity, InverseDynamics, MassMatrix, MassMatrixInverse, SpatialJacobian, Velocity,
 };
-use homogen::{Pose, Real, Screw};
 use homogen_codegen::Function;
 
+use crate::entries::Entries;
 use crate::states::State;
 
 /// A robot that has every function.
@@ -49,10 +50,6 @@ impl<R, const N: usize, T> Complete<N, T> for R where
 }
 
 /// A type of number that results can be taken apart into.
-#[expect(
-    private_bounds,
-    reason = "f32 and f64 are the numbers; nobody needs to add one"
-)]
 pub trait Number: Real + Entries {}
 
 impl Number for f32 {}
@@ -120,54 +117,5 @@ fn bound<'r, T, O: Entries, const N: usize>(
                 black_box(call(black_box(state)));
             }
         }),
-    }
-}
-
-/// The numbers of a result, row by row.
-trait Entries {
-    fn push(&self, numbers: &mut Vec<f64>);
-}
-
-impl Entries for f64 {
-    fn push(&self, numbers: &mut Vec<f64>) {
-        numbers.push(*self);
-    }
-}
-
-impl Entries for f32 {
-    fn push(&self, numbers: &mut Vec<f64>) {
-        numbers.push(f64::from(*self));
-    }
-}
-
-impl<X: Entries, const N: usize> Entries for [X; N] {
-    fn push(&self, numbers: &mut Vec<f64>) {
-        for entry in self {
-            entry.push(numbers);
-        }
-    }
-}
-
-impl<T: Real + Entries> Entries for Pose<T> {
-    fn push(&self, numbers: &mut Vec<f64>) {
-        self.to_matrix().push(numbers);
-    }
-}
-
-impl<T: Real + Entries> Entries for Screw<T> {
-    fn push(&self, numbers: &mut Vec<f64>) {
-        [self.u(), self.b()].push(numbers);
-    }
-}
-
-impl<T: Real + Entries> Entries for homogen::Velocity<T> {
-    fn push(&self, numbers: &mut Vec<f64>) {
-        [self.omega(), self.v()].push(numbers);
-    }
-}
-
-impl<T: Real + Entries> Entries for homogen::Acceleration<T> {
-    fn push(&self, numbers: &mut Vec<f64>) {
-        self.to_matrix().push(numbers);
     }
 }

@@ -4,6 +4,7 @@
 //! measured on, and plots. Nothing here is needed to use `homogen`.
 
 pub mod bound;
+pub mod entries;
 pub mod machine;
 pub mod plot;
 pub mod price;

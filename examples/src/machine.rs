@@ -4,15 +4,18 @@
 
 use std::fs;
 
+/// The compiler and its version.
+pub const COMPILER: &str = env!("EXAMPLES_RUSTC");
+
 /// Processor, compiler and flags.
 #[must_use]
 pub fn describe() -> String {
-    let (rustc, flags) = (env!("EXAMPLES_RUSTC"), env!("EXAMPLES_FLAGS"));
-    format!("{} · {rustc} · {flags}", processor())
+    format!("{} · {COMPILER} · {}", processor(), env!("EXAMPLES_FLAGS"))
 }
 
-/// The processor's own name where the system tells it.
-fn processor() -> String {
+/// The processor's own name where the system tells it, and how many threads it offers.
+#[must_use]
+pub fn processor() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = told

@@ -44,8 +44,11 @@ pub fn random<const N: usize>(count: usize, mut seed: u64) -> Vec<State<f32, N>>
     (0..count).map(state).collect()
 }
 
-/// A number in [−1, 1) from the generator SplitMix64 (Steele, Lea and Flood 2014).
-fn unit(seed: &mut u64) -> f32 {
+/// The next number in [−1, 1), exact in 16 bits, from the generator SplitMix64 (Steele, Lea and Flood 2014).
+///
+/// # Panics
+/// Never: 16 bits are left of 64.
+pub fn unit(seed: &mut u64) -> f32 {
     *seed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let mut z = *seed;
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -1,8 +1,8 @@
-//! Times per call of two programs, measured side by side.
+//! Times per call of some programs, measured side by side.
 //!
-//! In: two batches of calls. Out: median and quartiles of the time per call of each. The batches take
-//! turns, so that a clock that drifts or a neighbour that wakes up meets both alike; only their
-//! ratio should be carried to another machine.
+//! In: batches of calls, one a program. Out: median and quartiles of the time per call of each. The batches take
+//! turns, so that a clock that drifts or a neighbour that wakes up meets all alike; only their
+//! ratios should be carried to another machine.
 
 use std::time::{Duration, Instant};
 
@@ -17,23 +17,23 @@ pub struct Spread {
     pub upper: f64,
 }
 
-/// Runs both in turns, `batches` times each. A batch repeats its `calls` until it takes at least
+/// Runs all in turns, `batches` times each. A batch repeats its `calls` until it takes at least
 /// `shortest`, so that reading the clock does not count.
 pub fn alternate(
     batches: usize,
     calls: u32,
     shortest: Duration,
-    [first, second]: [&dyn Fn(); 2],
-) -> [Spread; 2] {
-    let repeats = [first, second].map(|batch| repeats(batch, shortest));
-    let mut times = [Vec::new(), Vec::new()];
+    programs: &[&dyn Fn()],
+) -> Vec<Spread> {
+    let repeats: Vec<u32> = programs.iter().map(|run| repeats(run, shortest)).collect();
+    let mut times = vec![Vec::with_capacity(batches); programs.len()];
     for _ in 0..batches {
-        for ((batch, repeats), times) in [first, second].into_iter().zip(repeats).zip(&mut times) {
-            let calls = f64::from(repeats) * f64::from(calls);
-            times.push(time(batch, repeats).as_secs_f64() * 1e9 / calls);
+        for ((batch, repeats), times) in programs.iter().zip(&repeats).zip(&mut times) {
+            let calls = f64::from(*repeats) * f64::from(calls);
+            times.push(time(batch, *repeats).as_secs_f64() * 1e9 / calls);
         }
     }
-    times.map(spread)
+    times.into_iter().map(spread).collect()
 }
 
 /// How often a batch must be repeated to take long enough; running it so often also warms it up.

@@ -64,7 +64,8 @@ where
         let generic = bind(chain, function);
         let calls = u32::try_from(states.len()).expect("64 states");
         let batches: [&dyn Fn(); 2] = [&|| generated.batch(states), &|| generic.batch(states)];
-        let [generated, generic] = alternate(BATCHES, calls, SHORTEST, batches);
+        let times = alternate(BATCHES, calls, SHORTEST, &batches);
+        let (generated, generic) = (times[0], times[1]);
         println!(
             "{:<20} {:>20} {:>22} {:>6.1}",
             function.name(),

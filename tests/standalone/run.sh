@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Compiles files for `core` alone with the oldest compiler that their heads promise.
+# Compiles files for `core` alone, without functions for C and with them, with the oldest compilers
+# that their heads promise.
 #
 # rustup installs the compiler where it is missing. Where there is no rustup, or it cannot, the
 # compiler that is there has to do, and the last line says which one it was.
@@ -35,7 +36,10 @@ compile() { # file: as the whole of a crate without a standard library
 for robot in panda_class:link8 scara:tool; do
     for scalar in f32 f64; do
         file="$folder/${robot%:*}_$scalar.rs"
-        homogen generate "robots/${robot%:*}.urdf" --tip "${robot#*:}" --scalar "$scalar" -o "$file"
+        generate=(generate "robots/${robot%:*}.urdf" --tip "${robot#*:}" --scalar "$scalar")
+        homogen "${generate[@]}" -o "$file"
         compile "$file"
+        homogen "${generate[@]}" --extern-c arm_ --c-header "${file%.rs}.h" -o "${file%.rs}_c.rs"
+        compile "${file%.rs}_c.rs"
     done
 done

@@ -7,7 +7,9 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use homogen_codegen::cli::{Answer, answer, run};
-use homogen_codegen::formulation::{Formulation, Forward, Parameters, Products, Sines};
+use homogen_codegen::formulation::{
+    Angles, Formulation, Forward, Frame, Parameters, Products, Sines,
+};
 use homogen_codegen::{Builder, Function};
 use serde_json::{Value, json};
 
@@ -222,10 +224,15 @@ fn count_gives_every_price_by_name() {
             .map(String::as_str)
             .collect();
         let wanted = [
-            "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals", "naive",
+            "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals",
+            "naive", "error",
         ];
         assert_eq!(keys, wanted);
     }
+    let errors = |name: &str| &functions[name]["error"];
+    let error = errors("gravity")["f64"]["N m"].as_f64();
+    assert!(error.is_some_and(|error| (1e-17..1e-13).contains(&error)));
+    assert!(errors("forward_dynamics")["unknown"].is_string());
     let dynamics = &functions["inverse_dynamics"];
     let number = |value: &Value| value.as_u64().expect("a number");
     assert!(number(&dynamics["mul"]) * 10 < number(&dynamics["naive"]["mul"]));
@@ -504,19 +511,21 @@ fn generate_writes_what_the_builder_writes() {
 #[test]
 fn inspect_shows_the_formulation_that_the_builder_takes() {
     let formulation = Formulation {
+        frame: Frame::Base,
         parameters: Parameters::Raw,
         forward: Some(Forward::MassMatrix { refinements: 1 }),
+        angles: Angles::Merged,
         products: Products::Unfused,
         sines: Sines::Platform,
     };
-    let words = "raw,refined=1,unfused,platform-sines";
+    let words = "frame-0,raw,refined=1,merged,unfused,platform-sines";
     let arm = "../robots/two_link.urdf";
     let shown = homogen(
         &format!("inspect {arm} --function forward_dynamics --formulation {words}"),
         "",
     );
     assert_eq!((&*shown.remarks, shown.code), ("", 0));
-    let doc = "/// Formulation: raw, refined = 1, unfused, platform_sines.\n";
+    let doc = "/// Formulation: frame_0, raw, refined = 1, merged, unfused, platform_sines.\n";
     assert!(shown.output.contains(doc), "{}", shown.output);
     let builder = Builder::from_urdf(arm).formulation(formulation);
     let built = builder
@@ -526,7 +535,7 @@ fn inspect_shows_the_formulation_that_the_builder_takes() {
         .expect("no mistakes")
         .to_string();
     assert!(built.starts_with("// @generated"), "{built}");
-    let head = "// Formulation: raw, refined = 1, unfused, platform_sines.\n";
+    let head = "// Formulation: frame_0, raw, refined = 1, merged, unfused, platform_sines.\n";
     assert!(built.contains(head), "{built}");
     let bare = |text: &str| text.replace([' ', '\n'], "");
     assert!(
@@ -561,7 +570,7 @@ fn words_of_a_formulation_that_make_no_sense() {
         ),
         (
             "own-sinus",
-            "unknown word \"own-sinus\"\n  hint: did you mean \"own-sines\"? known words: regrouped,",
+            "unknown word \"own-sinus\"\n  hint: did you mean \"own-sines\"? known words: link-frames,",
         ),
     ] {
         let answer = homogen(&format!("count - --formulation {words}"), ARM);
@@ -638,6 +647,31 @@ fn no_form_saves_a_singular_chain() {
 }
 
 #[test]
+fn generate_writes_a_header_for_c() {
+    let robot = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/two_link.urdf");
+    let path = std::env::temp_dir().join(format!("homogen-{}.h", std::process::id()));
+    let answer = homogen(
+        &format!(
+            "generate {robot} --functions forward_kinematics,mass_matrix+bias --tip fore \
+             --extern-c arm_ --c-header {}",
+            path.display()
+        ),
+        "",
+    );
+    let header = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    for declaration in [
+        "void arm_forward_kinematics(const double q[2], double forward_kinematics[3][4]);",
+        "void arm_mass_matrix_and_bias(const double q[2], const double qd[2], \
+         double mass_matrix[2][2], double bias[2]);",
+    ] {
+        assert!(header.contains(declaration), "{header}");
+    }
+    assert_eq!(answer.output.matches("pub extern \"C\" fn arm_").count(), 2);
+    assert!(refused("generate - --extern-c 2nd", ARM).contains("no name in C"));
+}
+
+#[test]
 fn gravity_may_be_anything() {
     let states = r#"{"states":[{"q":[0,0,0]}]}"#;
     let at = |gravity: &str| {
@@ -664,6 +698,10 @@ fn arguments_that_make_no_sense() {
             "gravity is three numbers with commas between them, or none",
         ),
         ("check - --gravity 0,0,inf", "`inf` is not a finite number"),
+        (
+            "count - --target cortex-m5",
+            "there is no such target\n  hint: did you mean \"cortex-m4\"? known targets: portable,",
+        ),
         ("check - --lock elbow=bent", "`bent` is not a number"),
         ("eval - --function gravity", "--states <FILE>"),
         ("report", "unrecognized subcommand"),

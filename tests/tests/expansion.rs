@@ -216,6 +216,7 @@ fn every_door_leads_to_the_same_formulation() {
         forward: Some(Forward::Articulated),
         products: Products::Unfused,
         sines: Sines::Platform,
+        ..Formulation::default()
     };
     let formulated = doors("raw, articulated, unfused, platform_sines", formulation);
     assert!(!formulated.contains("mul_add") && !formulated.contains("sin_cos_all"));

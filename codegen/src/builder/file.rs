@@ -10,6 +10,7 @@ use super::{Builder, Origin};
 use crate::emit::{self, Listing};
 use crate::error::{Errors, Place};
 use crate::request::Real;
+use crate::target::Processor;
 
 impl Builder {
     /// The same as [`Builder::to_tokens`], formatted, under a head that tells origin, options and
@@ -35,7 +36,7 @@ impl Builder {
             for warning in &listing.about.warnings {
                 println!("cargo::warning={warning}");
             }
-            write(file.as_ref(), &self.source(&listing))
+            write(file.as_ref(), &self.source(&listing).to_string())
         });
         if let Err(errors) = &written {
             for line in errors.to_string().lines() {
@@ -43,6 +44,27 @@ impl Builder {
             }
         }
         written
+    }
+
+    /// The header of the functions that [`Builder::extern_c`] asks for: arrays of fixed size, with
+    /// units and frames in comments; nothing where it was not asked for.
+    ///
+    /// # Errors
+    /// All the mistakes of the description and of the request.
+    pub fn to_c_header(&self) -> Result<String, Errors> {
+        self.listing().map(|listing| self.c_header(&listing))
+    }
+
+    /// Writes [`Builder::to_c_header`] to a file in `OUT_DIR`.
+    ///
+    /// # Errors
+    /// All the mistakes of the description and of the request; a file that cannot be written.
+    pub fn write_c_header(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
+        write(file.as_ref(), &self.to_c_header()?)
+    }
+
+    pub(crate) fn c_header(&self, listing: &Listing) -> String {
+        emit::c_header(listing, &self.options(), &self.library).unwrap_or_default()
     }
 
     pub(crate) fn source(&self, listing: &Listing) -> emit::Source {
@@ -78,17 +100,33 @@ impl Builder {
                 .iter()
                 .map(|link| format!("drop {}", link.text)),
         );
+        options.extend(
+            request
+                .frames
+                .iter()
+                .map(|link| format!("frame {}", link.text)),
+        );
+        options.extend(
+            request
+                .parameters
+                .iter()
+                .map(|parameter| format!("field {}", parameter.field)),
+        );
         options.extend(request.gravity.map(|gravity| {
             let gravity = gravity.map(|number| number.value);
             format!("gravity {gravity:?}")
         }));
         options.extend(request.exact.then(|| "exact".to_owned()));
         options.extend(request.strict.then(|| "strict".to_owned()));
+        let chosen = request.processor != Processor::Portable;
+        options.extend(chosen.then(|| format!("target {}", request.processor.name())));
+        let prefix = self.library.c_prefix.as_ref();
+        options.extend(prefix.map(|prefix| format!("functions {prefix}… for C")));
         options.join(", ")
     }
 }
 
-fn write(file: &Path, source: &emit::Source) -> Result<(), Errors> {
+fn write(file: &Path, text: &str) -> Result<(), Errors> {
     let refuse = |message: String| {
         let mut errors = Errors::new();
         errors.push(Place::Unknown, message);
@@ -97,6 +135,6 @@ fn write(file: &Path, source: &emit::Source) -> Result<(), Errors> {
     let folder = env::var_os("OUT_DIR")
         .ok_or_else(|| refuse("OUT_DIR is not set: this is for build scripts".to_owned()))?;
     let path = Path::new(&folder).join(file);
-    fs::write(&path, source.to_string())
+    fs::write(&path, text)
         .map_err(|reason| refuse(format!("cannot write {}: {reason}", path.display())))
 }

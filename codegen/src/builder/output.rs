@@ -7,8 +7,10 @@ use proc_macro2::{Ident, Span, TokenStream};
 use super::{Builder, Origin};
 use crate::description::{self, Description};
 use crate::emit::{self, Item, Listing};
-use crate::error::Errors;
+use crate::error::{Errors, Place};
+use crate::formulation::Products;
 use crate::request::Real;
+use crate::target::Processor;
 
 impl Builder {
     /// The struct and its methods.
@@ -37,6 +39,16 @@ impl Builder {
         let mut request = self.request.clone();
         if request.runtime.is_none() && request.scalar == Real::Generic {
             request.scalar = Real::F64;
+        }
+        // `core` has no fused product: a price that counted on it would be wrong.
+        if request.runtime.is_none() && request.processor != Processor::Portable {
+            request.formulation.products = Products::Unfused;
+        }
+        if request.runtime.is_some() && self.library.c_prefix.is_some() {
+            let message =
+                "functions for C are of files that need `core` alone, without the runtime";
+            errors.push(Place::Unknown, message);
+            return Err(errors);
         }
         (self.expand)(&description, &request, item)
     }

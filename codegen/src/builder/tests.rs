@@ -106,6 +106,25 @@ fn options_that_are_no_rust_are_all_told() {
 }
 
 #[test]
+fn c_has_names_of_its_own_and_no_runtime() {
+    let errors = |builder: Builder| builder.to_c_header().expect_err("a mistake").to_string();
+    let one = errors(arm(as_asked).extern_c("arm-"));
+    assert_eq!(one, "error: no name in C begins with `arm-`\n");
+    let other = errors(arm(as_asked).extern_c("arm_").runtime("::homogen"));
+    assert!(other.contains("without the runtime"), "{other}");
+    let header = arm(as_asked)
+        .extern_c("arm_")
+        .frames(["eye"])
+        .parameter("payload", Target::MassOf("rod-2".into()))
+        .to_c_header()
+        .expect("no mistakes");
+    let options = " * Options: f64, frame eye, field payload, functions arm_… for C.\n";
+    assert!(header.contains(options), "{header}");
+    let none = arm(as_asked).to_c_header().expect("no mistakes");
+    assert_eq!(none, "");
+}
+
+#[test]
 fn a_file_that_is_not_there_is_told() {
     let errors = Builder::from_urdf("no/such.urdf")
         .to_tokens()

@@ -1,7 +1,7 @@
 //! `homogen count`: what each function costs.
 //!
 //! In: a description and names of functions. Out: a table of the prices that stand above the
-//! generated functions, the dense 4×4 products beside them.
+//! generated functions, the dense 4×4 products beside them; as JSON also the bounds of the error.
 
 use std::fmt::Write;
 use std::io::Read;
@@ -12,6 +12,7 @@ use serde_json::{Map, Value, json};
 use super::functions::Functions;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
+use crate::accuracy::{Accuracy, Bound};
 use crate::emit::Listed;
 use crate::expand::{expand, understand};
 use crate::schedule::Price;
@@ -80,10 +81,31 @@ fn in_json(robot: &str, functions: &[Listed]) -> Value {
                 None => price[name] = json!(number),
             }
         }
+        if let Some((_, cycles)) = listed.price.cycles {
+            price["cycles"] = json!(cycles);
+        }
+        price["error"] = error(&listed.accuracy);
         (listed.name(), price)
     });
     let prices: Map<String, Value> = prices.collect();
     json!({ "robot": robot, "functions": prices })
+}
+
+/// The worst of each unit by the type of number, and where that holds; or why there is no bound.
+fn error(accuracy: &Accuracy) -> Value {
+    match accuracy {
+        Accuracy::Unknown(reason) => json!({ "unknown": reason }),
+        Accuracy::Within { bounds, range } => {
+            let by_unit = |of: fn(&Bound) -> Option<f64>| -> Map<String, Value> {
+                let sizes = bounds.iter();
+                sizes
+                    .map(|bound| (bound.unit.to_owned(), json!(of(bound))))
+                    .collect()
+            };
+            let (double, single) = (by_unit(|bound| bound.double), by_unit(|bound| bound.single));
+            json!({ "f64": double, "f32": single, "range": range })
+        }
+    }
 }
 
 fn table(functions: &[Listed]) -> String {

@@ -68,7 +68,8 @@ impl Eval {
         // Further frames come after the tip's.
         let frame = chain.frames.len().saturating_sub(1);
         expand::check_size(&chain)?;
-        let program = expand::program_as(
+        let program = expand::program_for(
+            request.processor,
             request.formulation,
             &chain,
             &[function],

@@ -4,7 +4,7 @@
 //! the same tokens. It never writes a file before everything is known to be right.
 
 use std::io::Read;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
@@ -12,6 +12,7 @@ use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
 use super::{Answer, Said, options};
 use crate::builder::Builder;
+use crate::error::Errors;
 use crate::expand;
 
 /// Write the functions of a robot as a file of Rust that needs core and nothing else
@@ -34,6 +35,12 @@ pub(super) struct Generate {
     /// The path of a function from a number to its square root [default: that of libm]
     #[arg(long, value_name = "PATH")]
     sqrt: Option<String>,
+    /// Functions for C as well, whose names begin with this
+    #[arg(long, value_name = "PREFIX")]
+    extern_c: Option<String>,
+    /// The file to write the header of the functions for C to
+    #[arg(long, value_name = "OUT", requires = "extern_c")]
+    c_header: Option<PathBuf>,
     /// The name of the struct [default: the robot's]
     #[arg(long)]
     name: Option<String>,
@@ -59,13 +66,17 @@ impl Generate {
         if let Some(path) = &self.sqrt {
             builder = builder.sqrt(path);
         }
+        if let Some(prefix) = &self.extern_c {
+            builder = builder.extern_c(prefix);
+        }
         let listing = builder.listing()?;
         remarks.push_str(&self.functions.remarks(&listing));
         let mut output = builder.source(&listing).to_string();
+        if let Some(path) = &self.c_header {
+            write(path, &builder.c_header(&listing))?;
+        }
         if !is_standard_input(&self.output) {
-            let path = &self.output;
-            let refuse = |reason| mistake(format!("cannot write {}: {reason}", path.display()));
-            std::fs::write(path, &output).map_err(refuse)?;
+            write(&self.output, &output)?;
             output.clear();
         }
         Ok(Answer {
@@ -74,4 +85,9 @@ impl Generate {
             code: 0,
         })
     }
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Errors> {
+    let refuse = |reason| mistake(format!("cannot write {}: {reason}", path.display()));
+    std::fs::write(path, text).map_err(refuse)
 }

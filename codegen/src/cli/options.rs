@@ -17,6 +17,7 @@ use crate::emit::{Item, type_name};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::request::{Real, Request};
+use crate::target::Processor;
 
 /// Which robot, and which part of it.
 #[derive(Args, Clone, Debug)]
@@ -48,7 +49,12 @@ pub(super) struct Robot {
     /// Refuse what is doubtful, such as inertias that no body can have, instead of warning
     #[arg(long)]
     strict: bool,
-    /// How functions are computed: raw, refined=1 (or 0, 2), articulated, unfused, platform-sines
+    /// The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64
+    /// [default: portable]
+    #[arg(long, value_name = "NAME", value_parser = target)]
+    target: Option<Processor>,
+    /// How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged,
+    /// unfused, platform-sines
     /// [default: what the engine chooses]
     #[arg(long, value_name = "WORD,…", value_parser = formulation)]
     formulation: Option<Formulation>,
@@ -110,6 +116,7 @@ impl Robot {
             strict: self.strict,
             functions: functions.iter().map(|item| item.0.clone()).collect(),
             formulation: self.formulation.unwrap_or_default(),
+            processor: self.target.unwrap_or_default(),
             ..Request::default()
         }
     }
@@ -206,6 +213,10 @@ fn gravity(text: &str) -> Result<Gravity, String> {
     let entries: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
     let entries = entries.try_into().map(Gravity);
     entries.map_err(|_| "gravity is three numbers with commas between them, or none".to_owned())
+}
+
+fn target(text: &str) -> Result<Processor, String> {
+    Processor::from_name(text).map_err(|hint| format!("there is no such target\n  hint: {hint}"))
 }
 
 /// The words of attributes, with dashes.

@@ -14,11 +14,12 @@ use crate::error::{Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
 use crate::request::{Real, Request};
+use crate::target::Processor;
 use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 18] = [
+const WORDS: [&str; 19] = [
     "urdf",
     "dh",
     "base",
@@ -33,6 +34,7 @@ const WORDS: [&str; 18] = [
     "scalar",
     "generate",
     "formulation",
+    "target",
     "crate",
     "link",
     "joint",
@@ -40,7 +42,7 @@ const WORDS: [&str; 18] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 15;
+const KEYS: usize = 16;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -137,6 +139,10 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             let content = in_parentheses(input, &key, "formulation(raw, refined = 1)")?;
             request.formulation = formulation(&content, errors)?;
         }
+        "target" => {
+            tokens::separator(input, &key)?;
+            request.processor = processor(input)?;
+        }
         // The last of the known keys is `crate`.
         _ => {
             tokens::separator(input, &key)?;
@@ -188,6 +194,23 @@ fn scalar(input: ParseStream) -> Parsed<Real> {
             known(other, "scalars", &["f32", "f64", "generic"]),
         )),
     }
+}
+
+/// The name of a processor, as a string.
+fn processor(input: ParseStream) -> Parsed<Processor> {
+    if !input.peek(LitStr) {
+        let hint = "write target = \"cortex-m4\"";
+        return Err(complaint_with_hint(
+            input.span(),
+            "`target` needs the name of a processor",
+            hint,
+        ));
+    }
+    let name: LitStr = input.parse()?;
+    Processor::from_name(&name.value()).map_err(|hint| {
+        let message = format!("unknown target {}", quoted(&name.value()));
+        complaint_with_hint(name.span(), message, hint)
+    })
 }
 
 /// Functions, alone or as `all_of(…)`; complains of each unknown one.

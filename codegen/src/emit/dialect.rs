@@ -13,7 +13,7 @@ use super::{Listing, sines};
 use crate::formulation::Sines;
 use crate::request::Real;
 
-/// Where code without the runtime finds what `core` does not have.
+/// What code without the runtime finds and leaves around it.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     /// A function from an angle to its sine and cosine, as a pair; where none is named, the struct
@@ -21,6 +21,8 @@ pub struct Library {
     pub sin_cos: Option<TokenStream>,
     /// A function from a number to its square root; that of the crate `libm` where none is named.
     pub sqrt: Option<TokenStream>,
+    /// How the names of functions for C begin; there are none where this is not given.
+    pub c_prefix: Option<String>,
 }
 
 /// How many sines and cosines a reader can pair on one line.
@@ -101,6 +103,11 @@ impl Dialect {
             bare: false,
             fields: None,
         }
+    }
+
+    /// Whether C shall understand the struct.
+    pub fn is_for_c(&self) -> bool {
+        matches!(&self.world, World::Core(library) if library.c_prefix.is_some())
     }
 
     /// The same world with plain `f64`s: the robot as data is not generic.

@@ -1,8 +1,8 @@
 //! What stands above the generated code.
 //!
-//! In: [`About`] a robot and the price of a function. Out: doc comments that tell what is computed,
-//! in which frame and unit, from which source, what is modelled, and what it costs; and the same
-//! for the head of a file. It never says anything that the listing does not hold.
+//! In: [`About`] a robot, the price of a function and its error. Out: doc comments that tell what is
+//! computed, in which frame and unit, from which source, what is modelled, what it costs and how
+//! exact it is; and the same for the head of a file. It never says anything that the listing does not hold.
 
 use std::fmt::Write;
 
@@ -17,13 +17,18 @@ use crate::request::{Real, Target};
 
 /// The doc comment of a generated method.
 pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -> TokenStream {
+    comment(&lines(listing, listed, dialect))
+}
+
+/// What is said of a generated method, a line each.
+pub(super) fn lines(listing: &Listing, listed: &Listed, dialect: &Dialect) -> Vec<String> {
     let about = &listing.about;
     let frame = listed.frame.as_deref().unwrap_or(&about.tip);
     let mut lines = Vec::new();
     match &*listed.functions {
         [function] => lines.push(sentence(*function, &code(frame), about)),
         several => {
-            lines.push("Several functions that share their work, as a tuple:".to_owned());
+            lines.push("Several functions that share their work, in this order:".to_owned());
             lines.push(String::new());
             let sentences = several.iter().zip(1..);
             lines.extend(sentences.map(|(function, number)| {
@@ -46,7 +51,8 @@ pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -
     lines.extend(facts(about));
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
-    comment(&lines)
+    lines.push(format!("Error: {}.", listed.accuracy));
+    lines
 }
 
 /// The doc comment of the robot as data.
@@ -69,7 +75,12 @@ pub(super) fn of_robot(about: &About) -> TokenStream {
 
 /// The doc comment of a field.
 pub(super) fn of_field(target: &Target) -> TokenStream {
-    let line = match target {
+    comment(&[field(target)])
+}
+
+/// What is said of a field.
+pub(super) fn field(target: &Target) -> String {
+    match target {
         Target::MassOf(link) => format!("Mass of {} in kg.", code(&link.text)),
         Target::CenterOfMassOf(link) => {
             format!(
@@ -82,14 +93,29 @@ pub(super) fn of_field(target: &Target) -> TokenStream {
             "Translation from the parent's frame to that of {}, in m.",
             code(&joint.text)
         ),
-    };
-    comment(&[line])
+    }
 }
 
 /// The head of a generated file, as line comments: origin, options, what it needs, prices. Where
 /// there is no `library`, it needs the runtime.
 #[must_use]
 pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> String {
+    let mut lines = head(listing, options);
+    lines.push(needs(listing, library));
+    for listed in &listing.functions {
+        let name = method::name(&listed.functions, listed.frame.as_deref());
+        lines.push(format!("{}: {}.", sanitize(&name), listed.price));
+        lines.push(format!("    error: {}.", listed.accuracy));
+    }
+    lines.iter().fold(String::new(), |mut text, line| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "// {}", plain(line));
+        text
+    })
+}
+
+/// What is said of a robot at the head of a file, a line each.
+pub(super) fn head(listing: &Listing, options: &str) -> Vec<String> {
     let about = &listing.about;
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = vec![
@@ -99,32 +125,24 @@ pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> St
     if !options.is_empty() {
         lines.push(format!("Options: {options}."));
     }
-    lines.push(needs(listing, library));
     lines.extend(facts(about));
-    for listed in &listing.functions {
-        let name = method::name(&listed.functions, listed.frame.as_deref());
-        lines.push(format!("{}: {}.", sanitize(&name), listed.price));
-    }
-    lines.iter().fold(String::new(), |mut text, line| {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "// {}", plain(line));
-        text
-    })
+    lines
 }
 
-/// The oldest compiler that takes a file for `core` alone, and the crates' own.
-const COMPILERS: [&str; 2] = ["1.63", env!("CARGO_PKG_RUST_VERSION")];
+/// The oldest compilers that take a file for `core` alone, without functions for C and with them.
+const COMPILERS: [&str; 2] = ["1.63", "1.82"];
 
 /// What a file needs to be compiled.
 fn needs(listing: &Listing, library: Option<&Library>) -> String {
-    let [oldest, own] = COMPILERS;
     let Some(library) = library else {
         let runtime = listing
             .runtime
             .as_ref()
             .map_or("::homogen".to_owned(), spelled);
+        let own = env!("CARGO_PKG_RUST_VERSION");
         return format!("Needs: Rust {own} or later, {}.", code(&runtime));
     };
+    let oldest = COMPILERS[usize::from(library.c_prefix.is_some())];
     let mut needs = format!("Needs: Rust {oldest} or later, `core`");
     if let Some(path) = &library.sin_cos {
         needs.push_str(", ");
@@ -266,7 +284,7 @@ fn spelled(path: &TokenStream) -> String {
 }
 
 /// A text in one line.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     text.replace(char::is_control, " ")
 }
 

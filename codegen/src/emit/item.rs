@@ -84,19 +84,24 @@ fn made(listing: &Listing, dialect: &Dialect) -> TokenStream {
     let fields = listing.parameters.iter().map(|parameter| {
         let field = &parameter.field;
         let about = documentation::of_field(&parameter.target);
-        let kind = match parameter.target {
-            Target::MassOf(_) => number.clone(),
-            Target::CenterOfMassOf(_) | Target::Gravity | Target::OriginOf(_) => {
-                quote! { [#number; 3] }
-            }
+        let kind = if is_array(&parameter.target) {
+            quote! { [#number; 3] }
+        } else {
+            number.clone()
         };
         quote! { #about pub #field: #kind, }
     });
+    let layout = dialect.is_for_c().then(|| quote! { #[repr(C)] });
     if listing.parameters.is_empty() {
         quote! { #about #derive #visibility struct #ident; }
     } else {
-        quote! { #about #derive #visibility struct #ident { #(#fields)* } }
+        quote! { #about #derive #layout #visibility struct #ident { #(#fields)* } }
     }
+}
+
+/// Whether a field holds three numbers rather than one.
+pub(super) const fn is_array(target: &Target) -> bool {
+    !matches!(target, Target::MassOf(_))
 }
 
 /// The block of inherent methods.

@@ -12,7 +12,7 @@ use super::dialect::{Dialect, World};
 use super::names::Names;
 use super::results::{result_type, result_value};
 use super::scope::Readable;
-use super::{Item, Listed, Listing, documentation, item};
+use super::{Item, Listed, Listing, documentation, item, sines};
 use crate::function::{Argument, Function};
 
 /// The method that computes `listed`.
@@ -140,8 +140,18 @@ pub(super) fn count(joints: usize) -> TokenStream {
     quote! { #joints }
 }
 
+/// The names of all methods, in the order of the listing; none is that of a function that a struct
+/// has besides.
+pub(super) fn names(listing: &Listing) -> Vec<Ident> {
+    let mut names = Names::default();
+    names.take("chain");
+    names.take(sines::NAME);
+    let listed = listing.functions.iter();
+    listed.map(|listed| names.fresh(&listed.name())).collect()
+}
+
 /// What several functions together are functions of.
-fn arguments(functions: &[Function]) -> Vec<Argument> {
+pub(super) fn arguments(functions: &[Function]) -> Vec<Argument> {
     let all = functions.iter().flat_map(|function| function.arguments());
     let mut all: Vec<_> = all.copied().collect();
     all.sort_unstable();

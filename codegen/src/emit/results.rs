@@ -21,7 +21,8 @@ pub(super) fn result_type(
     one_or_tuple(types.collect())
 }
 
-fn type_of(shape: Shape, n: &TokenStream, dialect: &Dialect) -> TokenStream {
+/// The type of one result.
+pub(super) fn type_of(shape: Shape, n: &TokenStream, dialect: &Dialect) -> TokenStream {
     let number = &dialect.number;
     match (shape, &dialect.world) {
         (Shape::Vector, _) => quote! { [#number; #n] },

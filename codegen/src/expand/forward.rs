@@ -5,8 +5,9 @@
 //! mass matrix in a handful of postures, in extended precision: what a pivot lost of its diagonal
 //! entry is what rounding takes from the result.
 
+use crate::chain::Chain;
 use crate::chain::frames::{Layout, arrange};
-use crate::chain::{Chain, Motion};
+use crate::chain::range::Range;
 use crate::error::{Complaint, Errors};
 use crate::expression::{Double, Expr, Graph, Input, Term};
 use crate::formulation::Forward;
@@ -54,7 +55,7 @@ pub fn doubt(chain: &Chain, request: &Request) -> Option<Complaint> {
     }
     // A singular chain is refused, function by function.
     let worst = Worst::of(chain).regular(chain).ok()?;
-    let roundoff = roundoff(request.scalar);
+    let roundoff = request.scalar.roundoff();
     if keeps_half(worst.loss * roundoff, roundoff, refinements) {
         return None;
     }
@@ -80,7 +81,7 @@ pub fn doubt(chain: &Chain, request: &Request) -> Option<Complaint> {
 /// # Errors
 /// Where the mass matrix is singular in every posture, or loses so much that refining diverges.
 pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Errors> {
-    let roundoff = roundoff(scalar);
+    let roundoff = scalar.roundoff();
     let worst = Worst::of(chain).regular(chain)?;
     let loss = worst.loss;
     if let Some(refinements) = refinements_needed(loss * roundoff, roundoff) {
@@ -98,13 +99,6 @@ pub fn choose(chain: &Chain, scalar: Real) -> Result<Forward, Errors> {
         "generate it for f64, or model a robot whose masses differ less",
     );
     Err(errors)
-}
-
-fn roundoff(scalar: Real) -> f64 {
-    match scalar {
-        Real::F32 => f64::from(f32::EPSILON) / 2.0,
-        Real::F64 | Real::Generic => f64::EPSILON / 2.0,
-    }
 }
 
 /// The fewest refinements that keep half of the digits, if two do.
@@ -131,6 +125,7 @@ impl Worst {
     fn of(chain: &Chain) -> Self {
         let graph = chain.graph.clone();
         let program = pivots(&graph, chain);
+        let range = Range::of(chain);
         let mut worst = Self {
             loss: 1.0,
             joint: 0,
@@ -139,8 +134,9 @@ impl Worst {
         // A joint that is singular in one posture may only be passing through it.
         let mut least = vec![f64::INFINITY; count];
         for posture in 0..POSTURES {
-            let values =
-                run::<Double>(&program, |input| Double::from(value(chain, input, posture)));
+            let values = run::<Double>(&program, |input| {
+                Double::from(value(chain, &range, input, posture))
+            });
             for (joint, pair) in values.chunks(2).enumerate() {
                 let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());
                 let loss = if pivot > 0.0 {
@@ -196,19 +192,10 @@ fn pivots(graph: &Graph, chain: &Chain) -> Program {
 
 /// A coordinate of a posture, from a sequence that fills the range evenly (multiples of the golden
 /// ratio's powers); or what is described where a struct field stands.
-fn value(chain: &Chain, input: Input, posture: u32) -> f64 {
+fn value(chain: &Chain, range: &Range, input: Input, posture: u32) -> f64 {
     match input {
         Input::Q(k) => {
-            let joint = &chain.joints[usize::from(k)];
-            let (lower, upper) = match (joint.limits, joint.motion) {
-                (Some(limits), _)
-                    if limits.upper > limits.lower && (limits.upper - limits.lower).is_finite() =>
-                {
-                    (limits.lower, limits.upper)
-                }
-                (_, Motion::Prismatic) => (-1.0, 1.0),
-                _ => (-std::f64::consts::PI, std::f64::consts::PI),
-            };
+            let [lower, upper] = range.q[usize::from(k)];
             let step = 0.618_033_988_749_895 * f64::from(k + 1).sqrt();
             lower + (upper - lower) * (0.5 + f64::from(posture) * step).fract()
         }

@@ -41,6 +41,16 @@ impl<'g> Acceleration<Term<'g>> {
         ]
     }
 
+    /// The upper three rows of (G, a₀), one after the other.
+    #[must_use]
+    pub fn entries(self) -> [Term<'g>; 12] {
+        let g = self.g();
+        std::array::from_fn(|k| match (k / 4, k % 4) {
+            (row, 3) => self.a.0[row],
+            (row, column) => g[row][column],
+        })
+    }
+
     /// Acceleration of a point of the body (eq. 7): G p + a.
     #[must_use]
     pub fn point(self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {

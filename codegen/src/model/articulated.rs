@@ -1,22 +1,24 @@
 //! Joint accelerations by the articulated-body recursion (Featherstone 1983): what a body and all
 //! that hangs on it loosely opposes to an acceleration, carried inwards; accelerations outwards.
 //!
-//! In: the bodies with their physical inertias, never regrouped ones. Out: q̈. No mass matrix is
+//! In: the joints and bodies with physical inertias, never regrouped ones. Out: q̈. No mass matrix is
 //! formed, so no digit is lost with its conditioning.
 
 use super::State;
 use super::carry::Joint;
 use super::newton_euler::beyond;
 use crate::chain::Motion;
-use crate::chain::frames::Bodies;
 use crate::expression::Term;
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
 
 /// q̈ of τ, one entry a joint.
-pub fn forward_dynamics<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+pub fn forward_dynamics<'g>(
+    joints: &[Joint<'g>],
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+) -> Vec<Term<'g>> {
     let graph = state.graph;
-    let count = bodies.bodies.len();
-    let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
+    let count = joints.len();
     let rest = Acceleration::linear(Vector::zero(graph));
     let still = |h: Acceleration<Term<'g>>| Acceleration {
         omega: h.omega,
@@ -28,12 +30,12 @@ pub fn forward_dynamics<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<
     let mut drifts = Vec::with_capacity(count);
     let mut articulated = Vec::with_capacity(count);
     let mut actions = Vec::with_capacity(count);
-    for (k, (body, joint)) in bodies.bodies.iter().zip(&joints).enumerate() {
-        let outer = body.parent.map_or(rest, |parent| velocities[parent]);
+    for (k, joint) in joints.iter().enumerate() {
+        let outer = joint.parent.map_or(rest, |parent| velocities[parent]);
         let drift = beyond(outer, joint, state.qd(k), state.zero());
         let velocity = still(drift);
-        actions.push(Action::of(velocity, body.inertia));
-        articulated.push(Articulated::of(body.inertia));
+        actions.push(Action::of(velocity, joint.inertia));
+        articulated.push(Articulated::of(joint.inertia));
         velocities.push(velocity);
         drifts.push(drift);
     }
@@ -41,9 +43,9 @@ pub fn forward_dynamics<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<
     let mut yields = Vec::with_capacity(count);
     for k in (0..count).rev() {
         let (joint, action) = (&joints[k], actions[k]);
-        let given = articulated[k].yielding(joint, bodies.bodies[k].motion);
+        let given = articulated[k].yielding(joint, joint.motion);
         let lacking = state.tau(k) - action.along(joint.screw);
-        if let Some(parent) = bodies.bodies[k].parent {
+        if let Some(parent) = joint.parent {
             let left = given.left;
             let push = lacking * given.inverse;
             let moved = left.times(drifts[k].omega_dot, drifts[k].a);
@@ -66,11 +68,11 @@ pub fn forward_dynamics<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<
     yields.reverse();
 
     // Gravity is an acceleration of the base the other way.
-    let base = Acceleration::linear(-bodies.gravity);
+    let base = Acceleration::linear(-gravity);
     let mut accelerations: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(count);
     let mut found = Vec::with_capacity(count);
-    for (k, (body, joint)) in bodies.bodies.iter().zip(&joints).enumerate() {
-        let outer = body.parent.map_or(base, |parent| Acceleration {
+    for (k, joint) in joints.iter().enumerate() {
+        let outer = joint.parent.map_or(base, |parent| Acceleration {
             omega: velocities[parent].omega,
             ..accelerations[parent]
         });

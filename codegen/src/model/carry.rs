@@ -1,12 +1,16 @@
 //! A joint at work: how matrices get from one side of it to the other.
 //!
-//! In: a body and the state. Out: the displacement of its joint as a turn and a slide, and the
-//! displacements met on the way from the base to a frame.
+//! In: the bodies and the state. Out: the displacements of their joints, each a turn and a slide,
+//! of all of them or of those on the way from the base to a frame. A frame that leaves its turn to
+//! what it carries ([`turn`](super::turn)) is not fixed to its body; all matrices are of one
+//! instant, so no formula minds.
 
 use super::State;
+use super::turn::{self, Turn};
 use crate::chain::Motion;
 use crate::chain::frames::{Bodies, Body};
 use crate::expression::Term;
+use crate::formulation::Angles;
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
 
 /// The displacement of a joint: a turn about z and a slide along it.
@@ -14,6 +18,10 @@ use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
 pub struct Joint<'g> {
     /// Index of the joint in q.
     pub index: usize,
+    /// The joint that carries the body it hangs on; none for the fixed base.
+    pub parent: Option<usize>,
+    /// The motion it allows.
+    pub motion: Motion,
     /// M from the parent's frame to where the displacement starts.
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of the turn.
@@ -22,50 +30,63 @@ pub struct Joint<'g> {
     pub slide: Term<'g>,
     /// L of the joint in its body's frame.
     pub screw: Screw<Term<'g>>,
-}
-
-/// Sine and cosine of a sum, of which those of one term are numbers. To add the angles instead
-/// would cost less, and lose the digits that a sum of many turns has no room for.
-fn turned<'g>(
-    (sine, cosine): (Term<'g>, Term<'g>),
-    (by_sine, by_cosine): (Term<'g>, Term<'g>),
-) -> (Term<'g>, Term<'g>) {
-    (
-        sine * by_cosine + cosine * by_sine,
-        cosine * by_cosine - sine * by_sine,
-    )
+    /// J of the body in its frame.
+    pub inertia: Inertia<Term<'g>>,
 }
 
 impl<'g> Joint<'g> {
-    /// The joint of body `k`.
-    pub fn new(bodies: &Bodies<'g>, k: usize, state: &State<'g>) -> Self {
+    /// The joint of body `k`, where `left` is what each body's frame leaves of its turn.
+    fn new(bodies: &Bodies<'g>, k: usize, state: &State<'g>, left: &[Option<Turn<'g>>]) -> Self {
         let body: &Body<'g> = &bodies.bodies[k];
-        let (zero, one) = (state.zero(), state.graph.constant(1.0));
-        let q = state.q(k);
-        let turned = || {
-            body.offset
-                .map_or_else(|| q.sin_cos(), |by| turned(q.sin_cos(), by))
-        };
+        let graph = state.graph;
+        let (zero, one) = (state.zero(), graph.constant(1.0));
         let along_z = |entry| Vector([zero, zero, entry]);
-        let (angle, slide, u, b) = match body.motion {
-            Motion::Revolute => (turned(), zero, one, zero),
-            Motion::Prismatic => ((zero, one), q, zero, one),
+        let outer = body.parent.and_then(|parent| left[parent]);
+        let angle = match left[k] {
+            Some(_) => (zero, one),
+            None => turn::of(body, k, state, outer).sine_and_cosine(graph),
+        };
+        let (slide, u, b) = match body.motion {
+            Motion::Revolute => (zero, one, zero),
+            Motion::Prismatic => (state.q(k), zero, one),
             Motion::Screw(pitch) => {
-                let pitch = state.graph.term(pitch);
-                (turned(), pitch * q, one, pitch)
+                let pitch = graph.term(pitch);
+                (pitch * state.q(k), one, pitch)
             }
         };
-        let screw = Screw {
-            u: along_z(u),
-            b: along_z(b),
-        };
+        let mut placement = body.placement;
+        if let Some(outer) = outer {
+            let turned = Rotation::about_z(outer.sine_and_cosine(graph));
+            placement.translation = turned * placement.translation;
+        }
         Self {
             index: k,
-            placement: body.placement,
+            parent: body.parent,
+            motion: body.motion,
+            placement,
             angle,
             slide,
-            screw,
+            screw: Screw {
+                u: along_z(u),
+                b: along_z(b),
+            },
+            inertia: match left[k] {
+                Some(turn) => body.inertia.rotate_about_z(turn.sine_and_cosine(graph)),
+                None => body.inertia,
+            },
         }
+    }
+
+    /// M₀ of the body, where `outer` is that of the body it hangs on.
+    pub fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
+        let pose = outer * self.placement * self.displacement();
+        let index = self.index + 1;
+        pose.translation.label(|| format!("m_0_{index}_t"));
+        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+            let column = pose.rotation.column(k);
+            column.label(|| format!("m_0_{index}_{axis}"));
+        }
+        pose
     }
 
     /// The turn as a matrix.
@@ -111,6 +132,21 @@ impl<'g> Joint<'g> {
     }
 }
 
+/// All joints, in the order of q.
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Joint<'g>> {
+    let left = turn::left(bodies, state, angles, |k| {
+        let mut carried = bodies
+            .bodies
+            .iter()
+            .filter(|body| body.parent == Some(k))
+            .peekable();
+        carried.peek().is_some() && carried.all(turn::is_parallel)
+    });
+    (0..bodies.bodies.len())
+        .map(|k| Joint::new(bodies, k, state, &left))
+        .collect()
+}
+
 /// The way from the base to a frame.
 pub struct Path<'g> {
     /// The joints that move the frame, from the base outwards.
@@ -127,13 +163,7 @@ impl<'g> Path<'g> {
         let mut pose = Pose::identity(self.end.translation.x().graph());
         let mut found = Vec::with_capacity(self.joints.len());
         for &joint in &self.joints {
-            pose = pose * joint.placement * joint.displacement();
-            let index = joint.index + 1;
-            pose.translation.label(|| format!("m_0_{index}_t"));
-            for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-                let column = pose.rotation.column(k);
-                column.label(|| format!("m_0_{index}_{axis}"));
-            }
+            pose = joint.pose(pose);
             found.push((joint, pose));
         }
         found
@@ -141,13 +171,15 @@ impl<'g> Path<'g> {
 }
 
 /// The way to the frame of that index.
-pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>) -> Path<'g> {
-    let (mut at, end) = bodies.frames[frame];
-    let mut joints = Vec::new();
-    while let Some(k) = at {
-        joints.push(Joint::new(bodies, k, state));
-        at = bodies.bodies[k].parent;
-    }
+pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, angles: Angles) -> Path<'g> {
+    let (last, end) = bodies.frames[frame];
+    let inwards = || std::iter::successors(last, |&k| bodies.bodies[k].parent);
+    let left = turn::left(bodies, state, angles, |k| {
+        let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
+        next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))
+    });
+    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left));
+    let mut joints: Vec<Joint<'g>> = joints.collect();
     joints.reverse();
     Path {
         joints,

@@ -3,15 +3,13 @@
 
 use super::State;
 use super::carry::Joint;
-use crate::chain::frames::Bodies;
 use crate::expression::Term;
 use crate::matrix::Action;
 
 /// The mass matrix, row by row.
-pub fn mass_matrix<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
-    let count = bodies.bodies.len();
-    let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
-    let mut composites: Vec<_> = bodies.bodies.iter().map(|body| body.inertia).collect();
+pub fn mass_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>> {
+    let count = joints.len();
+    let mut composites: Vec<_> = joints.iter().map(|joint| joint.inertia).collect();
     let mut entries = vec![state.zero(); count * count];
     for column in (0..count).rev() {
         let index = column + 1;
@@ -22,7 +20,7 @@ pub fn mass_matrix<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> 
             let seen = action.along(joints[at].screw);
             entries[at * count + column] = seen;
             entries[column * count + at] = seen;
-            let Some(parent) = bodies.bodies[at].parent else {
+            let Some(parent) = joints[at].parent else {
                 break;
             };
             action = action
@@ -32,7 +30,7 @@ pub fn mass_matrix<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> 
             action.label(|| format!("phi_{index}_in_{frame}_"));
             at = parent;
         }
-        if let Some(parent) = bodies.bodies[column].parent {
+        if let Some(parent) = joints[column].parent {
             composites[parent] =
                 composites[parent] + joints[column].inertia_inboard(composites[column]);
         }

@@ -3,33 +3,36 @@
 
 use super::State;
 use super::carry::Joint;
-use crate::chain::frames::Bodies;
 use crate::expression::Term;
+use crate::matrix::Vector;
 
 /// τ at rest, one entry a joint.
-pub fn gravity<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
-    let count = bodies.bodies.len();
-    let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
+pub fn gravity<'g>(
+    joints: &[Joint<'g>],
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+) -> Vec<Term<'g>> {
+    let count = joints.len();
     // Acceleration of the base that has the effect of gravity, in each frame.
     let mut accelerations = Vec::with_capacity(count);
-    for (body, joint) in bodies.bodies.iter().zip(&joints) {
-        let outer = body
+    for joint in joints {
+        let outer = joint
             .parent
-            .map_or(-bodies.gravity, |parent| accelerations[parent]);
+            .map_or(-gravity, |parent| accelerations[parent]);
         let a = joint.vector_outboard(outer);
         let index = joint.index + 1;
         a.label(|| format!("h_0_{index}_in_{index}_"));
         accelerations.push(a);
     }
-    let mut masses: Vec<_> = bodies.bodies.iter().map(|body| body.inertia.mass).collect();
-    let mut moments: Vec<_> = bodies.bodies.iter().map(|body| body.inertia.q).collect();
+    let mut masses: Vec<_> = joints.iter().map(|joint| joint.inertia.mass).collect();
+    let mut moments: Vec<_> = joints.iter().map(|joint| joint.inertia.q).collect();
     let mut tau = vec![state.zero(); count];
     for k in (0..count).rev() {
         let (joint, a) = (&joints[k], accelerations[k]);
         let index = k + 1;
         moments[k].label(|| format!("j_{index}_in_{index}_"));
         tau[k] = joint.screw.u.dot(moments[k].cross(a)) + joint.screw.b.dot(a) * masses[k];
-        if let Some(parent) = bodies.bodies[k].parent {
+        if let Some(parent) = joint.parent {
             // q of the composite about the parent's origin: R q + m p.
             let slid = joint.turn() * moments[k] + joint.offset() * masses[k];
             let carried = joint.placement.rotation * slid + joint.placement.translation * masses[k];

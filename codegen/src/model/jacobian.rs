@@ -41,7 +41,7 @@ pub fn body<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
 }
 
 /// All columns; those of joints off the path are null.
-fn columns<'g>(
+pub fn columns<'g>(
     path: &Path<'g>,
     found: impl Iterator<Item = (usize, Screw<Term<'g>>)>,
 ) -> Vec<Term<'g>> {

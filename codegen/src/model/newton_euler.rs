@@ -3,36 +3,30 @@
 
 use super::State;
 use super::carry::Joint;
-use crate::chain::frames::Bodies;
 use crate::expression::Term;
 use crate::matrix::{Acceleration, Action, Vector};
 
-/// τ of a motion without accelerations, one entry a joint.
-pub fn bias<'g>(bodies: &Bodies<'g>, state: &State<'g>) -> Vec<Term<'g>> {
-    inverse_dynamics(bodies, state, &vec![state.zero(); bodies.bodies.len()])
-}
-
 /// τ of a motion with the given q̈, one entry a joint.
 pub fn inverse_dynamics<'g>(
-    bodies: &Bodies<'g>,
+    joints: &[Joint<'g>],
+    gravity: Vector<Term<'g>>,
     state: &State<'g>,
     qdd: &[Term<'g>],
 ) -> Vec<Term<'g>> {
-    let count = bodies.bodies.len();
-    let joints: Vec<Joint<'g>> = (0..count).map(|k| Joint::new(bodies, k, state)).collect();
+    let count = joints.len();
     // Gravity is an acceleration of the base the other way.
-    let base = Acceleration::linear(-bodies.gravity);
+    let base = Acceleration::linear(-gravity);
     let mut accelerations: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(count);
     let mut actions: Vec<Action<Term<'g>>> = Vec::with_capacity(count);
-    for (k, (body, joint)) in bodies.bodies.iter().zip(&joints).enumerate() {
-        let outer = body.parent.map_or(base, |parent| accelerations[parent]);
+    for (k, joint) in joints.iter().enumerate() {
+        let outer = joint.parent.map_or(base, |parent| accelerations[parent]);
         let h = beyond(outer, joint, state.qd(k), qdd[k]);
         let index = k + 1;
         h.omega.label(|| format!("w_0_{index}_in_{index}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{index}_"));
         h.a.label(|| format!("h_0_{index}_in_{index}_"));
         accelerations.push(h);
-        actions.push(Action::of(h, body.inertia));
+        actions.push(Action::of(h, joint.inertia));
     }
     let mut tau = vec![state.zero(); count];
     for k in (0..count).rev() {
@@ -40,7 +34,7 @@ pub fn inverse_dynamics<'g>(
         let index = k + 1;
         action.label(|| format!("phi_{index}_in_{index}_"));
         tau[k] = action.along(joint.screw);
-        if let Some(parent) = bodies.bodies[k].parent {
+        if let Some(parent) = joint.parent {
             let carried = action
                 .change_frame(joint.displacement())
                 .change_frame(joint.placement);

@@ -42,10 +42,7 @@ pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
             .change_frame(joint.displacement())
             .change_frame(joint.placement);
     }
-    let g = h.g();
-    (0..3)
-        .flat_map(|row| [g[row][0], g[row][1], g[row][2], h.a.0[row]])
-        .collect()
+    h.entries().to_vec()
 }
 
 /// M H M⁻¹ with G taken before the rotation, where it is sparser.

@@ -8,6 +8,8 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use super::{Operand, Operation, Program};
+use crate::request::Real;
+use crate::target::Processor;
 
 /// How many operations of each kind a program runs.
 ///
@@ -39,6 +41,9 @@ pub struct Price {
     pub naive_mul: usize,
     /// Sums and differences there.
     pub naive_add: usize,
+    /// The processor that the program is for, where one was chosen, and the cycles of its arithmetic
+    /// there, sines and cosines apart.
+    pub cycles: Option<(Processor, usize)>,
 }
 
 impl Price {
@@ -85,11 +90,13 @@ impl Price {
         }
     }
 
-    /// One number to compare two programs for the same function by. A unit is roughly one
-    /// addition; only the order is meaningful.
+    /// The same price with the cycles of a processor beside it; of [`Processor::Portable`] none are
+    /// known.
     #[must_use]
-    pub const fn weight(&self) -> usize {
-        self.mul + self.add + self.neg + 15 * (self.div + self.sqrt) + 10 * (self.sin + self.cos)
+    pub fn on(self, processor: Processor, scalar: Real) -> Self {
+        let chosen = processor != Processor::Portable;
+        let cycles = chosen.then(|| (processor, processor.cycles(scalar, &self)));
+        Self { cycles, ..self }
     }
 
     const fn charge(&mut self, operation: Operation) {
@@ -120,6 +127,13 @@ impl fmt::Display for Price {
         if self.naive_mul > 0 {
             let (mul, add) = (self.naive_mul, self.naive_add);
             write!(out, "; dense 4×4 products: {mul} mul, {add} add")?;
+        }
+        if let Some((processor, cycles)) = self.cycles {
+            let name = processor.name();
+            write!(
+                out,
+                "; on {name} {cycles} cycles of arithmetic, sines and cosines apart"
+            )?;
         }
         Ok(())
     }

@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for function in Function::ALL {
         let price = prices.of(function);
         let [wide, single] = errors(function, &states);
-        let [generated, generic] = times(function, &states[..64]);
+        let (generated, generic) = times(function, &states[..64]);
         println!(
             "  {:<19} {:>3} {:>3} {:>4} {:>5} {wide:>8.0e} {single:>7.0e} {:>10.0} {:>7.0} {:>5.0}",
             function.name(),
@@ -139,10 +139,11 @@ fn worst(results: &[Vec<f64>], reference: &[Vec<f64>]) -> f64 {
     worst
 }
 
-fn times(function: Function, states: &[State<f32, 7>]) -> [Spread; 2] {
+fn times(function: Function, states: &[State<f32, 7>]) -> (Spread, Spread) {
     let states: Vec<_> = states.iter().map(State::widen).collect();
     let generated: Bound<'_, f64, 7> = bind(&Panda, function);
     let generic = bind(&GENERIC, function);
     let batches: [&dyn Fn(); 2] = [&|| generated.batch(&states), &|| generic.batch(&states)];
-    alternate(25, 64, Duration::from_micros(500), batches)
+    let times = alternate(25, 64, Duration::from_micros(500), &batches);
+    (times[0], times[1])
 }

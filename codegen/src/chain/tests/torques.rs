@@ -1,11 +1,11 @@
-//! The same results from every choice of frames, with and without regrouping, to the last digits of
+//! The same results from every choice of frames and every formulation, to the last digits of
 //! 106 bits; and from a joint that is locked as from one that stands still there.
 
 use super::*;
 use crate::chain::Motion;
 use crate::chain::frames::{Layout, Sliding, arrange};
 use crate::expression::{Double, Expr, Input, evaluate};
-use crate::formulation::Forward;
+use crate::formulation::{Angles, Forward};
 use crate::function::Function;
 use crate::model::{self, Way};
 
@@ -88,13 +88,39 @@ fn ways(function: Function) -> Vec<Way> {
     }
 }
 
+/// The ways that only a formulation leads to.
+fn formulations(function: Function) -> Vec<Way> {
+    let apart = [vec![Way::IN_FRAME_0], ways(function)].concat();
+    let merged = apart.iter().map(|&way| Way {
+        angles: Angles::Merged,
+        ..way
+    });
+    [vec![Way::IN_FRAME_0], merged.collect()].concat()
+}
+
+/// The layouts that differ most.
+fn extremes() -> [Layout; 2] {
+    let most = Layout {
+        normals: true,
+        sliding: Sliding::AtMassCenter,
+        turn_ends: true,
+        regroup: true,
+    };
+    [Layout::DESCRIBED, most]
+}
+
 fn agree(name: &str, chain: &Chain) {
+    compare(name, chain, &layouts(), ways);
+    compare(name, chain, &extremes(), formulations);
+}
+
+fn compare(name: &str, chain: &Chain, layouts: &[Layout], ways: fn(Function) -> Vec<Way>) {
     for function in Function::ALL {
         if function.of_a_frame() && chain.frames.is_empty() {
             continue;
         }
         let expected = results(chain, function, Layout::DESCRIBED, Way::PLAIN);
-        for layout in layouts() {
+        for &layout in layouts {
             for way in ways(function) {
                 let results = results(chain, function, layout, way);
                 let difference = difference(&results, &expected);
@@ -152,8 +178,49 @@ fn robots_that_ship_have_the_same_torques_in_every_layout() {
 }
 
 #[test]
+fn the_other_robots_that_ship_have_the_same_torques_in_every_formulation() {
+    for (file, tip) in [
+        ("stanford.urdf", "tool"),
+        ("puma560.urdf", "tool"),
+        ("puma560_general.urdf", "tool"),
+        ("ur5_class.urdf", "tool0"),
+    ] {
+        compare(file, &robot(file, tip), &extremes(), formulations);
+    }
+}
+
+#[test]
 fn a_tree_of_oblique_axes_has_the_same_torques_in_every_layout() {
     agree("tree", &fine(OBLIQUE));
+}
+
+/// A tree whose axes are parallel to those before them, or opposite, in two groups that slides and
+/// screws belong to; the second one branches.
+const PARALLEL: &str = "
+    struct Tree { tip: tool, gravity: [1.1, -2.3, 8.7] }
+    link base;
+    joint one: revolute(z) { from: base, to: a, at: xyz(0.1, 0.2, 0.3) rpy(0.4, 0.5, 0.6) }
+    joint two: revolute(-z) { from: a, to: b, at: xyz(-0.3, 0.1, 0.2) rz(1.1) }
+    joint three: prismatic(z) { from: b, to: c, at: xyz(0.2, 0.3, -0.1) rz(-0.7) }
+    joint four: screw(z, pitch: 0.037) { from: c, to: d, at: xyz(0.05, -0.2, 0.15) }
+    joint five: revolute(x) { from: d, to: e, at: xyz(0.1, 0.1, 0.1) }
+    joint six: revolute(x) { from: e, to: f, at: xyz(0.3, 0.2, 0.1) rx(0.35) }
+    joint seven: revolute(-x) { from: e, to: g, at: xyz(0.2, -0.1, 0.1) rx(-0.2) }
+    joint eight: revolute(y) { from: f, to: h, at: xyz(0.1, 0.3, 0.2) }
+    joint weld: fixed { from: h, to: tool, at: xyz(0.1, 0.03, 0.02) rpy(0.2, 0.1, 0.4) }
+    link a { mass: 2.1, com: [0.11, 0.07, -0.05], inertia: [0.031, 0.002, -0.003, 0.043, 0.001, 0.052] }
+    link b { mass: 1.7, com: [-0.03, 0.09, 0.06], inertia: [0.021, 0.003, 0.001, 0.033, -0.002, 0.042] }
+    link c { mass: 1.3, com: [0.05, -0.04, 0.08], inertia: [0.017, -0.001, 0.002, 0.023, 0.003, 0.027] }
+    link d { mass: 0.9, com: [0.02, 0.03, 0.07], inertia: [0.011, 0.001, 0.001, 0.012, 0.002, 0.014] }
+    link e { mass: 1.1, com: [0.06, 0.01, -0.02], inertia: [0.013, 0.002, -0.001, 0.016, 0.001, 0.019] }
+    link f { mass: 0.7, com: [0.01, -0.05, 0.03], inertia: [0.007, 0.001, 0.001, 0.008, 0.001, 0.009] }
+    link g { mass: 0.5, com: [0.03, -0.02, 0.04], inertia: [0.006, 0.001, 0.001, 0.007, 0.001, 0.008] }
+    link h { mass: 0.6, com: [0.02, -0.03, 0.01], inertia: [0.005, 0.001, 0.001, 0.006, 0.001, 0.007] }
+    link tool { mass: 0.4, com: [0.01, 0.02, 0.05], inertia: [0.001, 0, 0, 0.001, 0, 0.002] }";
+
+#[test]
+fn a_tree_of_parallel_axes_has_the_same_torques_in_every_layout() {
+    agree("parallel", &fine(PARALLEL));
 }
 
 #[test]

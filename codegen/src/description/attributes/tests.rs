@@ -152,7 +152,7 @@ fn all_mistakes_are_reported_at_once() {
     assert_eq!(
         said,
         "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, tip, \
-         path_only, lock, drop, frames, gravity, exact, strict, scalar, generate, formulation, crate, link, joint and denavit_hartenberg\n\
+         path_only, lock, drop, frames, gravity, exact, strict, scalar, generate, formulation, target, crate, link, joint and denavit_hartenberg\n\
          1:30: unknown scalar \"f16\"\n  \
          hint: known scalars: f32, f64 and generic\n\
          1:45: gravity has 2 numbers instead of 3\n\
@@ -315,8 +315,9 @@ fn a_field_stands_for_one_number() {
 fn words_of_a_formulation_are_each_told() {
     assert_eq!(
         errors_in("formulation(row, refined, articulated, refined: 1, unfused = yes, raw)"),
-        "1:21: unknown word \"row\"\n  hint: did you mean \"raw\"? known words: regrouped, raw, \
-         refined, articulated, fused, unfused, own_sines and platform_sines\n\
+        "1:21: unknown word \"row\"\n  hint: did you mean \"raw\"? known words: link_frames, \
+         frame_0, regrouped, raw, refined, articulated, apart, merged, fused, unfused, \
+         own_sines and platform_sines\n\
          1:26: \"refined\" needs a number of refinements\n  \
          hint: write refined = 0, refined = 1 or refined = 2\n\
          1:48: \"refined = 1\" contradicts \"articulated\"\n  hint: leave one of them out\n\

@@ -1,0 +1,194 @@
+//! How far rounding can take the results of a function, in words and numbers.
+//!
+//! In: a chain, functions, their program and the type of number. Out: an [`Accuracy`], what stands
+//! beside the price: the worst of all results that share a unit. It never says less than "at most":
+//! where nothing can be said that holds for every state of the range, it gives the reason.
+
+use std::fmt;
+
+use crate::chain::range::{self, Range};
+use crate::chain::{Chain, Motion};
+use crate::expression::Input;
+use crate::function::{Argument, Function};
+use crate::request::Real;
+use crate::schedule::Program;
+use crate::schedule::bound::{self, Value};
+
+/// What is promised of the results of a function.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Accuracy {
+    /// In every state of a range, no result is farther from the exact one.
+    Within {
+        /// The worst for each unit, in the order in which the units come among the results.
+        bounds: Vec<Bound>,
+        /// The range in words.
+        range: String,
+    },
+    /// Nothing, for a reason.
+    Unknown(&'static str),
+}
+
+/// The greatest error of the results of one unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound {
+    /// The unit; 1 for a number without.
+    pub unit: &'static str,
+    /// In `f64`, where that was asked for.
+    pub double: Option<f64>,
+    /// In `f32`, where that was asked for.
+    pub single: Option<f64>,
+}
+
+/// Bounds the errors of a program that computes some functions one after the other; for `f32` and
+/// `f64` where any type is meant.
+#[must_use]
+pub fn of(chain: &Chain, functions: &[Function], program: &Program, scalar: Real) -> Accuracy {
+    let inverts = |function: &Function| {
+        matches!(
+            function,
+            Function::ForwardDynamics | Function::MassMatrixInverse
+        )
+    };
+    if functions.iter().any(inverts) {
+        return Accuracy::Unknown("it grows with the condition number of the mass matrix");
+    }
+    let range = Range::of(chain);
+    let worst =
+        |scalar: Real| bound::errors(program, scalar, &|input| value(&range, input, scalar));
+    let double = (scalar != Real::F32).then(|| worst(Real::F64));
+    let single = (scalar != Real::F64).then(|| worst(Real::F32));
+    let slides: Vec<bool> = (chain.joints.iter())
+        .map(|joint| matches!(joint.motion, Motion::Prismatic))
+        .collect();
+    let units = functions
+        .iter()
+        .flat_map(|function| function.units(&slides));
+    let mut bounds: Vec<Bound> = Vec::new();
+    for (k, unit) in units.enumerate() {
+        let at = |errors: &Option<Vec<f64>>| errors.as_ref().map(|errors| errors[k]);
+        let (double, single) = (at(&double), at(&single));
+        // Without a division, only what is read can be without bounds.
+        if [double, single].into_iter().flatten().any(f64::is_infinite) {
+            return Accuracy::Unknown("nothing is described in the place of a field");
+        }
+        match bounds.iter_mut().find(|bound| bound.unit == unit) {
+            Some(bound) => {
+                bound.double = larger(bound.double, double);
+                bound.single = larger(bound.single, single);
+            }
+            None => bounds.push(Bound {
+                unit,
+                double,
+                single,
+            }),
+        }
+    }
+    let mut arguments: Vec<Argument> = functions
+        .iter()
+        .flat_map(|function| function.arguments().iter().copied())
+        .collect();
+    arguments.sort_unstable();
+    arguments.dedup();
+    Accuracy::Within {
+        bounds,
+        range: range::words(chain, &arguments),
+    }
+}
+
+fn value(range: &Range, input: Input, scalar: Real) -> Value {
+    match (range.get(input), input) {
+        // A field is of `f64`, and rounded when it is read.
+        (Some([lo, hi]), Input::Parameter(..)) => Value::between(lo, hi).rounded(scalar.roundoff()),
+        (Some([lo, hi]), _) => Value::between(lo, hi),
+        (None, _) => Value::UNKNOWN,
+    }
+}
+
+fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    a.zip(b).map(|(a, b)| a.max(b))
+}
+
+impl fmt::Display for Accuracy {
+    /// One line: `at most 3.4e-14 N m in f64, 1.8e-5 N m in f32; q and q̇ within their limits`.
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (bounds, range) = match self {
+            Self::Within { bounds, range } => (bounds, range),
+            Self::Unknown(reason) => return write!(out, "no bound: {reason}"),
+        };
+        let worst = |name: &str, of: fn(&Bound) -> Option<f64>| {
+            let sizes = bounds.iter();
+            let sizes: Vec<String> = sizes
+                .filter_map(|bound| {
+                    let size = upwards(of(bound)?);
+                    Some(match bound.unit {
+                        "1" => size,
+                        unit => format!("{size} {unit}"),
+                    })
+                })
+                .collect();
+            (!sizes.is_empty()).then(|| format!("{} in {name}", sizes.join(" and ")))
+        };
+        let (double, single) = (
+            worst("f64", |bound| bound.double),
+            worst("f32", |bound| bound.single),
+        );
+        let said: Vec<String> = double.into_iter().chain(single).collect();
+        write!(out, "at most {}", said.join(", "))?;
+        if !range.is_empty() {
+            write!(out, "; {range}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Two digits, never less than the number.
+fn upwards(size: f64) -> String {
+    let near = |size: f64| format!("{size:.1e}");
+    let text = near(size);
+    match text.parse::<f64>() {
+        Ok(printed) if printed < size => near(size * 1.05),
+        _ => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Accuracy, Bound, upwards};
+
+    #[test]
+    fn two_digits_are_never_less_than_the_number() {
+        for size in [0.0, 1.0, 1.04e-15, 1.06e-15, 9.99e-7, 9.51e-7, 4.4e-16] {
+            let text = upwards(size);
+            let printed: f64 = text.parse().expect("a number");
+            assert!((size..=1.11 * size).contains(&printed), "{size:e}: {text}");
+        }
+    }
+
+    #[test]
+    fn a_bound_is_a_line() {
+        let bound = |unit, double, single| Bound {
+            unit,
+            double,
+            single,
+        };
+        let within = |bounds| Accuracy::Within {
+            bounds,
+            range: "q within its limits".to_owned(),
+        };
+        let pose = within(vec![
+            bound("1", Some(1.34e-15), Some(7.2e-7)),
+            bound("m", Some(2e-15), Some(1e-6)),
+        ]);
+        assert_eq!(
+            pose.to_string(),
+            "at most 1.4e-15 and 2.0e-15 m in f64, 7.2e-7 and 1.0e-6 m in f32; q within its limits"
+        );
+        let single = within(vec![bound("N m", None, Some(3.1e-5))]);
+        assert_eq!(
+            single.to_string(),
+            "at most 3.1e-5 N m in f32; q within its limits"
+        );
+        let unknown = Accuracy::Unknown("nobody knows");
+        assert_eq!(unknown.to_string(), "no bound: nobody knows");
+    }
+}

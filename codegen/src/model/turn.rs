@@ -1,0 +1,114 @@
+//! How far a body has turned about its z axis: a sum of coordinates, and a constant.
+//!
+//! In: the bodies and the state. Out: the turn of each body against its parent; where angles are
+//! merged, a frame leaves its turn to the bodies it carries, if all their axes are parallel to its
+//! own, and the last of them takes it. A sum of coordinates is rounded to the digits of the largest,
+//! which a product of rotations is not: it is made only where that is asked for.
+
+use super::State;
+use crate::chain::Motion;
+use crate::chain::frames::{Bodies, Body};
+use crate::expression::{Double, Graph, Term};
+use crate::formulation::Angles;
+
+/// A turn about z.
+#[derive(Clone, Copy, Default)]
+pub struct Turn<'g> {
+    /// The coordinates, summed; none where nothing turns.
+    sum: Option<Term<'g>>,
+    /// Sine and cosine of the constant.
+    constant: Option<(Term<'g>, Term<'g>)>,
+}
+
+impl<'g> Turn<'g> {
+    /// By a coordinate, and a constant of which sine and cosine are given.
+    pub const fn by(coordinate: Term<'g>, constant: Option<(Term<'g>, Term<'g>)>) -> Self {
+        Self {
+            sum: Some(coordinate),
+            constant,
+        }
+    }
+
+    /// The other way round.
+    pub fn reversed(self) -> Self {
+        Self {
+            sum: self.sum.map(|sum| -sum),
+            constant: self.constant.map(|(sine, cosine)| (-sine, cosine)),
+        }
+    }
+
+    /// Both, one after the other, about the same axis.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            sum: match (self.sum, other.sum) {
+                (Some(a), Some(b)) => Some(a + b),
+                (a, b) => a.or(b),
+            },
+            constant: match (self.constant, other.constant) {
+                (Some(a), Some(b)) => Some(product(a, b)),
+                (a, b) => a.or(b),
+            },
+        }
+    }
+
+    /// Sine and cosine. To add the constant to the angle would cost less, and lose the digits that
+    /// a sum of many turns has no room for.
+    pub fn sine_and_cosine(self, graph: &'g Graph) -> (Term<'g>, Term<'g>) {
+        match (self.sum.map(Term::sin_cos), self.constant) {
+            (Some(angle), Some(constant)) => product(angle, constant),
+            (angle, constant) => angle
+                .or(constant)
+                .unwrap_or_else(|| (graph.constant(0.0), graph.constant(1.0))),
+        }
+    }
+}
+
+/// How far body `k` has turned, beyond the frame of the body it hangs on where that left a turn.
+pub fn of<'g>(body: &Body<'g>, k: usize, state: &State<'g>, outer: Option<Turn<'g>>) -> Turn<'g> {
+    let own = match body.motion {
+        Motion::Revolute | Motion::Screw(_) => Turn::by(state.q(k), body.offset),
+        Motion::Prismatic => Turn::default(),
+    };
+    let same = body.placement.rotation.0[2][2]
+        .value()
+        .is_some_and(Double::is_one);
+    match outer {
+        Some(outer) if same => outer.and(own),
+        Some(outer) => outer.reversed().and(own),
+        None => own,
+    }
+}
+
+/// What each body's frame leaves of its turn to the bodies it carries, if it does.
+pub fn left<'g>(
+    bodies: &Bodies<'g>,
+    state: &State<'g>,
+    angles: Angles,
+    leaves: impl Fn(usize) -> bool,
+) -> Vec<Option<Turn<'g>>> {
+    let mut left = vec![None; bodies.bodies.len()];
+    if angles == Angles::Merged {
+        for (k, body) in bodies.bodies.iter().enumerate().filter(|&(k, _)| leaves(k)) {
+            let outer = body.parent.and_then(|parent| left[parent]);
+            left[k] = Some(of(body, k, state, outer));
+        }
+    }
+    left
+}
+
+/// Whether the axis of a body's joint is parallel to that of the joint before it.
+pub fn is_parallel(body: &Body<'_>) -> bool {
+    let axis = body.placement.rotation.column(2);
+    axis.x().is_zero() && axis.y().is_zero()
+}
+
+/// Sine and cosine of a sum of two angles.
+fn product<'g>(
+    (sine, cosine): (Term<'g>, Term<'g>),
+    (by_sine, by_cosine): (Term<'g>, Term<'g>),
+) -> (Term<'g>, Term<'g>) {
+    (
+        sine * by_cosine + cosine * by_sine,
+        cosine * by_cosine - sine * by_sine,
+    )
+}

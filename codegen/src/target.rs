@@ -1,0 +1,238 @@
+//! Processors, and what their operations cost.
+//!
+//! In: a name, a type of number, a price. Out: whether a product and a sum are fused, a weight to
+//! choose frames and forms by, and the cycles of the arithmetic. A shared noun: it never looks at a
+//! program.
+
+use crate::request::Real;
+use crate::schedule::Price;
+use crate::wording::known;
+
+/// What code is generated for.
+///
+/// The choice changes which operations are used and what is printed of their cost, never what is
+/// computed; code for one processor runs on every other. Products and sums are fused only where
+/// `Scalar::mul_add` of the runtime can be the instruction: in a file for `core` alone it never is,
+/// because `core` has no fused product on stable compilers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Processor {
+    /// Any: fused where the processor can, weighed by the number of operations.
+    #[default]
+    Portable,
+    /// Arm Cortex-M4F: single precision alone, and never fused, since VFMA takes 3 cycles where VMUL
+    /// and VADD take 2.
+    CortexM4,
+    /// Arm Cortex-M7 with a unit of double precision. Not fused: VFMA waits 6 cycles for a sum that
+    /// VADD adds in 3, and code without the standard library cannot ask for it.
+    CortexM7,
+    /// x86-64 as every such processor has it, without fused products.
+    X86_64,
+    /// x86-64 with AVX2 and FMA, for `-C target-cpu=x86-64-v3` or `native`.
+    X86_64V3,
+    /// 64-bit Arm, which always has fused products.
+    AArch64,
+}
+
+/// For how many cycles an operation keeps an arithmetic unit busy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Costs {
+    /// A sum, a difference or a change of sign.
+    add: usize,
+    mul: usize,
+    /// A product and a sum at once; none where that cannot be had.
+    fused: Option<usize>,
+    div: usize,
+    sqrt: usize,
+    /// A sine or a cosine, one half of what computes both.
+    turn: usize,
+    /// How many units work side by side.
+    units: usize,
+}
+
+impl Processor {
+    /// All of them, in the order of the documentation.
+    pub const ALL: [Self; 6] = [
+        Self::Portable,
+        Self::CortexM4,
+        Self::CortexM7,
+        Self::X86_64,
+        Self::X86_64V3,
+        Self::AArch64,
+    ];
+
+    /// The name in attributes and on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Portable => "portable",
+            Self::CortexM4 => "cortex-m4",
+            Self::CortexM7 => "cortex-m7",
+            Self::X86_64 => "x86-64",
+            Self::X86_64V3 => "x86-64-v3",
+            Self::AArch64 => "aarch64",
+        }
+    }
+
+    /// The processor of that name.
+    ///
+    /// # Errors
+    /// Where there is none: the names that there are.
+    pub fn from_name(name: &str) -> Result<Self, String> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|processor| processor.name() == name)
+            .ok_or_else(|| known(name, "targets", &Self::ALL.map(Self::name)))
+    }
+
+    /// Whether it computes in a type of number without calling a library for every operation.
+    #[must_use]
+    pub fn has(self, scalar: Real) -> bool {
+        (self, scalar) != (Self::CortexM4, Real::F64)
+    }
+
+    /// Whether a product and a sum at once cost no more than both.
+    #[must_use]
+    pub fn fuses(self, scalar: Real) -> bool {
+        let costs = self.costs(scalar);
+        costs
+            .fused
+            .is_some_and(|fused| fused <= costs.mul + costs.add)
+    }
+
+    /// One number to compare two programs for the same function by; only the order is meaningful.
+    #[must_use]
+    pub fn weight(self, scalar: Real, price: &Price) -> usize {
+        let costs = self.costs(scalar);
+        costs.arithmetic(price) + costs.turn * (price.sin + price.cos)
+    }
+
+    /// For how many cycles a program keeps the arithmetic units busy, sines and cosines apart. Loads,
+    /// stores and waiting for results come on top.
+    #[must_use]
+    pub fn cycles(self, scalar: Real, price: &Price) -> usize {
+        let costs = self.costs(scalar);
+        costs.arithmetic(price).div_ceil(costs.units)
+    }
+
+    /// Sources: the Technical Reference Manual of the Cortex-M4 (Arm DDI 0439, timing of
+    /// floating-point instructions); the pipeline of the Cortex-M7 in GCC (`cortex-m7.md`); Skylake
+    /// in Agner Fog's instruction tables; the Neoverse N1 in LLVM (`AArch64SchedNeoverseN1.td`). A
+    /// sine on the M4F and the M7 is half of the instructions counted in `examples/cortex_m`;
+    /// elsewhere it is the share of one in a vector, measured on x86-64.
+    #[rustfmt::skip]
+    const fn costs(self, scalar: Real) -> Costs {
+        let single = matches!(scalar, Real::F32);
+        match self {
+            Self::Portable => Costs { add: 1, mul: 1, fused: Some(2), div: 15, sqrt: 15, turn: 10, units: 1 },
+            Self::CortexM4 => Costs { add: 1, mul: 1, fused: None, div: 14, sqrt: 14, turn: 38, units: 1 },
+            Self::CortexM7 if single => Costs { add: 1, mul: 1, fused: None, div: 16, sqrt: 16, turn: 34, units: 1 },
+            Self::CortexM7 => Costs { add: 1, mul: 3, fused: None, div: 31, sqrt: 31, turn: 68, units: 1 },
+            Self::X86_64 if single => Costs { add: 1, mul: 1, fused: None, div: 3, sqrt: 3, turn: 10, units: 2 },
+            Self::X86_64 => Costs { add: 1, mul: 1, fused: None, div: 4, sqrt: 6, turn: 10, units: 2 },
+            Self::X86_64V3 => Costs { fused: Some(1), ..Self::X86_64.costs(scalar) },
+            Self::AArch64 => Costs { add: 1, mul: 1, fused: Some(1), div: 7, sqrt: 7, turn: 10, units: 2 },
+        }
+    }
+}
+
+impl Costs {
+    const fn arithmetic(&self, price: &Price) -> usize {
+        let fused = match self.fused {
+            Some(fused) => fused,
+            None => self.mul + self.add,
+        };
+        self.mul * (price.mul - price.fused)
+            + self.add * (price.add - price.fused + price.neg)
+            + fused * price.fused
+            + self.div * price.div
+            + self.sqrt * price.sqrt
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Processor;
+    use crate::request::Real;
+    use crate::schedule::Price;
+
+    const PRICE: Price = Price {
+        mul: 30,
+        add: 20,
+        div: 2,
+        sqrt: 0,
+        neg: 1,
+        sin: 4,
+        cos: 3,
+        fused: 10,
+        depth: 9,
+        literals: 5,
+        naive_mul: 0,
+        naive_add: 0,
+        cycles: None,
+    };
+
+    #[test]
+    fn names_are_read_back() {
+        for processor in Processor::ALL {
+            assert_eq!(Processor::from_name(processor.name()), Ok(processor));
+        }
+        assert_eq!(
+            Processor::from_name("cortex-m5"),
+            Err(
+                "did you mean \"cortex-m4\"? known targets: portable, cortex-m4, cortex-m7, \
+                 x86-64, x86-64-v3 and aarch64"
+                    .to_owned()
+            )
+        );
+    }
+
+    #[test]
+    fn cycles_are_those_of_the_units_that_are_busy() {
+        for (processor, scalar, cycles) in [
+            (Processor::CortexM4, Real::F32, 30 + 21 + 2 * 14),
+            (Processor::CortexM7, Real::F32, 30 + 21 + 2 * 16),
+            (Processor::CortexM7, Real::F64, 3 * 30 + 21 + 2 * 31),
+            // Two units, and ten products that a sum takes with it where it can.
+            (
+                Processor::X86_64,
+                Real::F64,
+                (30 + 21 + 2 * 4_usize).div_ceil(2),
+            ),
+            (
+                Processor::X86_64V3,
+                Real::F64,
+                (20 + 11 + 10 + 2 * 4_usize).div_ceil(2),
+            ),
+            (
+                Processor::AArch64,
+                Real::F64,
+                (20 + 11 + 10 + 2 * 7_usize).div_ceil(2),
+            ),
+        ] {
+            assert_eq!(processor.cycles(scalar, &PRICE), cycles, "{processor:?}");
+        }
+    }
+
+    /// The model stage divides once by each pivot and multiplies by the reciprocal afterwards.
+    #[test]
+    fn a_reciprocal_that_two_products_share_costs_no_more_than_two_quotients() {
+        for processor in Processor::ALL {
+            for scalar in [Real::F32, Real::F64] {
+                let costs = processor.costs(scalar);
+                assert!(costs.div + 2 * costs.mul <= 2 * costs.div, "{processor:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn only_what_can_be_had_and_pays_is_fused() {
+        let fuse = Processor::ALL.into_iter();
+        let fuse: Vec<_> = fuse
+            .filter(|processor| processor.fuses(Real::F32))
+            .collect();
+        assert_eq!(
+            fuse,
+            [Processor::Portable, Processor::X86_64V3, Processor::AArch64]
+        );
+        assert!(!Processor::CortexM4.has(Real::F64) && Processor::CortexM7.has(Real::F64));
+    }
+}

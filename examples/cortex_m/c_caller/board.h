@@ -1,0 +1,9 @@
+/* What the program needs of the board. */
+
+#ifndef BOARD_H
+#define BOARD_H
+
+/* Sends a text to the host, over semihosting. */
+void print(const char *text);
+
+#endif

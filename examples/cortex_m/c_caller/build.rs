@@ -1,0 +1,37 @@
+//! Generates the arm's functions, and the header that declares them to C.
+//!
+//! In: the arm that the variable `ARM` names, one of `arms.rs`. Out: `arm.rs` and `arm.h` in
+//! `OUT_DIR`.
+
+#[path = "../arms.rs"]
+mod arms;
+
+use std::error::Error;
+
+use homogen_codegen::Function::{
+    ForwardDynamics, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics, MassMatrix,
+};
+use homogen_codegen::{Builder, Real};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("cargo::rerun-if-env-changed=ARM");
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=../arms.rs");
+    let arm = arms::chosen()?;
+    let builder = Builder::from_urdf(format!("../{}", arm.urdf))
+        .name("Arm")
+        .tip(arm.tip)
+        .scalar(Real::F32)
+        .generate([
+            ForwardKinematics,
+            GeometricJacobian,
+            Gravity,
+            InverseDynamics,
+            MassMatrix,
+            ForwardDynamics,
+        ])
+        .extern_c("arm_");
+    builder.write("arm.rs")?;
+    builder.write_c_header("arm.h")?;
+    Ok(())
+}

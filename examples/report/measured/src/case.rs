@@ -1,0 +1,80 @@
+//! One program: a function in one formulation and one type of number.
+//!
+//! In: a closure that calls it. Out: a batch over all states for the clock, and its results one by
+//! one for the errors. Calls inside a batch are direct, as in a controller.
+
+use std::hint::black_box;
+use std::rc::Rc;
+
+use homogen::Scalar;
+
+use crate::entries::Entries;
+use crate::truth::Truth;
+
+/// Arguments of N joints.
+#[derive(Clone, Copy)]
+#[allow(
+    dead_code,
+    reason = "the generated robots read it, where there are any"
+)]
+pub struct State<T, const N: usize> {
+    /// q.
+    pub q: [T; N],
+    /// q̇.
+    pub qd: [T; N],
+    /// q̈.
+    pub qdd: [T; N],
+    /// τ.
+    pub tau: [T; N],
+}
+
+/// A program to be timed and judged.
+pub struct Case {
+    /// What tells it from the others.
+    pub name: String,
+    /// The type of its numbers.
+    pub scalar: &'static str,
+    /// One call a state.
+    pub batch: Box<dyn Fn()>,
+    /// The numbers that it returns at a state.
+    pub results: Box<dyn Fn(usize) -> Vec<f64>>,
+    /// Which entries of the exact result they stand for; all in order where empty.
+    pub entries: Vec<usize>,
+}
+
+impl Case {
+    /// The program that `call` calls.
+    #[allow(
+        dead_code,
+        reason = "the generated robots need it, where there are any"
+    )]
+    pub fn of<T, R, F, const N: usize>(
+        [name, scalar]: [&'static str; 2],
+        truth: &Truth,
+        entries: &[usize],
+        call: F,
+    ) -> Self
+    where
+        T: Scalar + 'static,
+        R: Entries,
+        F: Fn(&State<T, N>) -> R + Copy + 'static,
+    {
+        let states: Rc<[State<T, N>]> = truth.states().into();
+        let same = Rc::clone(&states);
+        Self {
+            name: name.to_owned(),
+            scalar,
+            batch: Box::new(move || {
+                for state in &*states {
+                    black_box(call(black_box(state)));
+                }
+            }),
+            results: Box::new(move |state| {
+                let mut numbers = Vec::new();
+                call(&same[state]).push(&mut numbers);
+                numbers
+            }),
+            entries: entries.to_vec(),
+        }
+    }
+}

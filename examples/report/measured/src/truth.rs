@@ -1,0 +1,109 @@
+//! The states of a scene, and what a function should return at each of them.
+//!
+//! In: two files of `f64` in little-endian order. `states` holds q, q̇, q̈ and τ of each state;
+//! the file of a function three numbers for each entry of each result: the exact value as a sum of
+//! two, and the magnitude that an error is measured by. Out: states, and the errors of results.
+
+use std::path::Path;
+use std::{fs, io};
+
+use homogen::Scalar;
+
+use crate::case::State;
+
+/// States and exact results of one function.
+pub struct Truth {
+    /// How many states there are.
+    pub states: usize,
+    /// How many joints move.
+    pub joints: usize,
+    arguments: Vec<f64>,
+    exact: Vec<[f64; 3]>,
+}
+
+/// How far results are off over all states, in relation to the magnitudes.
+pub struct Errors {
+    /// Of half of the states the worst entry is no worse.
+    pub median: f64,
+    /// The worst entry of all states.
+    pub worst: f64,
+}
+
+impl Truth {
+    /// Reads `joints`, `states` and the file of a function.
+    pub fn read(folder: &Path, function: &str) -> io::Result<Self> {
+        let joints = fs::read_to_string(folder.join("joints"))?;
+        let joints = joints.trim().parse().map_err(io::Error::other)?;
+        let arguments = numbers(&folder.join("states"))?;
+        let exact = numbers(&folder.join(function))?;
+        Ok(Self {
+            states: arguments.len() / (4 * joints),
+            joints,
+            arguments,
+            exact: exact.as_chunks().0.to_vec(),
+        })
+    }
+
+    /// q, q̇, q̈ and τ of each state.
+    pub fn arguments(&self) -> &[f64] {
+        &self.arguments
+    }
+
+    /// The states in a type of number.
+    ///
+    /// # Panics
+    /// Where the robot has another number of joints.
+    pub fn states<T: Scalar, const N: usize>(&self) -> Vec<State<T, N>> {
+        assert_eq!(self.joints, N, "the scene was made for another robot");
+        let state = |numbers: &[f64]| {
+            let part = |k: usize| std::array::from_fn(|i| T::constant(numbers[k * N + i]));
+            State {
+                q: part(0),
+                qd: part(1),
+                qdd: part(2),
+                tau: part(3),
+            }
+        };
+        self.arguments.chunks_exact(4 * N).map(state).collect()
+    }
+
+    /// The errors of what is computed state by state; entry k of a result stands for entry
+    /// `entries[k]` of the exact one, or for entry k where there is no such list.
+    pub fn errors(&self, results: &dyn Fn(usize) -> Vec<f64>, entries: &[usize]) -> Errors {
+        let length = self.exact.len() / self.states;
+        let worst = |(state, exact): (usize, &[[f64; 3]])| {
+            let results = results(state).into_iter().enumerate();
+            let errors = results.filter_map(|(k, result)| {
+                let k = if entries.is_empty() { k } else { entries[k] };
+                exact.get(k).map(|exact| error(result, *exact))
+            });
+            errors.fold(0.0, worse)
+        };
+        let states = self.exact.chunks_exact(length).enumerate();
+        let mut errors: Vec<f64> = states.map(worst).collect();
+        errors.sort_by(f64::total_cmp);
+        Errors {
+            median: errors[errors.len() / 2],
+            worst: errors.last().copied().unwrap_or(f64::NAN),
+        }
+    }
+}
+
+fn error(result: f64, [high, low, magnitude]: [f64; 3]) -> f64 {
+    let error = (result - high - low).abs();
+    if error == 0.0 { 0.0 } else { error / magnitude }
+}
+
+/// The larger, and NaN if either is.
+fn worse(a: f64, b: f64) -> f64 {
+    if a >= b || a.is_nan() { a } else { b }
+}
+
+fn numbers(path: &Path) -> io::Result<Vec<f64>> {
+    let bytes = fs::read(path)?;
+    let (numbers, _) = bytes.as_chunks();
+    Ok(numbers
+        .iter()
+        .map(|number| f64::from_le_bytes(*number))
+        .collect())
+}

@@ -1,0 +1,329 @@
+//! The report as Markdown.
+//!
+//! In: what was measured. Out: tables with the figures between them. Counts are exact, and a test
+//! holds the committed copy to them; times belong to the machine that the first paragraph names.
+
+use std::fmt::Write;
+
+use homogen_codegen::Function;
+use homogen_codegen::schedule::Price;
+use homogen_examples::machine;
+
+use crate::growth::{self, Grown};
+use crate::measure::{Effort, Point};
+use crate::program::{Flags, GENERIC};
+use crate::scene::{STATES, Scalar, Scene, Variant};
+
+/// All that was measured.
+pub struct Measured<'a> {
+    /// How long.
+    pub effort: Effort,
+    /// The robots that ship.
+    pub robots: &'a [Scene],
+    /// The scenes in which a simpler model may do.
+    pub models: &'a [Scene],
+    /// The robots of peers.
+    pub peers: &'a [Scene],
+    /// Every program in every scene.
+    pub points: &'a [Point],
+    /// Scene, variant, function, price.
+    pub prices: &'a [(String, &'static str, Function, Price)],
+    /// Chains.
+    pub grown: &'a [Grown],
+}
+
+/// The text of the report.
+pub fn write(measured: &Measured<'_>) -> String {
+    let mut text = String::from("# Speed against error\n\n");
+    text.push_str(&method(measured));
+    text.push_str(&robots(measured));
+    text.push_str(&formulations(measured));
+    if !measured.peers.is_empty() {
+        text.push_str(&peers(measured));
+    }
+    text.push_str(&models(measured));
+    text.push_str(&grown(measured.grown));
+    text
+}
+
+fn method(measured: &Measured<'_>) -> String {
+    let Effort { rounds, batches } = measured.effort;
+    format!(
+        "Measured with `homogen report` on {processor}; {rustc}, opt-level 3, once for every processor \
+         of the architecture (baseline) and once with `-C target-cpu=native`.\n\
+         One thread. A time is the median of {rounds} rounds, in each of which all programs of a function take \
+         turns {batches} times, and each turn goes through {STATES} random states; only ratios carry over to \
+         another machine.\n\
+         An error is the worst over all entries of a result at all states, against the same function in 106 bits, \
+         in relation to the sum of the magnitudes of the terms that the entry was summed from; where a mass matrix \
+         is inverted, in relation to the largest entry of the result. u is the unit roundoff, 2⁻⁵³ for `f64` and \
+         2⁻²⁴ for `f32`.\n\
+         Generated code is what the derive writes, for any scalar; the recursions at run time are those of \
+         `homogen::generic`.\n\n",
+        processor = machine::processor(),
+        rustc = machine::COMPILER,
+    )
+}
+
+fn robots(measured: &Measured<'_>) -> String {
+    let mut text = String::from(
+        "## Every function of the robots that ship\n\n\
+         Times in ns; counts are those of the doc comments.\n\n",
+    );
+    for scene in measured.robots {
+        let _ = writeln!(
+            text,
+            "### {}\n\n![{0}: time per call against worst error]({}.svg)\n\n\
+             | function | mul | add | div | sin, cos | f64 | native | f32 | native | at run time, native | error f64 | f32 | at run time |\n\
+             |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
+            scene.title, scene.name
+        );
+        for &function in &scene.functions {
+            let price = price(measured, scene, Variant::DEFAULT.name, function);
+            let at =
+                |variant, scalar, flags| find(measured, scene, function, variant, scalar, flags);
+            let default = |scalar, flags| at(Variant::DEFAULT.name, scalar, flags);
+            let generic = at(GENERIC, Scalar::F64, Flags::Native);
+            let _ = writeln!(
+                text,
+                "| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+                function.name(),
+                price.mul,
+                price.add,
+                price.div,
+                price.sin + price.cos,
+                time(default(Scalar::F64, Flags::Baseline)),
+                time(default(Scalar::F64, Flags::Native)),
+                time(default(Scalar::F32, Flags::Baseline)),
+                time(default(Scalar::F32, Flags::Native)),
+                time(generic),
+                units(default(Scalar::F64, Flags::Native)),
+                units(default(Scalar::F32, Flags::Native)),
+                units(generic),
+            );
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn formulations(measured: &Measured<'_>) -> String {
+    let mut text = String::from(
+        "## Formulations\n\n\
+         The same functions by other ways, `f64`; times in ns.\n\n\
+         ![Formulations: time per call against worst error](formulations.svg)\n\n\
+         | robot | function | formulation | mul | add | div | baseline | native | error, baseline | native |\n\
+         |---|---|---|---:|---:|---:|---:|---:|---:|---:|\n",
+    );
+    for scene in measured.robots {
+        for &function in &scene.functions {
+            for variant in scene.variants.iter().filter(|v| v.serves(function)) {
+                let price = price(measured, scene, variant.name, function);
+                let at = |flags| find(measured, scene, function, variant.name, Scalar::F64, flags);
+                let _ = writeln!(
+                    text,
+                    "| {} | `{}` | {} | {} | {} | {} | {} | {} | {} | {} |",
+                    scene.title,
+                    function.name(),
+                    variant.title,
+                    price.mul,
+                    price.add,
+                    price.div,
+                    time(at(Flags::Baseline)),
+                    time(at(Flags::Native)),
+                    units(at(Flags::Baseline)),
+                    units(at(Flags::Native)),
+                );
+            }
+        }
+    }
+    text.push('\n');
+    text
+}
+
+fn peers(measured: &Measured<'_>) -> String {
+    let mut text = String::from(
+        "## Beside others\n\n\
+         One run, the same description, the same states, one thread, everything for this processor, `f64`. \
+         C that CasADi wrote from Pinocchio's algorithms (as generated; with right angles made exact and common parts \
+         merged, `snap`; and with its checks of pointers replaced by `restrict`, `ptr`) is loaded into the program that \
+         runs ours, and takes turns with it; Pinocchio's templates in C++ run in a program of their own between the rounds. \
+         Of each the fastest of its algorithms counts. Symmetric matrices are whole with us, and upper triangles with them. \
+         CasADi as generated takes the digits of a right angle literally: its error is mostly that.\n\n",
+    );
+    for scene in measured.peers {
+        let _ = writeln!(
+            text,
+            "### {}\n\n![{0}: time per call against worst error]({}.svg)\n\n\
+             | function | ours | with platform sines | error | Pinocchio | CasADi | snap | snap, ptr | error | ours / best | with platform sines |\n\
+             |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
+            scene.title, scene.name
+        );
+        for &function in &scene.functions {
+            let [ours, platform] = [Variant::DEFAULT.name, "platform_sines"].map(|variant| {
+                find(
+                    measured,
+                    scene,
+                    function,
+                    variant,
+                    Scalar::F64,
+                    Flags::Native,
+                )
+            });
+            let makers = ["pinocchio", "casadi", "casadi-snap", "casadi-snap-ptr"];
+            let best = makers.map(|maker| fastest(measured, scene, function, maker));
+            let least = best
+                .iter()
+                .flatten()
+                .map(|point| point.time[1])
+                .fold(f64::INFINITY, f64::min);
+            let ratio = |ours: Option<&Point>| ours.map_or(f64::NAN, |ours| ours.time[1] / least);
+            let [pinocchio, casadi, snap, ptr] = best.map(time);
+            let _ = writeln!(
+                text,
+                "| `{}` | {} | {} | {} | {pinocchio} | {casadi} | {snap} | {ptr} | {} | {:.2} | {:.2} |",
+                function.name(),
+                time(ours),
+                time(platform),
+                units(ours),
+                units(best[3]),
+                ratio(ours),
+                ratio(platform),
+            );
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn models(measured: &Measured<'_>) -> String {
+    let mut text = String::from(
+        "## What a scene needs\n\n\
+         Simpler models of the Panda-class arm, inverse dynamics, against the full model in 106 bits; native, times in ns. \
+         Terms dropped are coordinates of a centre of mass and entries of an inertia tensor, small beside the \
+         largest of the same link; a symmetric link has its centre of mass on an axis and equal moments about it. \
+         `1.5708 taken literally` is a file that writes right angles with four decimals, read with `exact`: \
+         by default they are right angles again.\n\n\
+         ![Simpler models: time per call against worst error](models.svg)\n\n\
+         | scene | model | type | mul | add | time | median error | worst error |\n\
+         |---|---|---|---:|---:|---:|---:|---:|\n",
+    );
+    for scene in measured.models {
+        for variant in &scene.variants {
+            for &scalar in variant.scalars {
+                let function = Function::InverseDynamics;
+                let price = price(measured, scene, variant.name, function);
+                let point = find(
+                    measured,
+                    scene,
+                    function,
+                    variant.name,
+                    scalar,
+                    Flags::Native,
+                );
+                let (median, worst) = point.map_or((f64::NAN, f64::NAN), |p| (p.median, p.worst));
+                let _ = writeln!(
+                    text,
+                    "| {} | {} | {} | {} | {} | {} | {median:.0e} | {worst:.0e} |",
+                    scene.title,
+                    variant.title,
+                    scalar.name(),
+                    price.mul,
+                    price.add,
+                    time(point),
+                );
+            }
+        }
+    }
+    text.push('\n');
+    text
+}
+
+fn grown(grown: &[Grown]) -> String {
+    let mut text = String::from(
+        "## Growth\n\n\
+         Chains of like links with full inertia tensors and skew axes, `f64`; each function alone in a file that needs \
+         `core` and brings its own sines, compiled with `-C opt-level=3`. Expansion is the time from the description \
+         to tokens, in a generator built with opt-level 1.\n\n\
+         ![Counts and times of chains of 1 to 64 joints](growth.svg)\n\n\
+         | function | joints | mul | add | div | expansion, ms | compilation, s | call, ns |\n\
+         |---|---:|---:|---:|---:|---:|---:|---:|\n",
+    );
+    for function in growth::FUNCTIONS {
+        for grown in grown.iter().filter(|grown| grown.function == function) {
+            let or_none = |number: Option<f64>, digits: usize| {
+                number.map_or_else(|| "–".to_owned(), |number| format!("{number:.digits$}"))
+            };
+            let Price { mul, add, div, .. } = grown.price;
+            let _ = writeln!(
+                text,
+                "| `{}` | {} | {mul} | {add} | {div} | {:.1} | {} | {} |",
+                function.name(),
+                grown.joints,
+                1e3 * grown.expansion,
+                or_none(grown.compilation, 2),
+                or_none(grown.call, 0),
+            );
+        }
+    }
+    text
+}
+
+fn price(measured: &Measured<'_>, scene: &Scene, variant: &str, function: Function) -> Price {
+    let mut prices = measured.prices.iter();
+    let found =
+        prices.find(|(name, v, f, _)| *name == scene.name && *v == variant && *f == function);
+    found.map(|(.., price)| *price).unwrap_or_default()
+}
+
+fn find<'a>(
+    measured: &Measured<'a>,
+    scene: &Scene,
+    function: Function,
+    variant: &str,
+    scalar: Scalar,
+    flags: Flags,
+) -> Option<&'a Point> {
+    measured.points.iter().find(|point| {
+        point.scene == scene.name
+            && point.function == function
+            && point.key.variant == variant
+            && point.key.scalar == scalar
+            && point.key.flags == flags
+    })
+}
+
+fn fastest<'a>(
+    measured: &Measured<'a>,
+    scene: &Scene,
+    function: Function,
+    maker: &str,
+) -> Option<&'a Point> {
+    let points = measured.points.iter().filter(|point| {
+        let who = point.key.variant.split_once('/');
+        point.scene == scene.name
+            && point.function == function
+            && who.is_some_and(|(who, _)| who == maker)
+    });
+    points.min_by(|a, b| a.time[1].total_cmp(&b.time[1]))
+}
+
+fn time(point: Option<&Point>) -> String {
+    point.map_or_else(|| "–".to_owned(), |point| format!("{:.0}", point.time[1]))
+}
+
+/// The worst error in units of the roundoff of its type.
+fn units(point: Option<&Point>) -> String {
+    let Some(point) = point else {
+        return "–".to_owned();
+    };
+    let unit = match point.key.scalar {
+        Scalar::F64 => f64::EPSILON / 2.0,
+        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
+    };
+    match point.worst / unit {
+        few if few < 99.5 => format!("{few:.1} u"),
+        many if many < 1e4 => format!("{many:.0} u"),
+        lots => format!("{lots:.0e} u"),
+    }
+}

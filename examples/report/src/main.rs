@@ -1,0 +1,159 @@
+//! Measures speed against error on this machine, and writes tables and plots.
+//!
+//! In: the robots of this repository. Out: `report/REPORT.md` with its figures. The way there: the
+//! scenes and their variants are expanded into one program, which is compiled for the baseline and
+//! for this processor; exact results are computed; the programs run in turns; what they say is
+//! drawn and written.
+
+mod chain;
+mod document;
+mod figures;
+mod growth;
+mod measure;
+mod output;
+mod peers;
+mod program;
+mod progress;
+mod scene;
+mod simplified;
+mod summed;
+mod truth;
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::{env, fs};
+
+use clap::Parser;
+use document::Measured;
+use measure::{Effort, Run};
+use program::Flags;
+use progress::Progress;
+
+/// Measure speed against error on this machine, and write tables and plots
+#[derive(Parser)]
+#[command(name = "homogen report")]
+struct Options {
+    /// Where to write [default: the folder `report` of the repository]
+    #[arg(long, short, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+    /// Measure six times as long
+    #[arg(long, conflicts_with = "smoke")]
+    long: bool,
+    /// Only see that everything runs: one robot, a few batches, nothing written to the repository
+    #[arg(long)]
+    smoke: bool,
+    /// Set-up of other implementations to stand beside ours [default: $PEER_ENV]
+    #[arg(long, value_name = "FOLDER")]
+    peers: Option<PathBuf>,
+    /// The URDF files that it was made from
+    #[arg(long, value_name = "FOLDER")]
+    peer_robots: Option<PathBuf>,
+}
+
+fn main() -> ExitCode {
+    match run(Options::parse()) {
+        Ok(folder) => {
+            eprintln!("written: {}", folder.join("REPORT.md").display());
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Which chains grow, up to how many operations they are compiled.
+const GROWTH: (&[usize], usize) = (&growth::JOINTS, 10_000);
+const GROWTH_IN_SMOKE: (&[usize], usize) = (&[1, 2, 4], 1000);
+
+fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = here.join("../..");
+    let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| here.join("target"), PathBuf::from);
+    let work = target.join("work");
+    fs::create_dir_all(&work)?;
+    let effort = match (options.smoke, options.long) {
+        (true, _) => Effort {
+            rounds: 1,
+            batches: 3,
+        },
+        (_, false) => Effort {
+            rounds: 3,
+            batches: 21,
+        },
+        (_, true) => Effort {
+            rounds: 9,
+            batches: 43,
+        },
+    };
+
+    let peers = peers::find(options.peers, options.peer_robots)?;
+    let mut robots = scene::robots(&root).map_err(truth::told)?;
+    if options.smoke {
+        robots.truncate(1);
+    }
+    let models = scene::models(&root).map_err(truth::told)?;
+    let beside = match &peers {
+        Some(peers) => peers.scenes(&scene::beside_peers())?,
+        None => Vec::new(),
+    };
+    let scenes = || robots.iter().chain(&models).chain(&beside);
+    let (joints, most) = if options.smoke {
+        GROWTH_IN_SMOKE
+    } else {
+        GROWTH
+    };
+    let functions: usize = scenes().map(|scene| scene.functions.len()).sum();
+    let mut progress = Progress::new(functions + joints.len() * growth::FUNCTIONS.len());
+
+    progress.stage("expanding the robots");
+    let source = program::source(scenes())?;
+    let path = work.join("cases.rs");
+    fs::write(&path, &source.text)?;
+    progress.stage("computing exact results");
+    let truth = |scene: &scene::Scene| work.join("truth").join(&scene.name);
+    for scene in scenes() {
+        truth::write(scene, &truth(scene))?;
+    }
+    let mut executables = Vec::new();
+    for flags in Flags::ALL {
+        progress.stage(&format!("compiling, {}", flags.name()));
+        executables.push((
+            flags,
+            program::compile(&path, &target.join("measured"), flags)?,
+        ));
+    }
+    progress.stage("growing chains");
+    let grown = growth::measure(joints, most, &work.join("growth"), &mut progress)?;
+    progress.stage("measuring");
+    let run = |scene| Run {
+        scene,
+        truth: truth(scene),
+        peers: peers.as_ref(),
+    };
+    let runs: Vec<Run<'_>> = scenes().map(run).collect();
+    let points = measure::measure(&executables, &runs, effort, &mut progress)?;
+
+    let folder = options.output.unwrap_or_else(|| {
+        if options.smoke {
+            work.join("smoke")
+        } else {
+            root.join("report")
+        }
+    });
+    output::write(
+        &folder,
+        &Measured {
+            effort,
+            robots: &robots,
+            models: &models,
+            peers: &beside,
+            points: &points,
+            prices: &source.prices,
+            grown: &grown,
+        },
+    )?;
+    Ok(folder)
+}

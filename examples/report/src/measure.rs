@@ -1,0 +1,180 @@
+//! The measured program, run function by function.
+//!
+//! In: executables and the folders with the truth. Out: a [`Point`] for every program in every scene.
+//! The executables take turns, round by round, so that a drift of the clock meets all alike; what
+//! is kept of each program is the median of its rounds.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use homogen_codegen::Function;
+
+use crate::peers::Peers;
+use crate::program::Flags;
+use crate::progress::Progress;
+use crate::scene::{Scalar, Scene};
+
+/// What one program took, and how far it was off.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// The scene's name.
+    pub scene: String,
+    /// What was computed.
+    pub function: Function,
+    /// Which program.
+    pub key: Key,
+    /// Time per call: lower quartile, median, upper quartile \[ns\].
+    pub time: [f64; 3],
+    /// Median over the states of the worst entry's error, in relation to its magnitude.
+    pub median: f64,
+    /// The worst error of any entry at any state, in relation to its magnitude.
+    pub worst: f64,
+}
+
+/// What tells the programs of a function apart.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Key {
+    /// The variant's name, or a peer's.
+    pub variant: String,
+    /// The type of number.
+    pub scalar: Scalar,
+    /// What it was compiled for.
+    pub flags: Flags,
+}
+
+impl Key {
+    /// That of a peer's own program.
+    const fn of_peer(variant: String) -> Self {
+        Self {
+            variant,
+            scalar: Scalar::F64,
+            flags: Flags::Native,
+        }
+    }
+
+    /// Whether it is not ours.
+    pub fn is_of_a_peer(&self) -> bool {
+        self.variant.contains('/')
+    }
+}
+
+/// How long to measure.
+#[derive(Clone, Copy)]
+pub struct Effort {
+    /// How often the executables take turns.
+    pub rounds: usize,
+    /// How often the programs of one executable do, in each round.
+    pub batches: usize,
+}
+
+/// Where a scene's truth lies, and which peers stand beside ours.
+pub struct Run<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The folder of its truth.
+    pub truth: PathBuf,
+    /// What stands beside ours.
+    pub peers: Option<&'a Peers>,
+}
+
+/// Runs everything.
+///
+/// # Errors
+/// Where a program fails or says what cannot be understood.
+pub fn measure(
+    executables: &[(Flags, PathBuf)],
+    runs: &[Run<'_>],
+    effort: Effort,
+    progress: &mut Progress,
+) -> Result<Vec<Point>, Box<dyn Error>> {
+    let mut points = Vec::new();
+    for run in runs {
+        for &function in &run.scene.functions {
+            let mut said: BTreeMap<Key, Vec<[f64; 5]>> = BTreeMap::new();
+            for _ in 0..effort.rounds {
+                if let Some(peers) = run.peers {
+                    for (name, time) in peers.pinocchio(run.scene, function)? {
+                        let numbers = [time, time, time, f64::NAN, f64::NAN];
+                        said.entry(Key::of_peer(name)).or_default().push(numbers);
+                    }
+                }
+                for (flags, executable) in executables {
+                    for (key, numbers) in once(executable, *flags, run, function, effort)? {
+                        said.entry(key).or_default().push(numbers);
+                    }
+                }
+            }
+            progress.advance(&format!("{} {}", run.scene.name, function.name()));
+            points.extend(said.into_iter().map(|(key, rounds)| {
+                let middle = |k: usize| median(rounds.iter().map(|numbers| numbers[k]).collect());
+                Point {
+                    scene: run.scene.name.clone(),
+                    function,
+                    key,
+                    time: [middle(0), middle(1), middle(2)],
+                    median: middle(3),
+                    worst: middle(4),
+                }
+            }));
+        }
+    }
+    Ok(points)
+}
+
+/// A program, and its line of numbers.
+type Said = (Key, [f64; 5]);
+
+fn once(
+    executable: &Path,
+    flags: Flags,
+    run: &Run<'_>,
+    function: Function,
+    effort: Effort,
+) -> Result<Vec<Said>, Box<dyn Error>> {
+    let mut command = Command::new(executable);
+    command
+        .args([&run.scene.name, function.name()])
+        .arg(&run.truth)
+        .arg(effort.batches.to_string());
+    // What others compiled is one executable for one processor: it stands beside ours for this one.
+    if let (Flags::Native, Some(peers)) = (flags, run.peers) {
+        command.args(peers.libraries(run.scene, function));
+    }
+    let output = command.output()?;
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into());
+    }
+    let text = String::from_utf8(output.stdout)?;
+    text.lines().map(|line| read(line, flags)).collect()
+}
+
+/// `default f64 91.2 92.0 93.1 1e-17 3e-16`
+fn read(line: &str, flags: Flags) -> Result<Said, Box<dyn Error>> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let [variant, scalar, numbers @ ..] = &words[..] else {
+        return Err(format!("not understood: {line}").into());
+    };
+    let numbers = numbers.iter().map(|number| number.parse());
+    let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;
+    let scalar = if *scalar == Scalar::F32.name() {
+        Scalar::F32
+    } else {
+        Scalar::F64
+    };
+    let key = Key {
+        variant: (*variant).to_owned(),
+        scalar,
+        flags,
+    };
+    let numbers = numbers
+        .try_into()
+        .map_err(|_| format!("not understood: {line}"))?;
+    Ok((key, numbers))
+}
+
+fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers[numbers.len() / 2]
+}

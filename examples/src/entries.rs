@@ -1,0 +1,56 @@
+//! The results of generated functions, taken apart.
+//!
+//! In: an array, a matrix or one of the typed matrices. Out: its numbers, row by row, in `f64`. It
+//! never computes any.
+
+use homogen::{Acceleration, Pose, Real, Screw, Velocity};
+
+/// The numbers of a result, row by row.
+pub trait Entries {
+    /// Adds them to `numbers`.
+    fn push(&self, numbers: &mut Vec<f64>);
+}
+
+impl Entries for f64 {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        numbers.push(*self);
+    }
+}
+
+impl Entries for f32 {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        numbers.push(f64::from(*self));
+    }
+}
+
+impl<X: Entries, const N: usize> Entries for [X; N] {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        for entry in self {
+            entry.push(numbers);
+        }
+    }
+}
+
+impl<T: Real + Entries> Entries for Pose<T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        self.to_matrix().push(numbers);
+    }
+}
+
+impl<T: Real + Entries> Entries for Screw<T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        [self.u(), self.b()].push(numbers);
+    }
+}
+
+impl<T: Real + Entries> Entries for Velocity<T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        [self.omega(), self.v()].push(numbers);
+    }
+}
+
+impl<T: Real + Entries> Entries for Acceleration<T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        self.to_matrix().push(numbers);
+    }
+}

@@ -1,0 +1,46 @@
+//! Words beside points.
+//!
+//! In: points with their labels, and the area to stay in. Out: SVG, each label where it covers neither
+//! a point nor a label before it, as far as there is such a place.
+
+use super::symbol::text;
+
+const SIZE: f64 = 11.0;
+/// From a point to its label, in pixels.
+const AWAY: f64 = 8.0;
+
+/// Left, top, right, bottom.
+type Box = [f64; 4];
+
+/// Draws the labels.
+pub(super) fn draw(svg: &mut String, points: &[([f64; 2], &str)], area: Box) {
+    let around = |[x, y]: [f64; 2]| [x - 5.0, y - 5.0, x + 5.0, y + 5.0];
+    let mut taken: Vec<Box> = points.iter().map(|(at, _)| around(*at)).collect();
+    for ([x, y], label) in points {
+        // Letters of 11 px are at most 6.2 px wide on average.
+        let letters = u32::try_from(label.chars().count()).unwrap_or(0);
+        let width = 6.2 * f64::from(letters);
+        let places = [0.0, -9.0, 9.0, -15.0, 15.0].into_iter().flat_map(|down| {
+            let (right, left) = (x + AWAY, x - AWAY - width);
+            [right, left].map(|start| [start, y + down - 6.0, start + width, y + down + 6.0])
+        });
+        let free = |place: &Box| {
+            place[0] > area[0]
+                && place[1] > area[1]
+                && place[2] < area[2]
+                && place[3] < area[3]
+                && taken.iter().all(|other| apart(place, other))
+        };
+        let beside = [x + AWAY, y - 6.0, x + AWAY + width, y + 6.0];
+        let place = places.clone().find(free).unwrap_or(beside);
+        let anchor = if place[0] > *x { "start" } else { "end" };
+        let start = if place[0] > *x { place[0] } else { place[2] };
+        let size = format!("font-size=\"{SIZE}\"");
+        text(svg, [start, place[1] + 10.0], anchor, &size, label);
+        taken.push(place);
+    }
+}
+
+fn apart(a: &Box, b: &Box) -> bool {
+    a[2] < b[0] || b[2] < a[0] || a[3] < b[1] || b[3] < a[1]
+}

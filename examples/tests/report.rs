@@ -1,0 +1,156 @@
+//! Every exact figure of the committed report, computed anew.
+//!
+//! In: `report/REPORT.md`, and the tables of scenes that the report is made from. Out: nothing where
+//! they agree; else the row that should stand there. It never looks at times and errors: they belong to
+//! the machine that the report names. `homogen report` writes the report anew.
+
+#[path = "../report/src/chain.rs"]
+mod chain;
+#[expect(dead_code, reason = "states are for measuring")]
+#[path = "../report/src/scene.rs"]
+mod scene;
+#[path = "../report/src/simplified.rs"]
+mod simplified;
+
+use std::path::Path;
+
+use homogen_codegen::Function;
+use homogen_codegen::description::Description;
+use homogen_codegen::emit::Item;
+use homogen_codegen::expand::expand;
+use homogen_codegen::request::{Real, Request};
+use homogen_codegen::schedule::Price;
+use scene::{Scene, Variant};
+
+const REPORT: &str = include_str!("../../report/REPORT.md");
+
+#[test]
+fn counts_of_the_robots_are_those_of_today() {
+    for scene in robots() {
+        let part = part(&format!("### {}", scene.title));
+        for &function in &scene.functions {
+            let Price {
+                mul,
+                add,
+                div,
+                sin,
+                cos,
+                ..
+            } = price(&scene, &Variant::DEFAULT, function);
+            let trig = sin + cos;
+            assert_row(
+                part,
+                &format!("| `{}` | {mul} | {add} | {div} | {trig} |", function.name()),
+            );
+        }
+    }
+}
+
+#[test]
+fn counts_of_formulations_are_those_of_today() {
+    let part = part("## Formulations");
+    for scene in robots() {
+        for &function in &scene.functions {
+            for variant in scene
+                .variants
+                .iter()
+                .filter(|variant| variant.serves(function))
+            {
+                let Price { mul, add, div, .. } = price(&scene, variant, function);
+                let (robot, name, way) = (&scene.title, function.name(), variant.title);
+                assert_row(
+                    part,
+                    &format!("| {robot} | `{name}` | {way} | {mul} | {add} | {div} |"),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn counts_of_simpler_models_are_those_of_today() {
+    let part = part("## What a scene needs");
+    let scenes = scene::models(root()).expect("the robots that ship have no mistakes");
+    for scene in scenes {
+        for variant in &scene.variants {
+            let Price { mul, add, .. } = price(&scene, variant, Function::InverseDynamics);
+            for scalar in variant.scalars {
+                let (title, model, scalar) = (&scene.title, variant.title, scalar.name());
+                assert_row(
+                    part,
+                    &format!("| {title} | {model} | {scalar} | {mul} | {add} |"),
+                );
+            }
+        }
+    }
+}
+
+/// Longer chains take too long without optimisation.
+#[test]
+fn counts_of_chains_are_those_of_today() {
+    let part = part("## Growth");
+    for joints in [1, 2, 4, 8] {
+        let chain = chain::chain(joints).expect("it has no mistakes");
+        for function in [
+            Function::ForwardKinematics,
+            Function::Gravity,
+            Function::InverseDynamics,
+            Function::MassMatrix,
+            Function::ForwardDynamics,
+        ] {
+            let request = Request {
+                scalar: Real::F64,
+                ..Request::default()
+            };
+            let Price { mul, add, div, .. } = count(&chain, request, function);
+            let name = function.name();
+            assert_row(
+                part,
+                &format!("| `{name}` | {joints} | {mul} | {add} | {div} |"),
+            );
+        }
+    }
+}
+
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+fn robots() -> Vec<Scene> {
+    scene::robots(root()).expect("the robots that ship have no mistakes")
+}
+
+fn price(scene: &Scene, variant: &Variant, function: Function) -> Price {
+    let (description, request) = scene.of(variant);
+    count(&description, request, variant.instead.unwrap_or(function))
+}
+
+fn count(description: &Description, request: Request, function: Function) -> Price {
+    let request = Request {
+        functions: vec![vec![function]],
+        ..request
+    };
+    let name = proc_macro2::Ident::new("Robot", proc_macro2::Span::call_site());
+    let listing = expand(description, &request, Item::made(name)).expect("it has no mistakes");
+    listing.functions[0].price
+}
+
+/// What stands between a heading and the next one of its rank or above.
+fn part(heading: &str) -> &'static str {
+    let start = format!("{heading}\n");
+    let start = REPORT
+        .find(&start)
+        .unwrap_or_else(|| panic!("no part {heading}"));
+    let rest = &REPORT[start + heading.len()..];
+    let rank = heading.split(' ').next().unwrap_or_default();
+    let next = (1..=rank.len()).filter_map(|marks| rest.find(&format!("\n{} ", "#".repeat(marks))));
+    &rest[..next.min().unwrap_or(rest.len())]
+}
+
+fn assert_row(part: &str, start: &str) {
+    let rows = part.lines().filter(|line| line.starts_with(start)).count();
+    assert_eq!(
+        rows, 1,
+        "the report should have one row that starts with\n{start}"
+    );
+}

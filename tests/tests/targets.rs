@@ -1,0 +1,134 @@
+//! One robot for different processors: which operations are chosen, and what is said of their cost.
+
+use homogen_codegen::emit::{Item, Listing};
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::expand;
+use homogen_codegen::request::Request;
+use homogen_codegen::{Builder, Function, Processor, Real, description, door};
+use quote::{format_ident, quote};
+
+const PANDA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/panda_class.urdf");
+
+/// Inverse and forward dynamics of seven joints, as a derive has them.
+fn listing(processor: Processor, scalar: Real) -> Result<Listing, Errors> {
+    let mut errors = Errors::new();
+    let robot = description::read_file(PANDA.as_ref(), None, &mut errors).expect("it is a robot");
+    let request = Request {
+        functions: vec![
+            vec![Function::InverseDynamics],
+            vec![Function::ForwardDynamics],
+        ],
+        processor,
+        scalar,
+        ..Request::default()
+    };
+    expand(&robot, &request, Item::made(format_ident!("Panda")))
+}
+
+fn file(processor: Processor) -> String {
+    let builder = Builder::from_urdf(PANDA).generate([Function::InverseDynamics]);
+    let source = builder.target(processor).scalar(Real::F32).to_source();
+    source
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .to_string()
+}
+
+/// Cycles of inverse and of forward dynamics, and how many sums take a product with them.
+#[test]
+fn prices_follow_the_processor() {
+    let found = [
+        (Processor::CortexM4, Real::F32),
+        (Processor::CortexM7, Real::F32),
+        (Processor::CortexM7, Real::F64),
+        (Processor::X86_64, Real::F64),
+        (Processor::X86_64V3, Real::F64),
+        (Processor::AArch64, Real::F64),
+    ]
+    .map(|(processor, scalar)| {
+        let listing = listing(processor, scalar).unwrap_or_else(|errors| panic!("{errors}"));
+        let prices = listing.functions.iter().map(|listed| {
+            let (of, cycles) = listed.price.cycles.expect("a processor was chosen");
+            assert_eq!(of, processor);
+            (cycles, listed.price.fused)
+        });
+        prices.collect::<Vec<_>>()
+    });
+    let expected = [
+        [(583, 0), (1222, 0)],
+        [(583, 0), (1234, 0)],
+        [(1193, 0), (2530, 0)],
+        [(292, 0), (581, 0)],
+        [(209, 165), (406, 350)],
+        [(209, 165), (415, 350)],
+    ];
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn without_a_target_nothing_is_said_of_cycles() {
+    let portable = listing(Processor::Portable, Real::Generic).expect("it has no mistakes");
+    assert!(
+        portable
+            .functions
+            .iter()
+            .all(|listed| listed.price.cycles.is_none())
+    );
+    assert!(!file(Processor::Portable).contains("cycles"));
+}
+
+#[test]
+fn products_are_fused_where_the_processor_can() {
+    let fuses = |processor: &str| {
+        let tokens = quote! {
+            #[robot(urdf = #PANDA, tip = "link8", target = #processor, generate(gravity))]
+            struct Panda;
+        };
+        door::derive(tokens).to_string().contains("mul_add (")
+    };
+    assert!(fuses("portable") && fuses("x86-64-v3") && fuses("aarch64"));
+    assert!(!fuses("x86-64") && !fuses("cortex-m4") && !fuses("cortex-m7"));
+}
+
+#[test]
+fn a_file_for_core_counts_on_no_fused_product() {
+    let text = file(Processor::AArch64);
+    assert!(text.contains("// Options: f32, target aarch64."), "{text}");
+    // 305 products and 278 sums, each for itself, on two units.
+    assert!(
+        text.contains("on aarch64 292 cycles of arithmetic"),
+        "{text}"
+    );
+    assert!(!text.contains("mul_add"), "{text}");
+}
+
+#[test]
+fn f64_on_a_processor_without_is_refused() {
+    let refusal = listing(Processor::CortexM4, Real::F64)
+        .err()
+        .expect("refused");
+    assert_eq!(
+        refusal.to_string(),
+        "error: cortex-m4 computes f64 in software, operation by operation\n  \
+         hint: choose f32 as the scalar, or another target\n"
+    );
+}
+
+#[test]
+fn a_wrong_name_is_told_with_the_right_ones() {
+    let refusal = door::derive(quote! {
+        #[robot(urdf = #PANDA, target = "cortexm4")]
+        struct Panda;
+    });
+    let text = refusal.to_string();
+    assert!(text.contains("unknown target"), "{text}");
+    assert!(text.contains("did you mean"), "{text}");
+    let no_name = door::derive(quote! {
+        #[robot(urdf = #PANDA, target = 4)]
+        struct Panda;
+    });
+    assert!(
+        no_name
+            .to_string()
+            .contains("needs the name of a processor")
+    );
+}

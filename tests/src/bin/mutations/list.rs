@@ -43,8 +43,8 @@ pub const MUTATIONS: [Mutation; 12] = [
     Mutation {
         name: "Newton-Euler: gravity with the other sign",
         file: "codegen/src/model/newton_euler.rs",
-        from: "Acceleration::linear(-bodies.gravity)",
-        to: "Acceleration::linear(bodies.gravity)",
+        from: "Acceleration::linear(-gravity)",
+        to: "Acceleration::linear(gravity)",
         noticed_by: engine(OBLIQUE),
     },
     Mutation {

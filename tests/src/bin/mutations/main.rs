@@ -10,7 +10,7 @@ mod list;
 
 use std::collections::BTreeSet;
 use std::env;
-use std::fs::{self, File};
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Output};
@@ -92,20 +92,24 @@ struct Copy {
 }
 
 impl Copy {
-    /// Copies the tracked files with their times, so that only what changed since the last copy is
-    /// built again.
+    /// Makes the copy equal to the tracked files. A file that is the same already keeps its time, and
+    /// every other one gets a new time, by which cargo knows what to build again.
     fn of(root: &Path) -> Result<Self, String> {
         let folder = env::temp_dir().join("homogen-mutations");
         let copy = Self {
             files: folder.join("repository"),
             target: folder.join("target"),
         };
-        if copy.files.exists() {
-            fs::remove_dir_all(&copy.files).map_err(|error| told(&copy.files, &error))?;
+        let tracked: BTreeSet<PathBuf> = tracked(root)?.into_iter().collect();
+        for file in files_below(&copy.files).map_err(|error| told(&copy.files, &error))? {
+            let name = file.strip_prefix(&copy.files).unwrap_or(&file);
+            if !tracked.contains(name) {
+                fs::remove_file(&file).map_err(|error| told(&file, &error))?;
+            }
         }
-        for file in tracked(root)? {
-            let (from, to) = (root.join(&file), copy.files.join(&file));
-            copy_with_time(&from, &to).map_err(|error| told(&from, &error))?;
+        for name in &tracked {
+            let (from, to) = (root.join(name), copy.files.join(name));
+            copy_if_different(&from, &to).map_err(|error| told(&from, &error))?;
         }
         Ok(copy)
     }
@@ -145,8 +149,8 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The files that git knows, as they are now.
-fn tracked(root: &Path) -> Result<Vec<String>, String> {
+/// The files that git knows, from the root.
+fn tracked(root: &Path) -> Result<Vec<PathBuf>, String> {
     let mut git = Command::new("git");
     let output = git.args(["ls-files", "-z"]).current_dir(root).output();
     let output = output.map_err(|error| format!("git: {error}"))?;
@@ -154,16 +158,34 @@ fn tracked(root: &Path) -> Result<Vec<String>, String> {
         return Err(text(&output.stderr));
     }
     let names = text(&output.stdout);
-    Ok(names.split_terminator('\0').map(str::to_owned).collect())
+    Ok(names.split_terminator('\0').map(PathBuf::from).collect())
 }
 
-fn copy_with_time(from: &Path, to: &Path) -> io::Result<()> {
+/// All files of a folder, which need not exist.
+fn files_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    if folder.exists() {
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.is_dir() {
+                files.extend(files_below(&path)?);
+            } else {
+                files.push(path);
+            }
+        }
+    }
+    Ok(files)
+}
+
+fn copy_if_different(from: &Path, to: &Path) -> io::Result<()> {
+    let wanted = fs::read(from)?;
+    if fs::read(to).is_ok_and(|found| found == wanted) {
+        return Ok(());
+    }
     if let Some(folder) = to.parent() {
         fs::create_dir_all(folder)?;
     }
-    fs::copy(from, to)?;
-    let time = fs::metadata(from)?.modified()?;
-    File::options().write(true).open(to)?.set_modified(time)
+    fs::write(to, wanted)
 }
 
 fn write(file: &Path, text: &str) -> Result<(), String> {

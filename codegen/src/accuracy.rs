@@ -67,9 +67,8 @@ pub fn of(chain: &Chain, functions: &[Function], program: &Program, scalar: Real
     for (k, unit) in units.enumerate() {
         let at = |errors: &Option<Vec<f64>>| errors.as_ref().map(|errors| errors[k]);
         let (double, single) = (at(&double), at(&single));
-        // Without a division, only what is read can be without bounds.
         if [double, single].into_iter().flatten().any(f64::is_infinite) {
-            return Accuracy::Unknown("nothing is described in the place of a field");
+            return Accuracy::Unknown("a divisor may be zero, as far as ranges tell");
         }
         match bounds.iter_mut().find(|bound| bound.unit == unit) {
             Some(bound) => {

@@ -11,7 +11,7 @@ use crate::chain::{self, Chain};
 use crate::description::Description;
 use crate::emit::{About, ChainData, Item, Listed, Listing};
 use crate::error::{Errors, Place};
-use crate::expression::{Double, Expr, Graph, Term};
+use crate::expression::{Double, Expr, Graph, Input, Node, Term};
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::model::{self, Way};
@@ -417,17 +417,31 @@ fn gravity(chain: &Chain) -> String {
     }
 }
 
-/// How many inertial parameters are not zero, or are left after regrouping.
+/// How many inertial parameters inverse dynamics reads, of those of the description or of those that
+/// regrouping leaves.
 fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
     let graph = chain.graph.clone();
     let layout = Layout {
         regroup: parameters == Parameters::Regrouped,
         ..Layout::DESCRIBED
     };
-    let bodies = arrange(&graph, chain, layout).bodies;
-    bodies
-        .iter()
-        .flat_map(|body| body.inertia.entries())
-        .filter(|entry| !entry.is_zero())
-        .count()
+    let mut bodies = arrange(&graph, chain, layout);
+    // Each becomes an input of its own, beyond those of struct fields, to be found among what is read.
+    let fields = chain.nominal.len();
+    for (body, field) in bodies.bodies.iter_mut().zip(fields..) {
+        let field = u16::try_from(field).expect("fewer than 65536 joints and fields");
+        let mut entries = 0..;
+        body.inertia = body.inertia.map(|entry| match entries.next() {
+            Some(k) if !entry.is_zero() => graph.input(Input::Parameter(field, k)),
+            _ => entry,
+        });
+    }
+    let torques = model::build(&graph, &bodies, Function::InverseDynamics, 0, Way::PLAIN);
+    let torques: Vec<Expr> = torques.into_iter().map(Term::expr).collect();
+    let (needed, _) = graph.needed(&torques);
+    let is_read = |expr: &Expr| match graph.node(*expr) {
+        Node::Input(Input::Parameter(field, _)) => usize::from(field) >= fields,
+        _ => false,
+    };
+    needed.iter().filter(|expr| is_read(expr)).count()
 }

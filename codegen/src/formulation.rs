@@ -75,6 +75,7 @@ pub enum Angles {
     Apart,
     /// They are summed first where that is cheaper. It costs the digits that a sum of large angles
     /// has no room for: an error of the angle of up to u |q|, which nobody sees within a few turns.
+    /// The frame of a link that carries none but such joints keeps the axes of the link before it.
     Merged,
 }
 
@@ -88,14 +89,15 @@ pub enum Products {
     Unfused,
 }
 
-/// Where sines and cosines come from in code for the runtime; code for `core` alone calls the
-/// function that it is given.
+/// Where sines and cosines come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sines {
-    /// All at once, from `Scalar::sin_cos_all`: the runtime's own for `f32` and `f64`.
+    /// Our own, all at once: those of `Scalar::sin_cos_all`; those that a file for `core` alone
+    /// brings along or is given.
     #[default]
     Own,
-    /// One by one, from `Scalar::sin_cos`: those of the standard library, or of `libm`.
+    /// The platform's, one by one: those of `Scalar::sin_cos`, which are the standard library's or
+    /// `libm`'s; `libm`'s in a file for `core` alone that is given none.
     Platform,
 }
 

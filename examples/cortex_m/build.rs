@@ -1,7 +1,7 @@
 //! Generates the arm's functions, and tells the linker where the board has its memory.
 //!
-//! In: the arm that the variable `ARM` names, one of `arms.rs`. Out: `arm.rs` and `memory.x` in
-//! `OUT_DIR`.
+//! In: the arm that the variable `ARM` names, one of `arms.rs`; an object with the peer's functions
+//! in `PEER`, where they are measured. Out: `arm.rs` and `memory.x` in `OUT_DIR`.
 
 mod arms;
 
@@ -30,8 +30,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::copy("memory.x", Path::new(&out).join("memory.x"))?;
         println!("cargo::rustc-link-search={out}");
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
+        link_peer();
     }
     Ok(())
+}
+
+/// Hands the object that `PEER` names to the linker of the firmware that measures it.
+fn link_peer() {
+    println!("cargo::rerun-if-env-changed=PEER");
+    if let Ok(object) = env::var("PEER") {
+        println!("cargo::rerun-if-changed={object}");
+        println!("cargo::rustc-link-arg-bin=peer={object}");
+    }
 }
 
 fn generate(arm: &Arm) -> Result<(), Box<dyn Error>> {

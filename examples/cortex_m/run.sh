@@ -4,6 +4,9 @@
 #   run.sh              fails on any difference from what is committed here
 #   run.sh --update     writes expected results and the README's tables anew, and lowers the budget
 #   run.sh --mutations  shows that a wrong literal, double precision and a path that panics are seen
+#   run.sh --peer       measures the C that CasADi makes of the same arms, and writes the README's
+#                       table beside it anew; fetches Pinocchio and CasADi from PyPI, compiles for
+#                       minutes, and is not part of the checks
 #
 # What is missing is installed: by rustup where it has the target, and by apt-get (as root, on Debian).
 set -euo pipefail
@@ -12,6 +15,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 mode="${1:-check}"
 target=thumbv7em-none-eabihf
 arms=(panda_class puma560)
+declare -A urdf=([panda_class]=../../robots/panda_class.urdf [puma560]=../../robots/puma560.urdf)
+declare -A tip=([panda_class]=link8 [puma560]=tool)
 boards=(M4F M7)
 declare -A machine=([M4F]=mps2-an386 [M7]=mps2-an500)
 declare -A processor=([M4F]=cortex-m4 [M7]=cortex-m7)
@@ -50,6 +55,12 @@ if ! { has rustup && { rustup target list --installed | grep -qx "$target" ||
     cargo=(env RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc "${linker^^}=arm-none-eabi-ld" /usr/bin/cargo)
     rustc=(/usr/bin/rustc)
     build_std=(-Zbuild-std=core)
+fi
+if [ "$mode" = --peer ]; then
+    python3 -c 'import ensurepip' 2>/dev/null || packages+=(python3-venv)
+    has g++ || packages+=(g++)
+    [ -f "$(arm-none-eabi-gcc -print-file-name=libm.a 2>/dev/null)" ] ||
+        packages+=(libnewlib-arm-none-eabi)
 fi
 [ ${#packages[@]} = 0 ] || install "${packages[@]}"
 
@@ -104,6 +115,90 @@ call_from_c() { # arm board: a firmware in C gives the bits that the host gives
     fi
 }
 
+# --- the peer -------------------------------------------------------------------------------------
+
+# CasADi writes one file a function. It calls the sines of double precision whatever its numbers
+# are; `snapped` files are also rid of a check for null at every number that is read or written.
+edit() { # file how
+    sed -i -E 's/\b(sin|cos|sqrt)\(/\1f(/g' "$1"
+    [ "$2" = plain ] || sed -i -E \
+        -e 's/arg\[([0-9]+)\]\? arg\[[0-9]+\]\[([0-9]+)\] : 0/in\1[\2]/' \
+        -e 's/if \(res\[0\]!=0\) res\[0\]\[/out[/' \
+        -e '/^static int casadi_f0\(.*\{$/a\
+  const casadi_real *restrict in0 = arg[0], *restrict in1 = arg[1], *restrict in2 = arg[2];\
+  casadi_real *restrict out = res[0];' "$1"
+}
+
+generate_peer() { # the peer's C of every arm, in $seen/peer/ARM/HOW
+    local venv="${PEER_VENV:-$CARGO_TARGET_DIR/peer}" packages arm how file
+    [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
+    "$venv/bin/pip" install --quiet --disable-pip-version-check -r peer/requirements.txt
+    packages=$("$venv/bin/python" -c 'import sysconfig; print(sysconfig.get_paths()["purelib"])')
+    mkdir -p "$seen/peer"
+    if [ ! "$seen/peer/generate" -nt peer/generate.cpp ]; then
+        say "=== the peer's generator"
+        # Pinocchio's own limits, without which its headers do not compile.
+        g++ -std=c++17 -O1 -w -DNDEBUG -DBOOST_MPL_LIMIT_LIST_SIZE=30 \
+            -DBOOST_MPL_LIMIT_VECTOR_SIZE=30 -DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS \
+            -DBOOST_FUSION_INVOKE_MAX_ARITY=12 -isystem "$packages/cmeel.prefix/include" \
+            -isystem "$packages/cmeel.prefix/include/eigen3" -isystem "$packages/casadi/include" \
+            peer/generate.cpp -L "$packages/casadi" -lcasadi "-Wl,-rpath,$packages/casadi" \
+            -o "$seen/peer/generate"
+    fi
+    for arm in "${!urdf[@]}"; do
+        mkdir -p "$seen/peer/$arm"
+        "$venv/bin/python" peer/model.py "${urdf[$arm]}" "${tip[$arm]}" "$seen/peer/$arm/model"
+        for how in plain snapped; do
+            mkdir -p "$seen/peer/$arm/$how"
+            "$seen/peer/generate" "$seen/peer/$arm/model" "$seen/peer/$arm/$how" "$how"
+            for file in "$seen/peer/$arm/$how"/*.c; do edit "$file" "$how"; done
+        done
+    done
+}
+
+measure_peer() { # arm board how
+    local from="$seen/peer/$1/$3" to="$seen/peer/$1/$2/$3" sines file flags
+    flags=(-O2 -mthumb "-mcpu=${processor[$2]}" -mfpu=auto -mfloat-abi=hard)
+    for sines in newlib none; do
+        mkdir -p "$to/$sines"
+        rm -f "$to/$sines"/*.o
+        for file in "$from"/*.c; do
+            arm-none-eabi-gcc "${flags[@]}" -w -fsingle-precision-constant -ffunction-sections \
+                -fdata-sections -c "$file" -o "$to/$sines/$(basename "$file" .c).o"
+        done
+        if [ "$sines" = none ]; then
+            echo 'float sinf(float a) { return a; } float cosf(float a) { return a; }' |
+                arm-none-eabi-gcc "${flags[@]}" -x c -c - -o "$to/$sines/sines.o"
+        fi
+        # Linked with its sines here: Rust has others of that name, which compute in double.
+        arm-none-eabi-gcc "${flags[@]}" -nostdlib -r "$to/$sines"/*.o -lm -lc -o "$to/$sines/peer"
+        PEER="$to/$sines/peer" build "$1" "$2" --features peer
+        observe peer "$2" "$to/$sines"
+    done
+}
+
+beside() { # writes the table beside the peer to $seen/peer.md
+    local arm board how
+    generate_peer
+    {
+        echo "With $("${rustc[@]}" --version | cut -d' ' -f1,2), GCC $(arm-none-eabi-gcc -dumpversion)" \
+            "at \`-O2\`, and Pinocchio and CasADi as in [\`requirements.txt\`](peer/requirements.txt)," \
+            "M4F / M7:"
+        echo
+        echo '| arm | function | code | instructions a call | at worst | without sines | text in bytes | stack in bytes | worst error in u |'
+        echo '| --- | --- | --- | --- | --- | --- | --- | --- | --- |'
+        for arm in "${arms[@]}"; do
+            for board in "${boards[@]}"; do
+                say "=== $arm on $board"
+                build "$arm" "$board"
+                observe controller "$board" "$seen/$arm/$board"
+                for how in plain snapped; do measure_peer "$arm" "$board" "$how"; done
+            done
+            host "$arm" peer "$arm" "$seen" "${boards[@]}"
+        done
+    } >"$seen/peer.md"
+}
+
 # --- modes ----------------------------------------------------------------------------------------
 
 same() { # description, committed, made
@@ -149,11 +244,15 @@ check() { # writes the tables to $seen/table.md, and the budget that they leave 
     } >"$seen/table.md"
 }
 
+paste() { # name, file: README.md with the file between the comments of that name
+    sed -n "1,/<!-- $1 -->/p" README.md
+    cat "$2"
+    sed -n "/<!-- end of $1 -->/,\$p" README.md
+}
+
 current() { # whether README and budget say what was measured, if by the compiler that they are of
     local readme="$seen/README.md"
-    sed -n '1,/<!-- table -->/p' README.md >"$readme"
-    cat "$seen/table.md" >>"$readme"
-    sed -n '/<!-- end of table -->/,$p' README.md >>"$readme"
+    paste table "$seen/table.md" >"$readme"
     if [ "$mode" = --update ] || grep -qxF "$(head -n 1 "$seen/table.md")" README.md; then
         same "the table of README.md" README.md "$readme"
         same "the budget that is needed" budget.txt "$seen/budget.txt"
@@ -191,6 +290,12 @@ check | --update)
     current
     cat "$seen/table.md"
     ;;
+--peer)
+    beside
+    cat "$seen/peer.md"
+    paste peer "$seen/peer.md" >"$seen/README.md"
+    cp "$seen/README.md" README.md
+    ;;
 --mutations)
     mkdir -p "$seen"
     mutate 'a wrong literal' '0,/ 0\.316_f32/s// 0.317_f32/' "are not the host's"
@@ -200,7 +305,7 @@ check | --update)
     say "=== every mutation was seen"
     ;;
 *)
-    say "usage: run.sh [--update | --mutations]"
+    say "usage: run.sh [--update | --mutations | --peer]"
     exit 2
     ;;
 esac

@@ -7,12 +7,14 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use homogen_codegen::Function;
-use homogen_codegen::description::read_text;
+use homogen_codegen::description::{Name, read_file, read_text};
 use homogen_codegen::emit::{Item, Source, methods};
 use homogen_codegen::error::Errors;
-use homogen_codegen::expand::expand;
+use homogen_codegen::expand::{expand, program_as, understand};
+use homogen_codegen::formulation::{Angles, Formulation, Frame, Parameters};
 use homogen_codegen::request::Request;
+use homogen_codegen::schedule::Price;
+use homogen_codegen::{Function, Real};
 use homogen_examples::price::{self, Prices};
 
 const README: &str = include_str!("../../README.md");
@@ -110,6 +112,76 @@ fn the_counts_beside_published_ones_are_those_of_today() {
         let mass = format!(" | {} | ", cell(Function::MassMatrix));
         let found = rows.filter(|line| line.contains(&mass)).count();
         assert_eq!(found, 1, "{start}…{mass}");
+    }
+}
+
+#[test]
+fn the_prices_of_formulations_are_those_of_today() {
+    let columns = {
+        let (plain, frame) = (Formulation::default(), Frame::Base);
+        let (angles, parameters) = (Angles::Merged, Parameters::Raw);
+        [
+            plain,
+            Formulation { angles, ..plain },
+            Formulation {
+                parameters,
+                ..plain
+            },
+            Formulation { frame, ..plain },
+            Formulation {
+                frame,
+                parameters,
+                ..plain
+            },
+        ]
+    };
+    for (name, robot, tip, function) in [
+        (
+            "Panda class",
+            "panda_class",
+            "link8",
+            Function::InverseDynamics,
+        ),
+        (
+            "PUMA 560",
+            "puma560_general",
+            "tool",
+            Function::InverseDynamics,
+        ),
+        (
+            "PUMA 560",
+            "puma560_general",
+            "tool",
+            Function::ForwardKinematics,
+        ),
+        ("UR5 class", "ur5_class", "tool0", Function::MassMatrix),
+        (
+            "quadruped",
+            "quadruped",
+            "hr_foot",
+            Function::ForwardDynamics,
+        ),
+    ] {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let file = root.join(format!("robots/{robot}.urdf"));
+        let mut errors = Errors::new();
+        let description = read_file(&file, None, &mut errors).expect("it is a robot");
+        let request = Request {
+            tip: Some(Name {
+                text: tip.to_owned(),
+                ..Name::default()
+            }),
+            ..Request::default()
+        };
+        let chain = understand(&description, &request).expect("it has no mistakes");
+        let mut row = format!("| {name}, `{}` |", function.name());
+        for formulation in columns {
+            let program = program_as(formulation, &chain, &[function], 0, Real::Generic);
+            let price = Price::of(&program.expect("it has forward dynamics"));
+            // Writing to a string cannot fail.
+            let _ = write!(row, " {}/{} |", price.mul, price.add);
+        }
+        assert_contains(&format!("{row}\n"));
     }
 }
 

@@ -38,20 +38,21 @@ pub fn axis_angle<T: Real>(rotation: &[[T; 3]; 3]) -> ([T; 3], T) {
     (half.axis, half.angle())
 }
 
-/// The axis with the sine and cosine of half the angle: the quaternion in polar form.
+/// The axis with the sine and cosine of half the angle: the quaternion in polar form, of any length,
+/// since only the ratio of the two is ever used and a division would round them.
 pub(crate) struct HalfAngle<T> {
     /// A unit vector.
     pub(crate) axis: [T; 3],
-    /// sin φ/2, at least 0.
+    /// A multiple of sin φ/2, at least 0.
     pub(crate) sine: T,
-    /// cos φ/2, at least 0.
+    /// The same multiple of cos φ/2, at least 0.
     pub(crate) cosine: T,
 }
 
 impl<T: Real> HalfAngle<T> {
     pub(crate) fn of(rotation: &[[T; 3]; 3]) -> Self {
         let zero = T::constant(0.0);
-        let [w, v @ ..] = to_quaternion(rotation);
+        let [w, v @ ..] = multiple_of_quaternion(rotation);
         let sine = norm(v);
         let axis = unit(v).unwrap_or([zero, zero, T::constant(1.0)]);
         Self {
@@ -74,6 +75,12 @@ impl<T: Real> HalfAngle<T> {
 /// nothing cancels.
 #[must_use]
 pub fn to_quaternion<T: Real>(rotation: &[[T; 3]; 3]) -> [T; 4] {
+    let multiple = multiple_of_quaternion(rotation);
+    unit(multiple).unwrap_or(multiple)
+}
+
+/// The quaternion times four times its longest component, w ≥ 0.
+fn multiple_of_quaternion<T: Real>(rotation: &[[T; 3]; 3]) -> [T; 4] {
     let one = T::constant(1.0);
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = *rotation;
     let trace = xx + yy + zz;
@@ -89,11 +96,10 @@ pub fn to_quaternion<T: Real>(rotation: &[[T; 3]; 3]) -> [T; 4] {
     } else {
         [wz, sxz, syz, one + zz - xx - yy]
     };
-    let quaternion = unit(multiple).unwrap_or(multiple);
-    if quaternion[0] < T::constant(0.0) {
-        quaternion.map(|component| -component)
+    if multiple[0] < T::constant(0.0) {
+        multiple.map(|component| -component)
     } else {
-        quaternion
+        multiple
     }
 }
 

@@ -31,6 +31,7 @@ pub struct Subject {
 /// | `lift/N` | the same on a joint that slides along z |
 /// | `spatial/N` | N links of 0.5 m with axes at right angles and no zero among their parameters |
 /// | `tilted/N` | the same with axes at 0.9 rad, whose sines are no exact numbers |
+/// | `twisted/T` | six of them with axes at T rad |
 /// | `heavy_tip/M`, `heavy_base/M` | six rods, the last or the first of M kg |
 /// | `shrinking/N`, `growing/N` | N rods of 1 kg, each a quarter or four times as long as the one before |
 /// | `short_link/L` | five rods, the third of L |
@@ -61,6 +62,7 @@ pub fn subject(label: &str) -> Subject {
         "lift" => lifted(planar(&vec![1.0; count], &vec![1.0; count])),
         "spatial" => spatial(count, std::f64::consts::FRAC_PI_2),
         "tilted" => spatial(count, 0.9),
+        "twisted" => spatial(6, number),
         "heavy_tip" => planar(&[1.0; 6], &[1.0, 1.0, 1.0, 1.0, 1.0, number]),
         "heavy_base" => planar(&[1.0; 6], &[number, 1.0, 1.0, 1.0, 1.0, 1.0]),
         "shrinking" => planar(&powers(0.25).collect::<Vec<_>>(), &vec![1.0; count]),

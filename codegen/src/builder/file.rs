@@ -64,12 +64,12 @@ impl Builder {
     }
 
     pub(crate) fn c_header(&self, listing: &Listing) -> String {
-        emit::c_header(listing, &self.options(), &self.library).unwrap_or_default()
+        emit::c_header(listing, &self.options(), &self.library()).unwrap_or_default()
     }
 
     pub(crate) fn source(&self, listing: &Listing) -> emit::Source {
-        let library = self.request.runtime.is_none().then_some(&self.library);
-        let header = emit::header(listing, &self.options(), library);
+        let library = self.request.runtime.is_none().then(|| self.library());
+        let header = emit::header(listing, &self.options(), library.as_ref());
         emit::Source::new(header, &self.print(listing))
     }
 

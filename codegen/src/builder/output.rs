@@ -3,12 +3,13 @@
 //! In: the options. Out: tokens. It never changes an option.
 
 use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
 
 use super::{Builder, Origin};
 use crate::description::{self, Description};
-use crate::emit::{self, Item, Listing};
+use crate::emit::{self, Item, Library, Listing};
 use crate::error::{Errors, Place};
-use crate::formulation::Products;
+use crate::formulation::{Products, Sines};
 use crate::request::Real;
 use crate::target::Processor;
 
@@ -25,7 +26,20 @@ impl Builder {
         if self.request.runtime.is_some() {
             return emit::emit(listing);
         }
-        emit::standalone(listing, &self.library)
+        emit::standalone(listing, &self.library())
+    }
+
+    /// What code without the runtime calls. `core` has no sines: those of the platform are of the
+    /// crate `libm`.
+    pub(super) fn library(&self) -> Library {
+        let mut library = self.library.clone();
+        if self.request.formulation.sines == Sines::Platform && library.sin_cos.is_none() {
+            library.sin_cos = Some(match self.request.scalar {
+                Real::F32 => quote! { ::libm::sincosf },
+                Real::F64 | Real::Generic => quote! { ::libm::sincos },
+            });
+        }
+        library
     }
 
     pub(crate) fn listing(&self) -> Result<Listing, Errors> {

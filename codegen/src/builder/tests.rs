@@ -5,7 +5,7 @@ use crate::description::Description;
 use crate::emit::tests::listing;
 use crate::emit::{Item, Listing};
 use crate::error::{Errors, Place};
-use crate::formulation::{Formulation, Products};
+use crate::formulation::{Formulation, Products, Sines};
 use crate::function::Function;
 use crate::request::{Real, Request, Target};
 
@@ -47,6 +47,27 @@ fn a_file_needs_nothing_but_core_and_sines() {
     ] {
         assert!(text.contains(part), "{text}");
     }
+}
+
+#[test]
+fn the_sines_of_the_platform_are_those_of_libm_unless_others_are_named() {
+    let formulation = Formulation {
+        sines: Sines::Platform,
+        ..Formulation::default()
+    };
+    let builder = arm(as_asked).formulation(formulation);
+    for (scalar, call) in [
+        (Real::F32, "= ::libm::sincosf(q_1);\n"),
+        (Real::F64, "= ::libm::sincos(q_1);\n"),
+    ] {
+        let text = text(&builder.clone().scalar(scalar));
+        assert!(
+            text.contains(call) && !text.contains("fn sin_cos"),
+            "{text}"
+        );
+    }
+    let text = text(&builder.sin_cos("crate::fast::sin_cos"));
+    assert!(text.contains("= crate::fast::sin_cos(q_1);\n"), "{text}");
 }
 
 #[test]

@@ -31,9 +31,13 @@ const RATE: [f64; 2] = [10.0, 1.0];
 /// How much joints are accelerated, of which no description tells: 10 rad/s², or 10 m/s².
 const SECOND_RATE: [f64; 2] = [10.0, 10.0];
 
+/// How large the entries of a field are in whose place nothing but zeros are described: 1 kg, 1 m or
+/// 1 m/s².
+const FIELD: f64 = 1.0;
+
 impl Range {
     /// The states of a chain. An entry of a field is at most twice as large as what is described in
-    /// its place.
+    /// its place, if anything is.
     #[must_use]
     pub fn of(chain: &Chain) -> Self {
         let both = |size: f64| [-size, size];
@@ -49,7 +53,11 @@ impl Range {
                 .map(|joint| both(SECOND_RATE[slides(joint)]))
                 .collect(),
             fields: (chain.nominal.iter())
-                .map(|field| field.iter().map(|&entry| both(2.0 * entry.abs())).collect())
+                .map(|field| {
+                    let described = field.iter().any(|&entry| entry != 0.0);
+                    let most = |entry: f64| if described { 2.0 * entry.abs() } else { FIELD };
+                    field.iter().map(|&entry| both(most(entry))).collect()
+                })
                 .collect(),
         }
     }
@@ -63,11 +71,10 @@ impl Range {
             Input::Qd(k) => at(&self.qd, k),
             Input::Qdd(k) => at(&self.qdd, k),
             Input::Tau(_) => None,
-            Input::Parameter(field, k) => {
-                let field = self.fields.get(usize::from(field))?;
-                let described = field.iter().any(|range| *range != [0.0; 2]);
-                at(field, k).filter(|_| described)
-            }
+            Input::Parameter(field, k) => self
+                .fields
+                .get(usize::from(field))
+                .and_then(|field| at(field, k)),
         }
     }
 }
@@ -104,8 +111,18 @@ pub fn words(chain: &Chain, arguments: &[Argument]) -> String {
         [one] => Some(format!("{one} within its limits")),
         several => Some(format!("{} within their limits", several.join(" and "))),
     };
-    let fields =
-        (!chain.nominal.is_empty()).then(|| "fields at most twice as described".to_owned());
+    let described = |field: &Vec<f64>| field.iter().any(|&entry| entry != 0.0);
+    let (some, all) = (
+        chain.nominal.iter().any(described),
+        chain.nominal.iter().all(described),
+    );
+    let fields = match (some, all) {
+        (false, true) => None,
+        (true, true) => Some("fields at most twice as described"),
+        (true, false) => Some("fields at most twice as described, else 1 kg, 1 m"),
+        (false, false) => Some("fields at most 1 kg, 1 m"),
+    };
+    let fields = fields.map(str::to_owned);
     let words: Vec<String> = within.into_iter().chain(sizes).chain(fields).collect();
     words.join(", ")
 }

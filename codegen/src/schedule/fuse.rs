@@ -88,3 +88,35 @@ fn can_cancel(graph: &Graph, a: Expr, b: Expr) -> bool {
     };
     free(a) && free(b)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::expression::{Graph, Input, Term};
+    use crate::schedule::{Operation, schedule};
+
+    /// The operations of a ○ b with products of four values that only the state decides.
+    fn operations(combine: for<'g> fn(Term<'g>, Term<'g>) -> Term<'g>) -> Vec<Operation> {
+        let graph = Graph::new();
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| graph.input(Input::Qd(k)));
+        let program = schedule(&graph, &[combine(a * b, c * d).expr()]);
+        program.steps.iter().map(|step| step.operation).collect()
+    }
+
+    /// Fused on one side, a b − b a would be the rounding of the other product and not zero.
+    #[test]
+    fn a_difference_of_products_that_can_cancel_is_not_fused() {
+        let operations = operations(|x, y| x - y);
+        assert_eq!(operations.len(), 3, "{operations:?}");
+        assert!(
+            !operations.iter().any(Operation::is_fused),
+            "{operations:?}"
+        );
+    }
+
+    #[test]
+    fn a_sum_of_products_takes_one_with_it() {
+        let operations = operations(|x, y| x + y);
+        assert_eq!(operations.len(), 2, "{operations:?}");
+        assert!(operations[1].is_fused(), "{operations:?}");
+    }
+}

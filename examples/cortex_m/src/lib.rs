@@ -14,4 +14,4 @@ pub use control::{
     computed_torque, forward_dynamics, forward_kinematics, geometric_jacobian, gravity,
     inverse_dynamics, mass_matrix,
 };
-pub use states::{JOINTS, Joints, STATES, State, TRUSTED, states};
+pub use states::{EVERYDAY, JOINTS, Joints, STATES, State, TRUSTED, states};

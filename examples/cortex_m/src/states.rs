@@ -16,6 +16,9 @@ pub type Joints = [f32; JOINTS];
 /// How many states there are.
 pub const STATES: usize = 11;
 
+/// How many of them, from the first on, have an arm move within its limits.
+pub const EVERYDAY: usize = 4;
+
 /// How many of them, from the first on, are worth measuring errors of.
 pub const TRUSTED: usize = 7;
 

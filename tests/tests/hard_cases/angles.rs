@@ -9,16 +9,23 @@ use homogen_tests::metrics;
 use homogen_tests::states::Random;
 use homogen_tests::tested::{F32, F64, Flushed, Tested};
 
-use crate::case::{Case, judge};
+use crate::case::{Case, Metric, judge};
 use crate::states::{of_size, single, states};
 
 use Function::{ForwardKinematics, InverseDynamics};
 
-pub const CASES: &[Case] = &[BIG_ID, BIG_FK];
+pub const CASES: &[Case] = &[BIG_ID, BIG_FK, PARALLEL_ID, PARALLEL_FK];
 
 /// The most is 4.2 u of torques and 5.4 u of poses, as at any angle.
 const BIG_ID: Case = Case::scaled("big_angles", InverseDynamics, 10.0);
 const BIG_FK: Case = Case::scaled("big_angles/pose", ForwardKinematics, 10.0);
+
+/// By measures that do not know the program: its own S would grow with the distance of the normals. The
+/// most is 26 u of torques and 8 u of poses, no more on one side of the switch than on the other.
+const PARALLEL_ID: Case =
+    Case::scaled("axes_nearly_parallel", InverseDynamics, 60.0).measured_by(Metric::Carried);
+const PARALLEL_FK: Case =
+    Case::scaled("axes_nearly_parallel/pose", ForwardKinematics, 16.0).measured_by(Metric::Reach);
 
 /// Angles of 10² to 10⁸ rad, a half of them next to multiples of π/2.
 fn big_angle(random: &mut Random) -> f64 {
@@ -40,6 +47,19 @@ fn big_angles() {
                 states(336, joints, |arguments, random| {
                     arguments.q.fill_with(|| big_angle(random));
                 })
+            });
+        }
+    }
+}
+
+/// Axes so nearly parallel that their common normal is far away, on both sides of the angle of 0.1002 rad at
+/// which the generator leaves it alone.
+#[test]
+fn axes_nearly_parallel() {
+    for twist in ["1e-15", "1e-9", "1e-3", "0.1001", "0.1002", "0.3"] {
+        for (case, count) in [(PARALLEL_ID, 168), (PARALLEL_FK, 60)] {
+            judge(&[&case], &format!("twisted/{twist}"), |_| {
+                states(count, 6, |_, _| ())
             });
         }
     }

@@ -17,6 +17,7 @@ use nalgebra::{RealField, SMatrix, SVector};
 use crate::exact::{add, cross, exact, nearest_matrix, norm};
 use crate::exact_arm::{Column, ExactArm, at, reach};
 use crate::measure::{Number, direction, hold, size, units, vector};
+use crate::worst::{DAMPED, PANDA, PUMA};
 
 /// An arm in postures of which joint `bent` is at and near the angle `singular`.
 struct Bent {
@@ -207,19 +208,19 @@ fn rate<T: Number>(random: &mut Random) -> T {
     ])
 }
 
-/// Both arms, each at its singular joint: entries of J 8 u, rates 16 u. Where the rank is lost to
-/// rounding the rates are exact for a matrix that differs by the threshold of the rank, 64 ε = 128 u,
-/// so that as much more may remain.
+/// Both arms, each at its singular joint. Met: 4.3 u for the entries of J and 4.7 u for the rates, held
+/// with twice as much. Where the rank is lost to rounding the rates are exact for a matrix that differs
+/// by as much as the threshold of the rank, 64 ε = 128 u: met 25, held with 64.
 fn near_singular<T: Number>(puma: &Bent, panda: &Bent) {
-    let limits = [("J", 8.0), ("rates", 16.0), ("rates, rank lost", 144.0)];
+    let limits = [("J", 8.0), ("rates", 10.0), ("rates, rank lost", 64.0)];
     let chain = Puma560::chain();
-    hold(limits, &[], &puma.postures::<T, 6>(10, 500), |q| {
+    hold(limits, &PUMA, &puma.postures::<T, 6>(10, 500), |q| {
         let arm = at(&chain, q);
         let [full, lost] = still_tip::<T, 6, 7, _>(&chain, q, &arm);
         [entries(&Puma560, q, &arm, reach(&chain)), full, lost]
     });
     let chain = PandaClass::chain();
-    hold(limits, &[], &panda.postures::<T, 7>(11, 500), |q| {
+    hold(limits, &PANDA, &panda.postures::<T, 7>(11, 500), |q| {
         let arm = at(&chain, q);
         let [full, lost] = still_tip::<T, 7, 8, _>(&chain, q, &arm);
         [entries(&PandaClass, q, &arm, reach(&chain)), full, lost]
@@ -241,7 +242,8 @@ fn damped<T: Number + RealField>(bent: &Bent) {
             })
         })
         .collect();
-    hold([("damped rates", 16.0)], &[], &states, |state| {
+    // Met: 5.2 u; held with twice as much.
+    hold([("damped rates", 10.0)], &DAMPED, &states, |state| {
         [damped_error(state)]
     });
 }

@@ -15,6 +15,7 @@ use crate::exact::{
     scale, sub,
 };
 use crate::measure::{Number, direction, hold, size};
+use crate::worst::CARDAN;
 
 /// The number of the sequence, α, β, γ, ω.
 type State<T> = [T; 7];
@@ -125,8 +126,9 @@ fn rates_error<T: Number>(&[number, alpha, beta, gamma, x, y, z]: &State<T>) -> 
 }
 
 fn gimbal<T: Number>() {
-    let limits = [("cardan_gimbal, R", 8.0), ("cardan_gimbal, rates", 4.0)];
-    hold(limits, &[], &states::<T>(), |state| {
+    // Met: 4.1 and 1.1 u; held with about twice as much.
+    let limits = [("cardan_gimbal, R", 8.0), ("cardan_gimbal, rates", 2.0)];
+    hold(limits, &CARDAN, &states::<T>(), |state| {
         [angles_error(state), rates_error(state)]
     });
 }

@@ -15,3 +15,4 @@ mod logarithm;
 mod measure;
 mod screw_axis;
 mod slider_crank;
+mod worst;

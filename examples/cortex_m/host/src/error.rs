@@ -1,14 +1,15 @@
-//! How far the controller's results are from the truth.
+//! How far results are from the truth.
 //!
-//! In: the controller in single precision; the generic recursions of the runtime in double, which
-//! share nothing with generated code; and the sizes that rounding errors are measured by. Out: for
-//! each function the worst error over the trusted states, in units of rounding of f32 (2⁻²⁴).
+//! In: results in single precision, the controller's or others; the generic recursions of the
+//! runtime in double, which share nothing with generated code; and the sizes that rounding errors
+//! are measured by. Out: for each function the worst error over the trusted states, in units of
+//! rounding of f32 (2⁻²⁴).
 
 use controller::{
     JOINTS, State, TRUSTED, forward_dynamics, forward_kinematics, geometric_jacobian, gravity,
     inverse_dynamics, mass_matrix, states,
 };
-use homogen::{Chain, Pose, Screw, generic};
+use homogen::{Pose, Screw, generic};
 
 use crate::arm::Arm;
 use crate::magnitude::Magnitude;
@@ -16,122 +17,122 @@ use crate::magnitude::Magnitude;
 /// The unit of rounding of single precision.
 const U: f64 = 1.0 / 16_777_216.0;
 
-/// The worst errors, by function.
-pub fn worst() -> Vec<(&'static str, f64)> {
+/// The functions whose errors are known.
+pub const FUNCTIONS: [&str; 6] = [
+    "forward_kinematics",
+    "geometric_jacobian",
+    "gravity",
+    "inverse_dynamics",
+    "mass_matrix",
+    "forward_dynamics",
+];
+
+/// What the controller computes; nothing for a function that is not in the table.
+pub fn controller(function: &str, state: &State) -> Vec<f32> {
+    let State {
+        q, qd, qdd, tau, ..
+    } = state;
+    match function {
+        "forward_kinematics" => forward_kinematics(q).concat(),
+        "geometric_jacobian" => geometric_jacobian(q).concat(),
+        "gravity" => gravity(q).to_vec(),
+        "inverse_dynamics" => inverse_dynamics(q, qd, qdd).to_vec(),
+        "mass_matrix" => mass_matrix(q).concat(),
+        "forward_dynamics" => forward_dynamics(q, qd, tau).to_vec(),
+        _ => Vec::new(),
+    }
+}
+
+/// The worst error of `function`, whose results for the trusted states `found` tells; NaN where it
+/// has none of them.
+pub fn worst(function: &str, found: impl Fn(usize, &State) -> Vec<f32>) -> f64 {
+    let states = states();
+    let states = states.iter().take(TRUSTED).enumerate();
+    let errors = states.map(|(index, state)| error(function, state, &found(index, state)));
+    largest(errors)
+}
+
+fn error(function: &str, state: &State, found: &[f32]) -> f64 {
+    if function == "forward_dynamics" {
+        return backward(state, found);
+    }
+    let (truth, size) = truth(function, state);
+    if found.len() != truth.len() {
+        return f64::NAN;
+    }
+    let most = largest(size.iter().map(|size| size.size));
+    let entries = found.iter().zip(&truth).zip(&size);
+    largest(entries.map(|((found, truth), size)| {
+        let error = (f64::from(*found) - truth).abs();
+        // What is zero by construction is the sum of nothing: the others tell its size.
+        let size = if size.size < 1e-6 * most {
+            most
+        } else {
+            size.size
+        };
+        error / size / U
+    }))
+}
+
+/// What should have been found, and of what sizes it is the sum.
+fn truth(function: &str, state: &State) -> (Vec<f64>, Vec<Magnitude>) {
     let chain = Arm::chain();
     let tip = chain.tip();
-    vec![
-        (
-            "forward_kinematics",
-            over(|state| {
-                let [q, ..] = exact(state);
-                let pose = generic::forward_kinematics(&chain, &tip, &q);
-                let size = Arm.forward_kinematics(&q.map(Magnitude::given));
-                compare(
-                    &forward_kinematics(&state.q).concat(),
-                    &of_pose(&pose),
-                    &sizes(&of_pose(&size)),
-                )
-            }),
+    let [q, qd, qdd, _] = exact(state);
+    let [a, b, c] = [q, qd, qdd].map(|row| row.map(Magnitude::given));
+    match function {
+        "forward_kinematics" => (
+            of_pose(&generic::forward_kinematics(&chain, &tip, &q)),
+            of_pose(&Arm.forward_kinematics(&a)),
         ),
-        (
-            "geometric_jacobian",
-            over(|state| {
-                let [q, ..] = exact(state);
-                let screws = generic::geometric_jacobian(&chain, &tip, &q);
-                let size = Arm.geometric_jacobian(&q.map(Magnitude::given));
-                compare(
-                    &geometric_jacobian(&state.q).concat(),
-                    &of_screws(&screws),
-                    &sizes(&of_screws(&size)),
-                )
-            }),
+        "geometric_jacobian" => (
+            of_screws(&generic::geometric_jacobian(&chain, &tip, &q)),
+            of_screws(&Arm.geometric_jacobian(&a)),
         ),
-        (
-            "gravity",
-            over(|state| {
-                let [q, ..] = exact(state);
-                let size = Arm.gravity(&q.map(Magnitude::given));
-                compare(
-                    &gravity(&state.q),
-                    &generic::gravity(&chain, &q),
-                    &sizes(&size),
-                )
-            }),
+        "gravity" => (
+            generic::gravity(&chain, &q).to_vec(),
+            Arm.gravity(&a).to_vec(),
         ),
-        (
-            "inverse_dynamics",
-            over(|state| {
-                let [q, qd, qdd, _] = exact(state);
-                let [a, b, c] = [q, qd, qdd].map(|row| row.map(Magnitude::given));
-                let torques = generic::inverse_dynamics(&chain, &q, &qd, &qdd);
-                compare(
-                    &inverse_dynamics(&state.q, &state.qd, &state.qdd),
-                    &torques,
-                    &sizes(&Arm.inverse_dynamics(&a, &b, &c)),
-                )
-            }),
+        "inverse_dynamics" => (
+            generic::inverse_dynamics(&chain, &q, &qd, &qdd).to_vec(),
+            Arm.inverse_dynamics(&a, &b, &c).to_vec(),
         ),
-        (
-            "mass_matrix",
-            over(|state| {
-                let [q, ..] = exact(state);
-                let size = Arm.mass_matrix(&q.map(Magnitude::given)).concat();
-                compare(
-                    &mass_matrix(&state.q).concat(),
-                    &generic::mass_matrix(&chain, &q).concat(),
-                    &sizes(&size),
-                )
-            }),
+        _ => (
+            generic::mass_matrix(&chain, &q).concat(),
+            Arm.mass_matrix(&a).concat(),
         ),
-        ("forward_dynamics", over(|state| backward(&chain, state))),
-    ]
+    }
 }
 
 /// Of accelerations: by how much the torques that produce them are off, in units of what each
 /// torque is the sum of. The error of the accelerations themselves is that times the condition of
 /// the mass matrix, which is the arm's.
-fn backward<const F: usize>(chain: &Chain<JOINTS, F>, state: &State) -> f64 {
+fn backward(state: &State, found: &[f32]) -> f64 {
     let [q, qd, _, tau] = exact(state);
-    let found = forward_dynamics(&state.q, &state.qd, &state.tau).map(f64::from);
-    let torques = generic::inverse_dynamics(chain, &q, &qd, &found);
+    let Ok(found) = <[f32; JOINTS]>::try_from(found) else {
+        return f64::NAN;
+    };
+    let found = found.map(f64::from);
+    let torques = generic::inverse_dynamics(&Arm::chain(), &q, &qd, &found);
     let [a, b, c] = [q, qd, found].map(|row| row.map(Magnitude::given));
     let size = Arm.inverse_dynamics(&a, &b, &c);
-    let errors = (0..JOINTS).map(|i| (torques[i] - tau[i]).abs() / (size[i].size + tau[i].abs()));
-    errors.fold(0.0, f64::max) / U
+    largest((0..JOINTS).map(|i| (torques[i] - tau[i]).abs() / (size[i].size + tau[i].abs()) / U))
 }
 
-/// The largest over the trusted states.
-fn over(error: impl Fn(&State) -> f64) -> f64 {
-    let states = states();
-    let errors = states.iter().take(TRUSTED).map(error);
-    // Not `f64::max`, which overlooks NaN.
-    errors.fold(
-        0.0,
-        |worst, error| if error <= worst { worst } else { error },
-    )
-}
-
-/// The worst entry, in units of rounding of its size.
-fn compare(found: &[f32], truth: &[f64], sizes: &[f64]) -> f64 {
-    let entries = found.iter().zip(truth).zip(sizes);
-    let errors = entries.map(|((found, truth), size)| {
-        let error = (f64::from(*found) - truth).abs();
-        // What is zero by construction may differ by what the reference itself loses.
-        error / size.max(1e-6) / U
-    });
-    errors.fold(
-        0.0,
-        |worst, error| if error <= worst { worst } else { error },
-    )
+/// The largest, or NaN where there is one, which `f64::max` overlooks.
+fn largest(errors: impl Iterator<Item = f64>) -> f64 {
+    let larger = |worst: f64, error| {
+        if worst.is_nan() || error <= worst {
+            worst
+        } else {
+            error
+        }
+    };
+    errors.fold(0.0, larger)
 }
 
 fn exact(state: &State) -> [[f64; JOINTS]; 4] {
     [state.q, state.qd, state.qdd, state.tau].map(|row| row.map(f64::from))
-}
-
-fn sizes(numbers: &[Magnitude]) -> Vec<f64> {
-    numbers.iter().map(|number| number.size).collect()
 }
 
 fn of_pose<T: Copy>(pose: &Pose<T>) -> Vec<T> {

@@ -41,12 +41,10 @@ pub fn judge(arm: &str, budget: &str, folders: &[&str]) -> Result<String, String
     let mut wrong = Vec::new();
     let boards = observe(&budget, folders, &mut wrong)?;
     let mut table = String::new();
-    let errors = error::worst();
     for function in FUNCTIONS {
-        let error = errors
-            .iter()
-            .find(|(name, _)| *name == function)
-            .map(|(_, error)| *error);
+        let known = error::FUNCTIONS.contains(&function);
+        let error =
+            known.then(|| error::worst(function, |_, state| error::controller(function, state)));
         // NaN is no number that passes.
         if error.is_some_and(|error| error.is_nan() || error > ERROR) {
             wrong.push(format!("{function} is off by {error:?} units of rounding"));
@@ -109,19 +107,27 @@ fn row(table: &mut String, arm: &str, function: &str, boards: &[Board], error: O
 }
 
 /// What was seen of one board.
-struct Board {
+pub struct Board {
     functions: Functions,
     log: String,
 }
 
 impl Board {
+    /// Reads a folder; everything that is wrong with the image is appended to `wrong`.
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub fn read(folder: &Path, wrong: &mut Vec<String>) -> Result<Self, String> {
+        let [log, symbols, code] = ["log", "symbols", "code"].map(|file| read(&folder.join(file)));
+        let functions = image::read(&symbols?, &code?, wrong);
+        let log = log?;
+        Ok(Self { functions, log })
+    }
+
     fn observe(folder: &Path, budget: &Budget, wrong: &mut Vec<String>) -> Result<Self, String> {
         let name = folder.file_name().unwrap_or_default().to_string_lossy();
-        let [log, symbols, code] = ["log", "symbols", "code"].map(|file| read(&folder.join(file)));
-        let (log, symbols, code) = (log?, symbols?, code?);
         let mut here = Vec::new();
-        let functions = image::read(&symbols, &code, &mut here);
-        let board = Self { functions, log };
+        let board = Self::read(folder, &mut here)?;
         for function in FUNCTIONS {
             if function != GRAVITY_ALONE {
                 board.check(function, &mut here);
@@ -161,7 +167,8 @@ impl Board {
         }
     }
 
-    fn cost(&self, function: &str) -> Cost {
+    /// What a function costs.
+    pub fn cost(&self, function: &str) -> Cost {
         if function == GRAVITY_ALONE {
             let gravity = self.cost("gravity");
             let text = gravity.text + self.text("sin_cos");
@@ -175,13 +182,22 @@ impl Board {
         }
     }
 
+    /// The instructions of a call that sines and cosines take, but for the way to them and back.
+    pub fn inside_sines(&self, function: &str) -> u32 {
+        let calls = self.functions.get(function).map_or(0, |function| {
+            let calls = function.calls.iter().filter(|name| *name == "sin_cos");
+            u32::try_from(calls.count()).unwrap_or_default()
+        });
+        calls * image::instructions(&self.functions, "sin_cos").saturating_sub(1)
+    }
+
     fn text(&self, function: &str) -> u32 {
         let function = self.functions.get(function);
         function.map_or(0, |function| function.bytes)
     }
 
     /// The numbers of the line that begins with these words.
-    fn said(&self, what: &str, function: &str) -> Vec<u32> {
+    pub fn said(&self, what: &str, function: &str) -> Vec<u32> {
         let start = format!("{what} {function} ");
         let line = self.log.lines().find_map(|line| line.strip_prefix(&start));
         let numbers = line.unwrap_or_default().split_whitespace();
@@ -189,6 +205,7 @@ impl Board {
     }
 }
 
-fn read(path: &Path) -> Result<String, String> {
+/// The text of a file.
+pub fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(|reason| format!("cannot read {}: {reason}", path.display()))
 }

@@ -4,7 +4,7 @@
 //! states for C.
 //! `host judge FOLDER…` reads what was seen of each board's firmware, and prints a table or what is
 //! wrong, `host budget FOLDER…` the budget lowered to that; `host sines FOLDER…` prints the table of
-//! the firmware that compares sines. It never builds or runs anything itself.
+//! the firmware that compares sines, `host peer FOLDER BOARD…` the one beside the peer. It never builds or runs anything itself.
 
 mod arm;
 mod budget;
@@ -14,6 +14,7 @@ mod expected;
 mod image;
 mod judge;
 mod magnitude;
+mod peer;
 mod sines;
 
 use std::env;
@@ -27,9 +28,17 @@ fn main() -> ExitCode {
         ["states"] => Ok(c_states::text()),
         ["judge", arm, budget, boards @ ..] => judge::judge(arm, budget, boards),
         ["budget", arm, budget, boards @ ..] => judge::lowered(arm, budget, boards),
+        ["peer", arm, seen, boards @ ..] => {
+            peer::table(arm, seen, boards).map(|[table, behind]| {
+                // The table goes to a file of all arms, and this to the one who reads what comes of it.
+                eprint!("{behind}");
+                table
+            })
+        }
         ["sines", boards @ ..] => sines::table(boards),
         _ => Err(
-            "usage: host expected | host states | host (judge | budget) ARM BUDGET FOLDER... | host sines FOLDER..."
+            "usage: host expected | host states | host (judge | budget) ARM BUDGET FOLDER... | \
+             host sines FOLDER... | host peer ARM FOLDER BOARD..."
                 .to_owned(),
         ),
     };

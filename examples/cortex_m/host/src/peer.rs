@@ -1,0 +1,153 @@
+//! The controller beside the peer's C.
+//!
+//! In: for each board what was seen of the controller, and of the firmware of the peer's functions:
+//! as `CasADi` writes them and edited, each with the sines of newlib and with sines that return at
+//! once. Out: the rows of a table, and where the controller is not ahead. The errors of all are
+//! measured by the same truth.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use crate::error;
+use crate::judge::{Board, read};
+
+/// Rows of a function: what the table calls the code, and its folder, none for the controller's.
+const CODES: [(&str, Option<&str>); 3] = [
+    ("`homogen`", None),
+    ("CasADi", Some("plain")),
+    ("CasADi, edited", Some("snapped")),
+];
+
+/// What one code costs on one board.
+struct Cost {
+    /// The least and the most of everyday states, and the worst of all.
+    instructions: [u32; 3],
+    without_sines: u32,
+    text: u32,
+    stack: u32,
+}
+
+/// Of the arm whose observations lie in `seen`, for these boards: the rows of the table, and the
+/// numbers in which the controller is not ahead, a line each.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn table(arm: &str, seen: &str, boards: &[&str]) -> Result<[String; 2], String> {
+    let mut table = String::new();
+    let mut behind = String::new();
+    for function in error::FUNCTIONS {
+        let mut own = Vec::new();
+        for (title, folder) in CODES {
+            let mut costs = Vec::new();
+            for board in boards {
+                costs.push(match folder {
+                    None => of_controller(&Path::new(seen).join(arm).join(board), function)?,
+                    Some(how) => of_peer(&place(seen, arm, board, how), function)?,
+                });
+            }
+            let found = match folder {
+                None => error::worst(function, |_, state| error::controller(function, state)),
+                Some(how) => {
+                    let results = results(&place(seen, arm, boards[0], how), function)?;
+                    let length = results.len() / controller::TRUSTED;
+                    error::worst(function, |index, _| {
+                        results[index * length..][..length].to_vec()
+                    })
+                }
+            };
+            row(&mut table, [arm, function, title], &costs, found);
+            if folder.is_none() {
+                own = costs;
+                continue;
+            }
+            for ((board, own), peer) in boards.iter().zip(&own).zip(&costs) {
+                let numbers = [
+                    ("instructions", own.instructions[2], peer.instructions[0]),
+                    (
+                        "instructions without sines",
+                        own.without_sines,
+                        peer.without_sines,
+                    ),
+                    ("bytes of text", own.text, peer.text),
+                ];
+                for (what, own, peer) in numbers {
+                    if own >= peer {
+                        // Writing to a string cannot fail.
+                        let _ = writeln!(
+                            behind,
+                            "* {arm}, `{function}` on {board}: {own} {what}, {title} {peer}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+    Ok([table, behind])
+}
+
+fn place(seen: &str, arm: &str, board: &str, how: &str) -> PathBuf {
+    Path::new(seen).join("peer").join(arm).join(board).join(how)
+}
+
+fn row(table: &mut String, title: [&str; 3], costs: &[Cost], error: f64) {
+    let cell = |number: &dyn Fn(&Cost) -> String| {
+        let cells: Vec<_> = costs.iter().map(number).collect();
+        cells.join(" / ")
+    };
+    let [arm, function, code] = title;
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        table,
+        "| {arm} | `{function}` | {code} | {} | {} | {} | {} | {} | {error:.1} |",
+        cell(&|cost| match cost.instructions {
+            [least, most, _] if least == most => most.to_string(),
+            [least, most, _] => format!("{least} to {most}"),
+        }),
+        cell(&|cost| cost.instructions[2].to_string()),
+        cell(&|cost| cost.without_sines.to_string()),
+        cell(&|cost| cost.text.to_string()),
+        cell(&|cost| cost.stack.to_string()),
+    );
+}
+
+fn of_controller(folder: &Path, function: &str) -> Result<Cost, String> {
+    let board = Board::read(folder, &mut Vec::new())?;
+    let cost = board.cost(function);
+    Ok(Cost {
+        instructions: [cost.instructions; 3],
+        without_sines: cost.instructions - board.inside_sines(function),
+        text: cost.text,
+        stack: cost.stack,
+    })
+}
+
+fn of_peer(folder: &Path, function: &str) -> Result<Cost, String> {
+    let whole = Board::read(&folder.join("newlib"), &mut Vec::new())?;
+    let bare = Board::read(&folder.join("none"), &mut Vec::new())?;
+    let &[least, most, worst, stack] = &*whole.said("cost", function) else {
+        return Err(format!("the peer's firmware said nothing of {function}"));
+    };
+    let without = bare.said("cost", function);
+    let size = format!(" peer_{function}");
+    let symbols = read(&folder.join("newlib/symbols"))?;
+    let line = symbols.lines().find(|line| line.ends_with(&size));
+    let text = line.and_then(|line| line.split(' ').nth(1));
+    let text = text.and_then(|size| u32::from_str_radix(size, 16).ok());
+    Ok(Cost {
+        instructions: [least, most, worst],
+        without_sines: without.get(1).copied().unwrap_or_default(),
+        text: text.ok_or_else(|| format!("no symbol peer_{function}"))?,
+        stack,
+    })
+}
+
+/// All results of a function, state after state.
+fn results(folder: &Path, function: &str) -> Result<Vec<f32>, String> {
+    let log = read(&folder.join("newlib/log"))?;
+    let start = format!("result {function} ");
+    let words = log.lines().filter_map(|line| line.strip_prefix(&start));
+    Ok(words
+        .filter_map(|word| word.parse().ok())
+        .map(f32::from_bits)
+        .collect())
+}

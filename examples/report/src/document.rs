@@ -3,16 +3,22 @@
 //! In: what was measured. Out: tables with the figures between them. Counts are exact, and a test
 //! holds the committed copy to them; times belong to the machine that the first paragraph names.
 
+mod cells;
+
 use std::fmt::Write;
 
 use homogen_codegen::Function;
 use homogen_codegen::schedule::Price;
 use homogen_examples::machine;
+use homogen_examples::plot::heat::Map;
+
+use cells::{fastest, find, in_units, price, time, units};
 
 use crate::growth::{self, Grown};
 use crate::measure::{Effort, Point};
-use crate::program::{Flags, GENERIC};
+use crate::program::Flags;
 use crate::scene::{STATES, Scalar, Scene, Variant};
+use crate::source::GENERIC;
 
 /// All that was measured.
 pub struct Measured<'a> {
@@ -30,6 +36,8 @@ pub struct Measured<'a> {
     pub prices: &'a [(String, &'static str, Function, Price)],
     /// Chains.
     pub grown: &'a [Grown],
+    /// Hard cases by formulation.
+    pub hard: &'a Map,
 }
 
 /// The text of the report.
@@ -41,6 +49,7 @@ pub fn write(measured: &Measured<'_>) -> String {
     if !measured.peers.is_empty() {
         text.push_str(&peers(measured));
     }
+    text.push_str(&hard(measured.hard));
     text.push_str(&models(measured));
     text.push_str(&grown(measured.grown));
     text
@@ -49,17 +58,17 @@ pub fn write(measured: &Measured<'_>) -> String {
 fn method(measured: &Measured<'_>) -> String {
     let Effort { rounds, batches } = measured.effort;
     format!(
-        "Measured with `homogen report` on {processor}; {rustc}, opt-level 3, once for every processor \
-         of the architecture (baseline) and once with `-C target-cpu=native`.\n\
-         One thread. A time is the median of {rounds} rounds, in each of which all programs of a function take \
-         turns {batches} times, and each turn goes through {STATES} random states; only ratios carry over to \
-         another machine.\n\
-         An error is the worst over all entries of a result at all states, against the same function in 106 bits, \
-         in relation to the sum of the magnitudes of the terms that the entry was summed from; where a mass matrix \
-         is inverted, in relation to the largest entry of the result. u is the unit roundoff, 2⁻⁵³ for `f64` and \
-         2⁻²⁴ for `f32`.\n\
-         Generated code is what the derive writes, for any scalar; the recursions at run time are those of \
-         `homogen::generic`.\n\n",
+        "Measured with `homogen report` on {processor}; {rustc}, opt-level 3, once for every \
+         processor of the architecture (baseline) and once with `-C target-cpu=native`.\n\
+         One thread. A time is the median of {rounds} rounds, in each of which all programs of a \
+         function take turns {batches} times, and each turn goes through {STATES} random states; \
+         only ratios carry over to another machine.\n\
+         An error is the worst over all entries of a result at all states, against the same \
+         function in 106 bits, in relation to the sum of the magnitudes of the terms that the \
+         entry was summed from; where a mass matrix is inverted, in relation to the largest entry \
+         of the result. u is the unit roundoff, 2⁻⁵³ for `f64` and 2⁻²⁴ for `f32`.\n\
+         Generated code is what the derive writes, for any scalar; the recursions at run time are \
+         those of `homogen::generic`.\n\n",
         processor = machine::processor(),
         rustc = machine::COMPILER,
     )
@@ -144,11 +153,13 @@ fn formulations(measured: &Measured<'_>) -> String {
 fn peers(measured: &Measured<'_>) -> String {
     let mut text = String::from(
         "## Beside others\n\n\
-         One run, the same description, the same states, one thread, everything for this processor, `f64`. \
-         C that CasADi wrote from Pinocchio's algorithms (as generated; with right angles made exact and common parts \
-         merged, `snap`; and with its checks of pointers replaced by `restrict`, `ptr`) is loaded into the program that \
-         runs ours, and takes turns with it; Pinocchio's templates in C++ run in a program of their own between the rounds. \
-         Of each the fastest of its algorithms counts. Symmetric matrices are whole with us, and upper triangles with them. \
+         One run, the same description, the same states, one thread, everything for this \
+         processor, `f64`. C that CasADi wrote from Pinocchio's algorithms (as generated; with \
+         right angles made exact and common parts merged, `snap`; and with its checks of pointers \
+         replaced by `restrict`, `ptr`) is loaded into the program that runs ours, and takes turns \
+         with it; Pinocchio's templates in C++ run in a program of their own between the rounds. \
+         Of each the fastest of its algorithms counts. Symmetric matrices are whole with us, and \
+         upper triangles with them. \
          CasADi as generated takes the digits of a right angle literally: its error is mostly that.\n\n",
     );
     for scene in measured.peers {
@@ -196,14 +207,42 @@ fn peers(measured: &Measured<'_>) -> String {
     text
 }
 
+fn hard(hard: &Map) -> String {
+    let mut text = String::from(
+        "## Hard cases\n\n\
+         Worst error over 200 states, in units of rounding of the type, of programs that are run \
+         as they stand; a dash where a formulation makes no difference or is refused. Errors of \
+         forward dynamics are in relation to the largest acceleration. The tests hold these \
+         robots, and more states of them, to limits against 256 bits.\n\n\
+         ![Hard cases by formulation](hard.svg)\n\n| case |",
+    );
+    for column in &hard.columns {
+        let _ = write!(text, " {column} |");
+    }
+    let _ = writeln!(text, "\n|---|{}", "---:|".repeat(hard.columns.len()));
+    for (title, numbers) in &hard.rows {
+        let _ = write!(text, "| {title} |");
+        for number in numbers {
+            let _ = match number {
+                Some(number) => write!(text, " {} |", in_units(*number)),
+                None => write!(text, " – |"),
+            };
+        }
+        text.push('\n');
+    }
+    text.push('\n');
+    text
+}
+
 fn models(measured: &Measured<'_>) -> String {
     let mut text = String::from(
         "## What a scene needs\n\n\
-         Simpler models of the Panda-class arm, inverse dynamics, against the full model in 106 bits; native, times in ns. \
-         Terms dropped are coordinates of a centre of mass and entries of an inertia tensor, small beside the \
-         largest of the same link; a symmetric link has its centre of mass on an axis and equal moments about it. \
-         `1.5708 taken literally` is a file that writes right angles with four decimals, read with `exact`: \
-         by default they are right angles again.\n\n\
+         Simpler models of the Panda-class arm, inverse dynamics, against the full model in 106 \
+         bits; native, times in ns. Terms dropped are coordinates of a centre of mass and entries \
+         of an inertia tensor, small beside the largest of the same link; a symmetric link has its \
+         centre of mass on an axis and equal moments about it. `1.5708 taken literally` is a file \
+         that writes right angles with four decimals, read with `exact`: by default they are right \
+         angles again.\n\n\
          ![Simpler models: time per call against worst error](models.svg)\n\n\
          | scene | model | type | mul | add | time | median error | worst error |\n\
          |---|---|---|---:|---:|---:|---:|---:|\n",
@@ -242,9 +281,10 @@ fn models(measured: &Measured<'_>) -> String {
 fn grown(grown: &[Grown]) -> String {
     let mut text = String::from(
         "## Growth\n\n\
-         Chains of like links with full inertia tensors and skew axes, `f64`; each function alone in a file that needs \
-         `core` and brings its own sines, compiled with `-C opt-level=3`. Expansion is the time from the description \
-         to tokens, in a generator built with opt-level 1.\n\n\
+         Chains of like links with full inertia tensors and skew axes, `f64`; each function alone \
+         in a file that needs `core` and brings its own sines, compiled with `-C opt-level=3`. \
+         Expansion is the time from the description to tokens, in a generator built with opt-level \
+         1.\n\n\
          ![Counts and times of chains of 1 to 64 joints](growth.svg)\n\n\
          | function | joints | mul | add | div | expansion, ms | compilation, s | call, ns |\n\
          |---|---:|---:|---:|---:|---:|---:|---:|\n",
@@ -267,63 +307,4 @@ fn grown(grown: &[Grown]) -> String {
         }
     }
     text
-}
-
-fn price(measured: &Measured<'_>, scene: &Scene, variant: &str, function: Function) -> Price {
-    let mut prices = measured.prices.iter();
-    let found =
-        prices.find(|(name, v, f, _)| *name == scene.name && *v == variant && *f == function);
-    found.map(|(.., price)| *price).unwrap_or_default()
-}
-
-fn find<'a>(
-    measured: &Measured<'a>,
-    scene: &Scene,
-    function: Function,
-    variant: &str,
-    scalar: Scalar,
-    flags: Flags,
-) -> Option<&'a Point> {
-    measured.points.iter().find(|point| {
-        point.scene == scene.name
-            && point.function == function
-            && point.key.variant == variant
-            && point.key.scalar == scalar
-            && point.key.flags == flags
-    })
-}
-
-fn fastest<'a>(
-    measured: &Measured<'a>,
-    scene: &Scene,
-    function: Function,
-    maker: &str,
-) -> Option<&'a Point> {
-    let points = measured.points.iter().filter(|point| {
-        let who = point.key.variant.split_once('/');
-        point.scene == scene.name
-            && point.function == function
-            && who.is_some_and(|(who, _)| who == maker)
-    });
-    points.min_by(|a, b| a.time[1].total_cmp(&b.time[1]))
-}
-
-fn time(point: Option<&Point>) -> String {
-    point.map_or_else(|| "–".to_owned(), |point| format!("{:.0}", point.time[1]))
-}
-
-/// The worst error in units of the roundoff of its type.
-fn units(point: Option<&Point>) -> String {
-    let Some(point) = point else {
-        return "–".to_owned();
-    };
-    let unit = match point.key.scalar {
-        Scalar::F64 => f64::EPSILON / 2.0,
-        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
-    };
-    match point.worst / unit {
-        few if few < 99.5 => format!("{few:.1} u"),
-        many if many < 1e4 => format!("{many:.0} u"),
-        lots => format!("{lots:.0e} u"),
-    }
 }

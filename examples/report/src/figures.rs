@@ -9,8 +9,9 @@ use homogen_examples::plot::{Axis, Color, Curve, Panel, Scale, Shape, Style};
 
 use crate::growth::{self, Grown};
 use crate::measure::{Key, Point};
-use crate::program::{Flags, GENERIC};
+use crate::program::Flags;
 use crate::scene::{Scalar, Scene};
+use crate::source::GENERIC;
 
 const TIME: Axis = Axis {
     label: "time per call [ns]",
@@ -236,29 +237,20 @@ fn shape(key: &Key) -> Shape {
     }
 }
 
-/// Ours in the order of the scene's table, the reference in grey, peers by who wrote them.
+/// Ours as the scene's table says, the reference in grey, peers by who wrote them.
 fn color(scene: &Scene, variant: &str) -> Color {
-    const OURS: [Color; 7] = [
-        Color::Blue,
-        Color::Sky,
-        Color::Green,
-        Color::Orange,
-        Color::Vermilion,
-        Color::Purple,
-        Color::Black,
-    ];
     if variant == GENERIC {
         return Color::Grey;
     }
     if let Some((maker, _)) = variant.split_once('/') {
         return if maker == "casadi" {
-            Color::Orange
+            Color::Black
         } else {
-            Color::Vermilion
+            Color::Purple
         };
     }
-    let place = scene.variants.iter().position(|v| v.name == variant);
-    OURS[place.unwrap_or(0) % OURS.len()]
+    let ours = scene.variants.iter().find(|ours| ours.name == variant);
+    ours.map_or(Color::Grey, |ours| ours.color)
 }
 
 fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
@@ -282,8 +274,8 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
         .any(|p| p.scene == scene.name && p.key.is_of_a_peer())
     {
         let square = Style::Points(Shape::Square { filled: true });
-        legend.push(sample("CasADi C", Color::Orange, square));
-        legend.push(sample("the same, tuned", Color::Vermilion, square));
+        legend.push(sample("CasADi C", Color::Black, square));
+        legend.push(sample("the same, tuned", Color::Purple, square));
     }
     legend.push(sample("f64", Color::Black, full(true)));
     legend.push(sample(

@@ -9,6 +9,7 @@ mod chain;
 mod document;
 mod figures;
 mod growth;
+mod hard;
 mod measure;
 mod output;
 mod peers;
@@ -16,6 +17,7 @@ mod program;
 mod progress;
 mod scene;
 mod simplified;
+mod source;
 mod summed;
 mod truth;
 
@@ -75,20 +77,10 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     let work = target.join("work");
     fs::create_dir_all(&work)?;
     let effort = match (options.smoke, options.long) {
-        (true, _) => Effort {
-            rounds: 1,
-            batches: 3,
-        },
-        (_, false) => Effort {
-            rounds: 3,
-            batches: 21,
-        },
-        (_, true) => Effort {
-            rounds: 9,
-            batches: 43,
-        },
+        (true, _) => Effort::SMOKE,
+        (_, false) => Effort::USUAL,
+        (_, true) => Effort::LONG,
     };
-
     let peers = peers::find(options.peers, options.peer_robots)?;
     let mut robots = scene::robots(&root).map_err(truth::told)?;
     if options.smoke {
@@ -109,7 +101,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     let mut progress = Progress::new(functions + joints.len() * growth::FUNCTIONS.len());
 
     progress.stage("expanding the robots");
-    let source = program::source(scenes())?;
+    let source = source::source(scenes())?;
     let path = work.join("cases.rs");
     fs::write(&path, &source.text)?;
     progress.stage("computing exact results");
@@ -117,6 +109,8 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     for scene in scenes() {
         truth::write(scene, &truth(scene))?;
     }
+    progress.stage("computing hard cases");
+    let hard = hard::map();
     let mut executables = Vec::new();
     for flags in Flags::ALL {
         progress.stage(&format!("compiling, {}", flags.name()));
@@ -153,6 +147,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
             points: &points,
             prices: &source.prices,
             grown: &grown,
+            hard: &hard,
         },
     )?;
     Ok(folder)

@@ -69,6 +69,24 @@ pub struct Effort {
     pub batches: usize,
 }
 
+impl Effort {
+    /// Enough to see that everything runs.
+    pub const SMOKE: Self = Self {
+        rounds: 1,
+        batches: 3,
+    };
+    /// For medians that a neighbour does not move.
+    pub const USUAL: Self = Self {
+        rounds: 3,
+        batches: 21,
+    };
+    /// Six times as long.
+    pub const LONG: Self = Self {
+        rounds: 9,
+        batches: 43,
+    };
+}
+
 /// Where a scene's truth lies, and which peers stand beside ours.
 pub struct Run<'a> {
     /// The scene.

@@ -7,6 +7,7 @@ use std::{fs, io};
 
 use homogen_codegen::Function::{ForwardDynamics, InverseDynamics};
 use homogen_examples::plot::grid::{self, Grid};
+use homogen_examples::plot::heat;
 
 use crate::document::{self, Measured};
 use crate::figures;
@@ -47,6 +48,7 @@ pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
     let shown: Vec<_> = shown.collect();
     svg("formulations", &figures::formulations(&shown, points))?;
     svg("models", &figures::models(models, points))?;
+    fs::write(folder.join("hard.svg"), heat::draw(measured.hard))?;
     svg("growth", &figures::growth(measured.grown))?;
     fs::write(folder.join("REPORT.md"), document::write(measured))
 }

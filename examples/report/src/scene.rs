@@ -13,8 +13,9 @@ use homogen_codegen::Function::{
 use homogen_codegen::chain;
 use homogen_codegen::description::{self, Description, Name};
 use homogen_codegen::error::Errors;
-use homogen_codegen::formulation::{Forward, Parameters, Products, Sines};
+use homogen_codegen::formulation::{Forward, Frame, Parameters, Products, Sines};
 use homogen_codegen::request::Request;
+use homogen_examples::plot::Color;
 use homogen_examples::states::unit;
 
 use crate::simplified;
@@ -73,6 +74,8 @@ pub struct Variant {
     pub instead: Option<Function>,
     /// The functions that it makes a difference to; all where empty.
     pub functions: &'static [Function],
+    /// Its colour in the figures.
+    pub color: Color,
 }
 
 /// A type of number.
@@ -104,6 +107,7 @@ impl Variant {
         joints: &[],
         instead: None,
         functions: &[],
+        color: Color::Blue,
     };
 
     /// Whether it is worth measuring for a function.
@@ -114,28 +118,51 @@ impl Variant {
 
 /// The ways to compute that are compared.
 pub fn formulations() -> Vec<Variant> {
-    let way = |name, title, functions, change| Variant {
+    let way = |name, title, color, functions, change| Variant {
         name,
         title,
         change,
         functions,
+        color,
         scalars: &[Scalar::F64],
         ..Variant::DEFAULT
     };
     vec![
         Variant::DEFAULT,
-        way("raw", "raw parameters", &DYNAMICS, |_, request| {
-            request.formulation.parameters = Parameters::Raw;
-        }),
-        way("unfused", "unfused", &[], |_, request| {
+        way(
+            "frame_0",
+            "frame 0",
+            Color::Black,
+            &RECURSIONS,
+            |_, request| {
+                request.formulation.frame = Frame::Base;
+            },
+        ),
+        way(
+            "raw",
+            "raw parameters",
+            Color::Sky,
+            &DYNAMICS,
+            |_, request| {
+                request.formulation.parameters = Parameters::Raw;
+            },
+        ),
+        way("unfused", "unfused", Color::Green, &[], |_, request| {
             request.formulation.products = Products::Unfused;
         }),
-        way("platform_sines", "platform sines", &[], |_, request| {
-            request.formulation.sines = Sines::Platform;
-        }),
+        way(
+            "platform_sines",
+            "platform sines",
+            Color::Orange,
+            &[],
+            |_, request| {
+                request.formulation.sines = Sines::Platform;
+            },
+        ),
         way(
             "refined_1",
             "refined once",
+            Color::Purple,
             &[ForwardDynamics],
             |_, request| {
                 request.formulation.forward = Some(Forward::MassMatrix { refinements: 1 });
@@ -144,6 +171,7 @@ pub fn formulations() -> Vec<Variant> {
         way(
             "refined_2",
             "refined twice",
+            Color::Purple,
             &[ForwardDynamics],
             |_, request| {
                 request.formulation.forward = Some(Forward::MassMatrix { refinements: 2 });
@@ -152,6 +180,7 @@ pub fn formulations() -> Vec<Variant> {
         way(
             "articulated",
             "articulated bodies",
+            Color::Vermilion,
             &[ForwardDynamics],
             |_, request| {
                 request.formulation.forward = Some(Forward::Articulated);
@@ -166,6 +195,15 @@ pub fn beside_peers() -> Vec<Variant> {
     ways.filter(|way| ["default", "platform_sines"].contains(&way.name))
         .collect()
 }
+
+/// What the paper writes in frame 0; matrices of joints grow out of proportion there.
+const RECURSIONS: [Function; 5] = [
+    ForwardKinematics,
+    GeometricJacobian,
+    Gravity,
+    InverseDynamics,
+    Bias,
+];
 
 const DYNAMICS: [Function; 6] = [
     Gravity,

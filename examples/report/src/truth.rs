@@ -51,7 +51,7 @@ pub fn told(errors: Errors) -> Box<dyn std::error::Error> {
 /// High part, low part and magnitude of each result at a state. What is found by division has the
 /// largest result for its magnitude, since its terms may be far larger than itself; so has what is
 /// always zero.
-fn exact(evaluation: &Evaluation<Summed>, function: Function, state: &[f64]) -> Vec<[f64; 3]> {
+pub fn exact(evaluation: &Evaluation<Summed>, function: Function, state: &[f64]) -> Vec<[f64; 3]> {
     let joints = state.len() / 4;
     let results = evaluation.at(|input| {
         let (part, k) = match input {

@@ -20,10 +20,21 @@ pub(super) fn draw(svg: &mut String, points: &[([f64; 2], &str)], area: Box) {
         // Letters of 11 px are at most 6.2 px wide on average.
         let letters = u32::try_from(label.chars().count()).unwrap_or(0);
         let width = 6.2 * f64::from(letters);
-        let places = [0.0, -9.0, 9.0, -15.0, 15.0].into_iter().flat_map(|down| {
-            let (right, left) = (x + AWAY, x - AWAY - width);
-            [right, left].map(|start| [start, y + down - 6.0, start + width, y + down + 6.0])
-        });
+        let (right, left, middle) = (x + AWAY, x - AWAY - width, x - 0.5 * width);
+        let places = [
+            [right, 0.0],
+            [left, 0.0],
+            [middle, -12.0],
+            [middle, 13.0],
+            [right, -9.0],
+            [left, -9.0],
+            [right, 9.0],
+            [left, 9.0],
+            [right, -15.0],
+            [right, 15.0],
+        ];
+        let places =
+            places.map(|[start, down]| [start, y + down - 6.0, start + width, y + down + 6.0]);
         let free = |place: &Box| {
             place[0] > area[0]
                 && place[1] > area[1]
@@ -31,10 +42,14 @@ pub(super) fn draw(svg: &mut String, points: &[([f64; 2], &str)], area: Box) {
                 && place[3] < area[3]
                 && taken.iter().all(|other| apart(place, other))
         };
-        let beside = [x + AWAY, y - 6.0, x + AWAY + width, y + 6.0];
-        let place = places.clone().find(free).unwrap_or(beside);
-        let anchor = if place[0] > *x { "start" } else { "end" };
-        let start = if place[0] > *x { place[0] } else { place[2] };
+        let place = places.into_iter().find(free).unwrap_or(places[0]);
+        let (anchor, start) = if place[0] > *x {
+            ("start", place[0])
+        } else if place[2] < *x {
+            ("end", place[2])
+        } else {
+            ("middle", *x)
+        };
         let size = format!("font-size=\"{SIZE}\"");
         text(svg, [start, place[1] + 10.0], anchor, &size, label);
         taken.push(place);

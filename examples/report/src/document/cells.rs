@@ -1,0 +1,80 @@
+//! What stands in the cells of the tables.
+//!
+//! In: all that was measured, and which program of it is meant. Out: its price or its point, and the
+//! words for a time and an error; a dash where there is none.
+
+use homogen_codegen::Function;
+use homogen_codegen::schedule::Price;
+
+use super::Measured;
+use crate::measure::Point;
+use crate::program::Flags;
+use crate::scene::{Scalar, Scene};
+
+/// What a program costs.
+pub fn price(measured: &Measured<'_>, scene: &Scene, variant: &str, function: Function) -> Price {
+    let mut prices = measured.prices.iter();
+    let found =
+        prices.find(|(name, v, f, _)| *name == scene.name && *v == variant && *f == function);
+    found.map(|(.., price)| *price).unwrap_or_default()
+}
+
+/// A program of ours.
+pub fn find<'a>(
+    measured: &Measured<'a>,
+    scene: &Scene,
+    function: Function,
+    variant: &str,
+    scalar: Scalar,
+    flags: Flags,
+) -> Option<&'a Point> {
+    measured.points.iter().find(|point| {
+        point.scene == scene.name
+            && point.function == function
+            && point.key.variant == variant
+            && point.key.scalar == scalar
+            && point.key.flags == flags
+    })
+}
+
+/// The fastest way in which a peer computes a function.
+pub fn fastest<'a>(
+    measured: &Measured<'a>,
+    scene: &Scene,
+    function: Function,
+    maker: &str,
+) -> Option<&'a Point> {
+    let points = measured.points.iter().filter(|point| {
+        let who = point.key.variant.split_once('/');
+        point.scene == scene.name
+            && point.function == function
+            && who.is_some_and(|(who, _)| who == maker)
+    });
+    points.min_by(|a, b| a.time[1].total_cmp(&b.time[1]))
+}
+
+/// Its median \[ns\].
+pub fn time(point: Option<&Point>) -> String {
+    point.map_or_else(|| "–".to_owned(), |point| format!("{:.0}", point.time[1]))
+}
+
+/// The worst error in units of the roundoff of its type.
+pub fn units(point: Option<&Point>) -> String {
+    let Some(point) = point else {
+        return "–".to_owned();
+    };
+    let unit = match point.key.scalar {
+        Scalar::F64 => f64::EPSILON / 2.0,
+        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
+    };
+    format!("{} u", in_units(point.worst / unit))
+}
+
+/// Two or three digits.
+pub fn in_units(number: f64) -> String {
+    match number {
+        few if few < 99.5 => format!("{few:.1}"),
+        many if many < 1e4 => format!("{many:.0}"),
+        lots => format!("{lots:.0e}"),
+    }
+}

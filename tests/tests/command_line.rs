@@ -704,7 +704,7 @@ fn arguments_that_make_no_sense() {
         ),
         ("check - --lock elbow=bent", "`bent` is not a number"),
         ("eval - --function gravity", "--states <FILE>"),
-        ("report", "unrecognized subcommand"),
+        ("fly", "unrecognized subcommand"),
     ] {
         let answer = homogen(arguments, ARM);
         assert_eq!((&*answer.output, answer.code), ("", 2), "{arguments}");

@@ -1,7 +1,7 @@
 //! Words beside points.
 //!
-//! In: points with their labels, and the area to stay in. Out: SVG, each label where it covers neither
-//! a point nor a label before it, as far as there is such a place.
+//! In: points with their labels, the symbols that are drawn, and the area to stay in. Out: SVG, each
+//! label where it covers neither a symbol nor a label before it, as far as there is such a place.
 
 use super::symbol::text;
 
@@ -13,9 +13,9 @@ const AWAY: f64 = 8.0;
 type Box = [f64; 4];
 
 /// Draws the labels.
-pub(super) fn draw(svg: &mut String, points: &[([f64; 2], &str)], area: Box) {
-    let around = |[x, y]: [f64; 2]| [x - 5.0, y - 5.0, x + 5.0, y + 5.0];
-    let mut taken: Vec<Box> = points.iter().map(|(at, _)| around(*at)).collect();
+pub(super) fn draw(svg: &mut String, points: &[([f64; 2], &str)], symbols: &[[f64; 2]], area: Box) {
+    let around = |[x, y]: &[f64; 2]| [x - 5.0, y - 5.0, x + 5.0, y + 5.0];
+    let mut taken: Vec<Box> = symbols.iter().map(around).collect();
     for ([x, y], label) in points {
         // Letters of 11 px are at most 6.2 px wide on average.
         let letters = u32::try_from(label.chars().count()).unwrap_or(0);
@@ -58,4 +58,22 @@ pub(super) fn draw(svg: &mut String, points: &[([f64; 2], &str)], area: Box) {
 
 fn apart(a: &Box, b: &Box) -> bool {
     a[2] < b[0] || b[2] < a[0] || a[3] < b[1] || b[3] < a[1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::draw;
+
+    #[test]
+    fn a_label_keeps_away_from_symbols_and_from_the_edge() {
+        let mut svg = String::new();
+        let points = [([100.0, 50.0], "first"), ([195.0, 50.0], "second")];
+        let symbols = [[100.0, 50.0], [115.0, 50.0], [195.0, 50.0]];
+        draw(&mut svg, &points, &symbols, [0.0, 0.0, 200.0, 100.0]);
+        let anchors: Vec<&str> = svg.split("text-anchor=").skip(1).collect();
+        assert!(
+            anchors.iter().all(|rest| rest.starts_with("\"end\"")),
+            "{svg}"
+        );
+    }
 }

@@ -87,6 +87,13 @@ impl Frame {
         for curve in &panel.curves {
             self.draw_curve(curve, svg);
         }
+        let symbols = panel.curves.iter();
+        let symbols =
+            symbols.filter(|curve| matches!(curve.style, Style::Points(_) | Style::Named(_)));
+        let symbols: Vec<_> = symbols
+            .flat_map(|curve| &curve.points)
+            .map(|point| self.at(*point))
+            .collect();
         let named = panel
             .curves
             .iter()
@@ -99,7 +106,7 @@ impl Frame {
                     .map(|point| (self.at(*point), &*curve.label))
             })
             .collect();
-        label::draw(svg, &named, self.area);
+        label::draw(svg, &named, &symbols, self.area);
     }
 
     fn draw_axes(&self, panel: &Panel, svg: &mut String) {

@@ -24,6 +24,14 @@ pub enum Accuracy {
         /// The range in words.
         range: String,
     },
+    /// In every state of a range, the accelerations found are the exact ones of torques and forces
+    /// no farther from those given (backward error).
+    Backward {
+        /// As of [`Accuracy::Within`], of the torques and forces.
+        bounds: Vec<Bound>,
+        /// The range in words.
+        range: String,
+    },
     /// Nothing, for a reason.
     Unknown(&'static str),
 }
@@ -55,20 +63,78 @@ pub fn of(chain: &Chain, functions: &[Function], program: &Program, scalar: Real
     let range = Range::of(chain);
     let worst =
         |scalar: Real| bound::errors(program, scalar, &|input| value(&range, input, scalar));
-    let double = (scalar != Real::F32).then(|| worst(Real::F64));
-    let single = (scalar != Real::F64).then(|| worst(Real::F32));
-    let slides: Vec<bool> = (chain.joints.iter())
-        .map(|joint| matches!(joint.motion, Motion::Prismatic))
-        .collect();
+    let slides = slides(chain);
     let units = functions
         .iter()
         .flat_map(|function| function.units(&slides));
+    let Some(bounds) = by_unit(units, scalar, worst) else {
+        return Accuracy::Unknown("a divisor may be zero, as far as ranges tell");
+    };
+    let mut arguments: Vec<Argument> = functions
+        .iter()
+        .flat_map(|function| function.arguments().iter().copied())
+        .collect();
+    arguments.sort_unstable();
+    arguments.dedup();
+    Accuracy::Within {
+        bounds,
+        range: range::words(chain, &arguments),
+    }
+}
+
+/// Bounds the backward error of accelerations that are found by the factors of the mass matrix,
+/// without refinement. The program computes the mass matrix and then the bias as that function does.
+///
+/// What a computed solution solves exactly is M + ΔM with |ΔM| ≤ γ |Lᵗ| D |L| (Higham, *Accuracy and
+/// Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
+/// γ √(Mᵢᵢ Mⱼⱼ), since M is positive definite.
+#[must_use]
+pub fn of_accelerations(chain: &Chain, program: &Program, scalar: Real) -> Accuracy {
+    let range = Range::of(chain);
+    let count = chain.joints.len();
+    // Factors and two substitutions, 3n + 1; quotients as products with a reciprocal, 3; the
+    // difference of torques and bias, 1; and 1 for all products of these.
+    let roundings = chain.joints.iter().map(|_| 3.0).sum::<f64>() + 6.0;
+    let worst = |scalar: Real| -> Vec<f64> {
+        let results = bound::results(program, scalar, &|input| value(&range, input, scalar));
+        let (mass, bias) = results.split_at(count * count);
+        let size = |k: usize| mass[k * count + k].reach();
+        let lost = roundings * scalar.roundoff();
+        let row = |i: usize| {
+            let entries = range.qdd.iter().enumerate();
+            let entries = entries.map(|(j, [_, most])| {
+                let solved = lost * (size(i) * size(j)).sqrt();
+                (mass[i * count + j].error + solved) * most
+            });
+            bias[i].error + entries.sum::<f64>()
+        };
+        (0..count).map(row).collect()
+    };
+    let units = Function::InverseDynamics.units(&slides(chain));
+    match by_unit(units, scalar, worst) {
+        Some(bounds) => Accuracy::Backward {
+            bounds,
+            range: range::words(chain, &[Argument::Q, Argument::Qd, Argument::Qdd]),
+        },
+        None => Accuracy::Unknown("a divisor may be zero, as far as ranges tell"),
+    }
+}
+
+/// The worst error for each unit, for `f32` and `f64` where any type is meant; none where there is
+/// no bound.
+fn by_unit(
+    units: impl IntoIterator<Item = &'static str>,
+    scalar: Real,
+    worst: impl Fn(Real) -> Vec<f64>,
+) -> Option<Vec<Bound>> {
+    let double = (scalar != Real::F32).then(|| worst(Real::F64));
+    let single = (scalar != Real::F64).then(|| worst(Real::F32));
     let mut bounds: Vec<Bound> = Vec::new();
-    for (k, unit) in units.enumerate() {
+    for (k, unit) in units.into_iter().enumerate() {
         let at = |errors: &Option<Vec<f64>>| errors.as_ref().map(|errors| errors[k]);
         let (double, single) = (at(&double), at(&single));
         if [double, single].into_iter().flatten().any(f64::is_infinite) {
-            return Accuracy::Unknown("a divisor may be zero, as far as ranges tell");
+            return None;
         }
         match bounds.iter_mut().find(|bound| bound.unit == unit) {
             Some(bound) => {
@@ -82,16 +148,15 @@ pub fn of(chain: &Chain, functions: &[Function], program: &Program, scalar: Real
             }),
         }
     }
-    let mut arguments: Vec<Argument> = functions
-        .iter()
-        .flat_map(|function| function.arguments().iter().copied())
-        .collect();
-    arguments.sort_unstable();
-    arguments.dedup();
-    Accuracy::Within {
-        bounds,
-        range: range::words(chain, &arguments),
-    }
+    Some(bounds)
+}
+
+/// Which joints slide.
+fn slides(chain: &Chain) -> Vec<bool> {
+    let joints = chain.joints.iter();
+    joints
+        .map(|joint| matches!(joint.motion, Motion::Prismatic))
+        .collect()
 }
 
 fn value(range: &Range, input: Input, scalar: Real) -> Value {
@@ -110,8 +175,9 @@ fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
 impl fmt::Display for Accuracy {
     /// One line: `at most 3.4e-14 N m in f64, 1.8e-5 N m in f32; q and q̇ within their limits`.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (bounds, range) = match self {
-            Self::Within { bounds, range } => (bounds, range),
+        let (what, bounds, range) = match self {
+            Self::Within { bounds, range } => ("", bounds, range),
+            Self::Backward { bounds, range } => ("as if τ were off by ", bounds, range),
             Self::Unknown(reason) => return write!(out, "no bound: {reason}"),
         };
         let worst = |name: &str, of: fn(&Bound) -> Option<f64>| {
@@ -132,7 +198,7 @@ impl fmt::Display for Accuracy {
             worst("f32", |bound| bound.single),
         );
         let said: Vec<String> = double.into_iter().chain(single).collect();
-        write!(out, "at most {}", said.join(", "))?;
+        write!(out, "{what}at most {}", said.join(", "))?;
         if !range.is_empty() {
             write!(out, "; {range}")?;
         }
@@ -186,6 +252,17 @@ mod tests {
         assert_eq!(
             single.to_string(),
             "at most 3.1e-5 N m in f32; q within its limits"
+        );
+        let backward = Accuracy::Backward {
+            bounds: vec![
+                bound("N m", Some(2.1e-12), None),
+                bound("N", Some(3e-12), None),
+            ],
+            range: "q within its limits".to_owned(),
+        };
+        assert_eq!(
+            backward.to_string(),
+            "as if τ were off by at most 2.1e-12 N m and 3.0e-12 N in f64; q within its limits"
         );
         let unknown = Accuracy::Unknown("nobody knows");
         assert_eq!(unknown.to_string(), "no bound: nobody knows");

@@ -5,7 +5,7 @@
 
 mod forward;
 
-use crate::accuracy;
+use crate::accuracy::{self, Accuracy};
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::{self, Chain};
 use crate::description::Description;
@@ -159,6 +159,25 @@ pub fn program_for(
     frame: usize,
     scalar: Real,
 ) -> Result<Program, Errors> {
+    let found = cheapest(processor, formulation, chain, functions, frame, scalar)?;
+    Ok(found.program)
+}
+
+/// A program, and how it came about.
+struct Found {
+    program: Program,
+    layout: Layout,
+    way: Way,
+}
+
+fn cheapest(
+    processor: Processor,
+    formulation: Formulation,
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    scalar: Real,
+) -> Result<Found, Errors> {
     let forward = forward::form(chain, functions, scalar, formulation.forward)?;
     let dynamic = functions.iter().any(|function| !function.of_a_frame());
     let layouts = if dynamic {
@@ -175,7 +194,7 @@ pub fn program_for(
         Products::Fused | Products::Unfused => schedule_unfused,
     };
     let ways = ways(formulation, functions);
-    let mut best: Option<(usize, Program)> = None;
+    let mut best: Option<(usize, Found)> = None;
     for layout in layouts {
         let regroup = layout.regroup && !physical;
         let layout = Layout { regroup, ..layout };
@@ -185,7 +204,12 @@ pub fn program_for(
             let program = schedule(&graph, &results);
             let weight = processor.weight(scalar, &Price::of(&program));
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
-                best = Some((weight, program));
+                let found = Found {
+                    program,
+                    layout,
+                    way,
+                };
+                best = Some((weight, found));
             }
         }
     }
@@ -263,7 +287,7 @@ fn list(
     frame: usize,
     request: &Request,
 ) -> Result<Listed, Errors> {
-    let program = program_for(
+    let found = cheapest(
         request.processor,
         request.formulation,
         chain,
@@ -271,6 +295,8 @@ fn list(
         frame,
         request.scalar,
     )?;
+    let accuracy = accuracy_of(&found, chain, &functions, request.scalar);
+    let program = found.program;
     let (mut mul, mut add) = (0, 0);
     for &function in &functions {
         let (more_mul, more_add) =
@@ -281,7 +307,6 @@ fn list(
     let price = Price::of(&program)
         .beside_dense(mul, add)
         .on(request.processor, request.scalar);
-    let accuracy = accuracy::of(chain, &functions, &program, request.scalar);
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
     let further = of_a_frame && (frame > 0 || !chain.has_tip);
     let frame = further.then(|| chain.frames[frame].name.clone());
@@ -292,6 +317,22 @@ fn list(
         price,
         accuracy,
     })
+}
+
+/// What is promised of the results of a program.
+fn accuracy_of(found: &Found, chain: &Chain, functions: &[Function], scalar: Real) -> Accuracy {
+    let Found {
+        program,
+        layout,
+        way,
+    } = found;
+    let plain = Forward::MassMatrix { refinements: 0 };
+    if *functions == [Function::ForwardDynamics] && way.forward == plain {
+        let parts = [Function::MassMatrix, Function::Bias];
+        let parts = program_by(chain, &parts, 0, *layout, *way);
+        return accuracy::of_accelerations(chain, &parts, scalar);
+    }
+    accuracy::of(chain, functions, program, scalar)
 }
 
 /// The chain as data: numbers, and sums of run-time parameters.

@@ -91,11 +91,16 @@ fn in_json(robot: &str, functions: &[Listed]) -> Value {
     json!({ "robot": robot, "functions": prices })
 }
 
-/// The worst of each unit by the type of number, and where that holds; or why there is no bound.
+/// The worst of each unit by the type of number, of the results or of the τ that they are exact for,
+/// and where that holds; or why there is no bound.
 fn error(accuracy: &Accuracy) -> Value {
     match accuracy {
         Accuracy::Unknown(reason) => json!({ "unknown": reason }),
-        Accuracy::Within { bounds, range } => {
+        Accuracy::Within { bounds, range } | Accuracy::Backward { bounds, range } => {
+            let of = match accuracy {
+                Accuracy::Backward { .. } => "tau",
+                _ => "results",
+            };
             let by_unit = |of: fn(&Bound) -> Option<f64>| -> Map<String, Value> {
                 let sizes = bounds.iter();
                 sizes
@@ -103,7 +108,7 @@ fn error(accuracy: &Accuracy) -> Value {
                     .collect()
             };
             let (double, single) = (by_unit(|bound| bound.double), by_unit(|bound| bound.single));
-            json!({ "f64": double, "f32": single, "range": range })
+            json!({ "of": of, "f64": double, "f32": single, "range": range })
         }
     }
 }

@@ -21,9 +21,9 @@ use crate::request::Real;
 /// some million operations of `f64` on positive numbers can lose.
 const SLACK: f64 = 1.0 + 1e-9;
 
-/// The greatest error of each result; infinite where none can be given.
+/// The range of each result, and its greatest error; infinite where none can be given.
 #[must_use]
-pub fn errors(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -> Vec<f64> {
+pub fn results(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -> Vec<Value> {
     let mut known = Known {
         program,
         scalar,
@@ -43,10 +43,20 @@ pub fn errors(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -
     if program.before_angles == program.steps.len() {
         known.turn();
     }
-    let results = program.results.iter();
+    let results = program.results.iter().map(|&result| known.value(result));
     results
-        .map(|&result| known.value(result).error * SLACK)
+        .map(|value| Value {
+            error: value.error * SLACK,
+            ..value
+        })
         .collect()
+}
+
+/// The greatest error of each result; infinite where none can be given.
+#[must_use]
+pub fn errors(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -> Vec<f64> {
+    let results = results(program, scalar, range);
+    results.into_iter().map(|value| value.error).collect()
 }
 
 /// The values of a program so far.

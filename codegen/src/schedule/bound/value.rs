@@ -38,7 +38,7 @@ impl Value {
     }
 
     /// The greatest magnitude that the computed value can have.
-    pub(super) const fn reach(self) -> f64 {
+    pub(crate) const fn reach(self) -> f64 {
         self.size() + self.error
     }
 

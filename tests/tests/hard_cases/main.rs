@@ -7,19 +7,11 @@
 //! type is part of the error. Limits are the figure aimed at where it was known beforehand, and otherwise
 //! about twice what was measured; each says so.
 
-#[path = "hard_cases/angles.rs"]
 mod angles;
-#[path = "hard_cases/cancelling.rs"]
 mod cancelling;
-#[path = "hard_cases/case.rs"]
 mod case;
-#[path = "hard_cases/forward_dynamics.rs"]
 mod forward_dynamics;
-#[path = "hard_cases/large.rs"]
 mod large;
-#[path = "hard_cases/regrouped.rs"]
 mod regrouped;
-#[path = "hard_cases/states.rs"]
 mod states;
-#[path = "hard_cases/worst.rs"]
 mod worst;

@@ -3,47 +3,19 @@
 
 use std::array::from_fn;
 
+use homogen::generic;
 use homogen::robot::{ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixInverse};
-use homogen::{Robot, generic};
+use homogen_tests::for_every_robot;
+use homogen_tests::robots::{
+    PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
+    Ur5Class,
+};
 use homogen_tests::rounding::DOUBLE;
 use homogen_tests::states::{Random, State};
 use serde_json::Value;
 
 /// How many random states of each robot.
 const STATES: usize = 1000;
-
-macro_rules! robot {
-    ($robot:ident, $urdf:literal) => {
-        #[derive(Robot)]
-        #[robot(urdf = $urdf)]
-        #[robot(generate(inverse_dynamics, mass_matrix, forward_dynamics, mass_matrix_inverse))]
-        struct $robot;
-    };
-}
-
-robot!(TwoLink, "../robots/two_link.urdf");
-robot!(Scara, "../robots/scara.urdf");
-robot!(Stanford, "../robots/stanford.urdf");
-robot!(StanfordGeneral, "../robots/stanford_general.urdf");
-robot!(Puma560, "../robots/puma560.urdf");
-robot!(Puma560General, "../robots/puma560_general.urdf");
-robot!(Ur5Class, "../robots/ur5_class.urdf");
-robot!(PandaClass, "../robots/panda_class.urdf");
-robot!(Quadruped, "../robots/quadruped.urdf");
-
-macro_rules! for_every_robot {
-    ($run:ident) => {
-        $run!(two_link, TwoLink);
-        $run!(scara, Scara);
-        $run!(stanford, Stanford);
-        $run!(stanford_general, StanfordGeneral);
-        $run!(puma560, Puma560);
-        $run!(puma560_general, Puma560General);
-        $run!(ur5_class, Ur5Class);
-        $run!(panda_class, PandaClass);
-        $run!(quadruped, Quadruped);
-    };
-}
 
 /// The largest difference of two lists.
 fn difference(x: &[f64], y: &[f64]) -> f64 {

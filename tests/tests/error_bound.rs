@@ -159,6 +159,15 @@ fn measure<T: Tested>(
     worst
 }
 
+/// The worst of the errors of a function's results that have a unit.
+fn worst_of(chain: &Chain, function: Function, unit: &str, errors: &[f64]) -> f64 {
+    let slides = |joint: &chain::Joint| matches!(joint.motion, Motion::Prismatic);
+    let slides: Vec<bool> = chain.joints.iter().map(slides).collect();
+    let units = function.units(&slides).into_iter();
+    let of_unit = units.zip(errors).filter(|(of, _)| *of == unit);
+    of_unit.fold(0.0, |most, (_, &error)| most.max(error))
+}
+
 fn check<T: Tested>(asked: Asked, scalar: Real) {
     let chain = chain_of(asked);
     let graph = chain.graph.clone();
@@ -174,8 +183,6 @@ fn check<T: Tested>(asked: Asked, scalar: Real) {
     });
     let measured = measure::<T>(&programs, &exact, &Range::of(&chain));
 
-    let slides = |joint: &chain::Joint| matches!(joint.motion, Motion::Prismatic);
-    let slides: Vec<bool> = chain.joints.iter().map(slides).collect();
     let mut table = format!("{} in {}\n", asked.robot, T::NAME);
     let mut holds = true;
     for ((function, program), measured) in FUNCTIONS.iter().zip(&programs).zip(&measured) {
@@ -183,12 +190,10 @@ fn check<T: Tested>(asked: Asked, scalar: Real) {
         let Accuracy::Within { bounds, .. } = accuracy else {
             panic!("{function:?}: {accuracy}");
         };
-        let units = function.units(&slides);
         for bound in bounds {
             let (name, unit) = (function.name(), bound.unit);
             let most = bound.double.or(bound.single).expect("it is of one type");
-            let of_unit = units.iter().zip(measured).filter(|(of, _)| **of == unit);
-            let worst = of_unit.fold(0.0_f64, |most, (_, &error)| most.max(error));
+            let worst = worst_of(&chain, *function, unit, measured);
             // What is exact may have been bounded as if its numbers were not.
             holds &= worst <= most && (most <= asked.farthest * worst || worst == 0.0);
             writeln!(table, "{name:20} {unit:6} {worst:9.1e} of {most:9.1e}")
@@ -250,16 +255,9 @@ fn check_backward<T: Tested>(asked: Asked, scalar: Real) {
         }
     }
 
-    let slides = |joint: &chain::Joint| matches!(joint.motion, Motion::Prismatic);
-    let slides: Vec<bool> = chain.joints.iter().map(slides).collect();
     for bound in bounds {
         let most = bound.double.or(bound.single).expect("it is of one type");
-        let units = function.units(&slides);
-        let of_unit = units
-            .iter()
-            .zip(&worst)
-            .filter(|(of, _)| **of == bound.unit);
-        let worst = of_unit.fold(0.0_f64, |most, (_, &error)| most.max(error));
+        let worst = worst_of(&chain, function, bound.unit, &worst);
         let table = format!("{} {} {worst:.1e} of {most:.1e}", asked.robot, bound.unit);
         println!("{table}");
         // Twice as far as other bounds: 163 times, of the seven-joint arm in f32.

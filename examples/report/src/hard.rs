@@ -17,8 +17,7 @@ use homogen_examples::plot::heat::Map;
 use homogen_examples::states::unit;
 use homogen_tests::subjects::subject;
 
-use crate::summed::Summed;
-use crate::truth::exact;
+use crate::truth::{Exact, exact};
 use Function::{ForwardDynamics, Gravity, InverseDynamics};
 
 /// A robot, a function of it, and what is hard about its states.
@@ -186,7 +185,7 @@ fn truth(chain: &Chain, function: Function, states: &[Vec<f64>]) -> Vec<Vec<[f64
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
     let results = model::build(&graph, &bodies, function, 0, Way::PLAIN);
     let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
-    let evaluation: Evaluation<Summed> = Evaluation::of(&graph, &results);
+    let evaluation: Evaluation<Exact> = Evaluation::of(&graph, &results);
     let states = states.iter();
     states
         .map(|state| exact(&evaluation, function, state))

@@ -18,7 +18,6 @@ mod progress;
 mod scene;
 mod simplified;
 mod source;
-mod summed;
 mod truth;
 
 use std::error::Error;

@@ -12,11 +12,27 @@ use homogen_codegen::Function;
 use homogen_codegen::chain::frames::{Layout, arrange};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::error::Errors;
-use homogen_codegen::expression::{Arithmetic, Evaluation, Expr, Input, Term};
+use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::model::{self, Way};
+use homogen_tests::metrics::magnitude::{Magnitude, Measure};
 
 use crate::scene::Scene;
-use crate::summed::Summed;
+
+/// A number of 106 bits, which keeps what it was summed from; for every type, and so without a floor.
+pub type Exact = Magnitude<OfEveryType>;
+
+/// Whom [`Exact`] is for.
+#[derive(Clone, Copy, Debug)]
+pub struct OfEveryType;
+
+impl Measure for OfEveryType {
+    type Value = Double;
+    const FLOOR: f64 = 0.0;
+
+    fn nearest(value: Double) -> f64 {
+        value.to_f64()
+    }
+}
 
 /// Writes states and exact results to a folder.
 ///
@@ -51,7 +67,7 @@ pub fn told(errors: Errors) -> Box<dyn std::error::Error> {
 /// High part, low part and magnitude of each result at a state. What is found by division has the
 /// largest result for its magnitude, since its terms may be far larger than itself; so has what is
 /// always zero.
-pub fn exact(evaluation: &Evaluation<Summed>, function: Function, state: &[f64]) -> Vec<[f64; 3]> {
+pub fn exact(evaluation: &Evaluation<Exact>, function: Function, state: &[f64]) -> Vec<[f64; 3]> {
     let joints = state.len() / 4;
     let results = evaluation.at(|input| {
         let (part, k) = match input {
@@ -61,18 +77,18 @@ pub fn exact(evaluation: &Evaluation<Summed>, function: Function, state: &[f64])
             Input::Tau(k) => (3, k),
             Input::Parameter(..) => unreachable!("no number was left open"),
         };
-        Summed::literal(state[part * joints + usize::from(k)])
+        Exact::given(state[part * joints + usize::from(k)])
     });
-    let sizes = results.iter().map(|x| x.value.to_f64().abs());
+    let sizes = results.iter().map(|x| x.value().to_f64().abs());
     let largest = sizes.fold(0.0, f64::max);
     let divides = matches!(
         function,
         Function::ForwardDynamics | Function::MassMatrixInverse
     );
-    let entry = |x: &Summed| {
-        let (high, low) = x.value.bits();
-        let whole = divides || x.magnitude == 0.0;
-        let magnitude = if whole { largest } else { x.magnitude };
+    let entry = |x: &Exact| {
+        let (high, low) = x.value().bits();
+        let whole = divides || x.size() == 0.0;
+        let magnitude = if whole { largest } else { x.size() };
         [f64::from_bits(high), f64::from_bits(low), magnitude]
     };
     results.iter().map(entry).collect()

@@ -2,8 +2,9 @@
 //!
 //! In: the operations of a program. Out: beside each value S, the same operations on absolute values:
 //! what the roundings of a sum are proportional to, even where the sum is nearly zero. Values are
-//! of `f64`, which is enough for a measure.
+//! as exact as the one who measures needs them.
 
+use core::fmt::Debug;
 use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -11,34 +12,61 @@ use homogen_codegen::expression::Arithmetic;
 
 use crate::tested::Tested;
 
-/// A value and its size without cancellation, as a type of number sees it: no size is below that
-/// type's floor, since what underflows is off by that.
+/// Whom sizes are measured for.
+pub trait Measure: Copy + Debug {
+    /// What values are computed in.
+    type Value: Arithmetic + Copy + Debug;
+    /// No size is smaller.
+    const FLOOR: f64;
+
+    /// The number nearest to a value.
+    fn nearest(value: Self::Value) -> f64;
+}
+
+/// As a type of number sees it: what underflows is off by the type's floor. For sizes alone, values of
+/// `f64` are enough.
+impl<T: Tested> Measure for T {
+    type Value = f64;
+    const FLOOR: f64 = T::FLOOR;
+
+    fn nearest(value: f64) -> f64 {
+        value
+    }
+}
+
+/// A value and its size without cancellation.
 #[derive(Clone, Copy, Debug)]
-pub struct Magnitude<T> {
-    value: f64,
+pub struct Magnitude<M: Measure> {
+    value: M::Value,
     size: f64,
     /// Whether it is an argument or a literal, and so not off by anything.
     given: bool,
-    of: PhantomData<T>,
+    of: PhantomData<M>,
 }
 
-impl<T: Tested> Magnitude<T> {
+impl<M: Measure> Magnitude<M> {
     /// An argument, or a literal.
     #[must_use]
     pub fn given(value: f64) -> Self {
         Self {
             given: true,
-            ..Self::new(value, value.abs())
+            ..Self::new(M::Value::literal(value), value.abs())
         }
     }
 
-    fn new(value: f64, size: f64) -> Self {
+    fn new(value: M::Value, size: f64) -> Self {
         Self {
             value,
-            size: size.max(T::FLOOR),
+            size: size.max(M::FLOOR),
             given: false,
             of: PhantomData,
         }
+    }
+
+    /// The value.
+    #[must_use]
+    pub const fn value(self) -> M::Value {
+        self.value
     }
 
     /// S: a result is off by a small multiple of u S.
@@ -48,7 +76,7 @@ impl<T: Tested> Magnitude<T> {
     }
 }
 
-impl<T: Tested> Add for Magnitude<T> {
+impl<M: Measure> Add for Magnitude<M> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -56,7 +84,7 @@ impl<T: Tested> Add for Magnitude<T> {
     }
 }
 
-impl<T: Tested> Sub for Magnitude<T> {
+impl<M: Measure> Sub for Magnitude<M> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -64,7 +92,7 @@ impl<T: Tested> Sub for Magnitude<T> {
     }
 }
 
-impl<T: Tested> Mul for Magnitude<T> {
+impl<M: Measure> Mul for Magnitude<M> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -73,15 +101,16 @@ impl<T: Tested> Mul for Magnitude<T> {
 }
 
 /// |a| / |b| with what b is: its own size without cancellation would only make the quotient small.
-impl<T: Tested> Div for Magnitude<T> {
+impl<M: Measure> Div for Magnitude<M> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        Self::new(self.value / other.value, self.size / other.value.abs())
+        let divisor = M::nearest(other.value).abs();
+        Self::new(self.value / other.value, self.size / divisor)
     }
 }
 
-impl<T: Tested> Neg for Magnitude<T> {
+impl<M: Measure> Neg for Magnitude<M> {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -92,14 +121,14 @@ impl<T: Tested> Neg for Magnitude<T> {
     }
 }
 
-impl<T: Tested> Arithmetic for Magnitude<T> {
+impl<M: Measure> Arithmetic for Magnitude<M> {
     fn literal(value: f64) -> Self {
         Self::given(value)
     }
 
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        Self::new(root, self.size / root)
+        Self::new(root, self.size / M::nearest(root))
     }
 
     /// |sin x| and |cos x| of an angle that is given. One that was computed is off by u S, and
@@ -107,7 +136,10 @@ impl<T: Tested> Arithmetic for Magnitude<T> {
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
         let turn = if self.given { 0.0 } else { self.size };
-        let of = |value: f64, slope: f64| Self::new(value, value.abs() + slope.abs() * turn);
+        let of = |value: M::Value, slope: M::Value| {
+            let [size, slope] = [value, slope].map(|x| M::nearest(x).abs());
+            Self::new(value, size + slope * turn)
+        };
         (of(sine, cosine), of(cosine, sine))
     }
 }

@@ -97,6 +97,8 @@ pub enum Color {
     Vermilion,
     /// Reddish purple.
     Purple,
+    /// Wine, darker than all but black.
+    Wine,
     /// Grey, for what stays in the background.
     Grey,
 }
@@ -191,6 +193,7 @@ impl Color {
             Self::Blue => "#0072b2",
             Self::Vermilion => "#d55e00",
             Self::Purple => "#cc79a7",
+            Self::Wine => "#882255",
             Self::Grey => "#9aa0a6",
         }
     }

@@ -18,6 +18,7 @@ use homogen_codegen::Function;
 use homogen_codegen::description::Description;
 use homogen_codegen::emit::Item;
 use homogen_codegen::expand::expand;
+use homogen_codegen::formulation::Angles;
 use homogen_codegen::request::{Real, Request};
 use homogen_codegen::schedule::Price;
 use scene::{Scene, Variant};
@@ -63,6 +64,24 @@ fn counts_of_formulations_are_those_of_today() {
                     &format!("| {robot} | `{name}` | {way} | {mul} | {add} | {div} |"),
                 );
             }
+        }
+    }
+}
+
+/// Merged angles are shown of the functions that they make a difference to, and of no others.
+#[test]
+fn merged_angles_are_shown_where_they_matter() {
+    for scene in robots() {
+        let merged = Variant {
+            change: |_, request| request.formulation.angles = Angles::Merged,
+            ..Variant::DEFAULT
+        };
+        for &function in &scene.functions {
+            let is_shown = (scene.variants.iter())
+                .any(|variant| variant.name == "merged" && variant.serves(function));
+            let differs =
+                price(&scene, &merged, function) != price(&scene, &Variant::DEFAULT, function);
+            assert_eq!(is_shown, differs, "{}, {}", scene.title, function.name());
         }
     }
 }

@@ -13,7 +13,7 @@ use homogen_codegen::Function::{
 use homogen_codegen::chain;
 use homogen_codegen::description::{self, Description, Name};
 use homogen_codegen::error::Errors;
-use homogen_codegen::formulation::{Forward, Frame, Parameters, Products, Sines};
+use homogen_codegen::formulation::{Angles, Forward, Frame, Parameters, Products, Sines};
 use homogen_codegen::request::Request;
 use homogen_examples::plot::Color;
 use homogen_examples::states::unit;
@@ -68,6 +68,8 @@ pub struct Variant {
     pub change: fn(&mut Description, &mut Request),
     /// The types of number that it is measured in.
     pub scalars: &'static [Scalar],
+    /// The type of `measured` that stands for `f64`, where that is not itself.
+    pub number: Option<&'static str>,
     /// The joints that still move; all where empty.
     pub joints: &'static [usize],
     /// What is computed in place of what was asked for.
@@ -104,6 +106,7 @@ impl Variant {
         title: "default",
         change: |_, _| {},
         scalars: &[Scalar::F64, Scalar::F32],
+        number: None,
         joints: &[],
         instead: None,
         functions: &[],
@@ -159,6 +162,18 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.sines = Sines::Platform;
             },
         ),
+        Variant {
+            number: Some("Libm"),
+            ..way(
+                "libm_sines",
+                "sines of libm",
+                Color::Orange,
+                &SINES,
+                |_, request| {
+                    request.formulation.sines = Sines::Platform;
+                },
+            )
+        },
         way(
             "refined_1",
             "refined once",
@@ -189,6 +204,19 @@ pub fn formulations() -> Vec<Variant> {
     ]
 }
 
+/// Sums of the angles of parallel axes, for the functions that they make a difference to.
+fn merged(functions: &'static [Function]) -> Variant {
+    Variant {
+        name: "merged",
+        title: "merged angles",
+        change: |_, request| request.formulation.angles = Angles::Merged,
+        functions,
+        color: Color::Wine,
+        scalars: &[Scalar::F64],
+        ..Variant::DEFAULT
+    }
+}
+
 /// What stands beside others: with our sines, and with those that they call as well.
 pub fn beside_peers() -> Vec<Variant> {
     let ways = formulations().into_iter();
@@ -205,6 +233,9 @@ const RECURSIONS: [Function; 5] = [
     Bias,
 ];
 
+/// The cheapest, what is called most, and the dearest: enough to tell sines apart.
+const SINES: [Function; 3] = [ForwardKinematics, InverseDynamics, ForwardDynamics];
+
 const DYNAMICS: [Function; 6] = [
     Gravity,
     InverseDynamics,
@@ -220,18 +251,29 @@ const DYNAMICS: [Function; 6] = [
 /// Where one of their files cannot be read.
 pub fn robots(root: &Path) -> Result<Vec<Scene>, Errors> {
     [
-        ("two_link", "Two links", "tip"),
-        ("ur5_class", "UR5 class", "tool0"),
-        ("panda_class", "Panda class", "link8"),
-        ("quadruped", "Quadruped", "fl_foot"),
+        (
+            "two_link",
+            "Two links",
+            "tip",
+            vec![merged(&FUNCTIONS[..3])],
+        ),
+        ("ur5_class", "UR5 class", "tool0", vec![merged(&FUNCTIONS)]),
+        ("panda_class", "Panda class", "link8", Vec::new()),
+        (
+            "quadruped",
+            "Quadruped",
+            "fl_foot",
+            vec![merged(&FUNCTIONS)],
+        ),
     ]
     .into_iter()
-    .map(|(name, title, tip)| {
+    .map(|(name, title, tip, more)| {
         let path = root.join("robots").join(name).with_extension("urdf");
         let mut scene = Scene::read(name, title, &path, tip)?;
         scene.states = states(scene.joints, Range::WIDE);
         scene.functions = FUNCTIONS.to_vec();
         scene.variants = formulations();
+        scene.variants.extend(more);
         scene.generic = true;
         Ok(scene)
     })

@@ -116,8 +116,9 @@ fn case(
     let arguments: Vec<String> = function.arguments().iter().map(argument).collect();
     let (arguments, function) = (arguments.join(", "), function.name());
     let (joints, entries, scalar) = (scene.joints, variant.joints, scalar.name());
+    let number = variant.number.unwrap_or(scalar);
     format!(
         "Case::of([\"{name}\", \"{scalar}\"], truth, &{entries:?}, \
-         |s: &State<{scalar}, {joints}>| ({robot}).{function}({arguments})),\n"
+         |s: &State<{number}, {joints}>| ({robot}).{function}({arguments})),\n"
     )
 }

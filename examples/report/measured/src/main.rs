@@ -11,6 +11,7 @@ mod peer;
 #[path = "../../../src/timing.rs"]
 mod timing;
 mod truth;
+mod with_libm;
 
 use std::error::Error;
 use std::time::Duration;
@@ -22,6 +23,11 @@ use case::Case;
 )]
 use case::State;
 use truth::Truth;
+#[allow(
+    unused_imports,
+    reason = "the generated robots need it, where there are any"
+)]
+use with_libm::Libm;
 
 include!(concat!(env!("OUT_DIR"), "/cases.rs"));
 

@@ -24,7 +24,7 @@ pub struct Formulation {
     /// The inertial parameters that dynamics starts from.
     pub parameters: Parameters,
     /// How accelerations are found from forces; where none is chosen, by the least that the
-    /// conditioning of the mass matrix asks for.
+    /// conditioning of the mass matrix asks for, and in a long row of joints by what is cheaper.
     pub forward: Option<Forward>,
     /// Whether the angles of parallel axes are summed.
     pub angles: Angles,

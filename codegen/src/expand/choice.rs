@@ -139,10 +139,11 @@ fn forms(
     functions: &[Function],
     scalar: Real,
 ) -> Result<Vec<Forward>, Errors> {
-    /// How many joints in a row it takes. The factors cost ever more for each further joint: with skew
-    /// axes they are dearer from 11 on, with right angles from 13. In a plane they are from 4 on,
-    /// but an arm keeps the form that has an error bound.
-    const LONG: usize = 8;
+    // The factors cost ever more for each further joint: with skew axes they are dearer from 11 on,
+    // with right angles from 13. In a plane they are from 4 on, but an arm keeps the form that has an
+    // error bound.
+    const COMPARED: usize = 8;
+    const DEARER: usize = 20;
     let form = forward::form(chain, functions, scalar, formulation.forward)?;
     let articulated = Formulation {
         forward: Some(Forward::Articulated),
@@ -152,10 +153,10 @@ fn forms(
         && form == Forward::UNREFINED
         && functions.contains(&Function::ForwardDynamics)
         && articulated.check().is_ok();
-    Ok(if open && longest(chain) >= LONG {
-        vec![form, Forward::Articulated]
-    } else {
-        vec![form]
+    Ok(match longest(chain) {
+        DEARER.. if open => vec![Forward::Articulated],
+        COMPARED.. if open => vec![form, Forward::Articulated],
+        _ => vec![form],
     })
 }
 

@@ -163,18 +163,36 @@ fn list(
     })
 }
 
-/// What is promised of the results of a program.
-fn accuracy_of(found: &Found, chain: &Chain, functions: &[Function], scalar: Real) -> Accuracy {
-    let Found {
-        program,
-        layout,
-        way,
-    } = found;
-    let plain = Forward::MassMatrix { refinements: 0 };
-    if *functions == [Function::ForwardDynamics] && way.forward == plain {
-        let parts = [Function::MassMatrix, Function::Bias];
-        let parts = program_by(chain, &parts, 0, *layout, *way);
-        return accuracy::of_accelerations(chain, &parts, scalar);
-    }
-    accuracy::of(chain, functions, program, scalar)
+/// What is promised of the results of a program: of all that are evaluated, and of each that solves
+/// something.
+fn accuracy_of(
+    found: &Found,
+    chain: &Chain,
+    functions: &[Function],
+    scalar: Real,
+) -> Vec<Accuracy> {
+    let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
+    let solves = functions.iter().filter_map(|function| match function {
+        Function::MassMatrixInverse => {
+            let parts = parts(&[Function::MassMatrix]);
+            Some(accuracy::of_inverse(chain, &parts, scalar))
+        }
+        Function::ForwardDynamics => Some(match found.way.forward {
+            Forward::MassMatrix { refinements } => {
+                let all = [
+                    Function::MassMatrix,
+                    Function::Bias,
+                    Function::InverseDynamics,
+                ];
+                let parts = parts(&all[..if refinements == 0 { 2 } else { 3 }]);
+                accuracy::of_accelerations(chain, &parts, refinements, scalar)
+            }
+            Forward::Articulated => {
+                Accuracy::Unknown("none is known of articulated bodies that holds for every state")
+            }
+        }),
+        _ => None,
+    });
+    let evaluated = accuracy::of(chain, functions, &found.program, scalar);
+    evaluated.into_iter().chain(solves).collect()
 }

@@ -67,6 +67,11 @@ pub enum Forward {
     Articulated,
 }
 
+impl Forward {
+    /// By the mass matrix and its factors, as they come out.
+    pub const UNREFINED: Self = Self::MassMatrix { refinements: 0 };
+}
+
 /// What becomes of the angles of joints that follow each other with parallel axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Angles {
@@ -128,7 +133,7 @@ const WORDS: [(&str, Option<&str>, Choice); 14] = [
     ("frame_0",        None,      Choice::Frame(Frame::Base)),
     ("regrouped",      None,      Choice::Parameters(Parameters::Regrouped)),
     ("raw",            None,      Choice::Parameters(Parameters::Raw)),
-    ("refined",        Some("0"), Choice::Forward(Forward::MassMatrix { refinements: 0 })),
+    ("refined",        Some("0"), Choice::Forward(Forward::UNREFINED)),
     ("refined",        Some("1"), Choice::Forward(Forward::MassMatrix { refinements: 1 })),
     ("refined",        Some("2"), Choice::Forward(Forward::MassMatrix { refinements: 2 })),
     ("articulated",    None,      Choice::Forward(Forward::Articulated)),

@@ -88,42 +88,84 @@ pub(super) fn cheapest(
     frame: usize,
     scalar: Real,
 ) -> Result<Found, Errors> {
-    let forward = forward::form(chain, functions, scalar, formulation.forward)?;
+    let forms = forms(formulation, chain, functions, scalar)?;
     let dynamic = functions.iter().any(|function| !function.of_a_frame());
     let layouts = if dynamic {
         Layout::for_dynamics(chain)
     } else {
         Layout::for_kinematics(chain)
     };
-    // What a body opposes to an acceleration must be a body's; and a refinement is as good as its
-    // residual: a literal that has taken in a heavy neighbour's mass is rounded to the size of that.
-    let physical = !matches!(forward, Forward::MassMatrix { refinements: 0 })
-        || formulation.parameters == Parameters::Raw;
     let schedule = match formulation.products {
         Products::Fused if processor.fuses(scalar) => schedule,
         Products::Fused | Products::Unfused => schedule_unfused,
     };
     let ways = ways(formulation, functions);
     let mut best: Option<(usize, Found)> = None;
-    for layout in layouts {
-        let regroup = layout.regroup && !physical;
-        let layout = Layout { regroup, ..layout };
-        for &way in &ways {
-            let way = Way { forward, ..way };
-            let (graph, results) = expressions_by(chain, functions, frame, layout, way);
-            let program = schedule(&graph, &results);
-            let weight = processor.weight(scalar, &Price::of(&program));
-            if best.as_ref().is_none_or(|(least, _)| weight < *least) {
-                let found = Found {
-                    program,
-                    layout,
-                    way,
-                };
-                best = Some((weight, found));
+    for forward in forms {
+        // What a body opposes to an acceleration must be a body's; and a refinement is as good as its
+        // residual: a literal that has taken in a heavy neighbour's mass is rounded to the size of
+        // that.
+        let physical = forward != Forward::UNREFINED || formulation.parameters == Parameters::Raw;
+        for &layout in &layouts {
+            let regroup = layout.regroup && !physical;
+            let layout = Layout { regroup, ..layout };
+            for &way in &ways {
+                let way = Way { forward, ..way };
+                let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+                let program = schedule(&graph, &results);
+                let weight = processor.weight(scalar, &Price::of(&program));
+                if best.as_ref().is_none_or(|(least, _)| weight < *least) {
+                    let found = Found {
+                        program,
+                        layout,
+                        way,
+                    };
+                    best = Some((weight, found));
+                }
             }
         }
     }
-    Ok(best.expect("there is at least one layout and one way").1)
+    Ok(best
+        .expect("there is at least one form, one layout and one way")
+        .1)
+}
+
+/// The forms of forward dynamics between which the count decides: the one that is accurate enough,
+/// and articulated bodies for a chain so long that they may be cheaper. They lose fewer digits than
+/// factors that need no refinement.
+fn forms(
+    formulation: Formulation,
+    chain: &Chain,
+    functions: &[Function],
+    scalar: Real,
+) -> Result<Vec<Forward>, Errors> {
+    /// How many joints in a row it takes. The factors cost ever more for each further joint: with skew
+    /// axes they are dearer from 11 on, with right angles from 13. In a plane they are from 4 on,
+    /// but an arm keeps the form that has an error bound.
+    const LONG: usize = 8;
+    let form = forward::form(chain, functions, scalar, formulation.forward)?;
+    let articulated = Formulation {
+        forward: Some(Forward::Articulated),
+        ..formulation
+    };
+    let open = formulation.forward.is_none()
+        && form == Forward::UNREFINED
+        && functions.contains(&Function::ForwardDynamics)
+        && articulated.check().is_ok();
+    Ok(if open && longest(chain) >= LONG {
+        vec![form, Forward::Articulated]
+    } else {
+        vec![form]
+    })
+}
+
+/// The most joints that stand in a row.
+fn longest(chain: &Chain) -> usize {
+    let mut before: Vec<usize> = Vec::with_capacity(chain.joints.len());
+    for joint in &chain.joints {
+        before.push(1 + joint.parent.map_or(0, |parent| before[parent]));
+    }
+    before.into_iter().max().unwrap_or(0)
 }
 
 /// The ways between which the count decides.

@@ -154,24 +154,39 @@ fn help_has_an_example_for_every_command() {
     }
 }
 
-#[test]
-fn a_robot_of_any_size_is_read_and_one_of_reasonable_size_generated() {
-    let links = (1..1200).map(|k| {
+/// A robot of that many joints, one after the other.
+fn snake(joints: usize) -> String {
+    let links = (1..=joints).map(|k| {
         let parent = k - 1;
         format!(
             "<link name=\"l{k}\"/><joint name=\"j{k}\" type=\"continuous\">\
              <parent link=\"l{parent}\"/><child link=\"l{k}\"/></joint>"
         )
     });
-    let text = format!(
-        "<robot name=\"snake\"><link name=\"l0\"/>{}</robot>",
-        links.collect::<String>()
-    );
-    let snake = json("check - --format json", &text);
-    assert_eq!(snake["joints"].as_array().map(Vec::len), Some(1199));
+    let links: String = links.collect();
+    format!("<robot name=\"snake\"><link name=\"l0\"/>{links}</robot>")
+}
+
+#[test]
+fn a_long_robot_is_checked_and_one_of_reasonable_size_generated() {
+    let long = snake(1199);
+    let checked = json("check - --format json", &long);
+    assert_eq!(checked["joints"].as_array().map(Vec::len), Some(1199));
     let expected = "error: 1199 joints move, and functions are generated for at most 1000\n";
-    assert!(refused("count -", &text).starts_with(expected));
-    assert!(refused("generate -", &text).starts_with(expected));
+    assert!(refused("count -", &long).starts_with(expected));
+    assert!(refused("generate -", &long).starts_with(expected));
+}
+
+#[test]
+fn what_is_too_large_for_a_robot_is_refused() {
+    let expected = "\
+error: <stdin>:1:14: the robot has 5001 joints, and at most 5000 can be modelled
+  hint: choose a base further out, or drop what is not needed
+";
+    let longer = snake(5001);
+    assert_eq!(refused("check -", &longer), expected);
+    let rest = json("check - --base l1 --drop l1000 --format json", &longer);
+    assert_eq!(rest["joints"].as_array().map(Vec::len), Some(998));
 }
 
 /// A stream that nobody reads any more.

@@ -7,13 +7,14 @@
 pub mod arguments;
 pub mod big;
 pub mod dual;
-mod flushed;
 pub mod functions;
+pub mod fused_sines;
 pub mod hexadecimal;
 pub mod metrics;
 pub mod oracle;
 pub mod robots;
 pub mod rounding;
+mod scalars;
 pub mod states;
 pub mod subjects;
 pub mod tested;

@@ -1,19 +1,25 @@
 //! The types of number that programs are tested in.
 //!
-//! In: the operations of a program. Out: what generated code gets on a target that does not fuse:
-//! IEEE 754 in double and in single precision with the runtime's own sines, and in single precision
-//! where every subnormal number is taken for zero, as many processors do.
+//! In: the operations of a program. Out: what generated code gets with the runtime's own sines: IEEE 754
+//! in double and in single precision, where the target fuses products with sums and where it does not,
+//! and in single precision where every subnormal number is taken for zero, as many processors do.
+//! Each gives the same bits on every machine, whatever that one can fuse.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use homogen::trigonometry::{double, single};
+use homogen_codegen::Real;
 use homogen_codegen::expression::Arithmetic;
+
+use crate::fused_sines;
 
 /// A type whose errors are measured.
 pub trait Tested: Arithmetic + Copy + Debug {
     /// What it is called in tables.
     const NAME: &'static str;
+    /// The type that programs are made for.
+    const REAL: Real;
     /// u, the largest relative error of an operation.
     const ROUNDOFF: f64;
     /// No result is smaller for the purpose of measuring its error: where one underflows, the operation
@@ -34,7 +40,15 @@ pub struct F32(pub f32);
 
 /// Single precision without subnormal numbers: what is one, in or out, becomes zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Flushed(f32);
+pub struct Flushed(pub(crate) f32);
+
+/// Double precision, a product and a sum rounded once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fused64(pub f64);
+
+/// Single precision, a product and a sum rounded once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fused32(pub f32);
 
 impl Flushed {
     /// The number, or zero in its place.
@@ -50,7 +64,7 @@ impl Flushed {
 
 /// Implements the operations of a wrapped number.
 macro_rules! implement {
-    ($type:ident, $new:expr, $sin_cos:path) => {
+    ($type:ident, $new:expr, $sin_cos:path $(, $mul_add:path)?) => {
         impl Add for $type {
             type Output = Self;
 
@@ -96,6 +110,10 @@ macro_rules! implement {
                 $new(Arithmetic::literal(value))
             }
 
+            $(fn mul_add(self, factor: Self, term: Self) -> Self {
+                $new($mul_add(self.0, factor.0, term.0))
+            })?
+
             fn sqrt(self) -> Self {
                 $new(self.0.sqrt())
             }
@@ -111,9 +129,13 @@ macro_rules! implement {
 implement!(F64, Self, double::sin_cos);
 implement!(F32, Self, single::sin_cos);
 implement!(Flushed, Self::new, single::sin_cos);
+// Where there is no instruction the standard library computes the same digits without it.
+implement!(Fused64, Self, fused_sines::double::sin_cos, f64::mul_add);
+implement!(Fused32, Self, fused_sines::single::sin_cos, f32::mul_add);
 
 impl Tested for F64 {
     const NAME: &'static str = "f64";
+    const REAL: Real = Real::F64;
     const ROUNDOFF: f64 = f64::EPSILON / 2.0;
     const FLOOR: f64 = f64::MIN_POSITIVE;
 
@@ -124,6 +146,7 @@ impl Tested for F64 {
 
 impl Tested for F32 {
     const NAME: &'static str = "f32";
+    const REAL: Real = Real::F32;
     // 2⁻²⁴ and 2⁻¹²⁶, for which `f64::from` is not const.
     const ROUNDOFF: f64 = 5.960_464_477_539_063e-8;
     const FLOOR: f64 = 1.175_494_350_822_287_5e-38;
@@ -135,9 +158,32 @@ impl Tested for F32 {
 
 impl Tested for Flushed {
     const NAME: &'static str = "flushed";
+    const REAL: Real = Real::F32;
     const ROUNDOFF: f64 = F32::ROUNDOFF;
     // The smallest normal number is lost whole: 2⁻¹²⁶ / u.
     const FLOOR: f64 = F32::FLOOR / F32::ROUNDOFF;
+
+    fn to_f64(self) -> f64 {
+        self.0.into()
+    }
+}
+
+impl Tested for Fused64 {
+    const NAME: &'static str = "f64_fused";
+    const REAL: Real = Real::F64;
+    const ROUNDOFF: f64 = F64::ROUNDOFF;
+    const FLOOR: f64 = F64::FLOOR;
+
+    fn to_f64(self) -> f64 {
+        self.0
+    }
+}
+
+impl Tested for Fused32 {
+    const NAME: &'static str = "f32_fused";
+    const REAL: Real = Real::F32;
+    const ROUNDOFF: f64 = F32::ROUNDOFF;
+    const FLOOR: f64 = F32::FLOOR;
 
     fn to_f64(self) -> f64 {
         self.0.into()
@@ -148,7 +194,7 @@ impl Tested for Flushed {
 mod tests {
     use homogen_codegen::expression::Arithmetic;
 
-    use super::{F32, F64, Flushed, Tested};
+    use super::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
     #[test]
     fn the_constants_are_those_of_the_types() {
@@ -172,5 +218,21 @@ mod tests {
         assert!(nothing.iter().all(|x| x.to_f64() == 0.0), "{nothing:?}");
         assert_eq!(smallest.to_f64(), F32::FLOOR);
         assert_ne!((F32::literal(1e-40) * F32::literal(0.5)).to_f64(), 0.0);
+    }
+
+    /// (1 + ε)(1 − ε) − 1 = −ε², of which two roundings leave nothing.
+    fn product_beside_one<T: Tested>(epsilon: f64) -> f64 {
+        let [one, epsilon] = [1.0, epsilon].map(T::literal);
+        (one + epsilon).mul_add(one - epsilon, -one).to_f64()
+    }
+
+    #[test]
+    fn a_product_and_a_sum_are_rounded_once_only_where_they_are_fused() {
+        let (double, single) = (f64::EPSILON, f64::from(f32::EPSILON));
+        assert_eq!(product_beside_one::<Fused64>(double), -double * double);
+        assert_eq!(product_beside_one::<Fused32>(single), -single * single);
+        assert_eq!(product_beside_one::<F64>(double), 0.0);
+        assert_eq!(product_beside_one::<F32>(single), 0.0);
+        assert_eq!(product_beside_one::<Flushed>(single), 0.0);
     }
 }

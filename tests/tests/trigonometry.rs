@@ -1,4 +1,4 @@
-//! Holds the runtime's sines and cosines against a reference of 256 bits.
+//! Holds the runtime's sines and cosines, fused and not, against a reference of 256 bits.
 //!
 //! In: angles at random, next to the multiples of π/2, tiny and huge. Out: nothing but a failed
 //! assertion. The reference itself is held against a table of another library's values, which
@@ -12,6 +12,7 @@ use dashu_float::round::mode::HalfEven;
 use dashu_float::{DBig, FBig};
 use homogen::Scalar;
 use homogen::trigonometry::{double, sin_cos_all_f32, sin_cos_all_f64, sin_cos_each, single};
+use homogen_tests::fused_sines;
 
 /// A number of the reference.
 type Big = FBig<HalfEven>;
@@ -234,12 +235,9 @@ fn check_together<const N: usize>() {
 
 fn check(angle: f64) {
     let (sine, cosine) = sin_cos(angle);
-    assert_within(
-        angle,
-        double::sin_cos(angle),
-        (&sine, &cosine),
-        DOUBLE_LIMIT,
-    );
+    for found in [double::sin_cos(angle), fused_sines::double::sin_cos(angle)] {
+        assert_within(angle, found, (&sine, &cosine), DOUBLE_LIMIT);
+    }
 }
 
 fn assert_within(angle: f64, found: (f64, f64), expected: (&Big, &Big), limit: f64) {
@@ -252,8 +250,14 @@ fn assert_within(angle: f64, found: (f64, f64), expected: (&Big, &Big), limit: f
 /// The standard library's double precision is reference enough for single precision.
 fn check_single(angle: f32) {
     let (sine, cosine) = single::sin_cos(angle);
+    let (fused_sine, fused_cosine) = fused_sines::single::sin_cos(angle);
     let (expected_sine, expected_cosine) = f64::from(angle).sin_cos();
-    for (found, expected) in [(sine, expected_sine), (cosine, expected_cosine)] {
+    for (found, expected) in [
+        (sine, expected_sine),
+        (cosine, expected_cosine),
+        (fused_sine, expected_sine),
+        (fused_cosine, expected_cosine),
+    ] {
         let unit = (f64::from(f32::EPSILON) * power_of_two(expected)).max(1e-45);
         let error = (f64::from(found) - expected).abs() / unit;
         assert!(

@@ -52,6 +52,9 @@ impl Double {
     }
 
     /// Whether it is 1 but for rounding.
+    ///
+    /// The sine of 1.5707963267948966, a right angle in `f64`, is: it lacks 1.9·10⁻³³, less than the 2⁻¹⁰⁶ that
+    /// an operation is off by. The cosine of that angle, 6·10⁻¹⁷, is a number like any other.
     #[must_use]
     pub fn is_one(self) -> bool {
         (self - Self::from(1.0)).hi.abs() <= RESIDUE * self.size.max(1.0)
@@ -267,6 +270,16 @@ mod tests {
         let (sine, _) = from(std::f64::consts::PI).sin_cos();
         assert_eq!(sine.to_f64(), 1.224_646_799_147_353_2e-16);
         assert!(!sine.is_zero());
+    }
+
+    #[test]
+    fn sine_of_the_nearest_number_to_a_right_angle_is_one_and_its_cosine_is_not_zero() {
+        let (sine, cosine) = from(std::f64::consts::FRAC_PI_2).sin_cos();
+        assert!(sine.is_one());
+        assert_eq!(cosine.to_f64(), 6.123_233_995_736_766e-17);
+        assert!(!cosine.is_zero());
+        // What is further from 1 than rounding takes it is not.
+        assert!(!(from(1.0) - from(1e-28)).is_one());
     }
 
     #[test]

@@ -20,6 +20,11 @@ pub trait Arithmetic:
 {
     /// The number nearest to a literal.
     fn literal(value: f64) -> Self;
+    /// `self · factor + term`, rounded once where the arithmetic fuses, and here twice.
+    #[must_use]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
     /// √x.
     #[must_use]
     fn sqrt(self) -> Self;

@@ -1,7 +1,8 @@
 //! A program run as it stands, without a compiler.
 //!
 //! In: a program and its inputs. Out: its results, in any arithmetic. It never reorders an operation, so
-//! that its results are those of the generated code on a target that does not fuse.
+//! that its results are those of the generated code on a target that fuses products with sums, or
+//! does not, as the arithmetic does.
 
 use super::{Operand, Operation, Program};
 use crate::expression::{Arithmetic, Input};
@@ -22,9 +23,9 @@ pub fn run<T: Arithmetic>(program: &Program, input: impl Fn(Input) -> T) -> Vec<
             Operation::Div(a, b) => at(a) / at(b),
             Operation::Sqrt(a) => at(a).sqrt(),
             Operation::Neg(a) => -at(a),
-            Operation::MulAdd(a, b, c) => at(a) * at(b) + at(c),
-            Operation::MulSub(a, b, c) => at(a) * at(b) - at(c),
-            Operation::NegMulAdd(a, b, c) => at(c) - at(a) * at(b),
+            Operation::MulAdd(a, b, c) => at(a).mul_add(at(b), at(c)),
+            Operation::MulSub(a, b, c) => at(a).mul_add(at(b), -at(c)),
+            Operation::NegMulAdd(a, b, c) => (-at(a)).mul_add(at(b), at(c)),
         });
     }
     if program.before_angles == program.steps.len() {

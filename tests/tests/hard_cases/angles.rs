@@ -7,7 +7,7 @@ use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
 use homogen_tests::metrics;
 use homogen_tests::states::Random;
-use homogen_tests::tested::{F32, F64, Flushed, Tested};
+use homogen_tests::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
 use crate::case::{Case, Metric, judge};
 use crate::states::{of_size, single, states};
@@ -76,6 +76,8 @@ fn big_angles_sines() {
         check_sines::<F64>(angle, &sine, &cosine);
         check_sines::<F32>(angle, &sine, &cosine);
         check_sines::<Flushed>(angle, &sine, &cosine);
+        check_sines::<Fused32>(angle, &sine, &cosine);
+        check_sines::<Fused64>(angle, &sine, &cosine);
     }
 }
 
@@ -101,7 +103,7 @@ fn merged_angle() {
     );
     let [merged, products] = [merged, products].map(|(sine, cosine)| [sine.expr(), cosine.expr()]);
     let truth = Evaluation::of(&graph, &merged);
-    let mut worst = [[0.0_f64; 2]; 3];
+    let mut worst = [[0.0_f64; 2]; 5];
     let mut random = Random::new(24);
     for k in 0..1200 {
         let angle = single(match k % 3 {
@@ -125,6 +127,8 @@ fn merged_angle() {
             absolute::<F64>(&graph, [&merged, &products], &arguments, &truth),
             absolute::<F32>(&graph, [&merged, &products], &arguments, &truth),
             absolute::<Flushed>(&graph, [&merged, &products], &arguments, &truth),
+            absolute::<Fused32>(&graph, [&merged, &products], &arguments, &truth),
+            absolute::<Fused64>(&graph, [&merged, &products], &arguments, &truth),
         ];
         for (worst, [merged, products]) in worst.iter_mut().zip(errors) {
             *worst = [worst[0].max(merged / size), worst[1].max(products)];

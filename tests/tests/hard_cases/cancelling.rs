@@ -22,7 +22,7 @@ pub const CASES: &[Case] = &[BALANCED, FALLING, FAST_ID, FAST_BIAS, CANCEL];
 const BALANCED: Case = Case::scaled("gravity_balanced", Gravity, 10.0);
 /// The most is 0.37 u: what is left is the rounding of gravity to the type.
 const FALLING: Case = Case::scaled("gravity_balanced/falling", InverseDynamics, 2.0);
-/// The most is 2.6 u.
+/// The most is 3.3 u.
 const FAST_ID: Case = Case::scaled("spin_fast", InverseDynamics, 10.0);
 const FAST_BIAS: Case = Case::scaled("spin_fast/bias", Bias, 10.0);
 /// The most is 3.0 u.

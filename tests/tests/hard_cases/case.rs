@@ -17,7 +17,7 @@ use homogen_tests::metrics::{self, Distribution};
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::oracle::{frame_0, link_frames};
 use homogen_tests::subjects::subject;
-use homogen_tests::tested::{F32, F64, Flushed, Tested};
+use homogen_tests::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
 /// What is measured, and what it may be.
 #[derive(Clone, Copy, Debug)]
@@ -27,9 +27,9 @@ pub struct Case {
     pub function: Function,
     pub form: Form,
     pub metric: Metric,
-    /// The largest error [u] in double precision, in single precision and without subnormal
-    /// numbers; none where the type is not for this form.
-    pub limits: [Option<f64>; 3],
+    /// The largest error [u] in double and in single precision, of every type of it; none where it
+    /// is not for this form.
+    pub limits: [Option<f64>; 2],
     /// What the limits are multiplied by.
     pub growth: Growth,
 }
@@ -80,7 +80,7 @@ impl Case {
             function,
             form: Form::Generated,
             metric: Metric::Scaled,
-            limits: [Some(limit); 3],
+            limits: [Some(limit); 2],
             growth: Growth::Constant,
         }
     }
@@ -92,16 +92,16 @@ impl Case {
             function: Function::ForwardDynamics,
             form,
             metric: Metric::Relative,
-            limits: [Some(limit), None, None],
+            limits: [Some(limit), None],
             growth: Growth::Constant,
         }
     }
 
-    /// Also in single precision, with subnormal numbers and without.
+    /// Also in single precision.
     pub const fn in_single(self, limit: f64) -> Self {
-        let [double, ..] = self.limits;
+        let [double, _] = self.limits;
         Self {
-            limits: [double, Some(limit), Some(limit)],
+            limits: [double, Some(limit)],
             ..self
         }
     }
@@ -116,9 +116,11 @@ impl Case {
 
     /// The limit in a type, for so many joints.
     pub fn limit<T: Tested>(&self, joints: usize) -> Option<f64> {
-        let limit = self.limits[["f64", "f32", "flushed"]
-            .iter()
-            .position(|name| *name == T::NAME)?];
+        let [double, single] = self.limits;
+        let limit = match T::REAL {
+            Real::F32 => single,
+            Real::F64 | Real::Generic => double,
+        };
         let joints = f64::from(u32::try_from(joints).expect("few joints"));
         let growth = match self.growth {
             Growth::Constant => 1.0,
@@ -259,12 +261,7 @@ impl Bench {
     /// The program of a case in a type.
     pub fn program<T: Tested>(&self, case: &Case) -> Program {
         assert_eq!(self.function, case.function);
-        let scalar = if T::NAME == "f64" {
-            Real::F64
-        } else {
-            Real::F32
-        };
-        case.program(&self.chain, scalar)
+        case.program(&self.chain, T::REAL)
     }
 
     /// The errors of a case at some states.
@@ -292,15 +289,17 @@ pub fn judge(cases: &[&Case], label: &str, states: impl Fn(&Chain) -> Vec<Argume
         .collect();
     let mut beyond = String::new();
     for case in cases {
-        let [double, single, flushed] = case.limits;
+        let [double, single] = case.limits;
         if double.is_some() {
             let program = bench.program::<F64>(case);
             beyond += &judge_in::<F64>(case, &bench, &program, &states);
+            beyond += &judge_in::<Fused64>(case, &bench, &program, &states);
         }
-        if single.or(flushed).is_some() {
+        if single.is_some() {
             let program = bench.program::<F32>(case);
             beyond += &judge_in::<F32>(case, &bench, &program, &states);
             beyond += &judge_in::<Flushed>(case, &bench, &program, &states);
+            beyond += &judge_in::<Fused32>(case, &bench, &program, &states);
         }
     }
     assert!(beyond.is_empty(), "beyond the limit:\n{beyond}");
@@ -315,7 +314,7 @@ fn judge_in<T: Tested>(case: &Case, bench: &Bench, program: &Program, states: &[
     let (worst, arguments) = errors.worst();
     let (name, label, of) = (case.name, &bench.label, T::NAME);
     println!(
-        "{name:32} {label:20} {of:7} median {:8.2e}  99 % {:8.2e}  worst {worst:8.2e}  limit {limit:8.2e} u",
+        "{name:32} {label:20} {of:9} median {:8.2e}  99 % {:8.2e}  worst {worst:8.2e}  limit {limit:8.2e} u",
         errors.quantile(0.5),
         errors.quantile(0.99),
     );

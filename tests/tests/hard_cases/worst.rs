@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use homogen_tests::arguments::Arguments;
 use homogen_tests::metrics;
-use homogen_tests::tested::{F32, F64, Flushed, Tested};
+use homogen_tests::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
 use crate::case::{Bench, Case};
 use crate::{angles, cancelling, forward_dynamics, large, regrouped};
@@ -43,6 +43,8 @@ fn worst_inputs_again() {
             "f64" => again::<F64>(case, &bench, arguments),
             "f32" => again::<F32>(case, &bench, arguments),
             "flushed" => again::<Flushed>(case, &bench, arguments),
+            "f32_fused" => again::<Fused32>(case, &bench, arguments),
+            "f64_fused" => again::<Fused64>(case, &bench, arguments),
             _ => panic!("{of} is no type"),
         }
         without.remove(name);

@@ -12,6 +12,7 @@ use homogen::{Chain, Inertia, Jacobian, Joint, Pose, Screw};
 use homogen_tests::big::Big;
 use homogen_tests::robots::{PandaClass, Puma560};
 use homogen_tests::states::Random;
+use homogen_tests::tested::{Fused32, Fused64};
 use nalgebra::{RealField, SMatrix, SVector};
 
 use crate::exact::{add, cross, exact, nearest_matrix, norm};
@@ -311,6 +312,18 @@ crate::in_every_type! {
     wrist_singular => wrist;
     /// Hard case 22.
     elbow_singular => elbow;
+}
+
+#[test]
+fn wrist_singular_fused() {
+    wrist::<Fused64>();
+    wrist::<Fused32>();
+}
+
+#[test]
+fn elbow_singular_fused() {
+    elbow::<Fused64>();
+    elbow::<Fused32>();
 }
 
 #[test]

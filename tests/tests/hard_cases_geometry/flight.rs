@@ -11,7 +11,7 @@ use homogen::robot::ForwardDynamics;
 use homogen::vector::{norm, sub};
 use homogen::{Chain, Momentum, Robot};
 use homogen_tests::states::Random;
-use homogen_tests::tested::Flushed;
+use homogen_tests::tested::{Flushed, Fused32, Fused64};
 
 use crate::measure::Number;
 
@@ -177,8 +177,8 @@ fn flight_of(chain: &Chain<7, 1>) -> Motion<'_, Flight, 7, 1> {
     }
 }
 
-/// Hard case 30. The floors were 59 and 73 u in f64, 5 and 6 u in f32: held with four times as much,
-/// since rounding falls differently where products and sums are fused.
+/// Hard case 30. The floors were 59 and 74 u in f64, 5 and 7 u in f32, fused or not: held with about four
+/// times as much.
 #[test]
 fn free_flight() {
     let chain = Flight::chain();
@@ -190,10 +190,16 @@ fn free_flight() {
         flight.check::<f64>(name, of, [3, 9], 256.0);
         flight.check::<f32>(name, of, [2, 4], 24.0);
         flight.check::<Flushed>(name, of, [2, 4], 24.0);
+        flight.check::<Fused64>(name, of, [3, 9], 256.0);
+        flight.check::<Fused32>(name, of, [2, 4], 24.0);
     }
-    let momentum = flight.drift::<f64>(Constant::Momentum, 100_000);
-    println!("flight, momentum after 100 000 steps: {momentum:e}");
-    assert!(momentum <= 1e-12, "{momentum:e}");
+    for momentum in [
+        flight.drift::<f64>(Constant::Momentum, 100_000),
+        flight.drift::<Fused64>(Constant::Momentum, 100_000),
+    ] {
+        println!("flight, momentum after 100 000 steps: {momentum:e}");
+        assert!(momentum <= 1e-12, "{momentum:e}");
+    }
 }
 
 /// So slow a flight is straight: no velocity changes by a bit.
@@ -221,8 +227,8 @@ crate::in_every_type! {
     free_flight_slow => slow;
 }
 
-/// Hard case 31, from rest and from a throw. The floors were 132 u (pendulum) and 68 u (arm) in f64,
-/// 30 u and 4 u in f32: held with four times as much.
+/// Hard case 31, from rest and from a throw. The floors were 150 u (pendulum) and 68 u (arm) in f64,
+/// 30 u and 4 u in f32, fused or not: held with about four times as much.
 #[test]
 fn energy_drift_chain() {
     let chain = Pendulum::chain();
@@ -235,6 +241,8 @@ fn energy_drift_chain() {
     pendulum.check::<f64>("pendulum", Constant::Energy, [6, 12], 512.0);
     pendulum.check::<f32>("pendulum", Constant::Energy, [4, 6], 128.0);
     pendulum.check::<Flushed>("pendulum", Constant::Energy, [4, 6], 128.0);
+    pendulum.check::<Fused64>("pendulum", Constant::Energy, [6, 12], 512.0);
+    pendulum.check::<Fused32>("pendulum", Constant::Energy, [4, 6], 128.0);
     let chain = Arm::chain();
     let arm = Motion {
         robot: &Arm,
@@ -248,4 +256,6 @@ fn energy_drift_chain() {
     arm.check::<f64>("arm", Constant::Energy, [5, 9], 256.0);
     arm.check::<f32>("arm", Constant::Energy, [4, 6], 16.0);
     arm.check::<Flushed>("arm", Constant::Energy, [4, 6], 16.0);
+    arm.check::<Fused64>("arm", Constant::Energy, [5, 9], 256.0);
+    arm.check::<Fused32>("arm", Constant::Energy, [4, 6], 16.0);
 }

@@ -10,7 +10,7 @@ use homogen::{Real, Scalar};
 use homogen_tests::big::Big;
 use homogen_tests::rounding::{DOUBLE, SINGLE};
 use homogen_tests::states::Random;
-use homogen_tests::tested::Flushed;
+use homogen_tests::tested::{Flushed, Fused32, Fused64};
 
 /// A type under test.
 pub trait Number: Real {
@@ -50,6 +50,22 @@ impl Number for f32 {
     const UNDERFLOW: f64 = 1.5e-45;
     const LARGEST: f64 = f32::MAX as f64;
     const LEAST: f64 = -30.0;
+}
+
+impl Number for Fused64 {
+    const NAME: &'static str = "f64, fused";
+    const UNIT: f64 = f64::UNIT;
+    const UNDERFLOW: f64 = f64::UNDERFLOW;
+    const LARGEST: f64 = f64::LARGEST;
+    const LEAST: f64 = f64::LEAST;
+}
+
+impl Number for Fused32 {
+    const NAME: &'static str = "f32, fused";
+    const UNIT: f64 = f32::UNIT;
+    const UNDERFLOW: f64 = f32::UNDERFLOW;
+    const LARGEST: f64 = f32::LARGEST;
+    const LEAST: f64 = f32::LEAST;
 }
 
 impl Number for Flushed {
@@ -133,7 +149,8 @@ pub fn direction<T: Number>(random: &mut Random) -> [T; 3] {
     }
 }
 
-/// One test for each type of number.
+/// One test for each type of number. The runtime's geometry fuses nothing, so that types that do are left
+/// to the tests of generated functions.
 #[macro_export]
 macro_rules! in_every_type {
     ($($(#[$about:meta])* $case:ident => $generic:ident;)+) => {$(

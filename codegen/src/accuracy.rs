@@ -4,8 +4,11 @@
 //! beside the price: the worst of all results that share a unit. It never says less than "at most":
 //! where nothing can be said that holds for every state of the range, it gives the reason.
 
+mod solved;
+
 use std::fmt;
 
+pub use self::solved::{of_accelerations, of_inverse};
 use crate::chain::range::{self, Range};
 use crate::chain::{Chain, Motion};
 use crate::expression::Input;
@@ -24,10 +27,12 @@ pub enum Accuracy {
         /// The range in words.
         range: String,
     },
-    /// In every state of a range, the accelerations found are the exact ones of torques and forces
-    /// no farther from those given (backward error).
+    /// In every state of a range, what is found is the exact solution for something that is no farther
+    /// from what was given (backward error).
     Backward {
-        /// As of [`Accuracy::Within`], of the torques and forces.
+        /// What was given.
+        given: Given,
+        /// As of [`Accuracy::Within`], of what was given.
         bounds: Vec<Bound>,
         /// The range in words.
         range: String,
@@ -36,7 +41,16 @@ pub enum Accuracy {
     Unknown(&'static str),
 }
 
-/// The greatest error of the results of one unit.
+/// What a solution is found for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Given {
+    /// τ, of which accelerations are the solution.
+    Torques,
+    /// M, of which each column of the inverse is one, from the diagonal up.
+    MassMatrix,
+}
+
+/// The greatest error of the results of one unit; infinite where there is no bound in the type.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
     /// The unit; 1 for a number without.
@@ -47,81 +61,67 @@ pub struct Bound {
     pub single: Option<f64>,
 }
 
-/// Bounds the errors of a program that computes some functions one after the other; for `f32` and
-/// `f64` where any type is meant.
+impl Given {
+    /// Its letter.
+    #[must_use]
+    pub const fn letter(self) -> &'static str {
+        match self {
+            Self::Torques => "τ",
+            Self::MassMatrix => "M",
+        }
+    }
+}
+
+/// Bounds the errors of a program that computes some functions one after the other, for `f32` and
+/// `f64` where any type is meant; of those that invert a mass matrix it says nothing.
 #[must_use]
-pub fn of(chain: &Chain, functions: &[Function], program: &Program, scalar: Real) -> Accuracy {
-    let inverts = |function: &Function| {
-        matches!(
+pub fn of(
+    chain: &Chain,
+    functions: &[Function],
+    program: &Program,
+    scalar: Real,
+) -> Option<Accuracy> {
+    let range = Range::of(chain);
+    let slides = slides(chain);
+    let evaluated = |function: &Function| {
+        !matches!(
             function,
             Function::ForwardDynamics | Function::MassMatrixInverse
         )
     };
-    if functions.iter().any(inverts) {
-        return Accuracy::Unknown("it grows with the condition number of the mass matrix");
-    }
-    let range = Range::of(chain);
-    let worst =
-        |scalar: Real| bound::errors(program, scalar, &|input| value(&range, input, scalar));
-    let slides = slides(chain);
-    let units = functions
-        .iter()
-        .flat_map(|function| function.units(&slides));
-    let Some(bounds) = by_unit(units, scalar, worst) else {
-        return Accuracy::Unknown("a divisor may be zero, as far as ranges tell");
+    let results = functions.iter().flat_map(|function| {
+        let units = function.units(&slides).into_iter();
+        units.map(|unit| evaluated(function).then_some(unit))
+    });
+    let (kept, units): (Vec<usize>, Vec<&str>) = results
+        .enumerate()
+        .filter_map(|(k, unit)| Some((k, unit?)))
+        .unzip();
+    let worst = |scalar: Real| {
+        let errors = bound::errors(program, scalar, &|input| value(&range, input, scalar));
+        kept.iter().map(|&k| errors[k]).collect()
     };
-    let mut arguments: Vec<Argument> = functions
-        .iter()
-        .flat_map(|function| function.arguments().iter().copied())
+    let mut arguments: Vec<Argument> = (functions.iter().copied())
+        .filter(evaluated)
+        .flat_map(Function::arguments)
+        .copied()
         .collect();
     arguments.sort_unstable();
     arguments.dedup();
-    Accuracy::Within {
-        bounds,
-        range: range::words(chain, &arguments),
+    if units.is_empty() {
+        return None;
     }
-}
-
-/// Bounds the backward error of accelerations that are found by the factors of the mass matrix,
-/// without refinement. The program computes the mass matrix and then the bias as that function does.
-///
-/// What a computed solution solves exactly is M + ΔM with |ΔM| ≤ γ |Lᵗ| D |L| (Higham, *Accuracy and
-/// Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
-/// γ √(Mᵢᵢ Mⱼⱼ), since M is positive definite.
-#[must_use]
-pub fn of_accelerations(chain: &Chain, program: &Program, scalar: Real) -> Accuracy {
-    let range = Range::of(chain);
-    let count = chain.joints.len();
-    // Factors and two substitutions, 3n + 1; quotients as products with a reciprocal, 3; the
-    // difference of torques and bias, 1; and 1 for all products of these.
-    let roundings = chain.joints.iter().map(|_| 3.0).sum::<f64>() + 6.0;
-    let worst = |scalar: Real| -> Vec<f64> {
-        let results = bound::results(program, scalar, &|input| value(&range, input, scalar));
-        let (mass, bias) = results.split_at(count * count);
-        let size = |k: usize| mass[k * count + k].reach();
-        let lost = roundings * scalar.roundoff();
-        let row = |i: usize| {
-            let entries = range.qdd.iter().enumerate();
-            let entries = entries.map(|(j, [_, most])| {
-                let solved = lost * (size(i) * size(j)).sqrt();
-                (mass[i * count + j].error + solved) * most
-            });
-            bias[i].error + entries.sum::<f64>()
-        };
-        (0..count).map(row).collect()
-    };
-    let units = Function::InverseDynamics.units(&slides(chain));
-    match by_unit(units, scalar, worst) {
-        Some(bounds) => Accuracy::Backward {
+    Some(match by_unit(units, scalar, worst) {
+        Some(bounds) => Accuracy::Within {
             bounds,
-            range: range::words(chain, &[Argument::Q, Argument::Qd, Argument::Qdd]),
+            range: range::words(chain, &arguments),
         },
         None => Accuracy::Unknown("a divisor may be zero, as far as ranges tell"),
-    }
+    })
 }
 
 /// The worst error for each unit, for `f32` and `f64` where any type is meant; none where there is
-/// no bound.
+/// no bound in any.
 fn by_unit(
     units: impl IntoIterator<Item = &'static str>,
     scalar: Real,
@@ -129,13 +129,21 @@ fn by_unit(
 ) -> Option<Vec<Bound>> {
     let double = (scalar != Real::F32).then(|| worst(Real::F64));
     let single = (scalar != Real::F64).then(|| worst(Real::F32));
+    let bounded = |errors: &Vec<f64>| errors.iter().all(|error| error.is_finite());
+    if ![&double, &single].into_iter().flatten().any(bounded) {
+        return None;
+    }
     let mut bounds: Vec<Bound> = Vec::new();
     for (k, unit) in units.into_iter().enumerate() {
-        let at = |errors: &Option<Vec<f64>>| errors.as_ref().map(|errors| errors[k]);
+        let at = |errors: &Option<Vec<f64>>| {
+            let errors = errors.as_ref()?;
+            Some(if bounded(errors) {
+                errors[k]
+            } else {
+                f64::INFINITY
+            })
+        };
         let (double, single) = (at(&double), at(&single));
-        if [double, single].into_iter().flatten().any(f64::is_infinite) {
-            return None;
-        }
         match bounds.iter_mut().find(|bound| bound.unit == unit) {
             Some(bound) => {
                 bound.double = larger(bound.double, double);
@@ -173,32 +181,42 @@ fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
 }
 
 impl fmt::Display for Accuracy {
-    /// One line: `at most 3.4e-14 N m in f64, 1.8e-5 N m in f32; q and q̇ within their limits`.
+    /// One line: `at most 3.4e-14 N m in f64, 1.8e-5 N m in f32; q and q̇ within their limits`. Whatever
+    /// the type, f64 has a bound where f32 has one.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (what, bounds, range) = match self {
-            Self::Within { bounds, range } => ("", bounds, range),
-            Self::Backward { bounds, range } => ("as if τ were off by ", bounds, range),
+        let (bounds, range) = match self {
+            Self::Within { bounds, range } => (bounds, range),
+            Self::Backward {
+                given,
+                bounds,
+                range,
+            } => {
+                write!(out, "as if {} were off by ", given.letter())?;
+                (bounds, range)
+            }
             Self::Unknown(reason) => return write!(out, "no bound: {reason}"),
         };
         let worst = |name: &str, of: fn(&Bound) -> Option<f64>| {
-            let sizes = bounds.iter();
+            let sizes: Option<Vec<f64>> = bounds.iter().map(of).collect();
+            let sizes = sizes.filter(|sizes| !sizes.is_empty())?;
+            if sizes.iter().any(|size| size.is_infinite()) {
+                return Some(format!("no bound in {name}"));
+            }
+            let sizes = sizes.into_iter().map(upwards).zip(bounds);
             let sizes: Vec<String> = sizes
-                .filter_map(|bound| {
-                    let size = upwards(of(bound)?);
-                    Some(match bound.unit {
-                        "1" => size,
-                        unit => format!("{size} {unit}"),
-                    })
+                .map(|(size, bound)| match bound.unit {
+                    "1" => size,
+                    unit => format!("{size} {unit}"),
                 })
                 .collect();
-            (!sizes.is_empty()).then(|| format!("{} in {name}", sizes.join(" and ")))
+            Some(format!("{} in {name}", sizes.join(" and ")))
         };
         let (double, single) = (
             worst("f64", |bound| bound.double),
             worst("f32", |bound| bound.single),
         );
         let said: Vec<String> = double.into_iter().chain(single).collect();
-        write!(out, "{what}at most {}", said.join(", "))?;
+        write!(out, "at most {}", said.join(", "))?;
         if !range.is_empty() {
             write!(out, "; {range}")?;
         }
@@ -218,7 +236,7 @@ fn upwards(size: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Accuracy, Bound, upwards};
+    use super::{Accuracy, Bound, Given, upwards};
 
     #[test]
     fn two_digits_are_never_less_than_the_number() {
@@ -253,16 +271,23 @@ mod tests {
             single.to_string(),
             "at most 3.1e-5 N m in f32; q within its limits"
         );
-        let backward = Accuracy::Backward {
-            bounds: vec![
-                bound("N m", Some(2.1e-12), None),
-                bound("N", Some(3e-12), None),
-            ],
+        let backward = |given, bounds| Accuracy::Backward {
+            given,
+            bounds,
             range: "q within its limits".to_owned(),
         };
+        let torques = vec![
+            bound("N m", Some(2.1e-12), None),
+            bound("N", Some(3e-12), None),
+        ];
         assert_eq!(
-            backward.to_string(),
+            backward(Given::Torques, torques).to_string(),
             "as if τ were off by at most 2.1e-12 N m and 3.0e-12 N in f64; q within its limits"
+        );
+        let moments = vec![bound("kg m²", Some(1e-15), Some(f64::INFINITY))];
+        assert_eq!(
+            backward(Given::MassMatrix, moments).to_string(),
+            "as if M were off by at most 1.0e-15 kg m² in f64, no bound in f32; q within its limits"
         );
         let unknown = Accuracy::Unknown("nobody knows");
         assert_eq!(unknown.to_string(), "no bound: nobody knows");

@@ -9,6 +9,7 @@ mod angle;
 mod check;
 pub mod frames;
 mod merge;
+pub mod mobility;
 mod names;
 mod physical;
 pub mod range;

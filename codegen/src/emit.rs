@@ -99,8 +99,9 @@ pub struct Listed {
     pub program: Program,
     /// What they cost.
     pub price: Price,
-    /// How far rounding can take their results.
-    pub accuracy: Accuracy,
+    /// How far rounding can take their results: those that are evaluated, and each that solves
+    /// something.
+    pub accuracy: Vec<Accuracy>,
 }
 
 impl Listed {

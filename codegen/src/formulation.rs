@@ -24,7 +24,7 @@ pub struct Formulation {
     /// The inertial parameters that dynamics starts from.
     pub parameters: Parameters,
     /// How accelerations are found from forces; where none is chosen, by the least that the
-    /// conditioning of the mass matrix asks for.
+    /// conditioning of the mass matrix asks for, and in a long row of joints by what is cheaper.
     pub forward: Option<Forward>,
     /// Whether the angles of parallel axes are summed.
     pub angles: Angles,
@@ -65,6 +65,11 @@ pub enum Forward {
     },
     /// By the articulated-body recursion, which takes the parameters of the description.
     Articulated,
+}
+
+impl Forward {
+    /// By the mass matrix and its factors, as they come out.
+    pub const UNREFINED: Self = Self::MassMatrix { refinements: 0 };
 }
 
 /// What becomes of the angles of joints that follow each other with parallel axes.
@@ -128,7 +133,7 @@ const WORDS: [(&str, Option<&str>, Choice); 14] = [
     ("frame_0",        None,      Choice::Frame(Frame::Base)),
     ("regrouped",      None,      Choice::Parameters(Parameters::Regrouped)),
     ("raw",            None,      Choice::Parameters(Parameters::Raw)),
-    ("refined",        Some("0"), Choice::Forward(Forward::MassMatrix { refinements: 0 })),
+    ("refined",        Some("0"), Choice::Forward(Forward::UNREFINED)),
     ("refined",        Some("1"), Choice::Forward(Forward::MassMatrix { refinements: 1 })),
     ("refined",        Some("2"), Choice::Forward(Forward::MassMatrix { refinements: 2 })),
     ("articulated",    None,      Choice::Forward(Forward::Articulated)),

@@ -56,7 +56,7 @@ impl Way {
         frame: Frame::Link,
         angles: Angles::Apart,
         pose: Carried::Inwards { by_product: None },
-        forward: Forward::MassMatrix { refinements: 0 },
+        forward: Forward::UNREFINED,
     };
 
     /// Everything in frame 0, accelerations by the mass matrix.

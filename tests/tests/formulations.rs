@@ -4,19 +4,20 @@
 use std::path::Path;
 
 use homogen::robot::ForwardDynamics;
-use homogen::{Chain, Robot, generic};
-use homogen_codegen::chain;
+use homogen::{Robot, generic};
+use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{Name, read_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::program_as;
 use homogen_codegen::expression::Input;
-use homogen_codegen::formulation::{Formulation, Frame, Parameters};
+use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::run;
+use homogen_codegen::schedule::{Price, run};
 use homogen_codegen::{Function, Real};
 use homogen_tests::functions::{EveryFunction, evaluate};
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
+use homogen_tests::subjects::subject;
 
 const STATES: usize = 200;
 
@@ -71,7 +72,7 @@ robot! {
 }
 
 /// Every function against the dense recursions, in units of rounding.
-fn agree<R, const N: usize>(robot: &R, chain: &Chain<N, 1>, limit: f64)
+fn agree<R, const N: usize>(robot: &R, chain: &homogen::Chain<N, 1>, limit: f64)
 where
     R: EveryFunction<N, f64> + ForwardDynamics<N, f64>,
 {
@@ -180,4 +181,35 @@ fn unfused_code_is_the_program_bit_for_bit() {
         bits(InFrame0.inverse_dynamics(q, qd, qdd)),
         bits(in_frame_0)
     );
+}
+
+/// Factors cost ever more for each further joint, articulated bodies the same.
+#[test]
+fn the_cheaper_form_of_forward_dynamics_is_taken_where_either_will_do() {
+    let weight = |chain: &Chain, forward| {
+        let formulation = Formulation {
+            forward,
+            ..Formulation::default()
+        };
+        let functions = [Function::ForwardDynamics];
+        let program = program_as(formulation, chain, &functions, 0, Real::F64);
+        let price = Price::of(&program.unwrap_or_else(|errors| panic!("{errors}")));
+        price.mul + price.add
+    };
+    for (label, articulated) in [
+        ("planar/8", true),
+        ("spatial/8", false),
+        ("spatial/12", false),
+        ("spatial/16", true),
+        ("tilted/9", false),
+        ("tilted/12", true),
+        ("quadruped/0", false),
+    ] {
+        let chain = subject(label).chain();
+        let [taken, factors, bodies] = [None, Some(Forward::UNREFINED), Some(Forward::Articulated)]
+            .map(|form| weight(&chain, form));
+        println!("{label}: {factors} by factors, {bodies} by articulated bodies");
+        assert_eq!(taken, factors.min(bodies), "{label}");
+        assert_eq!(bodies < factors, articulated, "{label}");
+    }
 }

@@ -12,6 +12,10 @@ use crate::error::Errors;
 use crate::request::{Request, Target};
 use crate::wording::quoted;
 
+/// More joints than a robot has. Every number of a chain keeps how it came about, which of a file of
+/// megabytes would fill the memory.
+const MOST: usize = 5000;
+
 /// The part of a description that is modelled.
 #[derive(Debug)]
 pub struct Tree {
@@ -94,6 +98,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     check_targets(request, &tree, &links, &joints, &mut errors);
     choose_tip(description, request, &mut tree, &mut errors);
     check_moving(description, request, &tree, &links, &mut errors);
+    check_size(description, &tree, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         errors.push(
@@ -227,6 +232,18 @@ fn check_moving(
                 "leave the field out, or choose a base upstream of the link",
             );
         }
+    }
+}
+
+/// What hangs on the base must be of the size of a robot.
+fn check_size(description: &Description, tree: &Tree, errors: &mut Errors) {
+    let count = tree.branches.len();
+    if count > MOST {
+        errors.push_with_hint(
+            description.name.place,
+            format!("the robot has {count} joints, and at most {MOST} can be modelled"),
+            "choose a base further out, or drop what is not needed",
+        );
     }
 }
 

@@ -14,10 +14,6 @@ use crate::request::{Request, Target};
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
-/// More joints than a robot has: descriptions of megabytes, in which every number cannot keep how it
-/// came about.
-const MANY: usize = 1000;
-
 /// Where a link ended up: in which body, and where in it.
 #[derive(Clone, Copy)]
 struct Seat<'g> {
@@ -103,13 +99,10 @@ fn seat<'g>(
     });
     for branch in &tree.branches {
         let joint = &description.joints[branch.joint];
-        // A pitch is no part of a seat or a body's matrices: it is made before what is forgotten.
-        let motion = reader.motion(joint.kind);
-        let mark = graph.len();
         let parent = seats[branch.parent].expect("parents come before children");
         let pose = parent.pose * reader.origin(description, branch);
         let axis = unit(graph, &joint.axis);
-        let mut seat = if let Some(held) = branch.held {
+        let seat = if let Some(held) = branch.held {
             Seat {
                 body: parent.body,
                 pose: pose * held_at(graph, joint.kind, axis, &held),
@@ -118,7 +111,7 @@ fn seat<'g>(
             bodies.push(Body {
                 joint: branch.joint,
                 parent: parent.body,
-                motion,
+                motion: reader.motion(joint.kind),
                 placement: pose,
                 axis,
                 inertia: Inertia::zero(graph),
@@ -134,36 +127,9 @@ fn seat<'g>(
         {
             bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
         }
-        if tree.branches.len() > MANY {
-            let body = seat.body.map(|body| &mut bodies[body]);
-            settle(graph, mark, &mut seat, body);
-        }
         seats[branch.child] = Some(seat);
     }
     (seats, bodies)
-}
-
-/// Keeps of a branch nothing but its results: a file of megabytes makes millions of numbers on the
-/// way.
-fn settle<'g>(graph: &'g Graph, mark: usize, seat: &mut Seat<'g>, mut body: Option<&mut Body<'g>>) {
-    let mut each = |change: &mut dyn FnMut(Term<'g>) -> Term<'g>| {
-        seat.pose = seat.pose.map(&mut *change);
-        if let Some(body) = &mut body {
-            if let Motion::Screw(pitch) = &mut body.motion {
-                *pitch = change(graph.term(*pitch)).expr();
-            }
-            body.placement = body.placement.map(&mut *change);
-            body.axis = body.axis.map(&mut *change);
-            body.inertia = body.inertia.map(change);
-        }
-    };
-    let mut results = Vec::new();
-    each(&mut |term| {
-        results.push(term.expr());
-        term
-    });
-    let mut settled = graph.settle(mark, results).into_iter();
-    each(&mut |term| settled.next().map_or(term, |expr| graph.term(expr)));
 }
 
 /// Turns what was written into scalars, and keeps account of it.

@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 use super::functions::Functions;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
-use crate::accuracy::{Accuracy, Bound};
+use crate::accuracy::{Accuracy, Bound, Given};
 use crate::emit::Listed;
 use crate::expand::{expand, understand};
 use crate::schedule::Price;
@@ -84,33 +84,36 @@ fn in_json(robot: &str, functions: &[Listed]) -> Value {
         if let Some((_, cycles)) = listed.price.cycles {
             price["cycles"] = json!(cycles);
         }
-        price["error"] = error(&listed.accuracy);
+        price["errors"] = listed.accuracy.iter().map(error).collect();
         (listed.name(), price)
     });
     let prices: Map<String, Value> = prices.collect();
     json!({ "robot": robot, "functions": prices })
 }
 
-/// The worst of each unit by the type of number, of the results or of the τ that they are exact for,
-/// and where that holds; or why there is no bound.
+/// The worst of each unit by the type of number, of the results or of what they are exact for, and
+/// where that holds; or why there is no bound.
 fn error(accuracy: &Accuracy) -> Value {
-    match accuracy {
-        Accuracy::Unknown(reason) => json!({ "unknown": reason }),
-        Accuracy::Within { bounds, range } | Accuracy::Backward { bounds, range } => {
-            let of = match accuracy {
-                Accuracy::Backward { .. } => "tau",
-                _ => "results",
-            };
-            let by_unit = |of: fn(&Bound) -> Option<f64>| -> Map<String, Value> {
-                let sizes = bounds.iter();
-                sizes
-                    .map(|bound| (bound.unit.to_owned(), json!(of(bound))))
-                    .collect()
-            };
-            let (double, single) = (by_unit(|bound| bound.double), by_unit(|bound| bound.single));
-            json!({ "of": of, "f64": double, "f32": single, "range": range })
-        }
-    }
+    let (of, bounds, range) = match accuracy {
+        Accuracy::Unknown(reason) => return json!({ "unknown": reason }),
+        Accuracy::Within { bounds, range } => ("results", bounds, range),
+        Accuracy::Backward {
+            given,
+            bounds,
+            range,
+        } => match given {
+            Given::Torques => ("tau", bounds, range),
+            Given::MassMatrix => ("M", bounds, range),
+        },
+    };
+    let by_unit = |of: fn(&Bound) -> Option<f64>| -> Map<String, Value> {
+        let sizes = bounds.iter();
+        sizes
+            .map(|bound| (bound.unit.to_owned(), json!(of(bound))))
+            .collect()
+    };
+    let (double, single) = (by_unit(|bound| bound.double), by_unit(|bound| bound.single));
+    json!({ "of": of, "f64": double, "f32": single, "range": range })
 }
 
 fn table(functions: &[Listed]) -> String {

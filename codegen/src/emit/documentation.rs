@@ -51,7 +51,8 @@ pub(super) fn lines(listing: &Listing, listed: &Listed, dialect: &Dialect) -> Ve
     lines.extend(facts(about));
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
-    lines.push(format!("Error: {}.", listed.accuracy));
+    let accuracy = listed.accuracy.iter();
+    lines.extend(accuracy.map(|accuracy| format!("Error: {accuracy}.")));
     lines
 }
 
@@ -105,7 +106,8 @@ pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> St
     for listed in &listing.functions {
         let name = method::name(&listed.functions, listed.frame.as_deref());
         lines.push(format!("{}: {}.", sanitize(&name), listed.price));
-        lines.push(format!("    error: {}.", listed.accuracy));
+        let accuracy = listed.accuracy.iter();
+        lines.extend(accuracy.map(|accuracy| format!("    error: {accuracy}.")));
     }
     lines.iter().fold(String::new(), |mut text, line| {
         // Writing to a string cannot fail.

@@ -59,14 +59,14 @@ fn listed(functions: &[Function], program: Program) -> Listed {
         frame: None,
         program,
         price,
-        accuracy: Accuracy::Within {
+        accuracy: vec![Accuracy::Within {
             bounds: vec![Bound {
                 unit: "N m",
                 double: Some(3.4e-15),
                 single: Some(1.8e-6),
             }],
             range: "q within its limits".to_owned(),
-        },
+        }],
     }
 }
 

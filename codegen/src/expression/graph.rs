@@ -77,8 +77,9 @@ struct Inner {
     /// The value of each node that no input enters.
     values: Vec<Option<Double>>,
     labels: Vec<Option<String>>,
+    /// The nodes that an input enters.
     memo: HashMap<Node, Expr>,
-    /// The first node of each constant value, so that 0.5 × 0.5 and 0.25 are one.
+    /// All others, by their value, so that 0.5 × 0.5 and 0.25 are one.
     constants: HashMap<(u64, u64), Expr>,
 }
 
@@ -161,14 +162,6 @@ impl Graph {
         self.term(expr)
     }
 
-    /// Forgets how numbers came about: of all nodes made since there were `mark`, only the values
-    /// of `results` stay, at the places that are given back; every other expression made since
-    /// then is void. Where one of those nodes depends on an input, all of them stay.
-    #[must_use]
-    pub fn settle(&self, mark: usize, results: Vec<Expr>) -> Vec<Expr> {
-        self.inner.borrow_mut().settle(mark, results)
-    }
-
     /// The expressions that the results need, children first, and how often each node is used.
     #[must_use]
     pub fn needed(&self, results: &[Expr]) -> (Vec<Expr>, Vec<u32>) {
@@ -244,90 +237,22 @@ impl Inner {
     /// The expression of that node: a number is known by its value, however it came about, and
     /// everything else by what it acts on.
     fn intern(&mut self, node: Node, value: Option<Double>) -> Expr {
-        let Some(value) = value else {
-            let node = self.canonical(node);
-            if let Some(&known) = self.memo.get(&node) {
-                return known;
-            }
-            let expr = self.push(node, None);
-            self.memo.insert(node, expr);
-            return expr;
+        let known = match value {
+            Some(value) => self.constants.get(&value.bits()),
+            None => self.memo.get(&node),
         };
-        if let Some(&known) = self.constants.get(&value.bits()) {
+        if let Some(&known) = known {
             return known;
         }
-        let expr = self.push(node, Some(value));
-        self.constants.insert(value.bits(), expr);
-        expr
-    }
-
-    fn push(&mut self, node: Node, value: Option<Double>) -> Expr {
         let expr = Expr(u32::try_from(self.nodes.len()).expect("a graph of fewer than 2³² nodes"));
         self.nodes.push(node);
         self.values.push(value);
         self.labels.push(None);
-        expr
-    }
-
-    fn settle(&mut self, mark: usize, results: Vec<Expr>) -> Vec<Expr> {
-        if self.values[mark..].iter().any(Option::is_none) {
-            return results;
-        }
-        let made = self.values.split_off(mark);
-        self.nodes.truncate(mark);
-        self.labels.truncate(mark);
-        for value in made.iter().flatten() {
-            let bits = value.bits();
-            if self
-                .constants
-                .get(&bits)
-                .is_some_and(|expr| expr.index() >= mark)
-            {
-                self.constants.remove(&bits);
-            }
-        }
-        let value = |result: Expr| *made.get(result.index().checked_sub(mark)?)?;
-        results
-            .into_iter()
-            .map(|result| value(result).map_or(result, |value| self.number(value)))
-            .collect()
-    }
-
-    /// A number of 106 bits, as the sum of two of 53. It is not entered among the constants: of
-    /// the millions that a large description has, few are ever asked for again.
-    fn number(&mut self, value: Double) -> Expr {
-        if value.is_zero() {
-            return self.literal(0.0);
-        }
-        if value.to_f64() < 0.0 {
-            let opposite = self.number(-value);
-            return self.push(Node::Neg(opposite), Some(value));
-        }
-        let mut literal =
-            |value: f64| self.push(Node::Literal(value.to_bits()), Some(value.into()));
-        let high = literal(value.to_f64());
-        let rest = (value - Double::from(value.to_f64())).to_f64();
-        if rest == 0.0 {
-            return high;
-        }
-        let low = literal(rest.abs());
-        let node = if rest < 0.0 { Node::Sub } else { Node::Add };
-        self.push(node(high, low), Some(value))
-    }
-
-    /// The same node with the first expression of each value that it acts on.
-    fn canonical(&mut self, node: Node) -> Node {
-        let mut first = |expr: Expr| match self.values[expr.index()] {
-            Some(value) => *self.constants.entry(value.bits()).or_insert(expr),
-            None => expr,
+        match value {
+            Some(value) => self.constants.insert(value.bits(), expr),
+            None => self.memo.insert(node, expr),
         };
-        match node {
-            Node::Add(a, b) => Node::Add(first(a), first(b)),
-            Node::Sub(a, b) => Node::Sub(first(a), first(b)),
-            Node::Mul(a, b) => Node::Mul(first(a), first(b)),
-            Node::Div(a, b) => Node::Div(first(a), first(b)),
-            _ => node,
-        }
+        expr
     }
 
     fn literal(&mut self, value: f64) -> Expr {
@@ -486,39 +411,5 @@ impl Inner {
     fn ordered(&self, a: Expr, b: Expr) -> (Expr, Expr) {
         let key = |expr: Expr| (self.value(expr).is_none(), expr);
         if key(b) < key(a) { (b, a) } else { (a, b) }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Graph, Input};
-
-    #[test]
-    fn what_is_settled_keeps_its_value_and_nothing_else() {
-        let graph = Graph::new();
-        let third = graph.constant(1.0) / graph.constant(3.0);
-        let mark = graph.len();
-        let result = (third * third - third) * graph.constant(0.7);
-        let (value, before) = (result.value().expect("a number"), graph.len());
-        let settled = graph.settle(mark, vec![third.expr(), result.expr()]);
-        assert_eq!(settled[0], third.expr());
-        let kept = graph.value(settled[1]).expect("a number");
-        assert_eq!(kept.bits(), value.bits());
-        assert!(graph.len() < before);
-        // The same number made again is the same in a product, as every number is.
-        let x = graph.input(Input::Q(0));
-        let again = (third * third - third) * graph.constant(0.7);
-        assert_eq!((again * x).expr(), (graph.term(settled[1]) * x).expr());
-    }
-
-    #[test]
-    fn what_depends_on_an_input_is_not_settled() {
-        let graph = Graph::new();
-        let x = graph.input(Input::Q(0));
-        let mark = graph.len();
-        let result = x * graph.constant(0.7) + graph.constant(0.1);
-        let before = graph.len();
-        assert_eq!(graph.settle(mark, vec![result.expr()]), [result.expr()]);
-        assert_eq!(graph.len(), before);
     }
 }

@@ -234,25 +234,3 @@ fn places_in_a_file_reach_the_messages_of_the_chain() {
         "error: arm.urdf:5:17: there is no link \"bas\"\n  hint: did you mean \"base\"?\n";
     assert_eq!(errors.to_string(), expected);
 }
-
-/// Descriptions of megabytes forget how their numbers came about, and must keep them all.
-#[test]
-fn a_screw_keeps_its_pitch_in_a_long_description() {
-    use std::fmt::Write;
-
-    for many in [0, 1100] {
-        let mut robot = "struct Long { gravity: none }\nlink base;\n\
-            joint drive: screw([0.0, 0.6, 0.8], pitch: 0.037) { at: rx(0.3) }\nlink nut;\n"
-            .to_owned();
-        for k in 0..many {
-            // Writing to a string cannot fail.
-            let _ = writeln!(robot, "joint j{k}: fixed {{ at: rz(0.001) }}\nlink l{k};");
-        }
-        let chain = fine(&robot);
-        let Motion::Screw(pitch) = chain.joints[0].motion else {
-            panic!("{:?}", chain.joints[0].motion);
-        };
-        let pitch = chain.graph.value(pitch).expect("a number").to_f64();
-        assert_eq!(pitch, 0.037, "with {many} joints more");
-    }
-}

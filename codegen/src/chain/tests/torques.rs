@@ -73,7 +73,7 @@ fn layouts() -> Vec<Layout> {
 /// Every way to compute a function, whether only the count decides between them or not.
 fn ways(function: Function) -> Vec<Way> {
     let forms = [
-        Forward::MassMatrix { refinements: 0 },
+        Forward::UNREFINED,
         Forward::MassMatrix { refinements: 1 },
         Forward::Articulated,
     ];

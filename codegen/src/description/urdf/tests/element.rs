@@ -1,0 +1,54 @@
+//! What is said of elements and numbers, in whatever they stand.
+
+use super::{errors_in_joint, fine};
+
+#[test]
+fn a_misspelt_element_is_not_passed_over_silently() {
+    let robot = fine(
+        "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"fixed\">\
+         <parent link=\"a\"/><child link=\"b\"/>\n<orgin xyz=\"1 0 0\"/></joint>\
+         <joint name=\"k\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/>\n\
+         <origin xzy=\"1 0 0\"/><hardware/></joint></robot>",
+    );
+    let said: Vec<_> = robot.warnings.iter().map(|w| w.message.as_str()).collect();
+    assert_eq!(
+        said,
+        [
+            "<orgin> in joint \"j\" is ignored",
+            "attribute \"xzy\" of the origin of joint \"k\" is ignored",
+        ]
+    );
+    assert_eq!(
+        robot.warnings[0].hint.as_deref(),
+        Some("did you mean <origin>?")
+    );
+}
+
+#[test]
+fn numbers_are_said_under_their_own_digits() {
+    let origin = |text: &str| errors_in_joint("fixed", &format!("<origin {text}/>"));
+    assert_eq!(
+        origin("xyz=\"0 inf 0,5\""),
+        "error: arm.urdf:2:16: xyz of the origin of joint \"j\" is infinite: \"inf\"\n\
+         error: arm.urdf:2:20: xyz of the origin of joint \"j\" is not a number: \"0,5\"\n  \
+         hint: write a decimal point, and spaces between numbers\n"
+    );
+    assert_eq!(
+        origin("xyz = '0\n x 0'"),
+        "error: arm.urdf:3:2: xyz of the origin of joint \"j\" is not a number: \"x\"\n"
+    );
+    assert_eq!(
+        origin("rpy=\"0\""),
+        "error: arm.urdf:2:14: rpy of the origin of joint \"j\" has 1 number instead of 3\n"
+    );
+    assert_eq!(
+        origin("rpy=\"\""),
+        "error: arm.urdf:2:14: rpy of the origin of joint \"j\" has 0 numbers instead of 3\n"
+    );
+    assert_eq!(
+        origin("quat_xyzw=\"0 0 0 1\""),
+        "error: arm.urdf:2:20: the origin of joint \"j\" has a quaternion, which is not read\n  \
+         hint: write rpy=\"roll pitch yaw\"\n"
+    );
+    assert_eq!(origin("xyz=\"&#49; 0\t0\""), "");
+}

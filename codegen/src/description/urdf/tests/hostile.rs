@@ -1,0 +1,94 @@
+//! Texts that no reader should stumble over: too large, too deep, cut off, changed at random.
+
+use super::{ARM, errors};
+
+#[test]
+fn hostile_files_are_refused_quickly() {
+    let nested = |depth: usize| {
+        let open = "<a>".repeat(depth);
+        let close = "</a>".repeat(depth);
+        format!("<robot name=\"r\"><link name=\"a\"/>{open}{close}</robot>")
+    };
+    assert_eq!(errors(&nested(100_000)), "");
+    assert!(errors(&nested(100_000)[..200_000]).contains("the file ends in the middle"));
+    assert_eq!(
+        errors(&"<a>".repeat(1_000_001)),
+        "error: arm.urdf:1:3000001: the file has more than 1000000 elements and attributes\n"
+    );
+    let attributes = (0..33)
+        .map(|i| format!(" a{i}=\"\""))
+        .collect::<Vec<_>>()
+        .concat();
+    assert_eq!(
+        errors(&format!("<robot\n{attributes}/>")),
+        "error: arm.urdf:1:1: an element has more than 32 attributes\n"
+    );
+    let namespaces = (0..65)
+        .map(|i| format!("<a xmlns:n{i}=\"u\">\n"))
+        .collect::<Vec<_>>()
+        .concat();
+    assert_eq!(
+        errors(&namespaces),
+        "error: arm.urdf:65:1: the file declares more than 64 namespaces\n"
+    );
+    assert_eq!(
+        errors("<!DOCTYPE r [<!ENTITY a \"b\"><!ENTITY c \"&a;&a;\">]>\n<robot name=\"&c;\"/>"),
+        "error: arm.urdf:1:1: the file has a <!DOCTYPE …>, which is not read\n  \
+         hint: remove it, and write out the entities it defines\n"
+    );
+    // A comment is no element, whatever stands in it.
+    let comment = format!("<!-- {} -->", "<a = = =".repeat(500_000));
+    assert_eq!(
+        errors(&format!(
+            "{comment}<robot name=\"r\"><link name=\"a\"/></robot>"
+        )),
+        ""
+    );
+}
+
+#[test]
+fn thousands_of_mistakes_are_counted() {
+    let said = errors(&format!(
+        "<robot name=\"r\">{}</robot>",
+        "<link/>".repeat(5000)
+    ));
+    assert_eq!(said.lines().count(), 1001);
+    assert!(said.ends_with("and 4000 more\n"));
+}
+
+#[test]
+fn every_truncation_is_survived() {
+    for end in (0..ARM.len()).filter(|end| ARM.is_char_boundary(*end)) {
+        let said = errors(&ARM[..end]);
+        assert_eq!(
+            said.is_empty(),
+            end >= ARM.trim_end().len(),
+            "{end}: {said}"
+        );
+    }
+}
+
+#[test]
+fn random_changes_are_survived() {
+    // A linear congruential generator is random enough to break XML, and the same everywhere.
+    let mut state = 0x2545_f491_4f6c_dd1d_u64;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(1);
+        usize::try_from(state >> 33).unwrap_or(0) % below
+    };
+    let bytes = b"<>/\"'=&;!-[]?x0.- \n\t\xc3\xa4\x00:eE+$#{";
+    for _ in 0..4000 {
+        let mut text = ARM.as_bytes().to_vec();
+        for _ in 0..=random(6) {
+            let at = random(text.len());
+            match random(3) {
+                0 => text[at] = bytes[random(bytes.len())],
+                1 => text.insert(at, bytes[random(bytes.len())]),
+                _ => {
+                    text.drain(at..(at + random(12)).min(text.len()));
+                }
+            }
+        }
+        let _ = errors(&String::from_utf8_lossy(&text));
+    }
+}

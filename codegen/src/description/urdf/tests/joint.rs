@@ -1,0 +1,137 @@
+//! What is said of joints: their kinds, axes, links and limits.
+
+use super::{errors_in, errors_in_joint, fine};
+use crate::error::Place;
+
+#[test]
+fn joints_that_are_not_modelled_are_refused_by_name() {
+    for kind in ["floating", "planar", "spherical"] {
+        assert_eq!(
+            errors_in_joint(kind, ""),
+            format!(
+                "error: arm.urdf:1:71: joint \"j\" is {kind}, and such joints are not modelled\n  \
+                 hint: known types: revolute, continuous, prismatic, screw and fixed\n"
+            )
+        );
+    }
+    assert_eq!(
+        errors_in_joint("revolute", r#"<axis xyz="0 0 1"/><mimic joint="k"/>"#),
+        "error: arm.urdf:2:20: joint \"j\" mimics joint \"k\", and mimic joints are not modelled\n  \
+         hint: make it fixed, or remove <mimic> to give it a coordinate of its own\n"
+    );
+    assert_eq!(
+        errors_in_joint("revolut", ""),
+        "error: arm.urdf:1:71: joint \"j\" has the unknown type \"revolut\"\n  \
+         hint: did you mean \"revolute\"? known types: \
+         revolute, continuous, prismatic, screw and fixed\n"
+    );
+    assert_eq!(
+        errors_in_joint("screw", r#"<axis xyz="0 0 1"/>"#),
+        "error: arm.urdf:1:49: joint \"j\" has no <thread>\n  \
+         hint: add <thread pitch=\"…\"/>, in metres per radian\n"
+    );
+}
+
+#[test]
+fn joints_need_a_name_a_type_and_two_links() {
+    assert_eq!(
+        errors_in("<joint/>"),
+        "error: arm.urdf:2:1: a joint has no attribute \"name\"\n\
+         error: arm.urdf:2:1: the joint without a name has no attribute \"type\"\n\
+         error: arm.urdf:2:1: the joint without a name has no <parent>\n  \
+         hint: add <parent link=\"…\"/>\n\
+         error: arm.urdf:2:1: the joint without a name has no <child>\n  \
+         hint: add <child link=\"…\"/>\n"
+    );
+    assert_eq!(
+        errors_in(r#"<joint name="j" type="fixed"><parent link="a"/><child link=""/></joint>"#),
+        "error: arm.urdf:2:61: the child of joint \"j\" has an empty attribute \"link\"\n"
+    );
+    assert_eq!(
+        errors_in(r#"<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>"#),
+        "error: arm.urdf:2:61: joint \"j\" joins link \"a\" to itself\n"
+    );
+    assert_eq!(
+        errors_in_joint("fixed", r#"<parent link="b"/>"#),
+        "error: arm.urdf:2:1: joint \"j\" has more than one <parent>\n"
+    );
+    let joint = r#"<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>"#;
+    assert_eq!(
+        errors_in(&format!("{joint}\n{joint}")),
+        "error: arm.urdf:3:14: there is another joint \"j\"\n  hint: the other one is in line 2\n"
+    );
+}
+
+#[test]
+fn axes_are_directions_of_length_one() {
+    assert_eq!(
+        errors_in_joint("revolute", r#"<axis xyz="0 0 0"/>"#),
+        "error: arm.urdf:2:12: the axis of joint \"j\" is zero\n  \
+         hint: give it a direction, such as 0 0 1\n"
+    );
+    assert_eq!(
+        errors_in_joint("prismatic", r#"<axis xyz="0 3 4"/>"#),
+        "error: arm.urdf:2:12: the axis of joint \"j\" has length 5 instead of 1\n  \
+         hint: of length 1 it is 0 0.6 0.8\n"
+    );
+    assert_eq!(
+        errors_in_joint("revolute", "<axis/>"),
+        "error: arm.urdf:2:1: the axis of joint \"j\" has no attribute \"xyz\"\n  \
+         hint: write <axis xyz=\"0 0 1\"/>\n"
+    );
+    assert_eq!(errors_in_joint("fixed", r#"<axis xyz="0 0 0"/>"#), "");
+}
+
+#[test]
+#[expect(clippy::float_cmp, reason = "reading is exact")]
+fn an_axis_that_is_not_written_is_x_with_a_warning() {
+    let robot = fine(
+        "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\n\
+         <joint name=\"j\" type=\"revolute\"><parent link=\"a\"/><child link=\"b\"/></joint>\
+         <joint name=\"k\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint></robot>",
+    );
+    assert_eq!(robot.joints[0].axis.map(|x| x.value), [1.0, 0.0, 0.0]);
+    assert_eq!(robot.warnings.len(), 1);
+    let warning = &robot.warnings[0];
+    assert!(matches!(warning.place, Place::File { line: 2, column: 1 }));
+    assert_eq!(
+        warning.message,
+        "joint \"j\" has no <axis>: it moves about or along x, as URDF has it"
+    );
+    assert_eq!(warning.hint.as_deref(), Some("write <axis xyz=\"1 0 0\"/>"));
+}
+
+#[test]
+fn limits_are_in_order() {
+    let axis = r#"<axis xyz="0 0 1"/>"#;
+    assert_eq!(
+        errors_in_joint(
+            "revolute",
+            &format!("{axis}<limit lower=\"1\" upper=\"-1\"/>")
+        ),
+        "error: arm.urdf:2:20: the lower limit of joint \"j\", 1, is above the upper one, -1\n"
+    );
+    assert_eq!(
+        errors_in_joint(
+            "revolute",
+            &format!("{axis}<limit lower=\"nan\" velocity=\"x\"/>")
+        ),
+        "error: arm.urdf:2:49: the velocity limit of joint \"j\" is not a number: \"x\"\n\
+         error: arm.urdf:2:34: the lower limit of joint \"j\" is not finite: \"nan\"\n"
+    );
+    assert_eq!(
+        errors_in_joint(
+            "prismatic",
+            &format!("{axis}<limit lower=\"-inf\" upper=\"inf\"/>")
+        ),
+        ""
+    );
+    assert_eq!(
+        errors_in_joint(
+            "continuous",
+            &format!("{axis}<limit lower=\"1\" upper=\"-1\"/>")
+        ),
+        ""
+    );
+    assert_eq!(errors_in_joint("revolute", &format!("{axis}<limit/>")), "");
+}

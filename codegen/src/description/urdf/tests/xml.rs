@@ -1,0 +1,105 @@
+//! What is said of files that are no URDF, or not yet, or no XML.
+
+use super::{ARM, TENSOR, errors, errors_in, errors_in_inertial, fine};
+
+#[test]
+fn a_byte_order_mark_is_no_character() {
+    let text = format!("\u{feff}{ARM}");
+    assert_eq!(fine(&text).links.len(), 3);
+    assert_eq!(
+        errors("\u{feff}<robot><link name=\"a\"/></robot>"),
+        "error: arm.urdf:1:1: the robot has no attribute \"name\"\n"
+    );
+}
+
+#[test]
+fn what_is_no_urdf_is_said() {
+    assert_eq!(
+        errors("<sdf version=\"1.6\"/>"),
+        "error: arm.urdf:1:1: this is not a URDF: the root element is <sdf>\n  \
+         hint: convert it to URDF first\n"
+    );
+    assert_eq!(
+        errors("<!-- x -->\n<html/>"),
+        "error: arm.urdf:2:1: this is not a URDF: the root element is <html>\n  \
+         hint: a URDF file begins with <robot name=\"…\">\n"
+    );
+    assert_eq!(errors(" \n"), "error: the file is empty\n");
+    assert_eq!(
+        errors("links: 7"),
+        "error: arm.urdf:1:1: this is not XML\n  \
+         hint: a URDF file begins with <robot name=\"…\">\n"
+    );
+    assert_eq!(
+        errors("<robot name=\"r\"/>"),
+        "error: arm.urdf:1:1: robot \"r\" has no links\n"
+    );
+}
+
+#[test]
+fn xacro_is_said_once() {
+    let message = "this is a xacro file that has yet to be expanded to URDF\n  \
+                   hint: run: xacro robot.urdf.xacro > robot.urdf\n";
+    let namespace = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
+    assert_eq!(
+        errors(&format!(
+            "<robot name=\"r\" {namespace}>\n<xacro:arm prefix=\"a\"/><link/></robot>"
+        )),
+        format!("error: arm.urdf:2:1: {message}")
+    );
+    assert_eq!(
+        errors("<robot name=\"r\">\n<xacro:arm prefix=\"a\"/></robot>"),
+        format!("error: arm.urdf:2:2: {message}")
+    );
+    assert_eq!(
+        errors_in("<link name=\"${prefix}arm\"/><link/>"),
+        format!("error: arm.urdf:2:13: {message}")
+    );
+    assert_eq!(
+        errors_in_inertial(&format!("<mass value=\"${{m / 2}}\"/>{TENSOR}")),
+        format!("error: arm.urdf:2:14: {message}")
+    );
+    // The namespace alone stays behind in expanded files.
+    assert_eq!(
+        errors(&format!(
+            "<robot name=\"r\" {namespace}><link name=\"a\"/></robot>"
+        )),
+        ""
+    );
+}
+
+#[test]
+fn broken_xml_is_said_where_it_breaks() {
+    assert_eq!(
+        errors("<robot name=\"r\">\n<link name=\"a\"/>\n"),
+        "error: arm.urdf:2:17: the file ends in the middle of an element\n  \
+         hint: is the file complete?\n"
+    );
+    assert_eq!(
+        errors("<robot name=\"r\">\n<link name=\"a"),
+        "error: arm.urdf:2:14: the file ends in the middle of an element\n  \
+         hint: is the file complete?\n"
+    );
+    assert_eq!(
+        errors("<robot name=\"r\">\n<link name=\"a\"></joint></robot>"),
+        "error: arm.urdf:2:16: </joint> closes nothing\n  \
+         hint: the element that is open here ends with </link>\n"
+    );
+    assert_eq!(
+        errors("<robot name=\"r\"\nname=\"s\"/>"),
+        "error: arm.urdf:2:1: attribute \"name\" is given twice\n"
+    );
+    assert_eq!(
+        errors("<robot name=\"r\">\n<gazebo:x/></robot>"),
+        "error: arm.urdf:2:2: the prefix \"gazebo\" is not declared\n  \
+         hint: declare it in the root element: xmlns:gazebo=\"…\"\n"
+    );
+    assert_eq!(
+        errors("<robot name=\"r\">\n<link name=a/></robot>"),
+        "error: arm.urdf:2:12: this is not well-formed XML: expected a quote not 'a'\n"
+    );
+    assert_eq!(
+        errors("<robot name=\"&r;\"/>"),
+        "error: arm.urdf:1:14: this is not well-formed XML: unknown entity reference 'r'\n"
+    );
+}

@@ -1,0 +1,134 @@
+//! What the doc comments say of a robot.
+//!
+//! In: a description, its chain, the formulation. Out: an [`About`]: names, what is modelled and
+//! what is not, every doubt with its place. It never says anything of one function: that is its
+//! price and its accuracy.
+
+use crate::chain::Chain;
+use crate::chain::frames::{Layout, arrange};
+use crate::description::Description;
+use crate::emit::About;
+use crate::error::Errors;
+use crate::expression::{Double, Expr, Input, Node, Term};
+use crate::formulation::{Formulation, Parameters};
+use crate::function::Function;
+use crate::model::{self, Way};
+
+/// What they say.
+pub(super) fn about(description: &Description, chain: &Chain, formulation: Formulation) -> About {
+    let source = &description.source;
+    let report = &chain.report;
+    About {
+        robot: description.name.text.clone(),
+        source: source.file.as_ref().map(|file| (file.clone(), source.hash)),
+        base: report.base.clone(),
+        tip: match chain.frames.first() {
+            Some(tip) if chain.has_tip => tip.name.clone(),
+            _ => String::new(),
+        },
+        joints: chain
+            .joints
+            .iter()
+            .map(|joint| joint.name.clone())
+            .collect(),
+        facts: facts(chain, formulation.parameters),
+        formulation: formulation.words(),
+        warnings: warnings(description, chain),
+    }
+}
+
+fn warnings(description: &Description, chain: &Chain) -> Vec<String> {
+    let mut places = Errors::new();
+    if let Some(file) = &description.source.file {
+        places.set_file(file.clone(), None);
+    }
+    chain
+        .report
+        .warnings
+        .iter()
+        .map(|warning| places.locate(warning))
+        .collect()
+}
+
+fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
+    let report = &chain.report;
+    let mut facts = Vec::new();
+    let mut count = |number: usize, one: &str, many: &str| match number {
+        0 => {}
+        1 => facts.push(format!("1 {one}")),
+        _ => facts.push(format!("{number} {many}")),
+    };
+    count(report.merged.len(), "link merged", "links merged");
+    count(report.locked.len(), "joint locked", "joints locked");
+    count(report.dropped.len(), "link left out", "links left out");
+    count(
+        report.snapped.len(),
+        "angle taken for a right angle",
+        "angles taken for right angles",
+    );
+    facts.push(gravity(chain));
+    let used = inertial_parameters(chain, parameters);
+    facts.push(format!(
+        "{used} of {} inertial parameters used",
+        10 * chain.joints.len()
+    ));
+    facts
+}
+
+fn gravity(chain: &Chain) -> String {
+    let entries = chain
+        .gravity
+        .map(|entry| chain.graph.value(entry).map(Double::to_f64));
+    match entries.0 {
+        [Some(x), Some(y), Some(z)] => {
+            let names = ["x", "y", "z"];
+            let along: Vec<(usize, f64)> = [x, y, z]
+                .into_iter()
+                .enumerate()
+                .filter(|(_, entry)| *entry != 0.0)
+                .collect();
+            match along[..] {
+                [] => "no gravity".into(),
+                [(k, entry)] => {
+                    let sign = if entry < 0.0 { "−" } else { "" };
+                    format!(
+                        "gravity only along {sign}{} ({} m/s²)",
+                        names[k],
+                        entry.abs()
+                    )
+                }
+                _ => format!("gravity ({x}, {y}, {z}) m/s²"),
+            }
+        }
+        _ => "gravity given at run time".into(),
+    }
+}
+
+/// How many inertial parameters inverse dynamics reads, of those of the description or of those that
+/// regrouping leaves.
+fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
+    let graph = chain.graph.clone();
+    let layout = Layout {
+        regroup: parameters == Parameters::Regrouped,
+        ..Layout::DESCRIBED
+    };
+    let mut bodies = arrange(&graph, chain, layout);
+    // Each becomes an input of its own, beyond those of struct fields, to be found among what is read.
+    let fields = chain.nominal.len();
+    for (body, field) in bodies.bodies.iter_mut().zip(fields..) {
+        let field = u16::try_from(field).expect("fewer than 65536 joints and fields");
+        let mut entries = 0..;
+        body.inertia = body.inertia.map(|entry| match entries.next() {
+            Some(k) if !entry.is_zero() => graph.input(Input::Parameter(field, k)),
+            _ => entry,
+        });
+    }
+    let torques = model::build(&graph, &bodies, Function::InverseDynamics, 0, Way::PLAIN);
+    let torques: Vec<Expr> = torques.into_iter().map(Term::expr).collect();
+    let (needed, _) = graph.needed(&torques);
+    let is_read = |expr: &Expr| match graph.node(*expr) {
+        Node::Input(Input::Parameter(field, _)) => usize::from(field) >= fields,
+        _ => false,
+    };
+    needed.iter().filter(|expr| is_read(expr)).count()
+}

@@ -1,0 +1,167 @@
+//! `homogen eval`: results in given states, with their shape, and what is wrong with states.
+
+use homogen_codegen::cli::Answer;
+use serde_json::{Value, json};
+
+use super::{ARM, homogen};
+
+#[test]
+fn says_the_shape_and_the_rows() {
+    let states = r#"{"states":[{"q":[0.5,1,0.25]}]}"#;
+    let answer = eval(
+        "--function geometric_jacobian --frame camera --format json",
+        states,
+    );
+    let jacobian: Value = serde_json::from_str(&answer.output).expect("JSON");
+    assert_eq!(jacobian["function"], "geometric_jacobian");
+    assert_eq!(jacobian["joints"], json!(["shoulder", "elbow", "slide"]));
+    assert_eq!(jacobian["frame"], "camera");
+    assert_eq!(jacobian["shape"], json!([6, 3]));
+    assert_eq!(jacobian["rows"][0], "angular_x");
+    assert_eq!(jacobian["rows"][5], "linear_z");
+    // The camera hangs on the shoulder, whose axis is −y of the base; its arm is (−sin, cos)/10.
+    let rows = jacobian["results"][0].as_array().unwrap();
+    assert_eq!(rows[1], json!([-1.0, 0.0, 0.0]));
+    assert_eq!(rows[3][0], json!(-0.1 * 0.5_f64.cos()));
+    assert_eq!(rows[5][0], json!(-0.1 * 0.5_f64.sin()));
+
+    let answer = eval(
+        "--function forward_kinematics --tip camera --format json",
+        states,
+    );
+    let pose: Value = serde_json::from_str(&answer.output).expect("JSON");
+    assert_eq!(pose["shape"], json!([4, 4]));
+    assert_eq!(pose["results"][0][3], json!([0.0, 0.0, 0.0, 1.0]));
+    assert_eq!(pose["results"][0][2][3], json!(0.1 * 0.5_f64.cos()));
+}
+
+#[test]
+fn prints_the_shortest_digits_of_the_arithmetic() {
+    let states = r#"{"states":[{"q":[0.5,1,0.25]}]}"#;
+    let results = |scalar: &str| {
+        let arguments = format!("--function gravity --scalar {scalar} --format json");
+        let answer: Value = serde_json::from_str(&eval(&arguments, states).output).expect("JSON");
+        let results: Vec<String> = answer["results"][0]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(Value::to_string)
+            .collect();
+        results
+    };
+    for (single, double) in results("f32").iter().zip(results("f64")) {
+        let number: f32 = single.parse().expect("a number");
+        assert_eq!(format!("{number:?}"), *single);
+        let double: f64 = double.parse().expect("a number");
+        assert!((double - f64::from(number)).abs() <= 1e-5 * double.abs());
+    }
+}
+
+#[test]
+fn in_words_it_names_the_joints() {
+    let answer = eval("--function gravity", r#"{"states":[{"q":[0,0,0]}]}"#);
+    let lines: Vec<&str> = answer.output.lines().collect();
+    assert_eq!(lines[0], "gravity of state 0");
+    assert!(
+        lines[1].ends_with("  shoulder") && lines[3].ends_with("  slide"),
+        "{lines:?}"
+    );
+    assert!(
+        answer.remarks.starts_with("warning: <stdin>:4:5: "),
+        "{}",
+        answer.remarks
+    );
+}
+
+#[test]
+fn gravity_may_be_anything() {
+    let states = r#"{"states":[{"q":[0,0,0]}]}"#;
+    let at = |gravity: &str| {
+        let arguments = format!("--function gravity --format json --gravity {gravity}");
+        let answer: Value = serde_json::from_str(&eval(&arguments, states).output).expect("JSON");
+        answer["results"][0][2].as_f64().expect("a number")
+    };
+    // The hand slides along x.
+    assert_eq!(at("none"), 0.0);
+    assert_eq!(at("-2,0,0"), 1.0);
+    assert_eq!(at("0,0,-9.81"), 0.0);
+}
+
+#[test]
+fn names_the_state_and_the_key_of_each_mistake() {
+    let states = r#"{"states":[
+        {"q":[0,0,0],"qd":[0,0,0]},
+        {"q":[0,0],"qd":[0,NaN,0]},
+        {"qd":[0,0,null],"q":[0,0,0],"tau":"unneeded"},
+        {"q":{},"qd":[0,0,"one"]},
+        7
+    ]}"#;
+    let answer = eval("--function bias --format json", states);
+    let expected = "\
+error: states.json: state 1 has 2 numbers in \"q\" for 3 joints
+error: states.json: state 1 has a \"qd\" whose entry 1 is not a finite number
+error: states.json: state 2 has a \"qd\" whose entry 2 is not a finite number
+error: states.json: state 3 has a \"q\" that is not a list
+error: states.json: state 3 has a \"qd\" whose entry 2 is not a finite number
+error: states.json: state 4 is not an object
+";
+    assert_eq!(answer.remarks, expected);
+    assert_eq!((&*answer.output, answer.code), ("", 1));
+}
+
+#[test]
+fn wants_json() {
+    let answer = eval("--function bias", "{\"states\":[{\"q\":[0,0,}]}");
+    assert_eq!(
+        answer.remarks,
+        "error: states.json:1:22: not JSON: expected value\n"
+    );
+    let answer = eval("--function bias", "{\"state\":[]}");
+    assert!(
+        answer
+            .remarks
+            .starts_with("error: states.json: there is no list \"states\"\n")
+    );
+    assert!(answer.remarks.contains("  hint: write {\"states\":"));
+    let answer = eval("--function bias", r#"{"states":[{"q":[0,0,0]}]}"#);
+    assert_eq!(
+        answer.remarks,
+        "error: states.json: state 0 has no \"qd\"\n"
+    );
+}
+
+#[test]
+fn a_result_that_no_number_can_hold_is_a_mistake() {
+    let states = r#"{"states":[{"q":[0,0,0],"qd":[1e30,0,0]}]}"#;
+    let answer = eval("--function bias --scalar f32 --format json", states);
+    let expected = "error: state 0: a result is too large for f32\n";
+    assert_eq!((&*answer.remarks, answer.code), (expected, 1));
+    let answer = eval("--function bias --scalar f64 --format json", states);
+    assert_eq!(answer.code, 0);
+}
+
+/// The answer of `eval` for states that come from a file, and a robot from standard input.
+fn eval(arguments: &str, states: &str) -> Answer {
+    // A name of its own for each call: tests run at the same time.
+    let name = format!(
+        "homogen-states-{:016x}.json",
+        fingerprint(arguments, states)
+    );
+    let path = std::env::temp_dir().join(name);
+    std::fs::write(&path, states).expect("a temporary file");
+    let arguments = format!("eval - {arguments} --states {}", path.display());
+    let answer = homogen(&arguments, ARM);
+    std::fs::remove_file(&path).expect("it is still there");
+    let name = path.file_name().unwrap().to_string_lossy().into_owned();
+    Answer {
+        remarks: answer.remarks.replace(&name, "states.json"),
+        ..answer
+    }
+}
+
+fn fingerprint(arguments: &str, states: &str) -> u64 {
+    use std::hash::{DefaultHasher, Hash, Hasher};
+    let mut hasher = DefaultHasher::new();
+    (arguments, states, std::process::id()).hash(&mut hasher);
+    hasher.finish()
+}

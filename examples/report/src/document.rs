@@ -156,7 +156,7 @@ fn formulations(measured: &Measured<'_>) -> String {
 fn peers(measured: &Measured<'_>) -> String {
     let mut text = format!(
         "## Beside others\n\n\
-         {}. One run of one program, the same description, the same states, one thread, everything \
+         {}. One program, one run, the same description, the same states, one thread, everything \
          for this processor. Pinocchio's templates, and the C that CasADi wrote from the same \
          algorithms, are loaded into the program that runs ours, and take turns with it; \
          `examples/peer` sets them up. CasADi's C is as generated; with right angles made exact and \
@@ -165,6 +165,8 @@ fn peers(measured: &Measured<'_>) -> String {
          Mass matrices and accelerations are computed in both of Pinocchio's conventions, and the \
          faster one counts. It leaves results where its users read them, and of symmetric matrices \
          the upper triangle; ours and CasADi's are returned whole. \
+         Random states leave the branches in the platform's sines to chance, for all that call \
+         them; along a smooth motion a processor foresees most of them. \
          Pinocchio and CasADi's plain C take the digits of a right angle literally; where a \
          description has few of them, that is most of their error.\n\n",
         measured.versions

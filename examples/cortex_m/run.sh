@@ -57,6 +57,7 @@ if ! { has rustup && { rustup target list --installed | grep -qx "$target" ||
     build_std=(-Zbuild-std=core)
 fi
 if [ "$mode" = --peer ]; then
+    . ../peer/tools.sh
     python3 -c 'import ensurepip' 2>/dev/null || packages+=(python3-venv)
     has g++ || packages+=(g++)
     [ -f "$(arm-none-eabi-gcc -print-file-name=libm.a 2>/dev/null)" ] ||
@@ -117,42 +118,13 @@ call_from_c() { # arm board: a firmware in C gives the bits that the host gives
 
 # --- the peer -------------------------------------------------------------------------------------
 
-# CasADi writes one file a function. It calls the sines of double precision whatever its numbers
-# are; `snapped` files are also rid of a check for null at every number that is read or written.
-edit() { # file how
-    sed -i -E 's/\b(sin|cos|sqrt)\(/\1f(/g' "$1"
-    [ "$2" = plain ] || sed -i -E \
-        -e 's/arg\[([0-9]+)\]\? arg\[[0-9]+\]\[([0-9]+)\] : 0/in\1[\2]/' \
-        -e 's/if \(res\[0\]!=0\) res\[0\]\[/out[/' \
-        -e '/^static int casadi_f0\(.*\{$/a\
-  const casadi_real *restrict in0 = arg[0], *restrict in1 = arg[1], *restrict in2 = arg[2];\
-  casadi_real *restrict out = res[0];' "$1"
-}
-
 generate_peer() { # the peer's C of every arm, in $seen/peer/ARM/HOW
-    local venv="${PEER_VENV:-$CARGO_TARGET_DIR/peer}" packages arm how file
-    [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-    "$venv/bin/pip" install --quiet --disable-pip-version-check -r peer/requirements.txt
-    packages=$("$venv/bin/python" -c 'import sysconfig; print(sysconfig.get_paths()["purelib"])')
-    mkdir -p "$seen/peer"
-    if [ ! "$seen/peer/generate" -nt peer/generate.cpp ]; then
-        say "=== the peer's generator"
-        # Pinocchio's own limits, without which its headers do not compile.
-        g++ -std=c++17 -O1 -w -DNDEBUG -DBOOST_MPL_LIMIT_LIST_SIZE=30 \
-            -DBOOST_MPL_LIMIT_VECTOR_SIZE=30 -DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS \
-            -DBOOST_FUSION_INVOKE_MAX_ARITY=12 -isystem "$packages/cmeel.prefix/include" \
-            -isystem "$packages/cmeel.prefix/include/eigen3" -isystem "$packages/casadi/include" \
-            peer/generate.cpp -L "$packages/casadi" -lcasadi "-Wl,-rpath,$packages/casadi" \
-            -o "$seen/peer/generate"
-    fi
-    for arm in "${!urdf[@]}"; do
+    local arm
+    peer_tools "$CARGO_TARGET_DIR/peer"
+    for arm in "${arms[@]}"; do
         mkdir -p "$seen/peer/$arm"
-        "$venv/bin/python" peer/model.py "${urdf[$arm]}" "${tip[$arm]}" "$seen/peer/$arm/model"
-        for how in plain snapped; do
-            mkdir -p "$seen/peer/$arm/$how"
-            "$seen/peer/generate" "$seen/peer/$arm/model" "$seen/peer/$arm/$how" "$how"
-            for file in "$seen/peer/$arm/$how"/*.c; do edit "$file" "$how"; done
-        done
+        peer_model "${urdf[$arm]}" "${tip[$arm]}" "$seen/peer/$arm/model"
+        peer_generate "$seen/peer/$arm/model" float "$seen/peer/$arm"
     done
 }
 
@@ -182,7 +154,7 @@ beside() { # writes the table beside the peer to $seen/peer.md
     generate_peer
     {
         echo "With $("${rustc[@]}" --version | cut -d' ' -f1,2), GCC $(arm-none-eabi-gcc -dumpversion)" \
-            "at \`-O2\`, and Pinocchio and CasADi as in [\`requirements.txt\`](peer/requirements.txt)," \
+            "at \`-O2\`, and Pinocchio and CasADi as in [\`requirements.txt\`](../peer/requirements.txt)," \
             "M4F / M7:"
         echo
         echo '| arm | function | code | instructions a call | at worst | without sines | text in bytes | stack in bytes | worst error in u |'
@@ -192,7 +164,7 @@ beside() { # writes the table beside the peer to $seen/peer.md
                 say "=== $arm on $board"
                 build "$arm" "$board"
                 observe controller "$board" "$seen/$arm/$board"
-                for how in plain snapped; do measure_peer "$arm" "$board" "$how"; done
+                for how in plain restrict; do measure_peer "$arm" "$board" "$how"; done
             done
             host "$arm" peer "$arm" "$seen" "${boards[@]}"
         done

@@ -13,15 +13,19 @@ pub fn describe() -> String {
     format!("{} · {COMPILER} · {}", processor(), env!("EXAMPLES_FLAGS"))
 }
 
-/// The processor's own name where the system tells it, and how many threads it offers.
+/// The processor's own name, and how many threads it offers.
 #[must_use]
 pub fn processor() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    format!("{}, {cores} of its threads", processor_name())
+}
+
+/// The processor's own name where the system tells it, else its architecture.
+#[must_use]
+pub fn processor_name() -> String {
     let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = told
-        .lines()
-        .find(|line| line.starts_with("model name"))
-        .and_then(|line| line.split_once(':'))
-        .map_or(std::env::consts::ARCH, |(_, name)| name.trim());
-    format!("{name}, {cores} of its threads")
+    let line = told.lines().find(|line| line.starts_with("model name"));
+    let name = line.and_then(|line| line.split_once(':'));
+    name.map_or(std::env::consts::ARCH, |(_, name)| name.trim())
+        .to_owned()
 }

@@ -19,9 +19,9 @@ use crate::error::{Errors, Place};
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Everything after `report` goes to the crate examples/report of the repository:
-  --output FOLDER                       where to write [default: report in the repository]
-  --long                                measure six times as long
-  --peers FOLDER --peer-robots FOLDER   other implementations beside ours
+  --output FOLDER   where to write [default: report in the repository]
+  --long            measure six times as long
+  --peers FOLDER    other implementations beside ours, as examples/peer/setup.sh sets them up
 Example:
   homogen report --output report-of-my-machine")]
 pub(super) struct Report {

@@ -16,6 +16,7 @@ use cells::{fastest, find, in_units, price, time, units};
 
 use crate::growth::{self, Grown};
 use crate::measure::{Effort, Point};
+use crate::peers::MAKERS;
 use crate::program::Flags;
 use crate::scene::{STATES, Scalar, Scene, Variant};
 use crate::source::GENERIC;
@@ -28,8 +29,10 @@ pub struct Measured<'a> {
     pub robots: &'a [Scene],
     /// The scenes in which a simpler model may do.
     pub models: &'a [Scene],
-    /// The robots of peers.
-    pub peers: &'a [Scene],
+    /// The robots that peers brought.
+    pub beside: &'a [Scene],
+    /// With what the peers were made; empty without any.
+    pub versions: &'a str,
     /// Every program in every scene.
     pub points: &'a [Point],
     /// Scene, variant, function, price.
@@ -46,7 +49,7 @@ pub fn write(measured: &Measured<'_>) -> String {
     text.push_str(&method(measured));
     text.push_str(&robots(measured));
     text.push_str(&formulations(measured));
-    if !measured.peers.is_empty() {
+    if !measured.versions.is_empty() {
         text.push_str(&peers(measured));
     }
     text.push_str(&hard(measured.hard));
@@ -151,60 +154,82 @@ fn formulations(measured: &Measured<'_>) -> String {
 }
 
 fn peers(measured: &Measured<'_>) -> String {
-    let mut text = String::from(
+    let mut text = format!(
         "## Beside others\n\n\
-         One run, the same description, the same states, one thread, everything for this \
-         processor, `f64`. C that CasADi wrote from Pinocchio's algorithms (as generated; with \
-         right angles made exact and common parts merged, `snap`; and with its checks of pointers \
-         replaced by `restrict`, `ptr`) is loaded into the program that runs ours, and takes turns \
-         with it; Pinocchio's templates in C++ run in a program of their own between the rounds. \
-         Of each the fastest of its algorithms counts. Symmetric matrices are whole with us, and \
-         upper triangles with them. \
-         CasADi as generated takes the digits of a right angle literally: its error is mostly that.\n\n",
+         {}. One program, one run, the same description, the same states, one thread, everything \
+         for this processor. Pinocchio's templates, and the C that CasADi wrote from the same \
+         algorithms, are loaded into the program that runs ours, and take turns with it; \
+         `examples/peer` sets them up. CasADi's C is as generated; with right angles made exact and \
+         common parts merged, `snapped`; and with its checks of pointers replaced by `restrict` \
+         besides. \
+         Mass matrices and accelerations are computed in both of Pinocchio's conventions, and the \
+         faster one counts. It leaves results where its users read them, and of symmetric matrices \
+         the upper triangle; ours and CasADi's are returned whole. \
+         Random states leave the branches in the platform's sines to chance, for all that call \
+         them; along a smooth motion a processor foresees most of them. \
+         Pinocchio and CasADi's plain C take the digits of a right angle literally; where a \
+         description has few of them, that is most of their error.\n\n",
+        measured.versions
     );
-    for scene in measured.peers {
-        let _ = writeln!(
-            text,
-            "### {}\n\n![{0}: time per call against worst error]({}.svg)\n\n\
-             | function | ours | with platform sines | error | Pinocchio | CasADi | snap | snap, ptr | error | ours / best | with platform sines |\n\
-             |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
-            scene.title, scene.name
-        );
-        for &function in &scene.functions {
-            let [ours, platform] = [Variant::DEFAULT.name, "platform_sines"].map(|variant| {
-                find(
-                    measured,
-                    scene,
-                    function,
-                    variant,
-                    Scalar::F64,
-                    Flags::Native,
-                )
-            });
-            let makers = ["pinocchio", "casadi", "casadi-snap", "casadi-snap-ptr"];
-            let best = makers.map(|maker| fastest(measured, scene, function, maker));
-            let least = best
-                .iter()
-                .flatten()
-                .map(|point| point.time[1])
-                .fold(f64::INFINITY, f64::min);
-            let ratio = |ours: Option<&Point>| ours.map_or(f64::NAN, |ours| ours.time[1] / least);
-            let [pinocchio, casadi, snap, ptr] = best.map(time);
+    let with_peers = |scene: &&Scene| {
+        let mut points = measured.points.iter();
+        points.any(|point| point.scene == scene.name && point.key.is_of_a_peer())
+    };
+    let scenes = measured.robots.iter().chain(measured.beside);
+    for scene in scenes.filter(with_peers) {
+        let _ = writeln!(text, "### {} beside others\n", scene.title);
+        // The figures of those that ship stand above.
+        if !measured.robots.iter().any(|robot| robot.name == scene.name) {
             let _ = writeln!(
                 text,
-                "| `{}` | {} | {} | {} | {pinocchio} | {casadi} | {snap} | {ptr} | {} | {:.2} | {:.2} |",
-                function.name(),
-                time(ours),
-                time(platform),
-                units(ours),
-                units(best[3]),
-                ratio(ours),
-                ratio(platform),
+                "![{}: time per call against worst error]({}.svg)\n",
+                scene.title, scene.name
             );
+        }
+        let _ = writeln!(
+            text,
+            "| function | type | ours | with platform sines | Pinocchio | CasADi | snapped | restrict | ours / best | with platform sines | error of ours | Pinocchio | CasADi | restrict |\n\
+             |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
+        );
+        for scalar in [Scalar::F64, Scalar::F32] {
+            for &function in &scene.functions {
+                text.push_str(&row_of_peers(measured, scene, function, scalar));
+            }
         }
         text.push('\n');
     }
     text
+}
+
+fn row_of_peers(
+    measured: &Measured<'_>,
+    scene: &Scene,
+    function: Function,
+    scalar: Scalar,
+) -> String {
+    let [ours, platform] = [Variant::DEFAULT.name, "platform_sines"]
+        .map(|variant| find(measured, scene, function, variant, scalar, Flags::Native));
+    let best = MAKERS.map(|maker| fastest(measured, scene, function, maker, scalar));
+    let times = best.iter().flatten().map(|point| point.time[1]);
+    let least = times.fold(f64::INFINITY, f64::min);
+    let ratio = |ours: Option<&Point>| match ours {
+        Some(ours) if least.is_finite() => format!("{:.2}", ours.time[1] / least),
+        _ => "–".to_owned(),
+    };
+    let [pinocchio, plain, snapped, restrict] = best.map(time);
+    format!(
+        "| `{}` | {} | {} | {} | {pinocchio} | {plain} | {snapped} | {restrict} | {} | {} | {} | {} | {} | {} |\n",
+        function.name(),
+        scalar.name(),
+        time(ours),
+        time(platform),
+        ratio(ours),
+        ratio(platform),
+        units(ours),
+        units(best[0]),
+        units(best[1]),
+        units(best[3]),
+    )
 }
 
 fn hard(hard: &Map) -> String {

@@ -36,14 +36,7 @@ pub fn trade(title: &str, scene: &Scene, functions: &[Function], points: &[Point
         let peers = points.iter().filter(|point| point.key.is_of_a_peer());
         let ours = points.iter().filter(|point| !point.key.is_of_a_peer());
         curves.extend(peers.chain(ours).map(|point| dot(scene, point)));
-        let untold = points.iter().filter(|point| point.worst.is_nan());
-        let untold = untold.min_by(|a, b| a.time[1].total_cmp(&b.time[1]));
-        let marks = untold.map(|point| (point.time[1], "Pinocchio".to_owned()));
-        let panel = Panel {
-            marks: marks.into_iter().collect(),
-            ..panel(TIME, ERROR, curves, 226.0)
-        };
-        (title_of(function), panel)
+        (title_of(function), panel(TIME, ERROR, curves, 226.0))
     };
     Grid {
         title: title.to_owned(),
@@ -114,6 +107,7 @@ pub fn formulations(panels: &[(&Scene, Function)], points: &[Point]) -> Grid {
                 && point.function == function
                 && point.key.scalar == Scalar::F64
                 && point.key.variant != GENERIC
+                && !point.key.is_of_a_peer()
         });
         let curves = points.map(|point| {
             let variant = scene.variants.iter().find(|v| v.name == point.key.variant);
@@ -231,7 +225,8 @@ fn dot(scene: &Scene, point: &Point) -> Curve {
 fn shape(key: &Key) -> Shape {
     let filled = key.flags == Flags::Native;
     match key.scalar {
-        _ if key.is_of_a_peer() => Shape::Square { filled },
+        Scalar::F64 if key.is_of_a_peer() => Shape::Square { filled },
+        Scalar::F32 if key.is_of_a_peer() => Shape::Diamond { filled },
         Scalar::F64 => Shape::Circle { filled },
         Scalar::F32 => Shape::Triangle { filled },
     }
@@ -243,10 +238,10 @@ fn color(scene: &Scene, variant: &str) -> Color {
         return Color::Grey;
     }
     if let Some((maker, _)) = variant.split_once('/') {
-        return if maker == "casadi" {
-            Color::Black
-        } else {
-            Color::Purple
+        return match maker {
+            "pinocchio" => Color::Vermilion,
+            "plain" => Color::Black,
+            _ => Color::Purple,
         };
     }
     let ours = scene.variants.iter().find(|ours| ours.name == variant);
@@ -269,11 +264,11 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
     if scene.generic {
         legend.push(sample("recursions at run time", Color::Grey, full(true)));
     }
-    if points
-        .iter()
-        .any(|p| p.scene == scene.name && p.key.is_of_a_peer())
-    {
+    let mut of_scene = points.iter().filter(|point| point.scene == scene.name);
+    let with_peers = of_scene.any(|point| point.key.is_of_a_peer());
+    if with_peers {
         let square = Style::Points(Shape::Square { filled: true });
+        legend.push(sample("Pinocchio", Color::Vermilion, square));
         legend.push(sample("CasADi C", Color::Black, square));
         legend.push(sample("the same, tuned", Color::Purple, square));
     }
@@ -283,6 +278,10 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
         Color::Black,
         Style::Points(Shape::Triangle { filled: true }),
     ));
+    if with_peers {
+        let diamond = Style::Points(Shape::Diamond { filled: true });
+        legend.push(sample("f32 of others", Color::Black, diamond));
+    }
     legend.push(sample(
         "hollow: baseline processor",
         Color::Black,

@@ -28,6 +28,7 @@ use std::{env, fs};
 use clap::Parser;
 use document::Measured;
 use measure::{Effort, Run};
+use peers::Peers;
 use program::Flags;
 use progress::Progress;
 
@@ -44,12 +45,9 @@ struct Options {
     /// Only see that everything runs: one robot, a few batches, nothing written to the repository
     #[arg(long)]
     smoke: bool,
-    /// Set-up of other implementations to stand beside ours [default: $PEER_ENV]
+    /// Other implementations to stand beside ours, as examples/peer/setup.sh sets them up
     #[arg(long, value_name = "FOLDER")]
     peers: Option<PathBuf>,
-    /// The URDF files that it was made from
-    #[arg(long, value_name = "FOLDER")]
-    peer_robots: Option<PathBuf>,
 }
 
 fn main() -> ExitCode {
@@ -80,14 +78,14 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
         (_, false) => Effort::USUAL,
         (_, true) => Effort::LONG,
     };
-    let peers = peers::find(options.peers, options.peer_robots)?;
+    let peers = options.peers.map(Peers::find).transpose()?;
     let mut robots = scene::robots(&root).map_err(truth::told)?;
     if options.smoke {
         robots.truncate(1);
     }
     let models = scene::models(&root).map_err(truth::told)?;
     let beside = match &peers {
-        Some(peers) => peers.scenes(&scene::beside_peers())?,
+        Some(peers) => peers.scenes(&root)?,
         None => Vec::new(),
     };
     let scenes = || robots.iter().chain(&models).chain(&beside);
@@ -142,7 +140,8 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
             effort,
             robots: &robots,
             models: &models,
-            peers: &beside,
+            beside: &beside,
+            versions: peers.as_ref().map_or("", |peers| &peers.versions),
             points: &points,
             prices: &source.prices,
             grown: &grown,

@@ -45,15 +45,6 @@ pub struct Key {
 }
 
 impl Key {
-    /// That of a peer's own program.
-    const fn of_peer(variant: String) -> Self {
-        Self {
-            variant,
-            scalar: Scalar::F64,
-            flags: Flags::Native,
-        }
-    }
-
     /// Whether it is not ours.
     pub fn is_of_a_peer(&self) -> bool {
         self.variant.contains('/')
@@ -112,12 +103,6 @@ pub fn measure(
         for &function in &run.scene.functions {
             let mut said: BTreeMap<Key, Vec<[f64; 5]>> = BTreeMap::new();
             for _ in 0..effort.rounds {
-                if let Some(peers) = run.peers {
-                    for (name, time) in peers.pinocchio(run.scene, function)? {
-                        let numbers = [time, time, time, f64::NAN, f64::NAN];
-                        said.entry(Key::of_peer(name)).or_default().push(numbers);
-                    }
-                }
                 for (flags, executable) in executables {
                     for (key, numbers) in once(executable, *flags, run, function, effort)? {
                         said.entry(key).or_default().push(numbers);
@@ -156,7 +141,7 @@ fn once(
         .args([&run.scene.name, function.name()])
         .arg(&run.truth)
         .arg(effort.batches.to_string());
-    // What others compiled is one executable for one processor: it stands beside ours for this one.
+    // Others are compiled for one processor: they stand beside ours for this one.
     if let (Flags::Native, Some(peers)) = (flags, run.peers) {
         command.args(peers.libraries(run.scene, function));
     }

@@ -21,7 +21,7 @@ pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
     let Measured {
         robots,
         models,
-        peers,
+        beside,
         points,
         ..
     } = *measured;
@@ -34,11 +34,11 @@ pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
         let title = format!("{}: time per call against worst error", scene.title);
         figures::trade(&title, scene, functions, points)
     };
-    for scene in robots.iter().chain(peers) {
+    for scene in robots.iter().chain(beside) {
         svg(&scene.name, &trade(scene, &scene.functions))?;
     }
     // The arm that others know as well, where they are installed.
-    let arms = peers.iter().rev().chain(robots);
+    let arms = beside.iter().chain(robots);
     if let Some(arm) = arms.into_iter().find(|scene| scene.joints == 7) {
         svg("summary", &trade(arm, &[InverseDynamics, ForwardDynamics]))?;
     }

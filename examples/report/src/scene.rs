@@ -43,7 +43,7 @@ pub struct Scene {
     pub title: String,
     /// The robot.
     pub description: Description,
-    /// Its tip.
+    /// Its tip, and what is locked.
     pub request: Request,
     /// What is computed.
     pub functions: Vec<Function>,
@@ -217,11 +217,26 @@ fn merged(functions: &'static [Function]) -> Variant {
     }
 }
 
-/// What stands beside others: with our sines, and with those that they call as well.
-pub fn beside_peers() -> Vec<Variant> {
+/// A robot that does not ship, as it stands beside others: what does not move the tip is locked, and
+/// ours are computed with our sines, with those that they call as well, and with the digits that they
+/// have.
+///
+/// # Errors
+/// Where its file cannot be read or has mistakes.
+pub fn beside_peers(name: &str, title: &str, path: &Path, tip: &str) -> Result<Scene, Errors> {
+    let request = Request {
+        path_only: true,
+        ..to(tip)
+    };
+    let mut scene = Scene::read(name, title, path, request)?;
+    scene.states = states(scene.joints, Range::WIDE);
+    scene.functions = FUNCTIONS.to_vec();
     let ways = formulations().into_iter();
-    ways.filter(|way| ["default", "platform_sines"].contains(&way.name))
-        .collect()
+    scene.variants = ways
+        .filter(|way| ["default", "platform_sines", "refined_1"].contains(&way.name))
+        .collect();
+    scene.generic = true;
+    Ok(scene)
 }
 
 /// What the paper writes in frame 0; matrices of joints grow out of proportion there.
@@ -269,7 +284,7 @@ pub fn robots(root: &Path) -> Result<Vec<Scene>, Errors> {
     .into_iter()
     .map(|(name, title, tip, more)| {
         let path = root.join("robots").join(name).with_extension("urdf");
-        let mut scene = Scene::read(name, title, &path, tip)?;
+        let mut scene = Scene::read(name, title, &path, to(tip))?;
         scene.states = states(scene.joints, Range::WIDE);
         scene.functions = FUNCTIONS.to_vec();
         scene.variants = formulations();
@@ -287,7 +302,7 @@ pub fn robots(root: &Path) -> Result<Vec<Scene>, Errors> {
 pub fn models(root: &Path) -> Result<Vec<Scene>, Errors> {
     let path = root.join("robots/panda_class.urdf");
     let scene = |name, title, range, variants| {
-        let scene = Scene::read(name, title, &path, "link8")?;
+        let scene = Scene::read(name, title, &path, to("link8"))?;
         Ok(Scene {
             states: states(scene.joints, range),
             functions: vec![InverseDynamics],
@@ -339,15 +354,11 @@ impl Scene {
     ///
     /// # Errors
     /// Where the file cannot be read or has mistakes.
-    pub fn read(name: &str, title: &str, path: &Path, tip: &str) -> Result<Self, Errors> {
+    pub fn read(name: &str, title: &str, path: &Path, request: Request) -> Result<Self, Errors> {
         let mut errors = Errors::new();
         let description = match description::read_file(path, None, &mut errors) {
             Some(description) => errors.into_result(description)?,
             None => return Err(errors),
-        };
-        let request = Request {
-            tip: Some(Name::from(tip)),
-            ..Request::default()
         };
         let chain = chain::build(&description, &request)?;
         Ok(Self {
@@ -368,6 +379,14 @@ impl Scene {
         let (mut description, mut request) = (self.description.clone(), self.request.clone());
         (variant.change)(&mut description, &mut request);
         (description, request)
+    }
+}
+
+/// Nothing but the tip.
+fn to(tip: &str) -> Request {
+    Request {
+        tip: Some(Name::from(tip)),
+        ..Request::default()
     }
 }
 

@@ -22,6 +22,11 @@ pub enum Shape {
         /// Full of its colour, or of white.
         filled: bool,
     },
+    /// Standing on a corner.
+    Diamond {
+        /// Full of its colour, or of white.
+        filled: bool,
+    },
 }
 
 pub(super) fn symbol([x, y]: [f64; 2], shape: Shape, stroke: &str) -> String {
@@ -48,6 +53,11 @@ pub(super) fn symbol([x, y]: [f64; 2], shape: Shape, stroke: &str) -> String {
             "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"7\" height=\"7\" {}/>\n",
             x - 3.5,
             y - 3.5,
+            ink(filled)
+        ),
+        Shape::Diamond { filled } => format!(
+            "<path d=\"M{x:.2} {:.2}l4.6 4.6l-4.6 4.6l-4.6-4.6z\" {}/>\n",
+            y - 4.6,
             ink(filled)
         ),
     }

@@ -15,7 +15,7 @@ use crate::judge::{Board, read};
 const CODES: [(&str, Option<&str>); 3] = [
     ("`homogen`", None),
     ("CasADi", Some("plain")),
-    ("CasADi, edited", Some("snapped")),
+    ("CasADi, edited", Some("restrict")),
 ];
 
 /// What one code costs on one board.

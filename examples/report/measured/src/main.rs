@@ -1,7 +1,7 @@
 //! Runs every program of one function in turns, and prints what each took and how far it was off.
 //!
 //! In: `SCENE FUNCTION TRUTH BATCHES`, where TRUTH is the folder with the scene's states and exact
-//! results; then, for peers, `NAME=SYMBOL@LIBRARY`. Out: a line a program: name, type, quartiles of the
+//! results; then, for each peer, `MAKER TYPE SYMBOL LIBRARY`. Out: a line a program: name, type, quartiles of the
 //! time per call in ns, median and worst error. What the programs are was generated.
 
 mod case;
@@ -37,11 +37,11 @@ const SHORTEST: Duration = Duration::from_micros(200);
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [scene, function, folder, batches, peers @ ..] = &arguments[..] else {
-        return Err("measured SCENE FUNCTION TRUTH BATCHES [NAME=SYMBOL@LIBRARY]…".into());
+        return Err("measured SCENE FUNCTION TRUTH BATCHES [MAKER TYPE SYMBOL LIBRARY]…".into());
     };
     let truth = Truth::read(folder.as_ref(), function)?;
     let mut cases = cases(scene, function, &truth);
-    for peer in peers {
+    for peer in peers.as_chunks().0 {
         cases.push(peer::load(peer, function, &truth)?);
     }
     let batches_of_cases: Vec<&dyn Fn()> = cases.iter().map(|case| &*case.batch).collect();

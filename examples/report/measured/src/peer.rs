@@ -1,8 +1,8 @@
-//! Functions of other generators, loaded from shared libraries.
+//! Functions of others, loaded from shared libraries.
 //!
-//! In: `NAME=SYMBOL@LIBRARY`, a C function with CasADi's calling convention,
-//! `int f(const double **arg, double **res, long long *iw, double *w, int mem)`, and the length of its
-//! work arrays from `SYMBOL_work`. Out: a [`Case`] that stands beside ours. Only `f64`.
+//! In: who made it, the type of its numbers, a symbol and a library. That names a C function with
+//! CasADi's calling convention, `int f(const real **arg, real **res, long long *iw, real *w, int mem)`,
+//! which returns numbers in the order in which ours do. Out: a [`Case`] that stands beside ours.
 #![expect(
     unsafe_code,
     reason = "code in a shared library can be called in no other way"
@@ -11,128 +11,106 @@
 use std::cell::RefCell;
 use std::error::Error;
 use std::ffi::{c_int, c_longlong};
+use std::ptr;
 use std::rc::Rc;
 
+use homogen::Scalar;
 use libloading::Library;
 
 use crate::case::Case;
+use crate::entries::Entries;
 use crate::truth::Truth;
 
-type Function = unsafe extern "C" fn(
-    *const *const f64,
-    *const *mut f64,
-    *mut c_longlong,
-    *mut f64,
-    c_int,
-) -> c_int;
-type Work = unsafe extern "C" fn(
-    *mut c_longlong,
-    *mut c_longlong,
-    *mut c_longlong,
-    *mut c_longlong,
-) -> c_int;
+type Function<T> =
+    unsafe extern "C" fn(*const *const T, *const *mut T, *mut c_longlong, *mut T, c_int) -> c_int;
 
-/// A library and the arrays its function works on.
-struct Peer {
-    function: Function,
+/// A library, and what its function is called with.
+struct Peer<T> {
+    function: Function<T>,
     joints: usize,
-    states: Vec<f64>,
-    arguments: &'static [usize],
-    result: RefCell<Vec<f64>>,
-    integers: RefCell<Vec<c_longlong>>,
-    numbers: RefCell<Vec<f64>>,
+    states: Vec<T>,
+    /// Which parts of a state it takes.
+    arguments: [usize; 3],
+    result: RefCell<Vec<T>>,
     _library: Library,
 }
 
-/// The program that `what` names, for a function of ours.
-pub fn load(what: &str, function: &str, truth: &Truth) -> Result<Case, Box<dyn Error>> {
-    let parts = what.split_once('=');
-    let parts = parts.and_then(|(name, rest)| Some((name, rest.split_once('@')?)));
-    let (name, (symbol, path)) = parts.ok_or_else(|| format!("{what}: NAME=SYMBOL@LIBRARY"))?;
-    // SAFETY: the libraries are what a code generator wrote and a C compiler compiled: loading them
-    // runs nothing.
+/// The program that MAKER, TYPE, SYMBOL and LIBRARY tell, for a function of ours.
+pub fn load(what: &[String; 4], function: &str, truth: &Truth) -> Result<Case, Box<dyn Error>> {
+    match &*what[1] {
+        "f64" => load_of::<f64>(what, "f64", function, truth),
+        "f32" => load_of::<f32>(what, "f32", function, truth),
+        other => Err(format!("no type {other}").into()),
+    }
+}
+
+fn load_of<T: Scalar + Entries + 'static>(
+    [maker, _, symbol, path]: &[String; 4],
+    scalar: &'static str,
+    function: &str,
+    truth: &Truth,
+) -> Result<Case, Box<dyn Error>> {
+    // SAFETY: the libraries are what `examples/peer/setup.sh` compiled: loading them runs at most the
+    // constructor of a robot.
     let library = unsafe { Library::new(path) }?;
-    // SAFETY: both have these signatures in all that CasADi generates.
-    let (call, work): (Function, Work) = unsafe {
-        let work = format!("{symbol}_work");
-        (
-            *library.get(symbol.as_bytes())?,
-            *library.get(work.as_bytes())?,
-        )
-    };
-    let mut sizes = [0; 4];
-    let [a, r, integers, numbers] = &mut sizes;
-    // SAFETY: it writes one number through each pointer.
-    unsafe { work(a, r, integers, numbers) };
-    let [integers, numbers] = [sizes[2], sizes[3]].map(usize::try_from);
-    let joints = truth.joints;
+    // SAFETY: all functions in them have this signature.
+    let call: Function<T> = unsafe { *library.get(symbol.as_bytes())? };
     let peer = Rc::new(Peer {
         function: call,
-        joints,
-        states: truth.arguments().to_vec(),
+        joints: truth.joints,
+        states: truth.arguments().iter().map(|x| T::constant(*x)).collect(),
         arguments: if function == "forward_dynamics" {
-            &[0, 1, 3]
+            [0, 1, 3]
         } else {
-            &[0, 1, 2]
+            [0, 1, 2]
         },
-        result: RefCell::new(vec![0.0; entries(function, joints).len()]),
-        integers: RefCell::new(vec![0; integers?]),
-        numbers: RefCell::new(vec![0.0; numbers?]),
+        result: RefCell::new(vec![T::constant(0.0); truth.entries()]),
         _library: library,
     });
+    // Pinocchio's users read results where it leaves them: copies of them are not part of its time.
+    let copies = maker != "pinocchio";
+    let length = 4 * truth.joints;
     let same = Rc::clone(&peer);
     Ok(Case {
-        name: name.to_owned(),
-        scalar: "f64",
+        name: format!("{maker}/{symbol}"),
+        scalar,
         batch: Box::new(move || {
-            for state in peer.states.chunks_exact(4 * joints) {
-                peer.call(state);
+            for state in peer.states.chunks_exact(length) {
+                peer.call(state, copies);
             }
         }),
         results: Box::new(move |state| {
-            let length = 4 * joints;
-            same.call(&same.states[state * length..][..length]);
-            same.result.borrow().clone()
+            same.call(&same.states[state * length..][..length], true);
+            let mut numbers = Vec::new();
+            for entry in &*same.result.borrow() {
+                entry.push(&mut numbers);
+            }
+            numbers
         }),
-        entries: entries(function, joints),
+        entries: Vec::new(),
     })
 }
 
-impl Peer {
-    fn call(&self, state: &[f64]) {
-        let argument = |k: usize| state[self.arguments[k] * self.joints..].as_ptr();
-        let arguments = [argument(0), argument(1), argument(2)];
+impl<T> Peer<T> {
+    fn call(&self, state: &[T], copies: bool) {
+        let arguments = self.arguments.map(|k| state[k * self.joints..].as_ptr());
         let mut result = self.result.borrow_mut();
-        let results = [result.as_mut_ptr()];
-        let mut integers = self.integers.borrow_mut();
-        let mut numbers = self.numbers.borrow_mut();
-        // SAFETY: the function reads as many numbers of each argument as there are joints, writes one
-        // result of the length that `entries` has, and works on arrays of the length it asked for.
+        let results = [if copies {
+            result.as_mut_ptr()
+        } else {
+            ptr::null_mut()
+        }];
+        // SAFETY: the function reads as many numbers of each argument as there are joints, and writes
+        // as many as our result has, or none where there is no place for them. It needs no work space:
+        // CasADi's functions of scalars keep all in local variables.
         unsafe {
             (self.function)(
                 arguments.as_ptr(),
                 results.as_ptr(),
-                integers.as_mut_ptr(),
-                numbers.as_mut_ptr(),
+                ptr::null_mut(),
+                ptr::null_mut(),
                 0,
             );
         }
-    }
-}
-
-/// Which entry of our result each of theirs is: they store columns first, Jacobians linear part
-/// first, and of symmetric matrices the upper triangle, row by row.
-fn entries(function: &str, joints: usize) -> Vec<usize> {
-    match function {
-        "forward_kinematics" => (0..4)
-            .flat_map(|column| (0..3).map(move |row| 4 * row + column))
-            .collect(),
-        "geometric_jacobian" => (0..joints)
-            .flat_map(|joint| [3, 4, 5, 0, 1, 2].map(|k| 6 * joint + k))
-            .collect(),
-        "mass_matrix" | "mass_matrix_inverse" => (0..joints)
-            .flat_map(|row| (row..joints).map(move |column| row * joints + column))
-            .collect(),
-        _ => (0..joints).collect(),
     }
 }

@@ -44,6 +44,11 @@ impl Truth {
         })
     }
 
+    /// How many numbers a result has.
+    pub fn entries(&self) -> usize {
+        self.exact.len() / self.states
+    }
+
     /// q, q̇, q̈ and τ of each state.
     pub fn arguments(&self) -> &[f64] {
         &self.arguments
@@ -70,7 +75,7 @@ impl Truth {
     /// The errors of what is computed state by state; entry k of a result stands for entry
     /// `entries[k]` of the exact one, or for entry k where there is no such list.
     pub fn errors(&self, results: &dyn Fn(usize) -> Vec<f64>, entries: &[usize]) -> Errors {
-        let length = self.exact.len() / self.states;
+        let length = self.entries();
         let worst = |(state, exact): (usize, &[[f64; 3]])| {
             let results = results(state).into_iter().enumerate();
             let errors = results.filter_map(|(k, result)| {

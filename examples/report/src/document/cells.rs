@@ -43,11 +43,13 @@ pub fn fastest<'a>(
     scene: &Scene,
     function: Function,
     maker: &str,
+    scalar: Scalar,
 ) -> Option<&'a Point> {
     let points = measured.points.iter().filter(|point| {
         let who = point.key.variant.split_once('/');
         point.scene == scene.name
             && point.function == function
+            && point.key.scalar == scalar
             && who.is_some_and(|(who, _)| who == maker)
     });
     points.min_by(|a, b| a.time[1].total_cmp(&b.time[1]))

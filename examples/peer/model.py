@@ -1,8 +1,9 @@
 """Reads an arm from a URDF by Pinocchio's parser, which its packages have for Python alone.
 
-usage: model.py URDF FRAME MODEL. MODEL is what generate.cpp reads: the number of joints; for each
-its axis (0 to 2), placement (rows of R, then t), and its body's mass, centre and rotational inertia
-(xx, xy, yy, xz, yz, zz); and the placement of the frame on the last joint.
+usage: model.py URDF FRAME MODEL. Joints that do not move the frame, such as those of fingers, are
+locked at zero. MODEL is what model.hpp reads: the number of joints; for each its axis (0 to 2),
+placement (rows of R, then t), and its body's mass, centre and rotational inertia (xx, xy, yy, xz,
+yz, zz); and the placement of the frame on the last joint.
 """
 
 import sys
@@ -11,6 +12,11 @@ import pinocchio
 
 urdf, name, file = sys.argv[1:]
 arm = pinocchio.buildModelFromUrdf(urdf)
+assert arm.existFrame(name), f"{urdf} has no frame {name}"
+moving = arm.supports[arm.frames[arm.getFrameId(name)].parentJoint]
+still = [joint for joint in range(1, arm.njoints) if joint not in moving]
+if still:
+    arm = pinocchio.buildReducedModel(arm, still, pinocchio.neutral(arm))
 frame = arm.frames[arm.getFrameId(name)]
 AXES = ["JointModelRX", "JointModelRY", "JointModelRZ"]
 

@@ -1,0 +1,135 @@
+#!/usr/bin/env bash
+# Sets up what stands beside homogen in its report: Pinocchio, and the C that CasADi makes of it.
+#
+#   setup.sh FOLDER     makes in FOLDER what is missing there, or older than what it is made from
+#
+# Fetches Pinocchio, CasADi and two vendors' robots from PyPI, and compiles for minutes for the
+# processor at hand. What it leaves: with what it was made (versions.txt) and for which processor;
+# and in a folder a robot its description (robot.urdf), title and frame, and a shared library for
+# each maker and type of number (MAKER.TYPE.so). The rest is intermediate.
+set -euo pipefail
+
+say() { printf '%s\n' "$*" >&2; }
+
+if [ $# != 1 ]; then
+    say "usage: setup.sh FOLDER"
+    exit 2
+fi
+for tool in g++ python3; do
+    command -v "$tool" >/dev/null || { say "setup.sh: $tool is missing; please install it"; exit 2; }
+done
+python3 -c 'import ensurepip' 2>/dev/null ||
+    { say "setup.sh: Python's venv is missing; please install it (on Debian: python3-venv)"; exit 2; }
+mkdir -p "$1"
+folder="$(cd "$1" && pwd)"
+cd "$(dirname "${BASH_SOURCE[0]}")"
+. ./tools.sh
+
+# The arms that ship, and two as their vendors describe them.
+robots=(ur5_class panda_class ur5 panda)
+declare -A title=([ur5_class]='UR5 class' [panda_class]='Panda class'
+    [ur5]='UR5' [panda]='Panda with hand')
+declare -A frame=([ur5_class]=tool0 [panda_class]=link8 [ur5]=tool0 [panda]=panda_hand_tcp)
+declare -A vendors=([ur5]=ur_description/urdf/ur5_robot.urdf
+    [panda]=panda_description/urdf/panda.urdf)
+collection=example-robot-data==6.0.0
+
+forms=(plain snapped restrict)
+declare -A real=([f64]=double [f32]=float)
+declare -A constants=([f64]='' [f32]=-fsingle-precision-constant)
+flags=(-O3 -march=native)
+
+replace() { # file: by standard input, where that says something else
+    cat >"$1.new"
+    if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
+}
+
+# --- with what, and for which processor -----------------------------------------------------------
+
+peer_tools "$folder/tools"
+packages=$("$peer_venv/bin/python" -c 'from importlib.metadata import version
+print("Pinocchio " + version("pin") + ", CasADi " + version("casadi"))')
+replace "$folder/versions.txt" <<<"$packages, GCC $(g++ -dumpfullversion) with \`${flags[*]}\`"
+processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo 2>/dev/null | head -n 1)
+replace "$folder/processor" <<<"${processor:-$(uname -m)}"
+made_with=("$folder/versions.txt" "$folder/processor")
+
+for type in f64 f32; do
+    object="$folder/tools/pinocchio.$type.o"
+    if peer_stale "$object" pinocchio.cpp model.hpp "${made_with[@]}"; then
+        say "=== Pinocchio for $type, which takes minutes to compile"
+        g++ "${flags[@]}" "${peer_templates[@]}" -fPIC -fvisibility=hidden "-DREAL=${real[$type]}" \
+            -c pinocchio.cpp -o "$object"
+    fi
+done
+
+# --- robots ---------------------------------------------------------------------------------------
+
+fetch() { # a vendor's description, out of a collection of 131 MB; homogen has no <mimic>
+    local wheel="$folder/tools/wheel" files
+    if [ ! -e "$wheel" ]; then
+        say "=== $collection"
+        rm -rf "$wheel.new"
+        "$peer_venv/bin/pip" download --quiet --disable-pip-version-check --no-deps \
+            -d "$wheel.new" "$collection"
+        mv "$wheel.new" "$wheel"
+    fi
+    files=("$wheel"/*.whl)
+    "$peer_venv/bin/python" -c 'import sys, zipfile
+print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode(), end="")' \
+        "${files[0]}" "cmeel.prefix/share/example-robot-data/robots/${vendors[$1]}" |
+        sed '/<mimic .*\/>/d' |
+        replace "$folder/$1/robot.urdf"
+}
+
+describe() { # robot: what the report must know of it
+    local to="$folder/$1"
+    mkdir -p "$to"
+    replace "$to/title" <<<"${title[$1]}"
+    replace "$to/frame" <<<"${frame[$1]}"
+    if [ -z "${vendors[$1]:-}" ]; then
+        replace "$to/robot.urdf" <"../../robots/$1.urdf"
+    elif [ ! -e "$to/robot.urdf" ]; then
+        fetch "$1"
+    fi
+    if peer_stale "$to/model" "$to"/{robot.urdf,frame} model.py "${made_with[@]}"; then
+        peer_model "$to/robot.urdf" "${frame[$1]}" "$to/model"
+    fi
+}
+
+casadi() { # robot type
+    local to="$folder/$1" c="$folder/$1/$2" form library
+    if peer_stale "$c/generated" "$to/model" "$peer_generator"; then
+        say "=== $1, $2: CasADi's C"
+        peer_generate "$to/model" "${real[$2]}" "$c"
+        touch "$c/generated"
+    fi
+    for form in "${forms[@]}"; do
+        library="$to/$form.$2.so"
+        if peer_stale "$library" "$c/generated" "${made_with[@]}"; then
+            say "=== $1, $2: $form"
+            printf '%s\0' "$c/$form"/*.c | xargs -0 -P "$(nproc)" -I '{}' \
+                gcc "${flags[@]}" ${constants[$2]} -w -fPIC -c '{}' -o '{}.o'
+            gcc -shared "$c/$form"/*.o -lm -o "$library"
+        fi
+    done
+}
+
+pinocchio() { # robot type
+    local to="$folder/$1" from="$folder/tools/pinocchio.$2.o" library="$folder/$1/pinocchio.$2.so"
+    if peer_stale "$library" "$from" "$to/model"; then
+        { echo 'const char peer_model[] ='; sed 's/.*/"&\\n"/' "$to/model"; echo ';'; } |
+            gcc -x c -fPIC -c - -o "$to/model.o"
+        g++ -shared "$from" "$to/model.o" -o "$library"
+    fi
+}
+
+for robot in "${robots[@]}"; do
+    describe "$robot"
+    for type in f64 f32; do
+        pinocchio "$robot" "$type"
+        casadi "$robot" "$type"
+    done
+done
+rm -rf "$folder/tools/wheel"
+say "=== set up: homogen report --peers $folder"

@@ -12,7 +12,7 @@ use homogen_codegen::schedule::Price;
 use homogen_examples::machine;
 use homogen_examples::plot::heat::Map;
 
-use cells::{fastest, find, in_units, price, time, units};
+use cells::{fastest, find, in_units, price, spread, time, units};
 
 use crate::growth::{self, Grown};
 use crate::measure::{Effort, Point};
@@ -80,7 +80,8 @@ fn method(measured: &Measured<'_>) -> String {
 fn robots(measured: &Measured<'_>) -> String {
     let mut text = String::from(
         "## Every function of the robots that ship\n\n\
-         Times in ns; counts are those of the doc comments.\n\n",
+         Times in ns; counts are those of the doc comments. Errors of native programs: the median \
+         over the states, what 99 in 100 states do not exceed, and the worst.\n\n",
     );
     for scene in measured.robots {
         let _ = writeln!(
@@ -109,9 +110,9 @@ fn robots(measured: &Measured<'_>) -> String {
                 time(default(Scalar::F32, Flags::Baseline)),
                 time(default(Scalar::F32, Flags::Native)),
                 time(generic),
-                units(default(Scalar::F64, Flags::Native)),
-                units(default(Scalar::F32, Flags::Native)),
-                units(generic),
+                spread(default(Scalar::F64, Flags::Native)),
+                spread(default(Scalar::F32, Flags::Native)),
+                spread(generic),
             );
         }
         text.push('\n');
@@ -191,9 +192,22 @@ fn peers(measured: &Measured<'_>) -> String {
             "| function | type | ours | with platform sines | Pinocchio | CasADi | snapped | restrict | ours / best | with platform sines | error of ours | Pinocchio | CasADi | restrict |\n\
              |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
         );
+        let refined = scene.variants.iter().find(|way| way.name == "refined_1");
         for scalar in [Scalar::F64, Scalar::F32] {
             for &function in &scene.functions {
-                text.push_str(&row_of_peers(measured, scene, function, scalar));
+                text.push_str(&row_of_peers(
+                    measured,
+                    scene,
+                    function,
+                    &Variant::DEFAULT,
+                    scalar,
+                ));
+                // With as many digits as others have.
+                let refined =
+                    refined.filter(|way| way.serves(function) && way.scalars.contains(&scalar));
+                if let Some(refined) = refined {
+                    text.push_str(&row_of_peers(measured, scene, function, refined, scalar));
+                }
             }
         }
         text.push('\n');
@@ -205,10 +219,16 @@ fn row_of_peers(
     measured: &Measured<'_>,
     scene: &Scene,
     function: Function,
+    way: &Variant,
     scalar: Scalar,
 ) -> String {
-    let [ours, platform] = [Variant::DEFAULT.name, "platform_sines"]
-        .map(|variant| find(measured, scene, function, variant, scalar, Flags::Native));
+    let ours = |variant| find(measured, scene, function, variant, scalar, Flags::Native);
+    let (platform, label) = if way.name == Variant::DEFAULT.name {
+        (ours("platform_sines"), String::new())
+    } else {
+        (None, format!(", {}", way.title))
+    };
+    let ours = ours(way.name);
     let best = MAKERS.map(|maker| fastest(measured, scene, function, maker, scalar));
     let times = best.iter().flatten().map(|point| point.time[1]);
     let least = times.fold(f64::INFINITY, f64::min);
@@ -218,7 +238,7 @@ fn row_of_peers(
     };
     let [pinocchio, plain, snapped, restrict] = best.map(time);
     format!(
-        "| `{}` | {} | {} | {} | {pinocchio} | {plain} | {snapped} | {restrict} | {} | {} | {} | {} | {} | {} |\n",
+        "| `{}`{label} | {} | {} | {} | {pinocchio} | {plain} | {snapped} | {restrict} | {} | {} | {} | {} | {} | {} |\n",
         function.name(),
         scalar.name(),
         time(ours),

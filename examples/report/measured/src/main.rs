@@ -2,7 +2,8 @@
 //!
 //! In: `SCENE FUNCTION TRUTH BATCHES`, where TRUTH is the folder with the scene's states and exact
 //! results; then, for each peer, `MAKER TYPE SYMBOL LIBRARY`. Out: a line a program: name, type, quartiles of the
-//! time per call in ns, median and worst error. What the programs are was generated.
+//! time per call in ns, median, 99th percentile and worst of the error. What the programs are was
+//! generated.
 
 mod case;
 #[path = "../../../src/entries.rs"]
@@ -50,13 +51,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (case, time) in cases.iter().zip(times) {
         let errors = truth.errors(&*case.results, &case.entries);
         println!(
-            "{} {} {:.3} {:.3} {:.3} {:e} {:e}",
+            "{} {} {:.3} {:.3} {:.3} {:e} {:e} {:e}",
             case.name,
             case.scalar,
             time.lower,
             time.median,
             time.upper,
             errors.median,
+            errors.rare,
             errors.worst
         );
     }

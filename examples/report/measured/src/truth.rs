@@ -25,6 +25,8 @@ pub struct Truth {
 pub struct Errors {
     /// Of half of the states the worst entry is no worse.
     pub median: f64,
+    /// Of 99 in 100 states it is no worse.
+    pub rare: f64,
     /// The worst entry of all states.
     pub worst: f64,
 }
@@ -89,6 +91,7 @@ impl Truth {
         errors.sort_by(f64::total_cmp);
         Errors {
             median: errors[errors.len() / 2],
+            rare: errors[errors.len() * 99 / 100],
             worst: errors.last().copied().unwrap_or(f64::NAN),
         }
     }

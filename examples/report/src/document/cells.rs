@@ -62,6 +62,15 @@ pub fn time(point: Option<&Point>) -> String {
 
 /// The worst error in units of the roundoff of its type.
 pub fn units(point: Option<&Point>) -> String {
+    errors(point, |point| vec![point.worst])
+}
+
+/// Of the worst entry's errors the median, the 99th percentile and the worst, in the same units.
+pub fn spread(point: Option<&Point>) -> String {
+    errors(point, |point| vec![point.median, point.rare, point.worst])
+}
+
+fn errors(point: Option<&Point>, of: impl Fn(&Point) -> Vec<f64>) -> String {
     let Some(point) = point else {
         return "–".to_owned();
     };
@@ -69,7 +78,8 @@ pub fn units(point: Option<&Point>) -> String {
         Scalar::F64 => f64::EPSILON / 2.0,
         Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
     };
-    format!("{} u", in_units(point.worst / unit))
+    let errors = of(point).into_iter().map(|error| in_units(error / unit));
+    format!("{} u", errors.collect::<Vec<_>>().join(", "))
 }
 
 /// Two or three digits.

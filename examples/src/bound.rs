@@ -113,8 +113,9 @@ fn bound<'r, T, O: Entries, const N: usize>(
             numbers
         }),
         batch: Box::new(move |states| {
+            // By reference: a result that is moved is loaded once more, which waits for its stores.
             for state in states {
-                black_box(call(black_box(state)));
+                black_box(&call(black_box(state)));
             }
         }),
     }

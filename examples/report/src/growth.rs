@@ -145,7 +145,7 @@ fn main() {{
     let batch = || {{
         for [q, qd, qdd, tau] in &states {{
             let _ = (q, qd, qdd, tau);
-            std::hint::black_box(Chain.{function}({arguments}));
+            std::hint::black_box(&Chain.{function}({arguments}));
         }}
     }};
     let times = timing::alternate(11, 256, std::time::Duration::from_micros(200), &[&batch]);

@@ -65,8 +65,9 @@ impl Case {
             name: name.to_owned(),
             scalar,
             batch: Box::new(move || {
+                // By reference: a result that is moved is loaded once more, which waits for its stores.
                 for state in &*states {
-                    black_box(call(black_box(state)));
+                    black_box(&call(black_box(state)));
                 }
             }),
             results: Box::new(move |state| {

@@ -32,6 +32,14 @@ pub(super) fn draw(svg: &mut String, points: &[([f64; 2], &str)], symbols: &[[f6
             [left, 9.0],
             [right, -15.0],
             [right, 15.0],
+            [middle, -25.0],
+            [middle, 26.0],
+            [right, -28.0],
+            [right, 28.0],
+            [left, -28.0],
+            [left, 28.0],
+            [middle, -38.0],
+            [middle, 39.0],
         ];
         let places =
             places.map(|[start, down]| [start, y + down - 6.0, start + width, y + down + 6.0]);
@@ -63,6 +71,27 @@ fn apart(a: &Box, b: &Box) -> bool {
 #[cfg(test)]
 mod tests {
     use super::draw;
+
+    #[test]
+    fn labels_of_points_in_one_place_stand_one_above_the_other() {
+        let mut svg = String::new();
+        let labels = ["first", "second", "third", "fourth", "fifth", "sixth"];
+        let points = labels.map(|label| ([100.0, 50.0], label));
+        draw(
+            &mut svg,
+            &points,
+            &[[100.0, 50.0]],
+            [0.0, 0.0, 200.0, 100.0],
+        );
+        let mut places: Vec<&str> = svg.split("<text").skip(1).collect();
+        for place in &mut places {
+            *place = place.split_once("font-size").expect("it has one").0;
+        }
+        let count = places.len();
+        places.sort_unstable();
+        places.dedup();
+        assert_eq!((places.len(), count), (labels.len(), labels.len()), "{svg}");
+    }
 
     #[test]
     fn a_label_keeps_away_from_symbols_and_from_the_edge() {

@@ -123,7 +123,8 @@ fn robots(measured: &Measured<'_>) -> String {
 fn formulations(measured: &Measured<'_>) -> String {
     let mut text = String::from(
         "## Formulations\n\n\
-         The same functions by other ways, `f64`; times in ns.\n\n\
+         The same functions by other ways, `f64`; times in ns. Merged angles have no room for all \
+         digits after many turns, which these states do not show.\n\n\
          ![Formulations: time per call against worst error](formulations.svg)\n\n\
          | robot | function | formulation | mul | add | div | baseline | native | error, baseline | native |\n\
          |---|---|---|---:|---:|---:|---:|---:|---:|---:|\n",

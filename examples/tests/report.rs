@@ -68,6 +68,30 @@ fn counts_of_formulations_are_those_of_today() {
     }
 }
 
+/// What the README says of the report is what stands in it.
+#[test]
+fn ratios_of_the_readme_are_those_of_the_report() {
+    const README: &str = include_str!("../../README.md");
+    let part = part("### Panda with hand beside others");
+    let ratio = |start: &str| {
+        let row = part.lines().find(|row| row.starts_with(start));
+        let cells = row.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>());
+        cells.expect("a row")[9]
+    };
+    let [inverse, forward, refined] = [
+        "| `inverse_dynamics` | f64 |",
+        "| `forward_dynamics` | f64 |",
+        "| `forward_dynamics`, refined once | f64 |",
+    ]
+    .map(ratio);
+    let said = format!(
+        "inverse dynamics of a Panda takes {inverse} and forward dynamics {forward} of the time of \
+         the fastest that Pinocchio and CasADi make of the same file; refined once, forward dynamics \
+         takes {refined},"
+    );
+    assert!(README.contains(&said), "the README should say: {said}");
+}
+
 /// Merged angles are shown of the functions that they make a difference to, and of no others.
 #[test]
 fn merged_angles_are_shown_where_they_matter() {

@@ -43,7 +43,7 @@ pub fn of_accelerations(
     scalar: Real,
 ) -> Accuracy {
     let range = Range::of(chain);
-    let mobility = mobility(chain);
+    let mobility = (refinements > 0).then(|| mobility(chain)).flatten();
     let worst = |scalar: Real| match (refinements, &mobility) {
         (0, _) => Parts::of(parts, &range, scalar).unrefined(),
         (_, Some(mobility)) => refined(parts, &range, mobility, refinements, scalar),

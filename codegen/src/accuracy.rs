@@ -4,10 +4,12 @@
 //! beside the price: the worst of all results that share a unit. It never says less than "at most":
 //! where nothing can be said that holds for every state of the range, it gives the reason.
 
+mod articulated;
 mod solved;
 
 use std::fmt;
 
+pub use self::articulated::of_articulated;
 pub use self::solved::{of_accelerations, of_inverse};
 use crate::chain::range::{self, Range};
 use crate::chain::{Chain, Motion};
@@ -157,6 +159,22 @@ fn by_unit(
         }
     }
     Some(bounds)
+}
+
+/// What is promised of a solution, where something is.
+fn backward(chain: &Chain, given: Given, bounds: Option<Vec<Bound>>) -> Accuracy {
+    let arguments: &[Argument] = match given {
+        Given::Torques => &[Argument::Q, Argument::Qd, Argument::Qdd],
+        Given::MassMatrix => &[Argument::Q],
+    };
+    match bounds {
+        Some(bounds) => Accuracy::Backward {
+            given,
+            bounds,
+            range: range::words(chain, arguments),
+        },
+        None => Accuracy::Unknown("ranges and inertias tell none"),
+    }
 }
 
 /// Which joints slide.

@@ -188,7 +188,7 @@ fn accuracy_of(
                 accuracy::of_accelerations(chain, &parts, refinements, scalar)
             }
             Forward::Articulated => {
-                Accuracy::Unknown("none is known of articulated bodies that holds for every state")
+                accuracy::of_articulated(chain, found.layout, found.way, scalar)
             }
         }),
         _ => None,

@@ -18,6 +18,7 @@ mod pose;
 mod turn;
 mod twist;
 
+pub(crate) use self::articulated::{MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP};
 pub use crate::formulation::{Angles, Forward, Frame};
 pub use dense::dense;
 
@@ -148,6 +149,29 @@ pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
 
 fn parents(bodies: &Bodies<'_>) -> Vec<Option<usize>> {
     bodies.bodies.iter().map(|body| body.parent).collect()
+}
+
+/// What the articulated-body recursion takes from a motion: see [`articulated::motion`].
+pub(crate) fn articulated_motion<'g>(
+    graph: &'g Graph,
+    bodies: &Bodies<'g>,
+    way: Way,
+) -> Vec<Term<'g>> {
+    let state = State { graph };
+    let joints = carry::joints(bodies, &state, way.angles);
+    articulated::motion(&joints, bodies.gravity, &state)
+}
+
+/// One step inwards of the articulated-body recursion from each joint: see [`articulated::step`].
+pub(crate) fn articulated_steps<'g>(
+    graph: &'g Graph,
+    bodies: &Bodies<'g>,
+    way: Way,
+    entries: &[Term<'g>; ARTICULATED_STEP],
+) -> Vec<Vec<Term<'g>>> {
+    let joints = carry::joints(bodies, &State { graph }, way.angles);
+    let steps = joints.iter().map(|joint| articulated::step(joint, entries));
+    steps.collect()
 }
 
 /// The arguments of the generated functions.

@@ -8,12 +8,12 @@
 //! Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
 //! γ √(Mᵢᵢ Mⱼⱼ), since M is positive definite.
 
-use super::{Accuracy, Bound, Given, by_unit, slides, value};
+use super::{Accuracy, Given, backward, by_unit, slides, value};
 use crate::chain::Chain;
 use crate::chain::mobility::mobility;
-use crate::chain::range::{self, Range};
+use crate::chain::range::Range;
 use crate::expression::Input;
-use crate::function::{Argument, Function};
+use crate::function::Function;
 use crate::request::Real;
 use crate::schedule::Program;
 use crate::schedule::bound::{self, Value};
@@ -51,21 +51,6 @@ pub fn of_accelerations(
     };
     let units = Function::InverseDynamics.units(&slides(chain));
     backward(chain, Given::Torques, by_unit(units, scalar, worst))
-}
-
-fn backward(chain: &Chain, given: Given, bounds: Option<Vec<Bound>>) -> Accuracy {
-    let arguments: &[Argument] = match given {
-        Given::Torques => &[Argument::Q, Argument::Qd, Argument::Qdd],
-        Given::MassMatrix => &[Argument::Q],
-    };
-    match bounds {
-        Some(bounds) => Accuracy::Backward {
-            given,
-            bounds,
-            range: range::words(chain, arguments),
-        },
-        None => Accuracy::Unknown("ranges and inertias tell none"),
-    }
 }
 
 /// What is left after some refinements; infinite where they may not converge, as far as ranges tell.

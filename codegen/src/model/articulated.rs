@@ -17,28 +17,15 @@ pub fn forward_dynamics<'g>(
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
 ) -> Vec<Term<'g>> {
-    let graph = state.graph;
     let count = joints.len();
-    let rest = Acceleration::linear(Vector::zero(graph));
-    let still = |h: Acceleration<Term<'g>>| Acceleration {
-        omega: h.omega,
-        ..rest
-    };
-
-    // Velocities, the part of each acceleration that they cause, and the actions of that part.
-    let mut velocities: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(count);
-    let mut drifts = Vec::with_capacity(count);
-    let mut articulated = Vec::with_capacity(count);
-    let mut actions = Vec::with_capacity(count);
-    for (k, joint) in joints.iter().enumerate() {
-        let outer = joint.parent.map_or(rest, |parent| velocities[parent]);
-        let drift = beyond(outer, joint, state.qd(k), state.zero());
-        let velocity = still(drift);
-        actions.push(Action::of(velocity, joint.inertia));
-        articulated.push(Articulated::of(joint.inertia));
-        velocities.push(velocity);
-        drifts.push(drift);
-    }
+    let Drift {
+        velocities,
+        drifts,
+        mut actions,
+    } = Drift::of(joints, state);
+    let mut articulated: Vec<Articulated<'g>> = (joints.iter())
+        .map(|joint| Articulated::of(joint.inertia))
+        .collect();
 
     let mut yields = Vec::with_capacity(count);
     for k in (0..count).rev() {
@@ -53,42 +40,153 @@ pub fn forward_dynamics<'g>(
                 c: action.c + moved.c + given.action.c * push,
                 f: action.f + moved.f + given.action.f * push,
             };
-            articulated[parent] = articulated[parent]
-                + left
-                    .turn(joint.turn())
-                    .shift(joint.offset())
-                    .inboard(joint.placement);
-            actions[parent] = actions[parent]
-                + carried
-                    .change_frame(joint.displacement())
-                    .change_frame(joint.placement);
+            let (left, carried) = passed_on(joint, &left, carried);
+            articulated[parent] = articulated[parent] + left;
+            actions[parent] = actions[parent] + carried;
         }
         yields.push((lacking, given));
     }
     yields.reverse();
 
-    // Gravity is an acceleration of the base the other way.
-    let base = Acceleration::linear(-gravity);
-    let mut accelerations: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(count);
     let mut found = Vec::with_capacity(count);
+    outwards(joints, gravity, state, &velocities, |k, carried| {
+        let (lacking, given) = &yields[k];
+        let opposed = carried.omega_dot.dot(given.action.c) + carried.a.dot(given.action.f);
+        let acceleration = (*lacking - opposed) * given.inverse;
+        found.push(acceleration);
+        acceleration
+    });
+    found
+}
+
+/// How many numbers [`motion`] gives for each joint: c and f of the velocities, ω̇ and a that they
+/// cause beyond the joint, ω̇ and a of the body.
+pub const MOTION: usize = 18;
+
+/// What the recursion takes from a motion whose q̈ is given, without a division.
+pub fn motion<'g>(
+    joints: &[Joint<'g>],
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+) -> Vec<Term<'g>> {
+    let drift = Drift::of(joints, state);
+    let given = |k: usize, _: Acceleration<Term<'g>>| state.qdd(k);
+    let accelerations = outwards(joints, gravity, state, &drift.velocities, given);
+    let all = drift.actions.iter().zip(&drift.drifts).zip(accelerations);
+    all.flat_map(|((action, drift), acceleration)| {
+        [
+            action.c,
+            action.f,
+            drift.omega_dot,
+            drift.a,
+            acceleration.omega_dot,
+            acceleration.a,
+        ]
+    })
+    .flat_map(|vector| vector.0)
+    .collect()
+}
+
+/// How many numbers [`step`] takes and gives: A and M as xx, yy, zz, xy, xz, yz, B by rows between
+/// them; c, f.
+pub const STEP: usize = 6 + 9 + 6 + 3 + 3;
+
+/// What becomes of an articulated inertia and an action on the way from a body, whose joint has
+/// yielded, to the one that carries it.
+pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> {
+    let a = std::array::from_fn(|k| entries[k]);
+    let b = std::array::from_fn(|row| std::array::from_fn(|column| entries[6 + 3 * row + column]));
+    let m = std::array::from_fn(|k| entries[15 + k]);
+    let [c, f] = [21, 24].map(|first| Vector(std::array::from_fn(|k| entries[first + k])));
+    let mut left = Articulated {
+        a: Symmetric(a),
+        b: Rotation(b),
+        m: Symmetric(m),
+    };
+    left.clear(joint.motion);
+    let (left, action) = passed_on(joint, &left, Action { c, f });
+    let inertia = left
+        .a
+        .0
+        .into_iter()
+        .chain(left.b.0.concat())
+        .chain(left.m.0);
+    inertia.chain(action.c.0).chain(action.f.0).collect()
+}
+
+/// What velocities alone do: those of the bodies, the accelerations that each joint adds to them, and
+/// the actions that they take.
+struct Drift<'g> {
+    velocities: Vec<Acceleration<Term<'g>>>,
+    drifts: Vec<Acceleration<Term<'g>>>,
+    actions: Vec<Action<Term<'g>>>,
+}
+
+impl<'g> Drift<'g> {
+    fn of(joints: &[Joint<'g>], state: &State<'g>) -> Self {
+        let rest = Acceleration::linear(Vector::zero(state.graph));
+        let mut all = Self {
+            velocities: Vec::with_capacity(joints.len()),
+            drifts: Vec::with_capacity(joints.len()),
+            actions: Vec::with_capacity(joints.len()),
+        };
+        for (k, joint) in joints.iter().enumerate() {
+            let outer = joint.parent.map_or(rest, |parent| all.velocities[parent]);
+            let drift = beyond(outer, joint, state.qd(k), state.zero());
+            let velocity = Acceleration {
+                omega: drift.omega,
+                ..rest
+            };
+            all.actions.push(Action::of(velocity, joint.inertia));
+            all.velocities.push(velocity);
+            all.drifts.push(drift);
+        }
+        all
+    }
+}
+
+/// The accelerations of the bodies, the base's being that of gravity the other way; `of_joint` gives
+/// that of a joint from what its body has without it.
+fn outwards<'g>(
+    joints: &[Joint<'g>],
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+    velocities: &[Acceleration<Term<'g>>],
+    mut of_joint: impl FnMut(usize, Acceleration<Term<'g>>) -> Term<'g>,
+) -> Vec<Acceleration<Term<'g>>> {
+    let base = Acceleration::linear(-gravity);
+    let mut accelerations: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(joints.len());
     for (k, joint) in joints.iter().enumerate() {
         let outer = joint.parent.map_or(base, |parent| Acceleration {
             omega: velocities[parent].omega,
             ..accelerations[parent]
         });
         let carried = beyond(outer, joint, state.qd(k), state.zero());
-        let (lacking, given) = &yields[k];
-        let opposed = carried.omega_dot.dot(given.action.c) + carried.a.dot(given.action.f);
-        let acceleration = (*lacking - opposed) * given.inverse;
+        let acceleration = of_joint(k, carried);
         let (u, b) = (joint.screw.u, joint.screw.b);
         accelerations.push(Acceleration {
             omega: carried.omega,
             omega_dot: carried.omega_dot + u * acceleration,
             a: carried.a + b * acceleration,
         });
-        found.push(acceleration);
     }
-    found
+    accelerations
+}
+
+/// An articulated inertia and an action of a body, in the frame of the one that carries it.
+fn passed_on<'g>(
+    joint: &Joint<'g>,
+    left: &Articulated<'g>,
+    action: Action<Term<'g>>,
+) -> (Articulated<'g>, Action<Term<'g>>) {
+    let left = left
+        .turn(joint.turn())
+        .shift(joint.offset())
+        .inboard(joint.placement);
+    let action = action
+        .change_frame(joint.displacement())
+        .change_frame(joint.placement);
+    (left, action)
 }
 
 /// The linear map from an acceleration (ω̇, a) to the action (c, f) that it takes:
@@ -146,24 +244,29 @@ impl<'g> Articulated<'g> {
             })),
             m: self.m - Symmetric::half_product(f, over_f),
         };
-        let zero = inverse.graph().constant(0.0);
-        match motion {
-            Motion::Revolute => {
-                left.a.clear_z(zero);
-                left.b.0[2] = [zero; 3];
-            }
-            Motion::Prismatic => {
-                left.m.clear_z(zero);
-                for row in &mut left.b.0 {
-                    row[2] = zero;
-                }
-            }
-            Motion::Screw(_) => {}
-        }
+        left.clear(motion);
         Yielding {
             action,
             inverse,
             left,
+        }
+    }
+
+    /// Clears what the joint's motion leaves nothing of.
+    fn clear(&mut self, motion: Motion) {
+        let zero = self.b.0[0][0].graph().constant(0.0);
+        match motion {
+            Motion::Revolute => {
+                self.a.clear_z(zero);
+                self.b.0[2] = [zero; 3];
+            }
+            Motion::Prismatic => {
+                self.m.clear_z(zero);
+                for row in &mut self.b.0 {
+                    row[2] = zero;
+                }
+            }
+            Motion::Screw(_) => {}
         }
     }
 

@@ -99,6 +99,9 @@ pub fn of(
         .enumerate()
         .filter_map(|(k, unit)| Some((k, unit?)))
         .unzip();
+    if units.is_empty() {
+        return None;
+    }
     let worst = |scalar: Real| {
         let errors = bound::errors(program, scalar, &|input| value(&range, input, scalar));
         kept.iter().map(|&k| errors[k]).collect()
@@ -110,9 +113,6 @@ pub fn of(
         .collect();
     arguments.sort_unstable();
     arguments.dedup();
-    if units.is_empty() {
-        return None;
-    }
     Some(match by_unit(units, scalar, worst) {
         Some(bounds) => Accuracy::Within {
             bounds,

@@ -129,21 +129,26 @@ fn by_unit(
     scalar: Real,
     worst: impl Fn(Real) -> Vec<f64>,
 ) -> Option<Vec<Bound>> {
-    let double = (scalar != Real::F32).then(|| worst(Real::F64));
-    let single = (scalar != Real::F64).then(|| worst(Real::F32));
-    let bounded = |errors: &Vec<f64>| errors.iter().all(|error| error.is_finite());
-    if ![&double, &single].into_iter().flatten().any(bounded) {
+    // Where one result has no bound, the type has none.
+    let all = |scalar: Real| {
+        let errors = worst(scalar);
+        let bounded = errors.iter().all(|error| error.is_finite());
+        bounded.then_some(errors)
+    };
+    let double = (scalar != Real::F32).then(|| all(Real::F64));
+    let single = (scalar != Real::F64).then(|| all(Real::F32));
+    if ![&double, &single]
+        .into_iter()
+        .flatten()
+        .any(Option::is_some)
+    {
         return None;
     }
     let mut bounds: Vec<Bound> = Vec::new();
     for (k, unit) in units.into_iter().enumerate() {
-        let at = |errors: &Option<Vec<f64>>| {
+        let at = |errors: &Option<Option<Vec<f64>>>| {
             let errors = errors.as_ref()?;
-            Some(if bounded(errors) {
-                errors[k]
-            } else {
-                f64::INFINITY
-            })
+            Some(errors.as_ref().map_or(f64::INFINITY, |errors| errors[k]))
         };
         let (double, single) = (at(&double), at(&single));
         match bounds.iter_mut().find(|bound| bound.unit == unit) {

@@ -6,6 +6,8 @@
 
 pub mod attributes;
 mod axis;
+#[cfg(test)]
+mod changed;
 mod constant;
 pub mod denavit_hartenberg;
 mod file;

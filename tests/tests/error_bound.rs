@@ -340,7 +340,7 @@ fn check_inverse<T: Tested>(asked: Asked) {
         asked.robot,
         T::NAME
     );
-    // Eight times as far as other bounds: it is one number for entries of all sizes. 530 times by
+    // Eight times as far as other bounds: it is one number for entries of all sizes. 590 times by
     // default, of the seven-joint arm.
     let farthest = 8.0 * asked.farthest;
     assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");

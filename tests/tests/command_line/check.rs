@@ -2,22 +2,16 @@
 
 use serde_json::{Value, json};
 
-use super::{ARM, homogen, json, refused};
+use super::{ARM, homogen, json, keys, refused};
 
 #[test]
 fn tells_what_became_of_the_description() {
     let arm = json("check - --tip hand --lock elbow=0.3 --format json", ARM);
-    let keys: Vec<&str> = arm
-        .as_object()
-        .unwrap()
-        .keys()
-        .map(String::as_str)
-        .collect();
     let wanted = [
         "robot", "file", "base", "tip", "joints", "links", "merged", "locked", "dropped",
         "snapped", "warnings", "details",
     ];
-    assert_eq!(keys, wanted);
+    assert_eq!(keys(&arm), wanted);
     assert_eq!(arm["robot"], "arm");
     assert_eq!(arm["file"], "<stdin>");
     assert_eq!(arm["base"], "base");

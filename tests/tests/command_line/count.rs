@@ -3,30 +3,24 @@
 use homogen_codegen::Function;
 use serde_json::Value;
 
-use super::{ARM, homogen, json, refused};
+use super::{ARM, homogen, json, keys, refused};
 
 #[test]
 fn gives_every_price_by_name() {
     let counted = json("count - --format json", ARM);
     let functions = counted["functions"].as_object().unwrap();
     // Two ends and no tip: functions of a frame are absent.
-    let names: Vec<&str> = functions.keys().map(String::as_str).collect();
     let whole = Function::ALL
         .into_iter()
         .filter(|function| !function.of_a_frame());
-    assert_eq!(names, whole.map(Function::name).collect::<Vec<_>>());
+    let whole: Vec<&str> = whole.map(Function::name).collect();
+    assert_eq!(keys(&counted["functions"]), whole);
     for price in functions.values() {
-        let keys: Vec<&str> = price
-            .as_object()
-            .unwrap()
-            .keys()
-            .map(String::as_str)
-            .collect();
         let wanted = [
             "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals",
             "naive", "errors",
         ];
-        assert_eq!(keys, wanted);
+        assert_eq!(keys(price), wanted);
     }
     let errors = |name: &str| &functions[name]["errors"][0];
     let error = errors("gravity")["f64"]["N m"].as_f64();
@@ -42,13 +36,9 @@ fn gives_every_price_by_name() {
     assert_eq!((number(&dynamics["sin"]), number(&dynamics["cos"])), (2, 2));
 
     let with_tip = json("count - --tip hand --frames camera --format json", ARM);
-    let names: Vec<&String> = with_tip["functions"].as_object().unwrap().keys().collect();
-    assert!(names.iter().any(|name| *name == "forward_kinematics"));
-    assert!(
-        names
-            .iter()
-            .any(|name| *name == "forward_kinematics_of_camera")
-    );
+    let names = keys(&with_tip["functions"]);
+    assert!(names.contains(&"forward_kinematics"));
+    assert!(names.contains(&"forward_kinematics_of_camera"));
 }
 
 #[test]

@@ -61,6 +61,12 @@ fn json(arguments: &str, input: &str) -> Value {
     serde_json::from_str(&answer.output).expect("JSON")
 }
 
+/// The names of what a JSON object has, in their order.
+fn keys(object: &Value) -> Vec<&str> {
+    let object = object.as_object().expect("an object");
+    object.keys().map(String::as_str).collect()
+}
+
 /// What standard error has of an answer that is a mistake.
 fn refused(arguments: &str, input: &str) -> String {
     let answer = homogen(arguments, input);

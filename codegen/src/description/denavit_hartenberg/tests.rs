@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::description::Description;
+use crate::description::changed::changed;
 use crate::error::Errors;
 
 fn try_read(text: &str) -> (Option<Description>, String) {
@@ -329,24 +330,8 @@ fn hostile_tables_are_refused_quickly() {
 #[test]
 fn random_changes_are_survived() {
     let text = format!("convention standard\n{ROWS}");
-    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
-    let mut random = |below: usize| {
-        state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(1);
-        usize::try_from(state >> 33).unwrap_or(0) % below
-    };
     let bytes = b"#\n -+./*pie0\xc3\xa4";
-    for _ in 0..2000 {
-        let mut text = text.as_bytes().to_vec();
-        for _ in 0..=random(6) {
-            let at = random(text.len());
-            match random(3) {
-                0 => text[at] = bytes[random(bytes.len())],
-                1 => text.insert(at, bytes[random(bytes.len())]),
-                _ => {
-                    text.drain(at..(at + random(12)).min(text.len()));
-                }
-            }
-        }
-        let _ = try_read(&String::from_utf8_lossy(&text));
+    for text in changed(&text, bytes, 0x9e37_79b9_7f4a_7c15).take(2000) {
+        let _ = try_read(&text);
     }
 }

@@ -160,11 +160,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         let body = bodies.bodies[k];
         if layout.sliding == Sliding::AtMassCenter
             && matches!(body.motion, Motion::Prismatic)
-            && body
-                .inertia
-                .mass
-                .value()
-                .is_some_and(|mass| !mass.is_zero())
+            && body.inertia.mass.value().is_some_and(Double::is_sharp)
         {
             let center = body.inertia.q.map(|entry| entry / body.inertia.mass);
             bodies.move_frame(k, Pose::translation(center));
@@ -266,13 +262,9 @@ fn z_along(direction: Vector<Term<'_>>) -> Rotation<Term<'_>> {
     let smallest = (0..3)
         .min_by(|&a, &b| size(a).abs().total_cmp(&size(b).abs()))
         .unwrap_or(0);
-    let x = normalized(axis(smallest).cross(direction));
+    let x = axis(smallest).cross(direction).normalized();
+    let x = x.expect("an axis is not along its smallest entry");
     Rotation::from_columns([x, direction.cross(x), direction])
-}
-
-fn normalized(vector: Vector<Term<'_>>) -> Vector<Term<'_>> {
-    let length = vector.dot(vector).sqrt();
-    vector.map(|entry| entry / length)
 }
 
 /// Squared sine of the angle below which two axes have no normal that is worth having: its foot
@@ -290,22 +282,21 @@ fn common_normal<'g>(next: &Pose<Term<'g>>) -> Pose<Term<'g>> {
     let to = next.translation;
     if x.is_zero() && y.is_zero() {
         // Parallel: the normal points to the next axis; its foot may be anywhere.
-        let known = to.x().value().zip(to.y().value()).is_some();
-        if !known || (to.x().is_zero() && to.y().is_zero()) {
-            return Pose::identity(graph);
-        }
-        let normal = normalized(Vector([to.x(), to.y(), zero]));
-        return Pose::rotation(about_z_towards(normal));
+        let normal = Vector([to.x(), to.y(), zero]).normalized();
+        return normal.map_or_else(
+            || Pose::identity(graph),
+            |normal| Pose::rotation(about_z_towards(normal)),
+        );
     }
     let square = x * x + y * y;
-    if square
+    let apart = square
         .value()
-        .is_some_and(|square| square.to_f64() < NEARLY_PARALLEL)
-    {
-        return Pose::identity(graph);
-    }
+        .is_some_and(|square| square.to_f64() >= NEARLY_PARALLEL);
     // z × z' = (−y, x, 0); the foot is where the distance of the two lines is least.
-    let normal = normalized(Vector([-y, x, zero]));
+    let normal = Vector([-y, x, zero]).normalized().filter(|_| apart);
+    let Some(normal) = normal else {
+        return Pose::identity(graph);
+    };
     let along = to.z() - cosine * direction.dot(to);
     let foot = Vector([zero, zero, along / square]);
     Pose {
@@ -331,13 +322,25 @@ fn towards_mass_center<'g>(inertia: &Inertia<Term<'g>>) -> Option<Pose<Term<'g>>
     let direction = if !(x.is_zero() && y.is_zero()) {
         Vector([x, y, zero])
     } else if !xy.is_zero() {
-        // tan 2ψ = 2 J_xy / (J_xx − J_yy), halved by the half-angle formula.
-        let (cosine, sine) = (xx - yy, xy + xy);
-        Vector([(cosine * cosine + sine * sine).sqrt() + cosine, sine, zero])
+        half(Vector([xx - yy, xy + xy, zero]).normalized()?)
     } else {
         return None;
     };
-    Some(Pose::rotation(about_z_towards(normalized(direction))))
+    let direction = direction.normalized()?;
+    Some(Pose::rotation(about_z_towards(direction)))
+}
+
+/// Along the bisector of x and a direction of the xy plane: tan ψ/2 = s / (1 + c), or (1 − c) / s where
+/// 1 + c would cancel.
+fn half(direction: Vector<Term<'_>>) -> Vector<Term<'_>> {
+    let [cosine, sine, zero] = direction.0;
+    let one = zero.graph().constant(1.0);
+    let negative = |term: Term<'_>| term.value().is_some_and(|value| value.to_f64() < 0.0);
+    match (negative(cosine), negative(sine)) {
+        (false, _) => Vector([one + cosine, sine, zero]),
+        (true, false) => Vector([sine, one - cosine, zero]),
+        (true, true) => Vector([-sine, cosine - one, zero]),
+    }
 }
 
 /// Takes a rotation about z off the right side of the placement and adds it to q, where that leaves
@@ -356,8 +359,11 @@ fn split_offset(body: &mut Body<'_>) {
     let (sine, cosine) = if xz.is_zero() {
         (-xy, xx)
     } else {
-        let length = (zx * zx + zy * zy).sqrt();
-        (zx / length, zy / length)
+        let zero = xz.graph().constant(0.0);
+        match Vector([zx, zy, zero]).normalized() {
+            Some(direction) => (direction.x(), direction.y()),
+            None => return,
+        }
     };
     if sine.is_zero() || cosine.is_zero() {
         return;

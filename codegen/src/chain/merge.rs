@@ -273,15 +273,10 @@ impl<'g> Reader<'g, '_> {
     }
 }
 
-/// The direction of an axis, of length 1 to all digits.
+/// The direction of an axis, of length 1 to all digits; of a fixed joint, which has none, zero.
 fn unit<'g>(graph: &'g Graph, axis: &[Number; 3]) -> Vector<Term<'g>> {
     let axis = Vector(axis.map(|entry| graph.constant(entry.value)));
-    let square = axis.dot(axis);
-    if square.is_zero() {
-        axis
-    } else {
-        axis.map(|entry| entry / square.sqrt())
-    }
+    axis.normalized().unwrap_or(axis)
 }
 
 /// The displacement of a joint that is held at a coordinate.

@@ -1,127 +1,248 @@
-//! Double-double arithmetic (106 bits) for everything that is computed while generating, so that a
-//! number of the description is rounded once, when it becomes a literal.
+//! Numbers of 106 bits that know how wrong they are, for everything that is computed while
+//! generating, so that a number of the description is rounded once, when it becomes a literal.
+//!
+//! In: numbers of `f64`, exactly. Out: an enclosure of what exact arithmetic would give: a centre,
+//! the unevaluated sum of two `f64`, and a radius around it. It never guesses: a number is taken for
+//! zero only where no number of 106 bits tells it from zero, and not because it is small.
 //!
 //! Algorithms of Dekker (1971) and Knuth in the forms of Joldeș, Muller and Popescu, "Tight and
-//! rigorous error bounds for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017).
-//! Beside its value a [`Double`] carries the size of the terms it was made of, so that a difference
-//! that is zero but for rounding can be told from a small number.
+//! rigorous error bounds for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017),
+//! which bound the error of a sum by 3u² and of a product by 7u² of the result, u = 2⁻⁵³.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// An unevaluated sum of two `f64`, and the size of what went into it.
+/// An enclosure.
+///
+/// What is meant lies within `radius` of `hi + lo`, and is `hi + lo` where the radius is 0: numbers of
+/// `f64` are, sums that cancel to nothing, and little else. The radius of a sum, product, quotient
+/// or root bounds what its operands' radii, its own rounding and underflow amount to. It is infinite
+/// where nothing is known: after an overflow, and of a quotient or root of a number of which fewer
+/// than [`KNOWN`] bits are known. So a radius is always far below what its number was made of, and
+/// [`Double::is_zero`] forgets nothing that an `f64` beside it could hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Double {
     hi: f64,
     lo: f64,
-    size: f64,
+    radius: f64,
 }
 
-/// What remains of `size` when only rounding is left of a sum: a few hundred units of 2⁻¹⁰⁶.
-const RESIDUE: f64 = 1e-29;
+/// 2⁻⁸⁰: how much of a number its radius may be where something is divided by it, or its root taken.
+const KNOWN: f64 = f64::from_bits((1023 - 80) << 52);
+
+/// 2⁻¹⁰⁴, 2⁻¹⁰³ and 2⁻¹⁰¹: more than the relative errors of a sum, of a product, and of a quotient or
+/// root.
+const SUM: f64 = f64::from_bits((1023 - 104) << 52);
+const PRODUCT: f64 = f64::from_bits((1023 - 103) << 52);
+const QUOTIENT: f64 = f64::from_bits((1023 - 101) << 52);
+
+/// 2⁻⁹⁰⁰: below, the lower half of a product may underflow; by less than [`UNDERFLOW`], 2⁻¹⁰⁶⁰.
+const SMALL: f64 = f64::from_bits((1023 - 900) << 52);
+const UNDERFLOW: f64 = f64::from_bits(1 << 14);
+
+/// What radii are multiplied by for their own roundings.
+const SLACK: f64 = 1.0 + 1e-12;
 
 impl Double {
     /// π.
-    pub const PI: Self = Self::from_parts(std::f64::consts::PI, 1.224_646_799_147_353_2e-16);
+    pub const PI: Self = Self {
+        hi: std::f64::consts::PI,
+        lo: 1.224_646_799_147_353_2e-16,
+        radius: 3e-33,
+    };
     /// 0.
-    pub const ZERO: Self = Self::from_parts(0.0, 0.0);
+    pub const ZERO: Self = Self::exactly(0.0, 0.0);
 
-    const fn from_parts(hi: f64, lo: f64) -> Self {
+    const fn exactly(hi: f64, lo: f64) -> Self {
         Self {
             hi,
             lo,
-            size: hi.abs(),
+            radius: 0.0,
         }
     }
 
-    /// The nearest `f64`.
+    /// An enclosure of a number near `hi + lo`, of which nothing is known unless all three are
+    /// numbers.
+    fn around((hi, lo): (f64, f64), radius: f64) -> Self {
+        let known = hi.is_finite() && lo.is_finite() && radius.is_finite();
+        let radius = if known { radius * SLACK } else { f64::INFINITY };
+        Self { hi, lo, radius }
+    }
+
+    /// The nearest `f64` to the centre.
     #[must_use]
     pub const fn to_f64(self) -> f64 {
         self.hi
     }
 
-    /// The bits that tell two values apart; equal for 0 and −0.
+    /// How far what is meant may be from the centre; infinite where nothing is known.
+    #[must_use]
+    pub const fn radius(self) -> f64 {
+        self.radius
+    }
+
+    /// The bits that tell two centres apart; equal for 0 and −0.
     #[must_use]
     pub fn bits(self) -> (u64, u64) {
         ((self.hi + 0.0).to_bits(), (self.lo + 0.0).to_bits())
     }
 
-    /// Whether nothing but rounding is left of the terms it was made of.
+    /// The same centre with the wider radius of the two.
     #[must_use]
-    pub fn is_zero(self) -> bool {
-        self.hi.abs() <= RESIDUE * self.size
+    pub const fn or_as_wide_as(self, other: Self) -> Self {
+        Self {
+            radius: self.radius.max(other.radius),
+            ..self
+        }
     }
 
-    /// Whether it is 1 but for rounding.
+    /// Whether anything is known of it.
+    #[must_use]
+    pub const fn is_known(self) -> bool {
+        self.radius.is_finite()
+    }
+
+    /// Whether so many of its bits are known that it can be divided by, and a direction made of it.
+    /// What is left of larger numbers that cancelled but for their last digits is not.
+    #[must_use]
+    pub fn is_sharp(self) -> bool {
+        self.hi != 0.0 && self.radius <= KNOWN * self.hi.abs()
+    }
+
+    /// Whether it is zero, as far as 106 bits tell: nothing that it can be is farther from zero than
+    /// twice the radius.
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        self.is_known() && self.hi.abs() <= self.radius
+    }
+
+    /// Whether it is 1, as far as 106 bits tell.
     ///
     /// The sine of 1.5707963267948966, a right angle in `f64`, is: it lacks 1.9·10⁻³³, less than the 2⁻¹⁰⁶ that
     /// an operation is off by. The cosine of that angle, 6·10⁻¹⁷, is a number like any other.
     #[must_use]
     pub fn is_one(self) -> bool {
-        (self - Self::from(1.0)).hi.abs() <= RESIDUE * self.size.max(1.0)
+        (self - Self::from(1.0)).is_zero()
     }
 
-    /// √x, of a number that is not negative.
+    /// √x.
     #[must_use]
     pub fn sqrt(self) -> Self {
-        let root = self.hi.sqrt();
-        if root == 0.0 {
+        if self.hi == 0.0 && self.radius == 0.0 {
             return Self::ZERO;
         }
-        let rest = self - Self::product(root, root);
-        let (hi, lo) = fast_two_sum(root, rest.hi / (2.0 * root));
-        Self {
-            hi,
-            lo,
-            size: self.size.sqrt(),
-        }
+        let half = exponent(self.hi).div_euclid(2);
+        let x = self.scaled(-2 * half);
+        let root = x.hi.sqrt();
+        let rest = x - Self::product(root, root);
+        let centre = fast_two_sum(root, rest.hi / (2.0 * root));
+        let radius = if self.is_sharp() {
+            // |√x − √c| ≤ |x − c| / √c
+            x.radius / root + QUOTIENT * root
+        } else {
+            f64::INFINITY
+        };
+        Self::around(centre, radius).scaled(half)
     }
 
-    /// Sine and cosine, of an angle of moderate size, by Taylor series after reduction to π/16.
+    /// Sine and cosine, by Taylor series after reduction to a quarter turn. Of an angle beyond 2⁵⁰ rad
+    /// nothing is known.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
-        let quarter = Self::PI * Self::from(0.5);
-        let quadrants = (self.hi / quarter.hi).round();
-        let reduced = self - quarter * Self::from(quadrants);
+        /// π/2 to 212 bits.
+        const QUARTER: [f64; 4] = [
+            std::f64::consts::FRAC_PI_2,
+            6.123_233_995_736_766e-17,
+            -1.497_384_904_859_169_8e-33,
+            5.562_271_104_316_826e-50,
+        ];
+        /// What the four parts lack of π/2.
+        const BEYOND: f64 = 3e-66;
+        const MOST: f64 = f64::from_bits((1023 + 50) << 52);
+        if self.hi.is_nan() || self.hi.abs() > MOST {
+            let unknown = Self::around((0.0, 0.0), f64::INFINITY);
+            return (unknown, unknown);
+        }
+        let quadrants = (self.hi / QUARTER[0]).round();
+        let reduced = QUARTER
+            .iter()
+            .fold(self, |rest, part| rest - Self::product(*part, quadrants));
+        let reduced = Self {
+            radius: reduced.radius + BEYOND * quadrants.abs(),
+            ..reduced
+        };
         // Halved thrice, so that the series needs few terms; the double-angle formulas that undo
         // it use 1 − cos, which loses nothing for small angles.
-        let (mut sine, mut versine) = taylor(reduced * Self::from(0.125));
+        let (mut sine, mut versine) = taylor(reduced.scaled(-3));
         for _ in 0..3 {
             let cosine = Self::from(1.0) - versine;
-            versine = Self::from(2.0) * sine * sine;
-            sine = Self::from(2.0) * sine * cosine;
+            versine = (sine * sine).scaled(1);
+            sine = (sine * cosine).scaled(1);
         }
         let cosine = Self::from(1.0) - versine;
-        let (sine, cosine) = match quadrants.rem_euclid(4.0) {
+        match quadrants.rem_euclid(4.0) {
             0.0 => (sine, cosine),
             1.0 => (cosine, -sine),
             2.0 => (-sine, -cosine),
             _ => (-cosine, sine),
-        };
-        (
-            Self { size: 1.0, ..sine },
-            Self {
-                size: 1.0,
-                ..cosine
-            },
-        )
-    }
-
-    fn product(a: f64, b: f64) -> Self {
-        let (hi, lo) = two_product(a, b);
-        Self {
-            hi,
-            lo,
-            size: hi.abs(),
         }
     }
+
+    /// a b of two numbers of `f64`.
+    fn product(a: f64, b: f64) -> Self {
+        let (hi, lo) = two_product(a, b);
+        Self::around((hi, lo), underflow(hi, a == 0.0 || b == 0.0))
+    }
+
+    /// 2ⁿ x.
+    fn scaled(self, n: i32) -> Self {
+        let times = |x: f64| {
+            // In steps, since 2ⁿ itself may be out of range.
+            let (mut x, mut left) = (x, n);
+            while left != 0 {
+                let step = left.clamp(-1000, 1000);
+                x *= power_of_two(step);
+                left -= step;
+            }
+            x
+        };
+        let hi = times(self.hi);
+        let lost = underflow(hi, self.hi == 0.0 && self.radius == 0.0);
+        Self::around((hi, times(self.lo)), times(self.radius) + lost)
+    }
+}
+
+/// What underflow may take from a product.
+fn underflow(hi: f64, exactly_zero: bool) -> f64 {
+    if hi.abs() < SMALL && !exactly_zero {
+        UNDERFLOW
+    } else {
+        0.0
+    }
+}
+
+/// 2ⁿ, of an exponent between −1022 and 1023.
+fn power_of_two(n: i32) -> f64 {
+    let biased = u64::try_from(n + 1023).unwrap_or(0);
+    f64::from_bits(biased << 52)
+}
+
+/// n of a number between 2ⁿ and 2ⁿ⁺¹; somewhat more of a subnormal one.
+fn exponent(x: f64) -> i32 {
+    let biased = (x.to_bits() >> 52) & 0x7ff;
+    i32::try_from(biased)
+        .map_or(0, |biased| biased - 1023)
+        .max(-1022)
 }
 
 /// Sine and 1 − cosine of a small angle.
 fn taylor(x: Double) -> (Double, Double) {
+    /// 2⁻¹¹⁶: what the first term that is left out is below, in relation to the angle.
+    const LEFT_OUT: f64 = f64::from_bits((1023 - 116) << 52);
     let mut sums = [Double::ZERO; 2];
     let mut term = x;
     let mut order = 1_u32;
-    while term.hi.abs() > 1e-40 {
+    let least = LEFT_OUT * x.hi.abs();
+    while term.hi.abs() > least {
         let sum = &mut sums[usize::from(order.is_multiple_of(2))];
         *sum = if (order - 1) % 4 < 2 {
             *sum + term
@@ -131,7 +252,9 @@ fn taylor(x: Double) -> (Double, Double) {
         order += 1;
         term = term * x / Double::from(f64::from(order));
     }
-    (sums[0], sums[1])
+    // Terms alternate in each sum and shrink; those left out are less than the first of them.
+    sums.map(|sum| Double::around((sum.hi, sum.lo), sum.radius + 2.0 * least + x.radius))
+        .into()
 }
 
 const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
@@ -146,9 +269,23 @@ const fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// Dekker's product, which needs no fused operation and so gives the same bits on every host.
-const fn two_product(a: f64, b: f64) -> (f64, f64) {
+fn two_product(a: f64, b: f64) -> (f64, f64) {
     const SPLITTER: f64 = 134_217_729.0;
+    /// 2⁹⁰⁰ and 2⁶⁰: what is larger than the first is made smaller by the second, lest its
+    /// splitting overflows.
+    const LARGE: f64 = f64::from_bits((1023 + 900) << 52);
+    const STEP: f64 = f64::from_bits((1023 + 60) << 52);
     let product = a * b;
+    if !product.is_finite() {
+        return (product, f64::NAN);
+    }
+    if a.abs() > LARGE {
+        let (hi, lo) = two_product(a / STEP, b);
+        return (hi * STEP, lo * STEP);
+    }
+    if b.abs() > LARGE {
+        return two_product(b, a);
+    }
     let (a_big, b_big) = (SPLITTER * a, SPLITTER * b);
     let (a_hi, b_hi) = (a_big - (a_big - a), b_big - (b_big - b));
     let (a_lo, b_lo) = (a - a_hi, b - b_hi);
@@ -160,7 +297,7 @@ const fn two_product(a: f64, b: f64) -> (f64, f64) {
 
 impl From<f64> for Double {
     fn from(value: f64) -> Self {
-        Self::from_parts(value, 0.0)
+        Self::around((value, 0.0), 0.0)
     }
 }
 
@@ -172,11 +309,7 @@ impl Add for Double {
         let (low, low_error) = two_sum(self.lo, other.lo);
         let (sum, error) = fast_two_sum(sum, error + low);
         let (hi, lo) = fast_two_sum(sum, error + low_error);
-        Self {
-            hi,
-            lo,
-            size: self.size.max(other.size).max(hi.abs()),
-        }
+        Self::around((hi, lo), self.radius + other.radius + SUM * hi.abs())
     }
 }
 
@@ -187,7 +320,7 @@ impl Neg for Double {
         Self {
             hi: -self.hi,
             lo: -self.lo,
-            size: self.size,
+            ..self
         }
     }
 }
@@ -206,11 +339,12 @@ impl Mul for Double {
     fn mul(self, other: Self) -> Self {
         let (product, error) = two_product(self.hi, other.hi);
         let (hi, lo) = fast_two_sum(product, error + (self.hi * other.lo + self.lo * other.hi));
-        Self {
-            hi,
-            lo,
-            size: self.size * other.size,
-        }
+        // That |a| is larger than its upper half by a factor of 1 + u is part of the slack.
+        let radius = self.hi.abs() * other.radius
+            + self.radius * (other.hi.abs() + other.radius)
+            + PRODUCT * hi.abs()
+            + underflow(hi, self.hi == 0.0 || other.hi == 0.0);
+        Self::around((hi, lo), radius)
     }
 }
 
@@ -218,14 +352,18 @@ impl Div for Double {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        let quotient = self.hi / other.hi;
-        let rest = self - other * Self::from(quotient);
-        let (hi, lo) = fast_two_sum(quotient, rest.hi / other.hi);
-        Self {
-            hi,
-            lo,
-            size: (self.size / other.hi).abs(),
-        }
+        let (up, down) = (exponent(self.hi), exponent(other.hi));
+        let (a, b) = (self.scaled(-up), other.scaled(-down));
+        let quotient = a.hi / b.hi;
+        let rest = a - b * Self::from(quotient);
+        let centre = fast_two_sum(quotient, rest.hi / b.hi);
+        let radius = if other.is_sharp() {
+            // |a/b − c/d| ≤ (|a − c| + |c/d| |b − d|) / |b|, and b is as good as d to 80 bits.
+            (a.radius + quotient.abs() * b.radius) / b.hi.abs() + QUOTIENT * quotient.abs()
+        } else {
+            f64::INFINITY
+        };
+        Self::around(centre, radius).scaled(up - down)
     }
 }
 
@@ -235,6 +373,11 @@ mod tests {
 
     fn from(value: f64) -> Double {
         Double::from(value)
+    }
+
+    /// Whether two enclosures of one number can both hold it.
+    fn meet(a: Double, b: Double) -> bool {
+        (a - b).is_zero()
     }
 
     #[test]
@@ -251,17 +394,21 @@ mod tests {
 
     #[test]
     fn square_root_squares_back() {
-        let root = from(2.0).sqrt();
-        assert!((root * root - from(2.0)).is_zero());
+        for square in [2.0, 3e-300, 7e300, 5e-324, 1e-9] {
+            let root = from(square).sqrt();
+            assert!(root.is_known(), "{square:e}");
+            assert!(meet(root * root, from(square)), "{square:e}");
+        }
     }
 
     #[test]
     fn pythagoras_holds_to_the_last_digits() {
-        for angle in [-7.0, -1.0, 1e-9, 0.3, 1.571, 3.0, 100.0] {
+        for angle in [-7.0, -1.0, 1e-9, 1e-200, 0.3, 1.571, 3.0, 100.0, 1e15] {
             let (sine, cosine) = from(angle).sin_cos();
             assert!((sine * sine + cosine * cosine).is_one(), "{angle}");
             assert!((sine.to_f64() - angle.sin()).abs() < 2e-16, "{angle}");
             assert!((cosine.to_f64() - angle.cos()).abs() < 2e-16, "{angle}");
+            assert!(sine.radius() < 1e-29 && cosine.radius() < 1e-29, "{angle}");
         }
     }
 
@@ -287,5 +434,44 @@ mod tests {
         let third = from(1.0) / from(3.0);
         assert!((third + third + third - from(1.0)).is_zero());
         assert!(!from(1e-300).is_zero());
+    }
+
+    #[test]
+    fn powers_and_quotients_of_residues_are_numbers_like_any_other() {
+        let residue = from(1.110_223e-16);
+        let (sine, cosine) = residue.sin_cos();
+        assert!(!(sine * sine).is_zero());
+        assert!(cosine.is_one());
+        assert!(!(sine * sine * sine / from(3.0)).is_zero());
+        // A short vector, made 1 long, leaves other numbers what they are.
+        let (x, y) = (from(3e-17), from(4e-17));
+        let length = (x * x + y * y).sqrt();
+        let (sine, cosine) = (x / length, y / length);
+        assert!((sine - from(0.6)).to_f64().abs() < 1e-16);
+        assert!(!(sine * from(1e-20)).is_zero() && !cosine.is_zero());
+        assert!((sine * sine + cosine * cosine).is_one());
+    }
+
+    #[test]
+    fn of_what_is_left_of_numbers_that_cancelled_no_direction_is_made() {
+        let third = from(1.0) / from(3.0);
+        let left = third + third + third - from(1.0 - f64::EPSILON) - from(f64::EPSILON);
+        assert!(!left.is_sharp());
+        assert!(!(from(1.0) / left).is_known());
+        assert!(!(from(1.0) / left).is_zero());
+        assert!(!left.sqrt().is_known());
+    }
+
+    #[test]
+    fn what_overflows_is_not_known() {
+        let large = from(1e300);
+        assert!(!(large * large).is_known());
+        assert!(!(large / from(1e-300)).is_known());
+        assert!((large * from(1e-300)).is_known());
+        assert!((large / large).is_one());
+        for unknown in [f64::NAN, f64::INFINITY] {
+            assert!(!from(unknown).is_known());
+        }
+        assert!(!from(1e16).sin_cos().0.is_known());
     }
 }

@@ -242,6 +242,11 @@ impl Inner {
             None => self.memo.get(&node),
         };
         if let Some(&known) = known {
+            // Equal to all digits, though one may be known better than the other.
+            let slot = &mut self.values[known.index()];
+            *slot = slot
+                .zip(value)
+                .map(|(known, found)| known.or_as_wide_as(found));
             return known;
         }
         let expr = Expr(u32::try_from(self.nodes.len()).expect("a graph of fewer than 2³² nodes"));

@@ -57,6 +57,23 @@ impl<'g> Vector<Term<'g>> {
         Self([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
     }
 
+    /// The vector of length 1 in its direction, scaled by a power of two before anything is squared;
+    /// none where it depends on an input, or is zero or no more than what rounding left of larger
+    /// numbers.
+    #[must_use]
+    pub fn normalized(self) -> Option<Self> {
+        let mut size = 0.0_f64;
+        for entry in self.0 {
+            size = size.max(entry.value()?.to_f64().abs());
+        }
+        let scale = self.x().graph().constant(towards_one(size));
+        let scaled = self * scale;
+        let square = scaled.dot(scaled);
+        square.value().filter(|square| square.is_sharp())?;
+        let length = square.sqrt();
+        Some(scaled.map(|entry| entry / length))
+    }
+
     /// Whether every entry is known to be zero.
     #[must_use]
     pub fn is_zero(self) -> bool {
@@ -69,6 +86,13 @@ impl<'g> Vector<Term<'g>> {
             entry.label(|| prefix() + axis);
         }
     }
+}
+
+/// A power of two that makes a number about as large as 1, as far as its exponent reaches.
+fn towards_one(size: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    let exponent = (size.to_bits() & EXPONENT).clamp(1 << 52, 2045 << 52);
+    f64::from_bits((2046 << 52) - exponent)
 }
 
 impl Add for Vector<Term<'_>> {

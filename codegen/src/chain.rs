@@ -11,6 +11,7 @@ pub mod frames;
 mod merge;
 pub mod mobility;
 mod names;
+mod numbers;
 mod physical;
 pub mod range;
 pub mod regroup;
@@ -102,23 +103,33 @@ pub struct Report {
     pub locked: Vec<(String, f64)>,
     /// Links that were taken off, or that the base leaves behind.
     pub dropped: Vec<String>,
-    /// Angles taken for right angles: where, as written, in quarter turns.
+    /// Angles taken for right angles, and residues taken for zero.
     pub snapped: Vec<Snapped>,
     /// Doubts, each with its place.
     pub warnings: Vec<Complaint>,
 }
 
-/// An angle that was taken for a multiple of a right angle.
+/// A number that was taken for a multiple of a right angle, or a residue that was taken for zero.
 #[derive(Clone, Debug)]
 pub struct Snapped {
     /// The joint or link it belongs to.
     pub item: String,
-    /// As written \[rad\].
+    /// As written: an angle \[rad\], or an entry of an offset \[m\] or of an axis.
     pub written: f64,
-    /// Quarter turns.
+    /// Quarter turns; 0 of a residue, whatever it is an entry of.
     pub quarters: i64,
     /// Where it stands.
     pub place: Place,
+}
+
+impl Report {
+    /// How many angles were taken for right angles, and how many residues for zero.
+    #[must_use]
+    pub fn right_angles_and_residues(&self) -> (usize, usize) {
+        let residues = self.snapped.iter().filter(|number| number.quarters == 0);
+        let residues = residues.count();
+        (self.snapped.len() - residues, residues)
+    }
 }
 
 impl Chain {
@@ -154,6 +165,6 @@ impl Chain {
 /// All the mistakes that are found.
 pub fn build(description: &Description, request: &Request) -> Result<Chain, Errors> {
     let tree = check::check(description, request)?;
-    let chain = merge::merge(description, request, &tree);
+    let chain = numbers::check_merged(merge::merge(description, request, &tree))?;
     physical::check(description, request, &tree, chain)
 }

@@ -13,6 +13,7 @@ pub use choice::{expressions_by, program, program_as, program_by, program_for};
 
 use crate::accuracy::{self, Accuracy};
 use crate::chain::{self, Chain};
+use crate::check::Check;
 use crate::description::Description;
 use crate::emit::{Item, Listed, Listing};
 use crate::error::{Errors, Place};
@@ -32,10 +33,11 @@ use data::data;
 pub fn expand(description: &Description, request: &Request, item: Item) -> Result<Listing, Errors> {
     let chain = understand(description, request)?;
     check_size(&chain)?;
+    let check = Check::of(description, request, &chain)?;
     let mut errors = Errors::new();
     let mut functions = Vec::new();
     for (wanted, frame) in wanted(&chain, request) {
-        match list(&chain, wanted, frame, request) {
+        match list(&chain, wanted, frame, request, &check) {
             Ok(listed) => functions.push(listed),
             // Of all that a robot can have, what it cannot have is left out.
             Err(_) if request.functions.is_empty() => {}
@@ -130,6 +132,7 @@ fn list(
     functions: Vec<Function>,
     frame: usize,
     request: &Request,
+    check: &Check,
 ) -> Result<Listed, Errors> {
     let found = cheapest(
         request.processor,
@@ -139,6 +142,7 @@ fn list(
         frame,
         request.scalar,
     )?;
+    check.judge(&functions, frame, &found.program, request.scalar)?;
     let accuracy = accuracy_of(&found, chain, &functions, request.scalar);
     let program = found.program;
     let (mut mul, mut add) = (0, 0);

@@ -10,6 +10,7 @@
 pub mod accuracy;
 pub mod builder;
 pub mod chain;
+pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod description;

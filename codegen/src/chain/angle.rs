@@ -1,7 +1,8 @@
-//! Right angles written with few digits.
+//! Right angles and zeros, as programs and people write them.
 //!
 //! In: a number as it was written. Out: the quarter turns it means, if π/2 or a multiple of it
-//! rounds to the digits that stand there. It never guesses beyond those digits.
+//! rounds to the digits that stand there, or if it is a residue: what a program that computed in
+//! `f64` left of a right angle or of zero. It never guesses beyond those digits and the last bits.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,6 +11,15 @@ use crate::description::Number;
 /// Fewer decimals than these say too little: `1.6` and `3` are not taken for right angles.
 const COARSEST: f64 = 0.01;
 
+/// 2⁻⁵⁰, four units of the last place of 1 rad, 1 m or a direction's length: nearer to zero, or to a
+/// right angle, is only what was computed to be that. Nobody means 1e-15 m.
+const RESIDUE: f64 = 4.0 * f64::EPSILON;
+
+/// Whether a number was written that is nothing but what rounding left of zero.
+pub fn is_residue(number: &Number) -> bool {
+    number.resolution > 0.0 && number.value != 0.0 && number.value.abs() < RESIDUE
+}
+
 /// How many quarter turns the angle means; none where it is not a right angle or not enough of it
 /// was written.
 pub fn quarters(angle: &Number) -> Option<i64> {
@@ -17,14 +27,15 @@ pub fn quarters(angle: &Number) -> Option<i64> {
     if quarters.abs() > 1e6 {
         return None;
     }
-    if angle.value == 0.0 {
+    if angle.value == 0.0 || is_residue(angle) {
         return Some(0);
     }
     // Half a unit of the last written digit, and the rounding of both sides to f64.
     let tolerance = angle.resolution / 2.0 * (1.0 + 1e-9) + angle.value.abs() * f64::EPSILON;
-    let exact = quarters * FRAC_PI_2;
-    let close =
-        quarters != 0.0 && angle.resolution <= COARSEST && (angle.value - exact).abs() <= tolerance;
+    let distance = (angle.value - quarters * FRAC_PI_2).abs();
+    let computed = angle.resolution > 0.0 && distance < RESIDUE;
+    let written = angle.resolution <= COARSEST && distance <= tolerance;
+    let close = quarters != 0.0 && (written || computed);
     #[expect(clippy::cast_possible_truncation, reason = "at most a million")]
     close.then_some(quarters as i64)
 }
@@ -33,7 +44,7 @@ pub fn quarters(angle: &Number) -> Option<i64> {
 mod tests {
     use std::f64::consts::FRAC_PI_2;
 
-    use super::quarters;
+    use super::{is_residue, quarters};
     use crate::description::Number;
 
     fn written(value: f64, resolution: f64) -> Number {
@@ -70,6 +81,21 @@ mod tests {
     }
 
     #[test]
+    fn what_a_program_left_of_a_right_angle_or_of_zero_is_that() {
+        for (value, quarters_meant) in [
+            (-1.6653e-16, 0),
+            (8.8e-16, 0),
+            (1.5707963267948961, 1),
+            (-3.1415926535897936, -2),
+        ] {
+            assert_eq!(quarters(&written(value, 1e-20)), Some(quarters_meant));
+        }
+        // A number that nobody wrote is what it is.
+        assert_eq!(quarters(&written(1e-17, 0.0)), None);
+        assert!(!is_residue(&written(0.0, 1.0)) && !is_residue(&written(1e-17, 0.0)));
+    }
+
+    #[test]
     fn what_only_comes_close_stays() {
         for (value, resolution) in [
             (FRAC_PI_2 - 9.6e-5, 1e-4),
@@ -79,6 +105,8 @@ mod tests {
             (2.0, 1.0),
             (3.0, 1.0),
             (1e-9, 1e-9),
+            (9e-16, 1e-17),
+            (FRAC_PI_2 - 1e-15, 1e-16),
         ] {
             assert_eq!(quarters(&written(value, resolution)), None, "{value}");
         }

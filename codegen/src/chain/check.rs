@@ -1,11 +1,12 @@
 //! What takes two items to see: names that refer to each other, and the shape of the whole.
 //!
 //! In: the description and the request. Out: a [`Tree`] that says for each link how it hangs on
-//! the base; or all the mistakes. It never looks at a number.
+//! the base; or all the mistakes. Numbers are looked at in [`numbers`].
 
 use std::collections::HashMap;
 
 use super::names::Names;
+use super::numbers;
 use super::shape::{Joints, downstream, find_base};
 use crate::description::{Description, JointKind, Name, Number};
 use crate::error::Errors;
@@ -99,6 +100,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     choose_tip(description, request, &mut tree, &mut errors);
     check_moving(description, request, &tree, &links, &mut errors);
     check_size(description, &tree, &mut errors);
+    numbers::check(description, request, &tree, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         errors.push(

@@ -5,8 +5,8 @@
 //! scalars like all others. It never drops a mass.
 
 use super::check::{Branch, Tree};
-use super::{Chain, Frame, Joint, Motion, Report, Snapped, angle};
-use crate::description::{Axis, Description, JointKind, Link, Name, Number, Step};
+use super::{Chain, Frame, Motion, Report, Snapped, angle};
+use crate::description::{Axis, Description, Joint, JointKind, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
@@ -58,7 +58,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
     let joints = bodies
         .into_iter()
-        .map(|body| Joint {
+        .map(|body| super::Joint {
             name: description.joints[body.joint].name.text.clone(),
             place: description.joints[body.joint].name.place,
             parent: body.parent,
@@ -101,7 +101,7 @@ fn seat<'g>(
         let joint = &description.joints[branch.joint];
         let parent = seats[branch.parent].expect("parents come before children");
         let pose = parent.pose * reader.origin(description, branch);
-        let axis = unit(graph, &joint.axis);
+        let axis = reader.axis(joint);
         let seat = if let Some(held) = branch.held {
             Seat {
                 body: parent.body,
@@ -197,7 +197,8 @@ impl<'g> Reader<'g, '_> {
             .iter()
             .fold(Pose::identity(self.graph), |pose, step| match step {
                 Step::Translate(offset) => {
-                    pose * Pose::translation(Vector(offset.map(|entry| self.number(&entry))))
+                    let offset = offset.map(|entry| self.component(item, &entry));
+                    pose * Pose::translation(Vector(offset))
                 }
                 Step::Rotate(axis, angle) => {
                     let angle = self.sin_cos(item, angle);
@@ -210,6 +211,38 @@ impl<'g> Reader<'g, '_> {
             })
     }
 
+    /// An entry of an offset \[m\] or of a direction, 0 where rounding left no more of it.
+    fn component(&mut self, item: &str, entry: &Number) -> Term<'g> {
+        if self.request.exact || !angle::is_residue(entry) {
+            return self.number(entry);
+        }
+        self.snap(item, entry, 0);
+        self.graph.constant(0.0)
+    }
+
+    /// The direction of a joint's axis, of length 1 to all digits; zero of a fixed joint.
+    fn axis(&mut self, joint: &Joint) -> Vector<Term<'g>> {
+        if matches!(joint.kind, JointKind::Fixed) {
+            return Vector::zero(self.graph);
+        }
+        let axis = Vector(
+            joint
+                .axis
+                .map(|entry| self.component(&joint.name.text, &entry)),
+        );
+        axis.normalized()
+            .expect("an axis without a direction is refused")
+    }
+
+    fn snap(&mut self, item: &str, number: &Number, quarters: i64) {
+        self.report.snapped.push(Snapped {
+            item: item.to_owned(),
+            written: number.value,
+            quarters,
+            place: number.place,
+        });
+    }
+
     /// Sine and cosine of an angle, exact where it is a right angle.
     fn sin_cos(&mut self, item: &str, angle: &Number) -> (Term<'g>, Term<'g>) {
         // A number without digits, such as `pi/2`, is what it says.
@@ -218,14 +251,8 @@ impl<'g> Reader<'g, '_> {
         let Some(quarters) = quarters else {
             return self.number(angle).sin_cos();
         };
-        if written && quarters != 0 {
-            let (item, written, place) = (item.to_owned(), angle.value, angle.place);
-            self.report.snapped.push(Snapped {
-                item,
-                written,
-                quarters,
-                place,
-            });
+        if written && angle.value != 0.0 {
+            self.snap(item, angle, quarters);
         }
         let (sine, cosine) = match quarters.rem_euclid(4) {
             0 => (0.0, 1.0),
@@ -271,12 +298,6 @@ impl<'g> Reader<'g, '_> {
         }
         self.report.merged.push((child, parent));
     }
-}
-
-/// The direction of an axis, of length 1 to all digits; of a fixed joint, which has none, zero.
-fn unit<'g>(graph: &'g Graph, axis: &[Number; 3]) -> Vector<Term<'g>> {
-    let axis = Vector(axis.map(|entry| graph.constant(entry.value)));
-    axis.normalized().unwrap_or(axis)
 }
 
 /// The displacement of a joint that is held at a coordinate.

@@ -141,6 +141,18 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
     })
 }
 
+/// Quarter turns as people write them.
+fn meant(quarters: i64) -> String {
+    let sign = if quarters < 0 { "−" } else { "" };
+    match (quarters.unsigned_abs(), quarters % 2 == 0) {
+        (0, _) => "0".to_owned(),
+        (1, _) => format!("{sign}π/2"),
+        (2, _) => format!("{sign}π"),
+        (turns, true) => format!("{sign}{} π", turns / 2),
+        (turns, false) => format!("{sign}{turns} π/2"),
+    }
+}
+
 fn in_text(description: &Description, chain: &Chain) -> String {
     let report = &chain.report;
     let mut text = String::new();
@@ -196,17 +208,23 @@ fn in_text(description: &Description, chain: &Chain) -> String {
     for link in &report.dropped {
         line(format!("  {link}"));
     }
+    let (right_angles, residues) = report.right_angles_and_residues();
     line(counted(
-        report.snapped.len(),
+        right_angles,
         "angle taken for a right angle",
         "angles taken for right angles",
     ));
-    for angle in &report.snapped {
-        let (row, column) = json::line_and_column(angle.place);
-        let (item, written, quarters) = (&angle.item, angle.written, angle.quarters);
-        line(format!(
-            "  {row}:{column}: {written} of {item} is {quarters} × π/2"
+    if residues > 0 {
+        line(counted(
+            residues,
+            "residue taken for zero",
+            "residues taken for zero",
         ));
+    }
+    for number in &report.snapped {
+        let (row, column) = json::line_and_column(number.place);
+        let (item, written, meant) = (&number.item, number.written, meant(number.quarters));
+        line(format!("  {row}:{column}: {written} of {item} is {meant}"));
     }
     line(counted(report.warnings.len(), "warning", "warnings"));
     let _ = write!(text, "{}", options::warnings(description, &report.warnings));

@@ -61,10 +61,16 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
     count(report.merged.len(), "link merged", "links merged");
     count(report.locked.len(), "joint locked", "joints locked");
     count(report.dropped.len(), "link left out", "links left out");
+    let (right_angles, residues) = report.right_angles_and_residues();
     count(
-        report.snapped.len(),
+        right_angles,
         "angle taken for a right angle",
         "angles taken for right angles",
+    );
+    count(
+        residues,
+        "residue taken for zero",
+        "residues taken for zero",
     );
     facts.push(gravity(chain));
     let used = inertial_parameters(chain, parameters);

@@ -104,6 +104,9 @@ impl Placing<'_> {
     /// adding what computes it.
     fn found(&mut self, expr: Expr) -> Operand {
         if let Some(value) = self.graph.value(expr) {
+            if !value.is_known() {
+                return Operand::Literal(f64::NAN);
+            }
             // Without the sign of a negative zero.
             return Operand::Literal(value.to_f64() + 0.0);
         }

@@ -77,7 +77,7 @@ tip hand
 1 link left out
   camera
 1 angle taken for a right angle
-  15:18: 1.5708 of shoulder is 1 × π/2
+  15:18: 1.5708 of shoulder is π/2
 1 warning
 warning: <stdin>:4:5: no body has the inertia of link \"upper\": a second moment about its centre \
 of mass is -5.000e-2 kg m² (-33.3 % of the largest)

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::chain::Motion;
+use crate::description::Number;
 use crate::expression::{Double, Expr, Input, Node};
 
 /// The numbers of a body: second moments xx, yy, zz, xy, xz, yz, first moments, mass.
@@ -137,6 +138,78 @@ fn right_angles_are_exact_and_told_unless_they_are_wanted_as_written() {
     let rotation = written.joints[0].placement.rotation.0;
     assert_eq!(number(&written, rotation[2][2]), (-4.7124_f64).cos());
     assert!(written.report.snapped.is_empty());
+}
+
+#[test]
+fn residues_are_zero_and_told_unless_they_are_wanted_as_written() {
+    let arm = |settings| {
+        fine(&format!(
+            "struct Arm {{ {settings} }} link base; link rod;
+            joint hinge: revolute([1e-16, 0.0, 1.0]) {{
+                from: base, to: rod, at: xyz(0.5, -3e-17, 0.0) rx(-1.6653e-16) rz(0.5)
+            }}"
+        ))
+    };
+    let meant = arm("");
+    let [hinge] = &meant.joints[..] else {
+        panic!("one joint")
+    };
+    assert_eq!(number(&meant, hinge.placement.translation.y()), 0.0);
+    assert_eq!(number(&meant, hinge.placement.rotation.0[2][2]), 1.0);
+    assert_eq!(number(&meant, hinge.placement.rotation.0[2][1]), 0.0);
+    assert_eq!(number(&meant, hinge.axis.x()), 0.0);
+    assert_eq!(meant.report.right_angles_and_residues(), (0, 3));
+
+    let written = arm("exact");
+    let [hinge] = &written.joints[..] else {
+        panic!("one joint")
+    };
+    assert_eq!(number(&written, hinge.placement.translation.y()), -3e-17);
+    assert_eq!(number(&written, hinge.axis.x()), 1e-16);
+    assert!(written.report.snapped.is_empty());
+}
+
+#[test]
+fn numbers_that_nothing_can_be_computed_with_are_refused() {
+    let (mut description, request) = read(
+        "struct Arm; link base; link rod { mass: 1.0, inertia: [0, 0, 0] }
+        joint hinge: revolute(z) { from: base, to: rod, at: xyz(0.5, 0.0, 0.0) rz(1e17) }",
+    );
+    description.joints[0].axis = [Number::default(); 3];
+    let infinite = Number {
+        value: f64::INFINITY,
+        ..Number::default()
+    };
+    description.links[1]
+        .inertial
+        .as_mut()
+        .expect("it has a mass")
+        .mass = infinite;
+    let refusal = build(&description, &request)
+        .expect_err("three mistakes")
+        .to_string();
+    for mistake in [
+        "has an angle so large that its digits end above a turn",
+        "has an axis without a direction",
+        "link \"rod\" has a number that is not finite",
+    ] {
+        assert!(refusal.contains(mistake), "{refusal}");
+    }
+}
+
+#[test]
+fn a_body_whose_inertia_overflows_is_refused() {
+    let (description, request) = read(
+        "struct Arm; link base; link rod { mass: 1e300, com: [1e200, 0.0, 0.0], inertia: [0, 0, 0] }
+        joint hinge: revolute(z) { from: base, to: rod }",
+    );
+    let refusal = build(&description, &request)
+        .expect_err("an overflow")
+        .to_string();
+    assert!(
+        refusal.contains("joint \"hinge\" has numbers too large for 64 bits"),
+        "{refusal}"
+    );
 }
 
 /// The chain of an arm with a field for a target.

@@ -1,0 +1,128 @@
+//! Whether the numbers of a description can be computed with.
+//!
+//! In: the description, the request and the tree, or the merged chain. Out: a mistake for each number that is not
+//! one, and for each body or placement of which nothing is known any more because a number overflowed
+//! on the way. Readers refuse most of that where it stands; a description can come from elsewhere. It
+//! never changes a number.
+
+use super::Chain;
+use super::check::Tree;
+use crate::description::{Description, JointKind, Number, Step};
+use crate::error::{Errors, Place};
+use crate::expression::{Double, Expr};
+use crate::request::Request;
+use crate::wording::quoted;
+
+/// 2⁵⁰ rad: beyond, `f64` has no room for a quarter turn.
+const LARGEST_ANGLE: f64 = 1_125_899_906_842_624.0;
+
+/// Refuses what is not a number, no direction, or an angle without digits.
+pub fn check(description: &Description, request: &Request, tree: &Tree, errors: &mut Errors) {
+    if let Some(gravity) = &request.gravity {
+        let mut account = Account {
+            place: Place::Unknown,
+            what: "gravity".to_owned(),
+            errors,
+        };
+        account.numbers(gravity);
+    }
+    for branch in &tree.branches {
+        let joint = &description.joints[branch.joint];
+        let what = format!("joint {}", quoted(&joint.name.text));
+        let mut account = Account {
+            place: joint.place,
+            what,
+            errors,
+        };
+        account.steps(&joint.origin);
+        if !matches!(joint.kind, JointKind::Fixed) {
+            account.numbers(&joint.axis);
+            if joint.axis.iter().all(|entry| entry.value == 0.0) {
+                account.refuse(joint.axis[0].place, "has an axis without a direction");
+            }
+        }
+        if let JointKind::Screw { pitch } = &joint.kind {
+            account.numbers(std::slice::from_ref(pitch));
+        }
+        if let Some(held) = &branch.held {
+            account.angle(held);
+        }
+        let link = &description.links[branch.child];
+        if let Some(inertial) = &link.inertial {
+            let mut account = Account {
+                place: inertial.place,
+                what: format!("link {}", quoted(&link.name.text)),
+                errors,
+            };
+            account.steps(&inertial.origin);
+            account.numbers(&inertial.inertia);
+            account.numbers(std::slice::from_ref(&inertial.mass));
+        }
+    }
+}
+
+/// Refuses placements and inertias that overflowed.
+///
+/// # Errors
+/// A mistake for each joint of which that is so.
+pub fn check_merged(chain: Chain) -> Result<Chain, Errors> {
+    let mut errors = chain.source.errors();
+    let is_known = |expr: &Expr| chain.graph.value(*expr).is_none_or(Double::is_known);
+    for joint in &chain.joints {
+        let inertia = joint.inertia.entries();
+        let mut numbers = joint.placement.entries().into_iter().chain(inertia);
+        if !numbers.all(|expr| is_known(&expr)) {
+            errors.push_with_hint(
+                joint.place,
+                format!(
+                    "what is fixed to joint {} has numbers too large for 64 bits",
+                    quoted(&joint.name)
+                ),
+                "give lengths in m, masses in kg and inertias in kg m²",
+            );
+        }
+    }
+    errors.into_result(chain)
+}
+
+/// Mistakes of one item.
+struct Account<'e> {
+    place: Place,
+    what: String,
+    errors: &'e mut Errors,
+}
+
+impl Account<'_> {
+    fn refuse(&mut self, place: Place, reason: &str) {
+        let place = match place {
+            Place::Unknown => self.place,
+            known => known,
+        };
+        self.errors.push(place, format!("{} {reason}", self.what));
+    }
+
+    fn numbers(&mut self, numbers: &[Number]) {
+        for number in numbers.iter().filter(|number| !number.value.is_finite()) {
+            self.refuse(number.place, "has a number that is not finite");
+        }
+    }
+
+    fn angle(&mut self, angle: &Number) {
+        self.numbers(std::slice::from_ref(angle));
+        if angle.value.is_finite() && angle.value.abs() > LARGEST_ANGLE {
+            self.refuse(
+                angle.place,
+                "has an angle so large that its digits end above a turn",
+            );
+        }
+    }
+
+    fn steps(&mut self, steps: &[Step]) {
+        for step in steps {
+            match step {
+                Step::Translate(offset) => self.numbers(offset),
+                Step::Rotate(_, angle) => self.angle(angle),
+            }
+        }
+    }
+}

@@ -1,0 +1,340 @@
+//! Every expansion is checked before it is printed.
+//!
+//! In: a description, what was asked for of it, and the programs that are to be printed. Out: nothing,
+//! or a mistake that names function, entry and both numbers. The programs are run at a few states, in
+//! 106 bits, against products of 4×4 matrices of the description as it was written: no merging, no
+//! layout, no regrouping, no rules, no schedule. What they may differ by is what the rounding of their
+//! literals to `f64` explains. It never changes a program.
+
+mod approximate;
+mod dense;
+mod matrix;
+mod robot;
+mod states;
+#[cfg(test)]
+mod tests;
+
+use std::cell::OnceCell;
+
+use crate::chain::Chain;
+use crate::description::{Description, Source};
+use crate::error::{Errors, Place};
+use crate::function::Function;
+use crate::request::{Real, Request};
+use crate::schedule::{Operand, Program, run};
+use approximate::Approximate;
+use dense::{Posture, Rates};
+use matrix::Matrix;
+use robot::Contradiction;
+use states::State;
+
+/// A robot at a few states, by which programs are judged.
+pub struct Check {
+    source: Source,
+    place: Place,
+    joints: Vec<String>,
+    states: Vec<Judge>,
+}
+
+/// At how many states a robot of so many joints is looked at: beyond, one has to do, and takes as long.
+const SEVERAL: usize = 20;
+
+/// How a robot is at fault where it contradicts itself.
+const FAULT: &str = "this is a fault of homogen and not of the description; nothing was generated: \
+                     please report it, with the description";
+
+impl Check {
+    /// Computes what the description says of a chain.
+    ///
+    /// # Errors
+    /// Where they do not agree on which joints move, or on what a number was taken for.
+    pub fn of(description: &Description, request: &Request, chain: &Chain) -> Result<Self, Errors> {
+        let place = description.name.place;
+        let count = if chain.joints.len() > SEVERAL { 1 } else { 2 };
+        let judge = |state: State| {
+            let robot = robot::robot(description, request, chain, &state.fields)?;
+            Ok(Judge {
+                posture: Posture::of(robot, &state.q),
+                state,
+                mass_matrix: OnceCell::new(),
+            })
+        };
+        let states = states::states(chain, request, count).into_iter().map(judge);
+        let states: Result<Vec<Judge>, Contradiction> = states.collect();
+        match states {
+            Ok(states) => Ok(Self {
+                source: chain.source.clone(),
+                place,
+                joints: chain
+                    .joints
+                    .iter()
+                    .map(|joint| joint.name.clone())
+                    .collect(),
+                states,
+            }),
+            Err(Contradiction(what)) => {
+                let mut errors = chain.source.errors();
+                let message = format!("chain and description disagree: {what}");
+                errors.push_with_hint(place, message, FAULT);
+                Err(errors)
+            }
+        }
+    }
+
+    /// Holds a program that computes some functions one after the other, of the frame of that index,
+    /// against the description.
+    ///
+    /// # Errors
+    /// Where a result is another one, or where a number of the program is not one in the type that it is
+    /// printed for.
+    pub fn judge(
+        &self,
+        functions: &[Function],
+        frame: usize,
+        program: &Program,
+        scalar: Real,
+    ) -> Result<(), Errors> {
+        let mut errors = self.source.errors();
+        if let Some(refusal) = literals(program, scalar) {
+            errors.push_with_hint(self.place, refusal.message, refusal.hint);
+            return Err(errors);
+        }
+        for judge in &self.states {
+            let found = run(program, |input| Approximate::exact(judge.state.get(input)));
+            let mut found = found.as_slice();
+            for &function in functions {
+                let (these, rest) = found.split_at(function.shape().len(self.joints.len()));
+                found = rest;
+                let Some(wrong) = judge.first_wrong(function, frame, these) else {
+                    continue;
+                };
+                errors.push_with_hint(self.place, self.words(function, &wrong), FAULT);
+                return Err(errors);
+            }
+        }
+        Ok(())
+    }
+
+    fn words(&self, function: Function, wrong: &Wrong) -> String {
+        let Wrong {
+            entry,
+            found,
+            expected,
+        } = wrong;
+        let joints = self.joints.len();
+        let name = function.name();
+        let whose = match function.shape().len(joints) / joints.max(1) {
+            1 => format!(" (joint {})", self.joints[*entry]),
+            _ => String::new(),
+        };
+        format!(
+            "entry {entry}{whose} of {name} would be {found:e}, and is {expected:e} by the description"
+        )
+    }
+}
+
+/// A number that cannot be printed.
+struct Refusal {
+    message: String,
+    hint: &'static str,
+}
+
+/// The first literal that is not a number in the type that it is printed for.
+fn literals(program: &Program, scalar: Real) -> Option<Refusal> {
+    let numbers = program.operands().filter_map(|operand| match operand {
+        Operand::Literal(number) => Some(number),
+        _ => None,
+    });
+    for number in numbers {
+        if !number.is_finite() {
+            return Some(Refusal {
+                message: "a number of the code would be too large for 64 bits, or the quotient of \
+                          two that vanish"
+                    .to_owned(),
+                hint: "give lengths in m, masses in kg and inertias in kg m²",
+            });
+        }
+        if scalar == Real::F32 && number.abs() > f64::from(f32::MAX) {
+            return Some(Refusal {
+                message: format!("a number of the code, {number:e}, is too large for f32"),
+                hint: "generate it for f64, or give lengths in m and masses in kg",
+            });
+        }
+    }
+    None
+}
+
+/// An entry that is not what it should be.
+struct Wrong {
+    entry: usize,
+    found: f64,
+    expected: f64,
+}
+
+/// A robot at one state.
+struct Judge {
+    state: State,
+    posture: Posture,
+    mass_matrix: OnceCell<Vec<Vec<Approximate>>>,
+}
+
+/// What 106 bits lose on the way, in units of what the literals of the description can account for:
+/// 2⁻³⁰ of these is 2⁻⁸³ of the terms.
+const NOISE: f64 = 1e-9;
+
+/// How many times as far a solution may be from solving its equation as roundings of the
+/// description's own numbers account for; and where it loses so much that its own error is unknown.
+const SOLVED: f64 = 1e3;
+const HARDLY_SOLVED: f64 = 1e6;
+
+impl Judge {
+    fn first_wrong(
+        &self,
+        function: Function,
+        frame: usize,
+        found: &[Approximate],
+    ) -> Option<Wrong> {
+        match function {
+            Function::ForwardDynamics => self.first_unsolved(found),
+            Function::MassMatrixInverse => self.first_not_inverse(found),
+            _ => {
+                let expected = self.expected(function, frame);
+                debug_assert_eq!(expected.len(), found.len());
+                let pairs = found.iter().zip(&expected).enumerate();
+                pairs.into_iter().find_map(|(entry, (found, expected))| {
+                    let distance = (found.value - expected.value).to_f64().abs();
+                    let most = found.error + NOISE * (found.error + expected.error);
+                    wrong(
+                        entry,
+                        found.value.to_f64(),
+                        expected.value.to_f64(),
+                        distance <= most,
+                    )
+                })
+            }
+        }
+    }
+
+    fn rates<'a>(&self, first: &'a [Approximate], second: &'a [Approximate]) -> Rates<'a> {
+        debug_assert_eq!(first.len(), self.state.q.len());
+        Rates { first, second }
+    }
+
+    fn expected(&self, function: Function, frame: usize) -> Vec<Approximate> {
+        let exactly = |numbers: &[f64]| -> Vec<Approximate> {
+            numbers.iter().copied().map(Approximate::exact).collect()
+        };
+        let nothing = exactly(&vec![0.0; self.state.q.len()]);
+        let (qd, qdd) = (exactly(&self.state.qd), exactly(&self.state.qdd));
+        let posture = &self.posture;
+        let pose = || posture.pose(frame);
+        let columns = |seen: &dyn Fn(&Matrix<Approximate>) -> Matrix<Approximate>| {
+            let mut columns = vec![Approximate::exact(0.0); 6 * nothing.len()];
+            for (k, screw) in posture.moving(frame) {
+                columns[6 * k..6 * k + 6].copy_from_slice(&seen(screw).vectors());
+            }
+            columns
+        };
+        match function {
+            Function::ForwardKinematics => pose().upper(),
+            Function::SpatialJacobian => columns(&Matrix::clone),
+            Function::BodyJacobian => {
+                let back = pose().inverse();
+                columns(&|screw| back.carries(screw))
+            }
+            Function::GeometricJacobian => {
+                let pose = pose();
+                let back = Matrix::translation([0, 1, 2].map(|k| -pose.0[k][3]));
+                columns(&|screw| back.carries(screw))
+            }
+            Function::Velocity => {
+                let (w, _) = posture.motion(frame, self.rates(&qd, &nothing));
+                w.vectors().to_vec()
+            }
+            Function::Acceleration => {
+                let (_, h) = posture.motion(frame, self.rates(&qd, &qdd));
+                h.upper()
+            }
+            Function::InverseDynamics => posture.torques(self.rates(&qd, &qdd)),
+            Function::Gravity => posture.torques(self.rates(&nothing, &nothing)),
+            Function::Bias => posture.torques(self.rates(&qd, &nothing)),
+            Function::MassMatrix => self.mass_matrix().concat(),
+            Function::ForwardDynamics | Function::MassMatrixInverse => Vec::new(),
+        }
+    }
+
+    fn mass_matrix(&self) -> &[Vec<Approximate>] {
+        self.mass_matrix.get_or_init(|| self.posture.mass_matrix())
+    }
+
+    /// The first joint that needs another torque for these accelerations than the one given.
+    fn first_unsolved(&self, found: &[Approximate]) -> Option<Wrong> {
+        let exact = |number: &Approximate| Approximate {
+            error: 0.0,
+            ..*number
+        };
+        let qd: Vec<Approximate> = self
+            .state
+            .qd
+            .iter()
+            .copied()
+            .map(Approximate::exact)
+            .collect();
+        let qdd: Vec<Approximate> = found.iter().map(exact).collect();
+        let torques = self.posture.torques(self.rates(&qd, &qdd));
+        let mut pairs = torques.iter().zip(&self.state.tau).enumerate();
+        pairs.find_map(|(row, (torque, tau))| {
+            let distance = (torque.to_f64() - tau).abs();
+            let most = self.most_unsolved(row, torque.error, found);
+            wrong(row, torque.to_f64(), *tau, distance <= most)
+        })
+    }
+
+    /// The first entry of M M⁻¹ that is not of the identity.
+    fn first_not_inverse(&self, found: &[Approximate]) -> Option<Wrong> {
+        let matrix = self.mass_matrix();
+        let count = matrix.len();
+        (0..count * count).find_map(|entry| {
+            let (row, column) = (entry / count, entry % count);
+            let solution: Vec<Approximate> =
+                (0..count).map(|k| found[k * count + column]).collect();
+            let terms = matrix[row].iter().zip(&solution);
+            let exact = |number: &Approximate| Approximate {
+                error: 0.0,
+                ..*number
+            };
+            let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| sum + *m * exact(x));
+            let unit = if row == column { 1.0 } else { 0.0 };
+            let distance = (product.to_f64() - unit).abs();
+            let most = self.most_unsolved(row, product.error, &solution);
+            wrong(entry, product.to_f64(), unit, distance <= most)
+        })
+    }
+
+    /// How far a row of M x may be from what it should be: what x may be off by times M, and what the
+    /// roundings of the numbers in M, and of all that is solved for, amount to.
+    fn most_unsolved(&self, row: usize, error: f64, solution: &[Approximate]) -> f64 {
+        const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+        let matrix = self.mass_matrix();
+        let diagonal = |k: usize| matrix[k][k].size();
+        let mut most = SOLVED * error;
+        for (k, x) in solution.iter().enumerate() {
+            let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
+            most += if x.error.is_finite() {
+                SOLVED * lost + matrix[row][k].size() * x.error
+            } else {
+                HARDLY_SOLVED * lost
+            };
+        }
+        most
+    }
+}
+
+fn wrong(entry: usize, found: f64, expected: f64, right: bool) -> Option<Wrong> {
+    // What is not a number is not right.
+    (!right).then_some(Wrong {
+        entry,
+        found,
+        expected,
+    })
+}

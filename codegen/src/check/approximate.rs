@@ -1,0 +1,120 @@
+//! Numbers of 106 bits beside what the rounding of literals may have made of them.
+//!
+//! In: literals, each within 2⁻⁵³ of what was meant, and inputs, which are exact. Out: the results of
+//! operations, and how far from what was meant they can be. The rounding of 106 bits itself is not
+//! followed.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::expression::{Arithmetic, Double};
+
+/// A number, and how far it may be from what was meant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Approximate {
+    pub(super) value: Double,
+    pub(super) error: f64,
+}
+
+const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+impl Approximate {
+    /// What is meant as it stands.
+    pub(super) fn exact(value: f64) -> Self {
+        Self {
+            value: Double::from(value),
+            error: 0.0,
+        }
+    }
+
+    pub(super) const fn to_f64(self) -> f64 {
+        self.value.to_f64()
+    }
+
+    pub(super) fn size(self) -> f64 {
+        self.value.to_f64().abs()
+    }
+
+    fn sum(value: Double, self_error: f64, other_error: f64) -> Self {
+        let error = self_error + other_error;
+        Self { value, error }
+    }
+}
+
+impl Add for Approximate {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::sum(self.value + other.value, self.error, other.error)
+    }
+}
+
+impl Sub for Approximate {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self::sum(self.value - other.value, self.error, other.error)
+    }
+}
+
+impl Neg for Approximate {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            ..self
+        }
+    }
+}
+
+impl Mul for Approximate {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let error = self.size() * other.error + self.error * (other.size() + other.error);
+        Self {
+            value: self.value * other.value,
+            error,
+        }
+    }
+}
+
+impl Div for Approximate {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let least = other.size() - other.error;
+        let error = if least > 0.0 {
+            (self.error + value.to_f64().abs() * other.error) / least
+        } else {
+            f64::INFINITY
+        };
+        Self { value, error }
+    }
+}
+
+impl Arithmetic for Approximate {
+    fn literal(value: f64) -> Self {
+        Self {
+            value: Double::from(value),
+            error: ROUNDOFF * value.abs(),
+        }
+    }
+
+    fn sqrt(self) -> Self {
+        let value = self.value.sqrt();
+        let error = if self.error > 0.0 {
+            self.error / value.to_f64()
+        } else {
+            0.0
+        };
+        Self { value, error }
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value.sin_cos();
+        let with_error = |value| Self { value, ..self };
+        (with_error(sine), with_error(cosine))
+    }
+}

@@ -1,0 +1,101 @@
+//! The states at which an expansion is checked.
+//!
+//! In: a chain. Out: states drawn from the hash of its description, the same on every machine:
+//! coordinates within their limits, fields near what is described in their place.
+
+use crate::chain::{Chain, Motion};
+use crate::description::Limits;
+use crate::expression::Input;
+use crate::request::{Request, Target};
+
+/// What a program reads.
+#[derive(Clone, Debug, Default)]
+pub(super) struct State {
+    pub(super) q: Vec<f64>,
+    pub(super) qd: Vec<f64>,
+    pub(super) qdd: Vec<f64>,
+    pub(super) tau: Vec<f64>,
+    pub(super) fields: Vec<Vec<f64>>,
+}
+
+impl State {
+    pub(super) fn get(&self, input: Input) -> f64 {
+        match input {
+            Input::Q(k) => self.q[usize::from(k)],
+            Input::Qd(k) => self.qd[usize::from(k)],
+            Input::Qdd(k) => self.qdd[usize::from(k)],
+            Input::Tau(k) => self.tau[usize::from(k)],
+            Input::Parameter(field, k) => self.fields[usize::from(field)][usize::from(k)],
+        }
+    }
+}
+
+/// So many states.
+pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<State> {
+    let mut random = Random::of(chain);
+    (0..count)
+        .map(|_| state(chain, request, &mut random))
+        .collect()
+}
+
+fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
+    let mut state = State::default();
+    for joint in &chain.joints {
+        let slides = matches!(joint.motion, Motion::Prismatic);
+        let [lower, upper] = reach(joint.limits, if slides { 1.0 } else { 3.0 });
+        state.q.push(lower + (upper - lower) * random.unit());
+        state.qd.push(4.0 * random.unit() - 2.0);
+        state.qdd.push(10.0 * random.unit() - 5.0);
+        state.tau.push(20.0 * random.unit() - 10.0);
+    }
+    for (parameter, nominal) in request.parameters.iter().zip(&chain.nominal) {
+        let size = nominal
+            .iter()
+            .fold(0.0_f64, |most, entry| most.max(entry.abs()));
+        let size = if size > 0.0 { size } else { 1.0 };
+        let mut near = |entry: f64| match parameter.target {
+            Target::MassOf(_) => size * (0.5 + random.unit()),
+            _ => entry + size * (random.unit() - 0.5),
+        };
+        state
+            .fields
+            .push(nominal.iter().map(|&entry| near(entry)).collect());
+    }
+    state
+}
+
+/// Where a coordinate is drawn from: what is described, as far as that is a range within which a
+/// turn has digits.
+fn reach(limits: Option<Limits>, otherwise: f64) -> [f64; 2] {
+    const FARTHEST: f64 = 1e6;
+    match limits {
+        Some(Limits { lower, upper, .. })
+            if lower <= upper && lower.is_finite() && upper.is_finite() =>
+        {
+            [lower, upper].map(|end| end.clamp(-FARTHEST, FARTHEST))
+        }
+        _ => [-otherwise, otherwise],
+    }
+}
+
+/// A sequence of numbers (splitmix64 of Steele, Lea and Flood, 2014).
+struct Random(u64);
+
+impl Random {
+    fn of(chain: &Chain) -> Self {
+        let names = chain.joints.iter().flat_map(|joint| joint.name.bytes());
+        Self(names.fold(chain.source.hash, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        }))
+    }
+
+    /// Between 0 and 1, of 32 bits.
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let bits = u32::try_from((bits ^ (bits >> 31)) >> 32).unwrap_or(0);
+        (f64::from(bits) + 0.5) / 4_294_967_296.0
+    }
+}

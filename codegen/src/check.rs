@@ -7,6 +7,7 @@
 //! literals to `f64` explains. It never changes a program.
 
 mod approximate;
+mod data;
 mod dense;
 mod matrix;
 mod robot;
@@ -18,10 +19,12 @@ use std::cell::OnceCell;
 
 use crate::chain::Chain;
 use crate::description::{Description, Source};
+use crate::emit::ChainData;
 use crate::error::{Errors, Place};
-use crate::function::Function;
+use crate::function::{Function, Shape};
 use crate::request::{Real, Request};
 use crate::schedule::{Operand, Program, run};
+use crate::wording::quoted;
 use approximate::Approximate;
 use dense::{Posture, Rates};
 use matrix::Matrix;
@@ -115,16 +118,47 @@ impl Check {
         Ok(())
     }
 
+    /// Holds the robot as data against the description: its frames, and the torques of its motion.
+    ///
+    /// # Errors
+    /// Where one of them is another, or where a number is not one.
+    pub fn judge_data(&self, data: &ChainData) -> Result<(), Errors> {
+        let mut errors = self.source.errors();
+        if let Some(refusal) = literals(&data.program, Real::F64) {
+            errors.push_with_hint(self.place, refusal.message, refusal.hint);
+            return Err(errors);
+        }
+        for judge in &self.states {
+            let numbers = run(&data.program, |input| {
+                Approximate::exact(judge.state.get(input))
+            });
+            let same = Judge {
+                posture: Posture::of(data::robot(data, &numbers), &judge.state.q),
+                state: judge.state.clone(),
+                mass_matrix: OnceCell::new(),
+            };
+            let frames = (0..data.frames.len()).map(|frame| (Function::ForwardKinematics, frame));
+            for (function, frame) in frames.chain([(Function::InverseDynamics, 0)]) {
+                let found = same.expected(function, frame);
+                if let Some(wrong) = judge.first_wrong(function, frame, &found) {
+                    let message = format!("in the data, {}", self.words(function, &wrong));
+                    errors.push_with_hint(self.place, message, FAULT);
+                    return Err(errors);
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn words(&self, function: Function, wrong: &Wrong) -> String {
         let Wrong {
             entry,
             found,
             expected,
         } = wrong;
-        let joints = self.joints.len();
         let name = function.name();
-        let whose = match function.shape().len(joints) / joints.max(1) {
-            1 => format!(" (joint {})", self.joints[*entry]),
+        let whose = match function.shape() {
+            Shape::Vector => format!(" (joint {})", quoted(&self.joints[*entry])),
             _ => String::new(),
         };
         format!(
@@ -183,7 +217,7 @@ struct Judge {
 const NOISE: f64 = 1e-9;
 
 /// How many times as far a solution may be from solving its equation as roundings of the
-/// description's own numbers account for; and where it loses so much that its own error is unknown.
+/// description's own numbers account for; and at most, where factors lose more than that.
 const SOLVED: f64 = 1e3;
 const HARDLY_SOLVED: f64 = 1e6;
 
@@ -320,11 +354,9 @@ impl Judge {
         let mut most = SOLVED * error;
         for (k, x) in solution.iter().enumerate() {
             let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
-            most += if x.error.is_finite() {
-                SOLVED * lost + matrix[row][k].size() * x.error
-            } else {
-                HARDLY_SOLVED * lost
-            };
+            // Not more than that of M may be lost on the way, however x itself is conditioned.
+            let carried = (matrix[row][k].size() * x.error).min(HARDLY_SOLVED * lost);
+            most += SOLVED * lost + carried;
         }
         most
     }

@@ -37,18 +37,27 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
     let mut errors = Errors::new();
     let mut functions = Vec::new();
     for (wanted, frame) in wanted(&chain, request) {
-        match list(&chain, wanted, frame, request, &check) {
-            Ok(listed) => functions.push(listed),
+        match list(&chain, wanted, frame, request) {
+            Ok(listed) => {
+                match check.judge(&listed.functions, frame, &listed.program, request.scalar) {
+                    Ok(()) => functions.push(listed),
+                    Err(fault) => errors.append(fault),
+                }
+            }
             // Of all that a robot can have, what it cannot have is left out.
             Err(_) if request.functions.is_empty() => {}
             Err(refusal) => errors.append(refusal),
         }
     }
+    let data = data(&chain);
+    if let Err(refusal) = check.judge_data(&data) {
+        errors.append(refusal);
+    }
     errors.into_result(Listing {
         item,
         about: about(description, &chain, request.formulation),
         functions,
-        data: data(&chain),
+        data,
         scalar: request.scalar,
         sines: request.formulation.sines,
         parameters: request.parameters.clone(),
@@ -132,7 +141,6 @@ fn list(
     functions: Vec<Function>,
     frame: usize,
     request: &Request,
-    check: &Check,
 ) -> Result<Listed, Errors> {
     let found = cheapest(
         request.processor,
@@ -142,7 +150,6 @@ fn list(
         frame,
         request.scalar,
     )?;
-    check.judge(&functions, frame, &found.program, request.scalar)?;
     let accuracy = accuracy_of(&found, chain, &functions, request.scalar);
     let program = found.program;
     let (mut mul, mut add) = (0, 0);

@@ -1,1 +1,270 @@
+//! What the check lets pass, and that it lets nothing else pass.
 
+use std::path::Path;
+
+use super::Check;
+use crate::chain::Chain;
+use crate::description::{Description, inline, read_file, read_text};
+use crate::emit::Item;
+use crate::error::Errors;
+use crate::expand::{expand, understand};
+use crate::expression::Double;
+use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
+use crate::function::Function;
+use crate::request::{Parameter, Request, Target};
+use crate::schedule::{Operand, Operation, Program, run};
+
+fn described(name: &str) -> Description {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../robots")
+        .join(name);
+    let mut errors = Errors::new();
+    let description = read_file(&path, None, &mut errors);
+    assert!(errors.is_empty(), "{errors}");
+    description.expect("no mistakes, so a description")
+}
+
+/// Robots of every kind of joint, with and without fields.
+fn robots() -> Vec<(Description, Request)> {
+    let robot = |name: &str| (described(name), Request::default());
+    let mut loaded = robot("panda_class.urdf");
+    let field = |name: &str, target| Parameter {
+        field: quote::format_ident!("{name}"),
+        target,
+    };
+    loaded.1.parameters = vec![
+        field("gravity", Target::Gravity),
+        field("mass", Target::MassOf("link5".into())),
+        field("center", Target::CenterOfMassOf("link5".into())),
+        field("origin", Target::OriginOf("joint3".into())),
+    ];
+    vec![
+        loaded,
+        robot("scara.urdf"),
+        robot("stanford_general.urdf"),
+        robot("quadruped.urdf"),
+    ]
+}
+
+fn all_of(description: &Description, request: &Request) -> Vec<(Vec<Function>, usize, Program)> {
+    let item = Item::made(quote::format_ident!("Robot"));
+    let listing = expand(description, request, item).unwrap_or_else(|errors| panic!("{errors}"));
+    let listed = listing.functions.into_iter();
+    listed
+        .map(|listed| (listed.functions, 0, listed.program))
+        .collect()
+}
+
+fn prepare(description: &Description, request: &Request) -> (Chain, Check) {
+    let chain = understand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
+    let check = Check::of(description, request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
+    (chain, check)
+}
+
+/// The operation with another sign somewhere.
+fn turned(operation: Operation) -> Operation {
+    use Operation::{Add, Div, Mul, MulAdd, MulSub, Neg, NegMulAdd, Sqrt, Sub};
+    match operation {
+        Add(a, b) => Sub(a, b),
+        Sub(a, b) => Add(a, b),
+        Mul(a, b) => Div(a, b),
+        Div(a, b) => Mul(a, b),
+        Sqrt(a) => Neg(a),
+        Neg(a) => Add(a, Operand::Literal(0.0)),
+        MulAdd(a, b, c) => MulSub(a, b, c),
+        MulSub(a, b, c) => NegMulAdd(a, b, c),
+        NegMulAdd(a, b, c) => MulAdd(a, b, c),
+    }
+}
+
+/// The operation with a number that is off by so much of itself, if it has one.
+fn shifted(operation: Operation, by: f64) -> Option<Operation> {
+    let off = |operand| match operand {
+        Operand::Literal(number) => Operand::Literal(number * (1.0 + by)),
+        other => other,
+    };
+    let [a, b, c] = {
+        let mut operands = operation.operands().into_iter();
+        [(); 3].map(|()| operands.next().unwrap_or(Operand::Literal(0.0)))
+    };
+    let changed = match operation {
+        Operation::Add(..) => Operation::Add(off(a), b),
+        Operation::Sub(..) => Operation::Sub(off(a), b),
+        Operation::Mul(..) => Operation::Mul(off(a), b),
+        Operation::MulAdd(..) => Operation::MulAdd(off(a), b, off(c)),
+        Operation::MulSub(..) => Operation::MulSub(off(a), b, off(c)),
+        Operation::NegMulAdd(..) => Operation::NegMulAdd(off(a), b, off(c)),
+        other => other,
+    };
+    (changed != operation).then_some(changed)
+}
+
+/// Whether two programs differ by more than a part of the largest result, at the states that are
+/// looked at.
+fn differ(check: &Check, one: &Program, other: &Program, least: f64) -> bool {
+    check.states.iter().any(|judge| {
+        let results =
+            |program: &Program| run(program, |input| Double::from(judge.state.get(input)));
+        let (one, other) = (results(one), results(other));
+        let largest = one
+            .iter()
+            .fold(0.0_f64, |most, x| most.max(x.to_f64().abs()));
+        let pairs = one.iter().zip(&other);
+        let mut distances = pairs.map(|(x, y)| (*x - *y).to_f64().abs());
+        // What is not a number differs from everything.
+        !distances.all(|distance| distance <= least * largest)
+    })
+}
+
+#[test]
+fn no_operation_of_a_program_can_be_another() {
+    let (mut turns, mut shifts) = (0, 0);
+    for (description, request) in robots() {
+        let (_, check) = prepare(&description, &request);
+        for (functions, frame, program) in all_of(&description, &request) {
+            let solves = [Function::ForwardDynamics, Function::MassMatrixInverse];
+            // A solution is as good as the equation that it solves, whatever the condition number.
+            let (by, least) = if solves.contains(&functions[0]) {
+                (1e-3, 1e-8)
+            } else {
+                (1e-9, 1e-11)
+            };
+            // One in three, so that it takes seconds.
+            for k in (0..program.steps.len()).step_by(3) {
+                let operation = program.steps[k].operation;
+                for (changed, count) in [
+                    (Some(turned(operation)), &mut turns),
+                    (shifted(operation, by), &mut shifts),
+                ] {
+                    let Some(changed) = changed else { continue };
+                    let mut broken = program.clone();
+                    broken.steps[k].operation = changed;
+                    if !differ(&check, &program, &broken, least) {
+                        continue;
+                    }
+                    *count += 1;
+                    let verdict = check.judge(&functions, frame, &broken, request.scalar);
+                    assert!(
+                        verdict.is_err(),
+                        "{}: step {k} of {functions:?}, {operation:?} for {changed:?}",
+                        description.name.text
+                    );
+                }
+            }
+        }
+    }
+    assert!(turns > 2000 && shifts > 400, "{turns} and {shifts}");
+}
+
+/// Residues, a slide, a screw, a branch, a lock, oblique and parallel axes, mass that a joint does not
+/// feel, and a base that is not the root.
+const ODD: &str = "
+    struct Odd {
+        base: frame, lock(spare = 0.4), drop(cover), gravity: [0.3, -0.2, -9.7]
+    }
+    link floor; link frame { mass: 3.0, com: [0.1, 0.0, 0.2], inertia: [0.1, 0.2, 0.15] }
+    joint feet: fixed { from: floor, to: frame, at: xyz(0.0, 0.0, 1.0) }
+    link cover { mass: 1.0, com: [0.0, 0.0, 0.0], inertia: [0.0, 0.0, 0.0] }
+    joint hood: fixed { from: frame, to: cover }
+    link turret { mass: 2.0, com: [0.0, 1e-12, 0.3], inertia: [0.05, 0.06, 0.02, 1e-9, 0.0, 1e-3] }
+    joint pan: revolute(z) { from: frame, to: turret, at: xyz(0.1, 0.2, 0.3) rz(0.3) rx(1.1102e-16) }
+    link slide { mass: 1.5, com: [0.1, -0.05, 0.2], inertia: [0.02, 0.01, 0.03, 1e-3, 2e-3, -1e-3] }
+    joint lift: prismatic([0.0, 0.6, 0.8]) { from: turret, to: slide, at: xyz(0.0, 0.1, 0.0) ry(0.7) }
+    link bolt { mass: 0.7, com: [0.02, 0.03, 0.1], inertia: [0.004, 0.005, 0.003, 1e-4, 2e-4, 3e-4] }
+    joint drive: screw(-x, pitch: 0.01) { from: slide, to: bolt, at: xyz(0.3, 0.0, 0.1) }
+    link wrist { mass: 0.4, com: [0.0, 0.0, 0.05], inertia: [1e-3, 1e-3, 5e-4] }
+    joint spare: revolute(y) { from: slide, to: wrist, at: xyz(0.0, 0.2, 0.0) rz(0.5) }
+    link hand { mass: 0.9, com: [0.05, 0.02, 0.1], inertia: [2e-3, 3e-3, 4e-3, 1e-4, 0.0, 2e-4] }
+    joint roll: revolute(z) { from: wrist, to: hand, at: xyz(0.0, 0.0, 0.2) rx(pi/2) }
+    link thumb { mass: 0.2, com: [0.03, 0.01, 0.0], inertia: [1e-4, 2e-4, 3e-4] }
+    joint pinch: revolute(z) { from: hand, to: thumb, at: xyz(0.1, 0.0, 0.02) }
+    link nail { mass: 0.1, com: [0.02, 0.0, 0.01], inertia: [1e-5, 2e-5, 3e-5, 1e-6, 0.0, 0.0] }
+    joint tap: revolute([0.36, 0.48, 0.8]) { from: thumb, to: nail, at: xyz(0.1, 0.0, 0.02) }
+";
+
+#[test]
+fn every_function_of_many_robots_in_every_formulation_is_what_the_description_says() {
+    let mut errors = Errors::new();
+    let tokens = ODD.parse().expect("tokens of Rust");
+    let odd = inline::read(tokens, Path::new(""), &mut errors).expect("a robot");
+    assert!(errors.is_empty(), "{errors}");
+    let odd = (odd.description.expect("a robot"), odd.request);
+    let forms = [
+        Formulation::default(),
+        Formulation {
+            angles: Angles::Merged,
+            products: Products::Unfused,
+            forward: Some(Forward::MassMatrix { refinements: 1 }),
+            ..Formulation::default()
+        },
+        Formulation {
+            parameters: Parameters::Raw,
+            forward: Some(Forward::MassMatrix { refinements: 2 }),
+            ..Formulation::default()
+        },
+        Formulation {
+            frame: Frame::Base,
+            ..Formulation::default()
+        },
+        Formulation {
+            forward: Some(Forward::Articulated),
+            ..Formulation::default()
+        },
+    ];
+    let robots = robots().into_iter().chain([odd]);
+    for (description, request) in robots {
+        for formulation in forms {
+            let request = Request {
+                formulation,
+                ..request.clone()
+            };
+            assert!(all_of(&description, &request).len() >= 6);
+        }
+    }
+}
+
+#[test]
+fn a_wrong_result_is_refused_with_function_entry_and_both_numbers() {
+    let (description, request) = (described("two_link.urdf"), Request::default());
+    let (_, check) = prepare(&description, &request);
+    let (functions, frame, mut program) = all_of(&description, &request)
+        .into_iter()
+        .find(|(functions, ..)| functions == &[Function::Gravity])
+        .expect("gravity is among all functions");
+    program.results.swap(0, 1);
+    let refusal = check.judge(&functions, frame, &program, request.scalar);
+    let refusal = refusal.expect_err("the torques are exchanged").to_string();
+    assert!(
+        refusal.contains("entry 0 (joint \"shoulder\") of gravity would be "),
+        "{refusal}"
+    );
+    assert!(refusal.contains(" by the description"), "{refusal}");
+    assert!(refusal.contains("this is a fault of homogen"), "{refusal}");
+}
+
+#[test]
+fn a_number_that_f32_has_no_room_for_is_refused() {
+    let text = r#"<robot name="arm"><link name="base"/><link name="rod"><inertial>
+        <mass value="1e30"/><origin xyz="1e5 0 0"/>
+        <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial></link>
+        <joint name="hinge" type="continuous"><parent link="base"/><child link="rod"/>
+        <axis xyz="0 0 1"/></joint></robot>"#;
+    let mut errors = Errors::new();
+    let description = read_text(text, "arm.urdf", None, &mut errors).expect("a robot");
+    for (scalar, refused) in [(crate::Real::F32, true), (crate::Real::F64, false)] {
+        let request = Request {
+            functions: vec![vec![Function::MassMatrix]],
+            scalar,
+            ..Request::default()
+        };
+        let item = Item::made(quote::format_ident!("Robot"));
+        let refusal = expand(&description, &request, item).err();
+        assert_eq!(refusal.is_some(), refused);
+        let text = refusal.map(|errors| errors.to_string()).unwrap_or_default();
+        assert_eq!(
+            text.contains("1e40, is too large for f32"),
+            refused,
+            "{text}"
+        );
+    }
+}

@@ -15,6 +15,7 @@ use super::options::{Format, Robot, STANDARD_INPUT, Scalar, is_standard_input, m
 use super::states::State;
 use super::{Answer, Said, json, options, states};
 use crate::chain::Chain;
+use crate::check::Check;
 use crate::error::{Errors, Place};
 use crate::expand;
 use crate::expression::Input;
@@ -75,6 +76,12 @@ impl Eval {
             &[function],
             frame,
             self.scalar.into(),
+        )?;
+        Check::of(&description, &request, &chain)?.judge(
+            &[function],
+            frame,
+            &program,
+            request.scalar,
         )?;
         let results = self.results(&program, &states)?;
         let remarks = options::warnings(&description, &chain.report.warnings);

@@ -127,7 +127,7 @@ impl Double {
     /// √x.
     #[must_use]
     pub fn sqrt(self) -> Self {
-        if self.hi == 0.0 && self.radius == 0.0 {
+        if self.is_exactly_zero() {
             return Self::ZERO;
         }
         let half = exponent(self.hi).div_euclid(2);
@@ -144,8 +144,8 @@ impl Double {
         Self::around(centre, radius).scaled(half)
     }
 
-    /// Sine and cosine, by Taylor series after reduction to a quarter turn. Of an angle beyond 2⁵⁰ rad
-    /// nothing is known.
+    /// Sine and cosine, by Taylor series after reduction to a quarter turn. Nothing is known of those of
+    /// an angle beyond 2⁵⁰ rad, or of one that is not known to 2⁻⁸⁰ rad.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         /// π/2 to 212 bits.
@@ -158,7 +158,7 @@ impl Double {
         /// What the four parts lack of π/2.
         const BEYOND: f64 = 3e-66;
         const MOST: f64 = f64::from_bits((1023 + 50) << 52);
-        if self.hi.is_nan() || self.hi.abs() > MOST {
+        if self.hi.is_nan() || self.hi.abs() > MOST || self.radius > KNOWN {
             let unknown = Self::around((0.0, 0.0), f64::INFINITY);
             return (unknown, unknown);
         }
@@ -187,6 +187,10 @@ impl Double {
         }
     }
 
+    fn is_exactly_zero(self) -> bool {
+        self.hi == 0.0 && self.radius == 0.0
+    }
+
     /// a b of two numbers of `f64`.
     fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_product(a, b);
@@ -206,7 +210,7 @@ impl Double {
             x
         };
         let hi = times(self.hi);
-        let lost = underflow(hi, self.hi == 0.0 && self.radius == 0.0);
+        let lost = underflow(hi, self.is_exactly_zero());
         Self::around((hi, times(self.lo)), times(self.radius) + lost)
     }
 }
@@ -343,7 +347,7 @@ impl Mul for Double {
         let radius = self.hi.abs() * other.radius
             + self.radius * (other.hi.abs() + other.radius)
             + PRODUCT * hi.abs()
-            + underflow(hi, self.hi == 0.0 || other.hi == 0.0);
+            + underflow(hi, self.is_exactly_zero() || other.is_exactly_zero());
         Self::around((hi, lo), radius)
     }
 }

@@ -32,7 +32,7 @@ const ENGINE: &[&str] = &["--lib"];
 const GEOMETRY: &[&str] = &["--test", "hard_cases_geometry"];
 
 /// All of them, grouped by the crate that is built again.
-pub const MUTATIONS: [Mutation; 12] = [
+pub const MUTATIONS: [Mutation; 32] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
@@ -94,6 +94,146 @@ pub const MUTATIONS: [Mutation; 12] = [
         ),
     },
     Mutation {
+        name: "layout: a child's placement moved the wrong way",
+        file: "codegen/src/chain/frames.rs",
+        from: "child.placement = from * child.placement",
+        to: "child.placement = to * child.placement",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "layout: an offset of the angle not taken off the placement",
+        file: "codegen/src/chain/frames.rs",
+        from: "rotation * Rotation::about_z((-sine, cosine))",
+        to: "rotation * Rotation::about_z((sine, cosine))",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "layout: the axis of a joint against itself",
+        file: "codegen/src/chain/frames.rs",
+        from: "let last = if size(k) > 0.0 { last } else { -last };",
+        to: "let last = if size(k) > 0.0 { -last } else { last };",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "layout: a further frame left behind",
+        file: "codegen/src/chain/frames.rs",
+        from: "*placement = from * *placement;",
+        to: "*placement = to * *placement;",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "regrouping: mass beside the axis passed on",
+        file: "codegen/src/chain/regroup.rs",
+        from: "Symmetric([zero, zero, zz, zero, zero, zero])",
+        to: "Symmetric([zz, zero, zero, zero, zero, zero])",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "merging: a held joint not moved to where it is held",
+        file: "codegen/src/chain/merge.rs",
+        from: "pose: pose * held_at(graph, joint.kind, axis, &held),",
+        to: "pose,",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "merging: a fixed link's inertia where its body's is",
+        file: "codegen/src/chain/merge.rs",
+        from: "bodies[body].inertia + inertia.change_frame(seat.pose)",
+        to: "bodies[body].inertia + inertia",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "gravity: the moment turned round",
+        file: "codegen/src/model/gravity.rs",
+        from: "moments[k].cross(a)",
+        to: "a.cross(moments[k])",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "jacobian: the pole on the other side",
+        file: "codegen/src/model/jacobian.rs",
+        from: "translation: pose.translation - tip",
+        to: "translation: pose.translation + tip",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "mass matrix: an entry left out of the lower half",
+        file: "codegen/src/model/composite.rs",
+        from: "entries[column * count + at] = seen;",
+        to: "entries[at * count + column] = seen;",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "inertia: a planar rotation with a wrong sign",
+        file: "codegen/src/matrix/inertia.rs",
+        from: "cosine * w - xy,",
+        to: "cosine * w + xy,",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "rule pythagoras: cos² x − sin² x = 1",
+        file: "codegen/src/simplify/rules.rs",
+        from: "if x == y && !sum.minus",
+        to: "if x == y && sum.minus",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "rule cancel: the sign of what is left",
+        file: "codegen/src/simplify/rules.rs",
+        from: "if minus == y_minus { y } else { -y }",
+        to: "if minus == y_minus { -y } else { y }",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "rule gather_constants: k − (l + x) = (k − l) + x",
+        file: "codegen/src/simplify/rules.rs",
+        from: "(true, true) => (constant - number) - signed",
+        to: "(true, true) => (constant - number) + signed",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "rule common_factor: a b − a c = a (c − b)",
+        file: "codegen/src/simplify/rules.rs",
+        from: "common * sum.of(left, right)",
+        to: "common * sum.of(right, left)",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "rule count_in: x − k x = (k − 1) x",
+        file: "codegen/src/simplify/rules.rs",
+        from: "sum.of(one, k) * sum.a",
+        to: "sum.of(k, one) * sum.a",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "fusing: a product taken from the wrong side",
+        file: "codegen/src/schedule/fuse.rs",
+        from: "[Form::Minus, Form::From]",
+        to: "[Form::From, Form::Minus]",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "signs: a sum of two opposites not turned",
+        file: "codegen/src/schedule/signs.rs",
+        from: "if a == b => Some(a)",
+        to: "if a == b => Some(!a)",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "schedule: a difference the wrong way round",
+        file: "codegen/src/schedule/order.rs",
+        from: "(true, _) => Operation::Sub(b, a)",
+        to: "(true, _) => Operation::Sub(a, b)",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "schedule: a fused difference as a sum",
+        file: "codegen/src/schedule/order.rs",
+        from: "(false, true) => Operation::MulSub(x, y, rest)",
+        to: "(false, true) => Operation::MulAdd(x, y, rest)",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
         name: "sine: the last digits of a coefficient",
         file: "runtime/src/trigonometry/double.rs",
         from: "-0.166_666_666_666_666_3",
@@ -130,6 +270,9 @@ pub const MUTATIONS: [Mutation; 12] = [
         noticed_by: geometry("logarithm::log_near_pi"),
     },
 ];
+
+/// What makes expansion itself fail, whatever else would notice.
+const CHECKED: &str = "check::tests::every_function_of_many_robots_is_what_the_description_says";
 
 const OBLIQUE: &str =
     "chain::tests::torques::a_tree_of_oblique_axes_has_the_same_torques_in_every_layout";

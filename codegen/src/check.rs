@@ -212,10 +212,6 @@ struct Judge {
     mass_matrix: OnceCell<Vec<Vec<Approximate>>>,
 }
 
-/// What 106 bits lose on the way, in units of what the literals of the description can account for:
-/// 2⁻³⁰ of these is 2⁻⁸³ of the terms.
-const NOISE: f64 = 1e-9;
-
 /// How many times as far a solution may be from solving its equation as roundings of the
 /// description's own numbers account for; and at most, where factors lose more than that.
 const SOLVED: f64 = 1e3;
@@ -237,7 +233,7 @@ impl Judge {
                 let pairs = found.iter().zip(&expected).enumerate();
                 pairs.into_iter().find_map(|(entry, (found, expected))| {
                     let distance = (found.value - expected.value).to_f64().abs();
-                    let most = found.error + NOISE * (found.error + expected.error);
+                    let most = found.error + found.noise() + expected.noise();
                     wrong(
                         entry,
                         found.value.to_f64(),
@@ -319,7 +315,7 @@ impl Judge {
         let mut pairs = torques.iter().zip(&self.state.tau).enumerate();
         pairs.find_map(|(row, (torque, tau))| {
             let distance = (torque.to_f64() - tau).abs();
-            let most = self.most_unsolved(row, torque.error, found);
+            let most = self.most_unsolved(row, *torque, found);
             wrong(row, torque.to_f64(), *tau, distance <= most)
         })
     }
@@ -340,18 +336,18 @@ impl Judge {
             let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| sum + *m * exact(x));
             let unit = if row == column { 1.0 } else { 0.0 };
             let distance = (product.to_f64() - unit).abs();
-            let most = self.most_unsolved(row, product.error, &solution);
+            let most = self.most_unsolved(row, product, &solution);
             wrong(entry, product.to_f64(), unit, distance <= most)
         })
     }
 
     /// How far a row of M x may be from what it should be: what x may be off by times M, and what the
     /// roundings of the numbers in M, and of all that is solved for, amount to.
-    fn most_unsolved(&self, row: usize, error: f64, solution: &[Approximate]) -> f64 {
+    fn most_unsolved(&self, row: usize, found: Approximate, solution: &[Approximate]) -> f64 {
         const ROUNDOFF: f64 = f64::EPSILON / 2.0;
         let matrix = self.mass_matrix();
         let diagonal = |k: usize| matrix[k][k].size();
-        let mut most = SOLVED * error;
+        let mut most = SOLVED * found.error + found.noise();
         for (k, x) in solution.iter().enumerate() {
             let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
             // Not more than that of M may be lost on the way, however x itself is conditioned.

@@ -34,6 +34,14 @@ impl Approximate {
         self.value.to_f64().abs()
     }
 
+    /// What 106 bits lose on the way, and what underflows: 2⁻⁸³ of the terms, as far as literals are
+    /// among them, and some more than the radius of the enclosure.
+    pub(super) fn noise(self) -> f64 {
+        let radius = self.value.radius();
+        let radius = if radius.is_finite() { radius } else { 0.0 };
+        1e-9 * self.error + 16.0 * radius
+    }
+
     fn sum(value: Double, self_error: f64, other_error: f64) -> Self {
         let error = self_error + other_error;
         Self { value, error }

@@ -77,7 +77,7 @@ impl<T: Arithmetic> Matrix<T> {
     /// M⁻¹ of a position matrix: Rᵗ, −Rᵗt; 0, 1.
     pub(super) fn inverse(&self) -> Self {
         let mut rotation = self.transposed();
-        rotation.0[3] = Self::identity().0[3].clone();
+        rotation.0[3] = [0.0, 0.0, 0.0, 1.0].map(T::literal);
         let back: [T; 3] = from_fn(|k| -self.0[k][3].clone());
         rotation.times(&Self::translation(back))
     }

@@ -16,9 +16,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// What is meant lies within `radius` of `hi + lo`, and is `hi + lo` where the radius is 0: numbers of
 /// `f64` are, sums that cancel to nothing, and little else. The radius of a sum, product, quotient
 /// or root bounds what its operands' radii, its own rounding and underflow amount to. It is infinite
-/// where nothing is known: after an overflow, and of a quotient or root of a number of which fewer
-/// than [`KNOWN`] bits are known. So a radius is always far below what its number was made of, and
-/// [`Double::is_zero`] forgets nothing that an `f64` beside it could hold.
+/// where nothing is known: after an overflow, and of a quotient or root of a number of which not even
+/// the bits of an `f64` are known. So a radius is never more than an `f64` loses of what its number was
+/// made of, and [`Double::is_zero`] forgets nothing that an `f64` beside it could hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Double {
     hi: f64,
@@ -26,8 +26,11 @@ pub struct Double {
     radius: f64,
 }
 
-/// 2⁻⁸⁰: how much of a number its radius may be where something is divided by it, or its root taken.
-const KNOWN: f64 = f64::from_bits((1023 - 80) << 52);
+/// 2⁻⁵³: how much of a number its radius may be where something is divided by it, or its root taken.
+const KNOWN: f64 = f64::from_bits((1023 - 53) << 52);
+
+/// 2⁻⁸⁰: how much of a number it may be where a direction is made of it, or how far an angle may be off.
+const SHARP: f64 = f64::from_bits((1023 - 80) << 52);
 
 /// 2⁻¹⁰⁴, 2⁻¹⁰³ and 2⁻¹⁰¹: more than the relative errors of a sum, of a product, and of a quotient or
 /// root.
@@ -101,10 +104,15 @@ impl Double {
         self.radius.is_finite()
     }
 
-    /// Whether so many of its bits are known that it can be divided by, and a direction made of it.
-    /// What is left of larger numbers that cancelled but for their last digits is not.
+    /// Whether so many of its bits are known that a direction can be made of it. Of what is left of
+    /// larger numbers that cancelled but for their last digits they are not.
     #[must_use]
     pub fn is_sharp(self) -> bool {
+        self.hi != 0.0 && self.radius <= SHARP * self.hi.abs()
+    }
+
+    /// Whether something can be divided by it.
+    fn divides(self) -> bool {
         self.hi != 0.0 && self.radius <= KNOWN * self.hi.abs()
     }
 
@@ -135,7 +143,7 @@ impl Double {
         let root = x.hi.sqrt();
         let rest = x - Self::product(root, root);
         let centre = fast_two_sum(root, rest.hi / (2.0 * root));
-        let radius = if self.is_sharp() {
+        let radius = if self.divides() {
             // |√x − √c| ≤ |x − c| / √c
             x.radius / root + QUOTIENT * root
         } else {
@@ -158,7 +166,7 @@ impl Double {
         /// What the four parts lack of π/2.
         const BEYOND: f64 = 3e-66;
         const MOST: f64 = f64::from_bits((1023 + 50) << 52);
-        if self.hi.is_nan() || self.hi.abs() > MOST || self.radius > KNOWN {
+        if self.hi.is_nan() || self.hi.abs() > MOST || self.radius > SHARP {
             let unknown = Self::around((0.0, 0.0), f64::INFINITY);
             return (unknown, unknown);
         }
@@ -361,8 +369,8 @@ impl Div for Double {
         let quotient = a.hi / b.hi;
         let rest = a - b * Self::from(quotient);
         let centre = fast_two_sum(quotient, rest.hi / b.hi);
-        let radius = if other.is_sharp() {
-            // |a/b − c/d| ≤ (|a − c| + |c/d| |b − d|) / |b|, and b is as good as d to 80 bits.
+        let radius = if other.divides() {
+            // |a/b − c/d| ≤ (|a − c| + |c/d| |b − d|) / |b|, and b is d but for a part that is slack.
             (a.radius + quotient.abs() * b.radius) / b.hi.abs() + QUOTIENT * quotient.abs()
         } else {
             f64::INFINITY
@@ -464,6 +472,16 @@ mod tests {
         assert!(!(from(1.0) / left).is_known());
         assert!(!(from(1.0) / left).is_zero());
         assert!(!left.sqrt().is_known());
+    }
+
+    #[test]
+    fn what_cancelled_but_for_digits_that_an_f64_holds_divides() {
+        let third = from(1.0) / from(3.0);
+        let left = third + third + third - (from(1.0) - from(1e-12));
+        assert!(!left.is_sharp());
+        let quotient = from(1.0) / left;
+        assert!(quotient.is_known() && (quotient * left).is_one());
+        assert!((left.sqrt().to_f64() - 1e-6).abs() < 1e-21);
     }
 
     #[test]

@@ -149,6 +149,21 @@ impl Source {
         }
     }
 
+    /// Whether code calls a function of a program, whose tests stand at its end.
+    fn runs_the_program(&self, code: &str) -> bool {
+        let program = Self {
+            module: self.module.clone(),
+            text: self
+                .text
+                .split("mod tests {")
+                .next()
+                .unwrap_or("")
+                .to_owned(),
+        };
+        let mut functions = program.functions().into_iter();
+        functions.any(|name| calls(code, name) || code.contains(&format!(".{name}(")))
+    }
+
     /// Whether cargo runs a test of that name.
     fn runs(&self, function: &str) -> bool {
         let listed = self.text.split("in_both_precisions! {").nth(1);
@@ -245,8 +260,7 @@ fn every_test_runs_and_uses_what_its_row_names() {
                 continue;
             };
             unused.retain(|item| match item.strip_prefix("examples::") {
-                // A program is run by a test that stands in it.
-                Some(program) => source.module != program,
+                Some(program) => source.module != program || !source.runs_the_program(&code),
                 None => !uses(&source, &code, item),
             });
         }

@@ -105,7 +105,13 @@ fn gravity_is_the_gradient_of_potential_energy() {
         let g = chain.gravity.map(Jet::still);
         let whole = generic::potential_energy(&chain, &q);
         for i in 0..N {
-            let along = std::array::from_fn(|k| Jet(q[k], if k == i { 1.0 } else { 0.0 }, 0.0));
+            let along = std::array::from_fn(|k| {
+                if k == i {
+                    Jet::moving(q[k])
+                } else {
+                    Jet::still(q[k])
+                }
+            });
             let bodies = inertias(&chain, &poses(&chain, &along));
             let energy = bodies
                 .iter()

@@ -247,7 +247,7 @@ fn every_item_exists() {
 
 #[test]
 fn every_test_runs_and_uses_what_its_row_names() {
-    let mut wrong = String::new();
+    let mut wrong = Vec::new();
     for row in rows() {
         let (items, tests) = items_and_tests(&row);
         let mut unused: BTreeSet<&str> = items.into_iter().collect();
@@ -256,7 +256,7 @@ fn every_test_runs_and_uses_what_its_row_names() {
             let suffixed = ["", "_f64"].map(|suffix| format!("{function}{suffix}"));
             let code = suffixed.iter().find_map(|name| source.reach(name));
             let Some(code) = code.filter(|_| source.runs(function)) else {
-                wrong += &format!("`{test}` is never run\n");
+                wrong.push(format!("`{test}` is never run"));
                 continue;
             };
             unused.retain(|item| match item.strip_prefix("examples::") {
@@ -265,10 +265,10 @@ fn every_test_runs_and_uses_what_its_row_names() {
             });
         }
         for item in unused {
-            wrong += &format!("`{item}` is used by no test of the row: {}\n", row[0]);
+            wrong.push(format!("`{item}` is used by no test of the row {}", row[0]));
         }
     }
-    assert!(wrong.is_empty(), "{wrong}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// The other way round: a property that nobody finds from the table is as good as lost.

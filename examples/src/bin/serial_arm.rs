@@ -106,10 +106,12 @@ impl Arm {
             let pose = self.pose(state);
             let numbers = [state.time, pose[3], pose[7], pose[11]];
             let place = numbers.map(|x| format!("{x:8.4}")).join(" ");
-            let torques = self.torques(state).into_iter();
-            let torques: String = torques.map(|x| format!(" {x:9.3}")).collect();
             // Writing to a string cannot fail.
-            let _ = writeln!(text, "{place}  {torques}");
+            let _ = write!(text, "{place}  ");
+            for torque in self.torques(state) {
+                let _ = write!(text, " {torque:9.3}");
+            }
+            text.push('\n');
         }
         text
     }

@@ -69,7 +69,7 @@ fn sources(folders: &[&str]) -> Vec<Source> {
 fn place_of(test: &str) -> (&'static [&'static str], &str) {
     match test.split_once("::") {
         Some(("examples", rest)) => (&["../examples/src/bin", "../examples/tests"], rest),
-        Some(("engine", rest)) => (&["../tests/tests"], rest),
+        Some(("engine", rest)) => (&["../tests/tests/names"], rest),
         _ => (&["tests/paper", "tests/chains"], test),
     }
 }

@@ -36,7 +36,7 @@ pub const EQUATIONS: &[Mutation] = &[
         noticed_by: Test {
             package: "homogen-tests",
             target: &["--test", "names"],
-            name: "names_are_those_of_appendix_b",
+            name: "subscripts::names_are_those_of_appendix_b",
         },
     },
     Mutation {

@@ -78,9 +78,17 @@ fn place_of(test: &str) -> (&'static [&'static str], &str) {
 fn find(test: &str) -> (Source, &str) {
     let (folders, rest) = place_of(test);
     let (module, function) = rest.split_once("::").expect("module::function");
-    let found = sources(folders).into_iter().find(|s| s.module == module);
-    let source = found.unwrap_or_else(|| panic!("`{test}`: there is no module of that name"));
-    (source, function)
+    let sources = sources(folders);
+    // A file that no `main` names is not compiled; programs are files of their own.
+    let mut roots = sources.iter().filter(|source| source.module == "main");
+    let is_compiled = test.starts_with("examples::")
+        || roots.any(|root| declares(&root.text, &["mod"], &format!("{module};")));
+    let found = sources.into_iter().find(|s| s.module == module);
+    let source = found.filter(|_| is_compiled);
+    (
+        source.unwrap_or_else(|| panic!("`{test}`: there is no module of that name")),
+        function,
+    )
 }
 
 /// Where a word stands in a text, neither as part of a longer one.

@@ -61,8 +61,6 @@ impl<T: Scalar> Acceleration<T> {
     }
 
     /// H from ω̇ [rad/s²], ω [rad/s] and the acceleration of the pole [m/s²] (§ 3.1).
-    ///
-    /// SPACELIB: `gtom`.
     #[inline]
     #[must_use]
     pub fn from_parts(omega_dot: [T; 3], omega: [T; 3], a: [T; 3]) -> Self {
@@ -109,6 +107,8 @@ impl<T: Scalar> Acceleration<T> {
     }
 
     /// H_g, which holds the acceleration of gravity [m/s²] in its last column (§ 4.5).
+    ///
+    /// SPACELIB: `gtom`.
     #[inline]
     #[must_use]
     pub fn gravity(g: [T; 3]) -> Self {

@@ -77,6 +77,11 @@ impl<'g> Joint<'g> {
         }
     }
 
+    /// The number of the frame that the joint stands on: 0 for the base, else that of the body.
+    pub fn stands_on(&self) -> usize {
+        self.parent.map_or(0, |parent| parent + 1)
+    }
+
     /// M₀ of the body, where `outer` is that of the body it hangs on.
     pub fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();

@@ -30,7 +30,7 @@ fn inwards<'g>(path: &Path<'g>, by_product: Option<usize>) -> Pose<Term<'g>> {
             }
         }
         origin = joint.point_inboard(origin);
-        label(joint.index, columns, origin, by_product);
+        label(joint.stands_on(), columns, origin, by_product);
     }
     if let Some(k) = by_product {
         columns[k] = columns[(k + 1) % 3].cross(columns[(k + 2) % 3]);
@@ -41,7 +41,7 @@ fn inwards<'g>(path: &Path<'g>, by_product: Option<usize>) -> Pose<Term<'g>> {
     }
 }
 
-/// The entries of M from the body that carries joint `index` to the frame.
+/// The entries of M from frame `index`, on which the last joint taken stands, to the frame.
 fn label(
     index: usize,
     columns: [Vector<Term<'_>>; 3],

@@ -14,7 +14,7 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
         w = w
             .change_frame(joint.displacement())
             .change_frame(joint.placement);
-        let index = joint.index;
+        let index = joint.stands_on();
         w.omega.label(|| format!("w_{index}_n_in_{index}_"));
         w.v.label(|| format!("w_{index}_n_in_{index}_v"));
     }

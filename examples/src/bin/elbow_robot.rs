@@ -206,6 +206,69 @@ fn page(robot: &Chain<6, 1>, way: &[Position<f64, 6>]) -> Page {
 mod tests {
     use super::{POINTS, follow_circle, from_anywhere, robot, target};
     use homogen::robot::ForwardKinematics;
+    use std::f64::consts::TAU;
+
+    /// A turn about z, y or x, written out.
+    fn turn(axis: char, angle: f64) -> [[f64; 3]; 3] {
+        let (s, c) = angle.sin_cos();
+        match axis {
+            'z' => [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
+            'y' => [[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]],
+            _ => [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]],
+        }
+    }
+
+    fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+        a.map(|row| std::array::from_fn(|j| (0..3).map(|k| row[k] * b[k][j]).sum()))
+    }
+
+    /// Rows of R and the place of the tool, from the lengths at hand: the arm in its upright plane,
+    /// turned by the waist, and 0.1 m along the hand.
+    fn closed_form(q: &[f64; 6]) -> ([[f64; 3]; 3], [f64; 3]) {
+        let (upper, fore) = (q[1], q[1] + q[2]);
+        let out = 0.42 * upper.cos() + 0.38 * fore.cos();
+        let up = 0.4 - 0.42 * upper.sin() - 0.38 * fore.sin();
+        let axes = [
+            ('z', q[0]),
+            ('y', fore),
+            ('x', q[3]),
+            ('y', q[4]),
+            ('x', q[5]),
+        ];
+        let r = axes[1..].iter().fold(turn('z', q[0]), |r, (axis, angle)| {
+            product(r, turn(*axis, *angle))
+        });
+        let (s, c) = q[0].sin_cos();
+        let wrist = [c * out, s * out, up];
+        (r, std::array::from_fn(|k| wrist[k] + 0.1 * r[k][0]))
+    }
+
+    fn apart(a: ([[f64; 3]; 3], [f64; 3]), b: ([[f64; 3]; 3], [f64; 3])) -> f64 {
+        let pairs = a.0.as_flattened().iter().zip(b.0.as_flattened());
+        let all = pairs.chain(a.1.iter().zip(&b.1));
+        all.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+    }
+
+    #[test]
+    fn the_direct_kinematics_are_the_closed_form() {
+        let robot = robot();
+        for trial in from_anywhere(&robot, 100).into_iter().flatten() {
+            let pose = robot.forward_kinematics(&trial.q);
+            let found = (*pose.rotation(), pose.translation());
+            assert!(apart(found, closed_form(&trial.q)) < 4e-15);
+        }
+    }
+
+    #[test]
+    fn the_inverse_kinematics_lead_to_the_circle_by_the_closed_form() {
+        let way = follow_circle(&robot()).expect("the circle is within reach");
+        for (found, point) in way.iter().zip(0_u32..) {
+            let (s, c) = (TAU * f64::from(point) / f64::from(POINTS)).sin_cos();
+            let circle = [0.5 + 0.06 * s, 0.12 * c, 0.45 + 0.12 * s];
+            let error = apart(closed_form(&found.q), (turn('y', 1.3), circle));
+            assert!(error < 8e-15, "{error:e} at {point}");
+        }
+    }
 
     #[test]
     fn the_tool_is_on_the_circle() {

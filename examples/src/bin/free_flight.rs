@@ -365,7 +365,65 @@ fn page(flight: &[Moment], drifts: &[(u32, [f64; 2])]) -> Page {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bodies, DURATION, fly, worst};
+    use super::{Bodies, DURATION, Rates, State, fly, worst};
+    use homogen::{Inertia, Pose, Screw, Velocity};
+    use std::array::from_fn;
+
+    /// Two bodies of revolution about their hinge: the angle between them swings as two flywheels on a
+    /// spring do, and their common axis goes round the momentum as that of a top.
+    #[test]
+    fn two_flywheels_on_one_axis_are_a_top_and_a_pendulum() {
+        let body = |mass, height, [across, about]: [f64; 2]| {
+            let tensor = [[across, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, about]];
+            Inertia::from_tensor_at_center_of_mass(mass, [0.0, 0.0, height], &tensor)
+        };
+        let bodies = Bodies {
+            first: body(4.0, 0.1, [0.3, 0.2]),
+            second: body(2.0, 0.2, [0.15, 0.1]),
+            placement: Pose::from_translation([0.0, 0.0, 0.3]),
+            hinge: Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]),
+            stiffness: 6.0,
+        };
+        // The centre of mass of both, which is to stay where it is, and the moment about it across.
+        let height = (4.0 * 0.1 + 2.0 * 0.5) / 6.0;
+        let across = 0.3 + 0.15 + 4.0 * 2.0 / 6.0 * (0.5 - 0.1_f64).powi(2);
+        let omega = [0.9, -0.4, 1.5];
+        let (angle, rate) = (0.7, -0.5);
+        let rates = Rates {
+            w: Velocity::new(omega, [-omega[1] * height, omega[0] * height, 0.0]),
+            angle,
+            rate,
+        };
+        let slope = bodies.slope(&rates);
+        let pose = Pose::identity();
+        let mut state = State { pose, rates, slope };
+        let (steps, h) = (4000_u32, 1e-3);
+        for _ in 0..steps {
+            state = bodies.step(&state, h);
+        }
+        let time = f64::from(steps) * h;
+        let swing = (6.0_f64 * (1.0 / 0.2 + 1.0 / 0.1)).sqrt();
+        let (s, c) = (swing * time).sin_cos();
+        let expected = angle * c + rate / swing * s;
+        assert!((state.rates.angle - expected).abs() < 1e-9);
+
+        // γ about the centre of mass, and z turned about it by |γ| t over the moment across.
+        let about = 0.2 * omega[2] + 0.1 * (omega[2] + rate);
+        let gamma = [across * omega[0], across * omega[1], about];
+        let size = gamma.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let [x, y, z] = gamma.map(|x| x / size);
+        let (s, c) = (size * time / across).sin_cos();
+        let expected = [
+            x * z * (1.0 - c) + y * s,
+            y * z * (1.0 - c) - x * s,
+            c + z * z * (1.0 - c),
+        ];
+        let axis: [f64; 3] = from_fn(|k| state.pose.rotation()[k][2]);
+        for (found, known) in axis.into_iter().zip(expected) {
+            assert!((found - known).abs() < 1e-9, "{axis:?} is not {expected:?}");
+        }
+        assert!(expected[2] < 0.9, "it hardly moves");
+    }
 
     /// Hard case 30, a tenth of the flight that the program takes: momentum keeps to 1e-12.
     #[test]

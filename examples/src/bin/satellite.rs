@@ -217,7 +217,90 @@ fn page(flight: &[Moment]) -> Page {
 #[cfg(test)]
 mod tests {
     use super::{Moment, STEPS, Satellite, displacement, round};
-    use homogen::{Displacement, Pose};
+    use homogen::{Chain, Displacement, Inertia, Joint, Pose, Screw};
+
+    /// How far a satellite turns in one cycle whose arm moves in a plane: the integral of the rate that
+    /// keeps the moment of momentum at zero, of points in the plane, over the cycle.
+    fn turned_in_the_plane() -> f64 {
+        const POINTS: u32 = 400;
+        let rate = |cycle: f64| {
+            let ([q_1, q_2], [qd_1, qd_2]) = round(cycle);
+            let along = |length: f64, angle: f64| [length * angle.cos(), length * angle.sin()];
+            let (upper, fore) = (along(1.0, q_1), along(0.4, q_1 + q_2));
+            // Mass, moment, rate of turning and place of the three bodies, seen from the first.
+            let hinge = [0.5, 0.2];
+            let half = [hinge[0] + 0.5 * upper[0], hinge[1] + 0.5 * upper[1]];
+            let end = [hinge[0] + upper[0] + fore[0], hinge[1] + upper[1] + fore[1]];
+            let turn = |[x, y]: [f64; 2], rate: f64| [-y * rate, x * rate];
+            let (v_upper, v_fore) = (turn(upper, qd_1), turn(fore, qd_1 + qd_2));
+            let bodies = [
+                (120.0, 20.0, 0.0, [0.0; 2], [0.0; 2]),
+                (8.0, 0.7, qd_1, half, v_upper.map(|v| 0.5 * v)),
+                (
+                    6.0,
+                    0.35,
+                    qd_1 + qd_2,
+                    end,
+                    [v_upper[0] + v_fore[0], v_upper[1] + v_fore[1]],
+                ),
+            ];
+            let mean = |of: &dyn Fn(usize) -> f64| {
+                (0..3).map(|i| bodies[i].0 * of(i)).sum::<f64>() / 134.0
+            };
+            let center = [mean(&|i| bodies[i].3[0]), mean(&|i| bodies[i].3[1])];
+            let drift = [mean(&|i| bodies[i].4[0]), mean(&|i| bodies[i].4[1])];
+            let (mut whole, mut internal) = (0.0, 0.0);
+            for (mass, moment, spin, at, v) in bodies {
+                let (x, y) = (at[0] - center[0], at[1] - center[1]);
+                let (v_x, v_y) = (v[0] - drift[0], v[1] - drift[1]);
+                whole += moment + mass * (x * x + y * y);
+                internal += moment * spin + mass * (x * v_y - y * v_x);
+            }
+            -internal / whole
+        };
+        // Of a periodic function the mean of equidistant values is as good as its digits.
+        let sum: f64 = (0..POINTS)
+            .map(|k| rate(f64::from(k) / f64::from(POINTS)))
+            .sum();
+        sum / f64::from(POINTS)
+    }
+
+    #[test]
+    fn in_a_plane_the_displacement_is_an_integral() {
+        let inertia = |mass, center, moment: f64| {
+            let tensor = [
+                [0.5 * moment, 0.0, 0.0],
+                [0.0, 0.6 * moment, 0.0],
+                [0.0, 0.0, moment],
+            ];
+            Inertia::from_tensor_at_center_of_mass(mass, center, &tensor)
+        };
+        let joint = |name, parent, at, inertia| {
+            let hinge = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]);
+            Joint::new(name, parent, Pose::from_translation(at), hinge, inertia)
+        };
+        let (upper, fore) = (
+            inertia(8.0, [0.5, 0.0, 0.0], 0.7),
+            inertia(6.0, [0.4, 0.0, 0.0], 0.35),
+        );
+        let satellite = Satellite {
+            body: inertia(120.0, [0.0; 3], 20.0),
+            arm: Chain::new(
+                [
+                    joint("shoulder", None, [0.5, 0.2, 0.0], upper),
+                    joint("elbow", Some(0), [1.0, 0.0, 0.0], fore),
+                ],
+                [],
+                [0.0; 3],
+            ),
+        };
+        let flight = satellite.fly(round, 1).expect("bodies with mass");
+        let (screw, angle) = Displacement::from_relative_pose(end(&flight)).log();
+        let known = turned_in_the_plane();
+        assert!(known.abs() > 0.01);
+        let found = angle * screw.u()[2];
+        assert!((found - known).abs() < 1e-10, "{found} is not {known}");
+    }
 
     fn end(flight: &[Moment]) -> Pose<f64> {
         flight.last().expect("not empty").pose

@@ -190,7 +190,81 @@ fn page(motion: &[Moment]) -> Page {
 
 #[cfg(test)]
 mod tests {
-    use super::{DURATION, LINE, Scara, inverse, moment, motion};
+    use super::{DURATION, LINE, REACH, Scara, inverse, moment, motion};
+
+    /// z and i z, for rotations in the plane.
+    type Complex = [f64; 2];
+
+    fn times([a, b]: Complex, [c, d]: Complex) -> Complex {
+        [a * c - b * d, a * d + b * c]
+    }
+
+    /// First and second derivatives at a time, by differences of sixth order.
+    fn derivatives(time: f64) -> [[f64; 4]; 2] {
+        let step = 2e-3;
+        let pairs = [1.0, 2.0, 3.0].map(|k| [k, -k].map(|k| moment(time + k * step).q));
+        let here = moment(time).q;
+        let sum = |weights: [f64; 3], of: &dyn Fn(f64, f64, f64) -> f64, k: usize| -> f64 {
+            let terms = weights.iter().zip(&pairs);
+            terms.map(|(w, [p, m])| w * of(p[k], here[k], m[k])).sum()
+        };
+        let first = |p: f64, _: f64, m: f64| p - m;
+        let second = |p: f64, at: f64, m: f64| (p - at) + (m - at);
+        [
+            std::array::from_fn(|k| sum([0.75, -0.15, 1.0 / 60.0], &first, k) / step),
+            std::array::from_fn(|k| sum([1.5, -0.15, 1.0 / 90.0], &second, k) / step.powi(2)),
+        ]
+    }
+
+    /// Masses in a plane, with the numbers at the head of `scara.urdf`: what each needs along its way,
+    /// by d'Alembert. The angles of inner arm, outer arm and flange are counted from the base.
+    fn closed_form(q: [f64; 4], qd: [f64; 4], qdd: [f64; 4]) -> [f64; 4] {
+        let absolute = |q: [f64; 4]| [q[0], q[0] - q[1], q[0] - q[1] - q[3]];
+        let (at, rate, second) = (absolute(q), absolute(qd), absolute(qdd));
+        let unit = at.map(|angle| [angle.cos(), angle.sin()]);
+        // Mass, and how far along each direction its centre is.
+        let [inner, outer] = REACH;
+        let bodies = [
+            (14.0, [0.18, 0.0, 0.0]),
+            (8.0, [inner, 0.16, 0.0]),
+            (2.2, [inner, outer, 0.0]),
+            (0.8, [inner, outer, 0.005]),
+        ];
+        let spins = [0.46667, 0.22327 + 0.00099, 0.00049];
+        let mut along = [0.0; 3];
+        for j in 0..3 {
+            along[j] = spins[j] * second[j];
+            for (mass, reach) in &bodies {
+                // p̈ = Σ r (i φ̈ − φ̇²) e^{iφ}, and ∂p/∂φ = i r e^{iφ}.
+                let accelerations = (0..3).map(|k| {
+                    let [x, y] = times([-rate[k].powi(2), second[k]], unit[k]);
+                    [reach[k] * x, reach[k] * y]
+                });
+                let p = accelerations.fold([0.0; 2], |sum, a| [sum[0] + a[0], sum[1] + a[1]]);
+                let way = times([0.0, reach[j]], unit[j]);
+                along[j] += mass * (p[0] * way[0] + p[1] * way[1]);
+            }
+        }
+        let [inner, outer, flange] = along;
+        let lift = 3.0 * (qdd[2] - 9.81);
+        [inner + outer + flange, -outer - flange, lift, -flange]
+    }
+
+    #[test]
+    fn the_torques_are_those_of_masses_in_a_plane() {
+        let mut largest = 0.0_f64;
+        for k in 1..=9 {
+            let time = 0.1 * f64::from(k) * DURATION;
+            let moment = moment(time);
+            let [qd, qdd] = derivatives(time);
+            let known = closed_form(moment.q, qd, qdd);
+            for (found, known) in moment.torques.into_iter().zip(known) {
+                assert!((found - known).abs() < 1e-6, "{found} is not {known}");
+                largest = largest.max(known.abs());
+            }
+        }
+        assert!(largest > 50.0, "{largest}");
+    }
 
     #[test]
     fn the_inverse_undoes_the_direct_kinematics() {

@@ -1,16 +1,34 @@
 //! A number with its first and second derivative with respect to time: a scalar that differentiates.
 //!
-//! The positions of a chain, computed with jets, carry velocities and accelerations that owe nothing
-//! to W, H or their composition.
+//! In: numbers and their derivatives. Out: those of what is computed from them, to rounding; so the
+//! positions of a body carry velocities and accelerations that owe nothing to W, H or their
+//! composition. It never compares numbers.
 
-use homogen::Scalar;
+use homogen::{Real, Scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// x, ẋ, ẍ.
 #[derive(Clone, Copy, Debug)]
-pub struct Jet(pub f64, pub f64, pub f64);
+pub struct Jet<T = f64>(pub T, pub T, pub T);
 
-impl Add for Jet {
+impl<T: Real> Jet<T> {
+    /// A number that does not change.
+    pub fn still(x: T) -> Self {
+        let zero = T::constant(0.0);
+        Self(x, zero, zero)
+    }
+
+    /// What moves with t itself, at x: derivatives with respect to it come out.
+    pub fn moving(x: T) -> Self {
+        Self(x, T::constant(1.0), T::constant(0.0))
+    }
+}
+
+fn twice<T: Real>(x: T) -> T {
+    x + x
+}
+
+impl<T: Real> Add for Jet<T> {
     type Output = Self;
 
     fn add(self, y: Self) -> Self {
@@ -18,7 +36,7 @@ impl Add for Jet {
     }
 }
 
-impl Neg for Jet {
+impl<T: Real> Neg for Jet<T> {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -26,7 +44,7 @@ impl Neg for Jet {
     }
 }
 
-impl Sub for Jet {
+impl<T: Real> Sub for Jet<T> {
     type Output = Self;
 
     fn sub(self, y: Self) -> Self {
@@ -34,33 +52,33 @@ impl Sub for Jet {
     }
 }
 
-impl Mul for Jet {
+impl<T: Real> Mul for Jet<T> {
     type Output = Self;
 
     fn mul(self, y: Self) -> Self {
         Self(
             self.0 * y.0,
             self.1 * y.0 + self.0 * y.1,
-            self.2 * y.0 + 2.0 * self.1 * y.1 + self.0 * y.2,
+            self.2 * y.0 + twice(self.1 * y.1) + self.0 * y.2,
         )
     }
 }
 
-impl Div for Jet {
+impl<T: Real> Div for Jet<T> {
     type Output = Self;
 
     fn div(self, y: Self) -> Self {
         // From self = ratio · y.
         let x = self.0 / y.0;
         let x_d = (self.1 - x * y.1) / y.0;
-        let x_dd = (self.2 - 2.0 * x_d * y.1 - x * y.2) / y.0;
+        let x_dd = (self.2 - twice(x_d * y.1) - x * y.2) / y.0;
         Self(x, x_d, x_dd)
     }
 }
 
-impl Scalar for Jet {
+impl<T: Real> Scalar for Jet<T> {
     fn constant(value: f64) -> Self {
-        Self(value, 0.0, 0.0)
+        Self::still(T::constant(value))
     }
 
     fn mul_add(self, factor: Self, term: Self) -> Self {
@@ -69,11 +87,11 @@ impl Scalar for Jet {
 
     fn sqrt(self) -> Self {
         let root = self.0.sqrt();
-        let root_d = self.1 / (2.0 * root);
+        let root_d = self.1 / twice(root);
         Self(
             root,
             root_d,
-            (self.2 - 2.0 * root_d * root_d) / (2.0 * root),
+            (self.2 - twice(root_d * root_d)) / twice(root),
         )
     }
 
@@ -82,7 +100,7 @@ impl Scalar for Jet {
         let square = self.1 * self.1;
         (
             Self(s, c * self.1, c * self.2 - s * square),
-            Self(c, -s * self.1, -s * self.2 - c * square),
+            Self(c, -(s * self.1), -(s * self.2) - c * square),
         )
     }
 }

@@ -17,7 +17,13 @@ fn derivatives_of_poses_and_inertias() {
         let poses_0 = poses(&chain, &q);
         let (screws, inertias_0) = (screws(&chain, &poses_0), inertias(&chain, &poses_0));
         for (m, l) in screws.iter().enumerate() {
-            let jets = from_fn(|i| Jet(q[i], if i == m { 1.0 } else { 0.0 }, 0.0));
+            let jets = from_fn(|i| {
+                if i == m {
+                    Jet::moving(q[i])
+                } else {
+                    Jet::still(q[i])
+                }
+            });
             let poses = poses(&chain, &jets);
             let inertias = inertias(&chain, &poses);
             for h in (0..7).filter(|h| chain.carries(m, Some(*h))) {

@@ -3,9 +3,10 @@
 use crate::jet::Jet;
 use crate::sample::{Random, agree, largest};
 use homogen::open_chain::{
-    Motion, bias_acceleration_as_sum, bias_accelerations, joint_actions, motions, poses, screws,
+    Motion, bias_acceleration_as_sum, bias_accelerations, commutator, joint_actions, motions,
+    poses, screws,
 };
-use homogen::{Jacobian, Point, Pose, Real, open_chain};
+use homogen::{Jacobian, Point, Pose, Real, Velocity, open_chain};
 use std::array::from_fn;
 
 fn entries<T: Real>(matrix: &[[T; 4]; 4]) -> Vec<T> {
@@ -23,7 +24,7 @@ fn motions_are_the_derivatives_of_positions() {
         let motions = motions(&chain, &q, &qd, &qdd);
         let point: [f64; 3] = random.numbers();
         for (jet, motion) in jets.iter().zip(&motions) {
-            let moving = *jet * Point(point.map(|x| Jet(x, 0.0, 0.0)));
+            let moving = *jet * Point(point.map(Jet::still));
             let still = motion.pose * Point(point);
             agree(&still.0, &moving.0.map(|x| x.0), 64.0, 10.0);
             let rate = motion.velocity * still;
@@ -92,6 +93,22 @@ fn composition_in_any_frame<T: Real>() {
 fn composition_holds_in_any_frame() {
     composition_in_any_frame::<f64>();
     composition_in_any_frame::<f32>();
+}
+
+/// (W, W') = W W' − W' W, literally.
+#[test]
+fn commutators_are_differences_of_products() {
+    for seed in 0..100 {
+        let mut random = Random::new(seed);
+        let [a, b] = [0; 2].map(|_| Velocity::new(random.numbers::<f64, 3>(), random.numbers()));
+        let product = |x: [[f64; 4]; 4], y: [[f64; 4]; 4]| -> [[f64; 4]; 4] {
+            from_fn(|i| from_fn(|j| (0..4).map(|k| x[i][k] * y[k][j]).sum()))
+        };
+        let [ab, ba] = [(a, b), (b, a)].map(|(x, y)| product(x.to_matrix(), y.to_matrix()));
+        let literal: [[f64; 4]; 4] = from_fn(|i| from_fn(|j| ab[i][j] - ba[i][j]));
+        let ours = commutator(&a, &b).to_matrix();
+        agree(&entries(&ours), &entries(&literal), 8.0, 2.0);
+    }
 }
 
 fn bias_acceleration<T: Real>() {

@@ -16,6 +16,11 @@ fn matrices_that_are_not_rotations() {
     sheared[0][1] = 0.25;
     let refused = Pose::checked(sheared, [0.0; 3], 1e-9);
     assert_eq!(refused, Err(Error::NotRotation { value: 0.25 }));
+    assert!((rotation::defect(&sheared) - 0.25).abs() < 1e-16);
+    assert_eq!(
+        rotation::check(&sheared, 1e-9),
+        Err(Error::NotRotation { value: 0.25 })
+    );
     assert_eq!(
         refused.unwrap_err().to_string(),
         "not a rotation: it fails orthogonality by 2.5e-1"

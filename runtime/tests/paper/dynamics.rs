@@ -106,6 +106,31 @@ fn weight_is_the_action_of_gravity<T: Real>() {
     }
 }
 
+/// H_g, SPACELIB's `gtom`: g in the last column and nothing else, so that every point falls alike; a
+/// tensor like every H, which a translation leaves as it is and a rotation turns with g.
+fn gravity_as_a_matrix<T: Real>() {
+    let mut random = Random::new(82);
+    for m in poses::<T>(82) {
+        let g = times(T::constant(10.0), random.vector());
+        let h_g = Acceleration::gravity(g);
+        let zero = T::constant(0.0);
+        let [x, y, z] = g;
+        let row = |last| [zero, zero, zero, last];
+        assert_eq!(h_g.to_matrix(), [row(x), row(y), row(z), row(zero)]);
+        let p = random.vector();
+        assert_eq!((h_g * Point(p)).0, g);
+        assert_eq!((h_g * Direction(p)).0, [zero; 3]);
+        assert_eq!(Acceleration::from_parts([zero; 3], [zero; 3], g), h_g);
+        let turned = Acceleration::gravity(turn(m.rotation(), g));
+        assert_same(
+            &m.change_frame(&h_g).to_matrix(),
+            &turned.to_matrix(),
+            T::constant(20.0),
+            8.0,
+        );
+    }
+}
+
 fn newton_holds_in_any_frame<T: Real>() {
     for ((j, w, h), m) in states::<T>(75).into_iter().zip(poses::<T>(75)) {
         // (18) and (20), after a change of frame of both sides.
@@ -231,6 +256,7 @@ in_both_precisions! {
     momentum_is_skew_of_velocity_and_inertia
     momentum_as_vectors
     weight_is_the_action_of_gravity
+    gravity_as_a_matrix
     newton_holds_in_any_frame
     kinetic_energy_is_half_the_trace
     coupling_of_two_screws_is_the_trace

@@ -1,9 +1,11 @@
-//! Part II, the recursions over a chain: against closed forms, against each other, and by
-//! differences.
+//! Part II, the recursions over a chain: against closed forms, against each other, and against
+//! derivatives that positions and energies carry along.
 #![cfg(feature = "nalgebra")]
 
 use crate::dense::{assert_same, assert_within, combine, product, size};
+use crate::jet::Jet;
 use crate::sample::Random;
+use homogen::open_chain::{inertias, motions, poses};
 use homogen::robot::{
     Acceleration as _, Bias as _, BodyJacobian as _, ForwardKinematics as _,
     GeometricJacobian as _, Gravity as _, InverseDynamics as _, MassMatrix as _,
@@ -92,6 +94,7 @@ fn kinetic_energy_is_that_of_the_mass_matrix<T: Real + RealField + Copy>() {
     }
 }
 
+/// The potential energy of all bodies, by its derivatives along each coordinate.
 #[test]
 fn gravity_is_the_gradient_of_potential_energy() {
     let mut random = Random::new(213);
@@ -99,18 +102,21 @@ fn gravity_is_the_gradient_of_potential_energy() {
         let chain = tree(&mut random);
         let [q, _, _] = state::<f64>(&mut random);
         let gravity = generic::gravity(&chain, &q);
-        for i in 0..N {
-            let at = |step: f64| {
-                let mut q = q;
-                q[i] += step;
-                generic::potential_energy(&chain, &q)
-            };
-            let slope = (at(1e-4) - at(-1e-4)) / 2e-4;
-            assert!(
-                (slope - gravity[i]).abs() < 1e-5,
-                "{slope} is not {}",
-                gravity[i]
-            );
+        let g = chain.gravity.map(Jet::still);
+        let whole = generic::potential_energy(&chain, &q);
+        for (i, torque) in gravity.into_iter().enumerate() {
+            let along = std::array::from_fn(|k| {
+                if k == i {
+                    Jet::moving(q[k])
+                } else {
+                    Jet::still(q[k])
+                }
+            });
+            let bodies = inertias(&chain, &poses(&chain, &along));
+            let energy = bodies
+                .iter()
+                .fold(Jet::still(0.0), |sum, j| sum + j.potential_energy(g));
+            assert_within([energy.0, energy.1], [whole, torque], 100.0, 32.0);
         }
     }
 }
@@ -122,18 +128,20 @@ fn torques_do_the_work_that_energy_gains() {
     for _ in 0..20 {
         let chain = tree(&mut random);
         let [q, qd, qdd] = state::<f64>(&mut random);
-        let at = |t: f64| {
-            let q = std::array::from_fn(|i| q[i] + t * qd[i] + 0.5 * t * t * qdd[i]);
-            let qd = std::array::from_fn(|i| qd[i] + t * qdd[i]);
-            generic::kinetic_energy(&chain, &q, &qd) + generic::potential_energy(&chain, &q)
-        };
-        let slope = (at(1e-4) - at(-1e-4)) / 2e-4;
+        let along = std::array::from_fn(|i| Jet(q[i], qd[i], qdd[i]));
+        let rates = std::array::from_fn(|i| Jet(qd[i], qdd[i], 0.0));
+        let motions = motions(&chain, &along, &rates, &[Jet::still(0.0); N]);
+        let bodies = inertias(&chain, &motions.map(|motion| motion.pose));
+        let g = chain.gravity.map(Jet::still);
+        let energies = bodies.iter().zip(&motions);
+        let energy = energies.fold(Jet::still(0.0), |sum, (j, motion)| {
+            sum + j.kinetic_energy(&motion.velocity) + j.potential_energy(g)
+        });
+        let whole =
+            generic::kinetic_energy(&chain, &q, &qd) + generic::potential_energy(&chain, &q);
         let tau = generic::inverse_dynamics(&chain, &q, &qd, &qdd);
         let power: f64 = (0..N).map(|i| tau[i] * qd[i]).sum();
-        assert!(
-            (slope - power).abs() < 1e-4 * (1.0 + power.abs()),
-            "{slope} is not {power}"
-        );
+        assert_within([energy.0, energy.1], [whole, power], 200.0, 32.0);
     }
 }
 
@@ -217,32 +225,26 @@ fn rates_of_the_tip_are_derivatives_of_its_pose() {
     for _ in 0..20 {
         let chain = tree(&mut random);
         let [q, qd, qdd] = state::<f64>(&mut random);
-        let step = 1e-4;
-        let pose = |t: f64| {
-            let q = std::array::from_fn(|i| q[i] + t * qd[i] + 0.5 * t * t * qdd[i]);
-            let m: Pose<f64> = chain.forward_kinematics(&q);
-            m.to_matrix()
-        };
-        let (after, now, before) = (pose(step), pose(0.0), pose(-step));
-        let (w, h) = (chain.velocity(&q, &qd), chain.acceleration(&q, &qd, &qdd));
-        let (wm, hm) = (product(&w.to_matrix(), &now), product(&h.to_matrix(), &now));
-        for i in 0..3 {
-            for j in 0..4 {
-                let first = (after[i][j] - before[i][j]) / (2.0 * step);
-                let second = (after[i][j] - 2.0 * now[i][j] + before[i][j]) / (step * step);
-                let size = 1.0 + hm[i][j].abs();
-                assert!(
-                    (first - wm[i][j]).abs() < 1e-5 * size,
-                    "{first} is not {}",
-                    wm[i][j]
-                );
-                assert!(
-                    (second - hm[i][j]).abs() < 1e-5 * size,
-                    "{second} is not {}",
-                    hm[i][j]
-                );
-            }
-        }
+        let along = std::array::from_fn(|i| Jet(q[i], qd[i], qdd[i]));
+        let body = chain.tip().body.expect("not of the base");
+        let placement = chain.tip().placement;
+        let placement = Pose::new(
+            placement.rotation().map(|row| row.map(Jet::still)),
+            placement.translation().map(Jet::still),
+        );
+        let moving = (poses(&chain, &along)[body] * placement).to_matrix();
+        let part = |part: fn(Jet) -> f64| moving.map(|row| row.map(part));
+        let now = part(|x| x.0);
+        let m = generic::forward_kinematics(&chain, &chain.tip(), &q);
+        assert_same(&m.to_matrix(), &now, 8.0, 8.0);
+        let w = generic::velocity(&chain, &chain.tip(), &q, &qd);
+        assert_same(&product(&w.to_matrix(), &now), &part(|x| x.1), 16.0, 16.0);
+        let h = generic::acceleration(&chain, &chain.tip(), &q, &qd, &qdd);
+        assert_same(&product(&h.to_matrix(), &now), &part(|x| x.2), 64.0, 16.0);
+        assert_eq!(
+            (chain.velocity(&q, &qd), chain.acceleration(&q, &qd, &qdd)),
+            (w, h)
+        );
     }
 }
 

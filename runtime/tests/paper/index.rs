@@ -1,4 +1,9 @@
-//! The page `checklist.md` of the documentation: what it names must exist.
+//! The page `checklist.md` of the documentation: each row is held by tests that call what it names.
+//!
+//! In: the page and the sources of this crate, of its tests and of the programs that use it. Out:
+//! nothing where every row names items that exist, and tests that run and in which, or in what they
+//! call in their own module, each item is used. Whether a test proves what it says it cannot tell: that
+//! is shown by breaking items on purpose, in the list of mutations.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -29,8 +34,23 @@ fn names(cell: &str) -> Vec<&str> {
         .collect()
 }
 
-/// All source text in `folders`, by the name of its file.
-fn sources(folders: &[&str]) -> Vec<(String, String)> {
+/// What a row names here, and what proves it.
+fn items_and_tests(row: &[&'static str]) -> (Vec<&'static str>, Vec<&'static str>) {
+    let [.., items, tests] = row else {
+        panic!("a row of {} cells: {row:?}", row.len());
+    };
+    (names(items), names(tests))
+}
+
+/// A file of Rust.
+struct Source {
+    /// Its name without what follows the point.
+    module: String,
+    text: String,
+}
+
+/// The sources in folders beside `Cargo.toml`.
+fn sources(folders: &[&str]) -> Vec<Source> {
     let files = folders.iter().flat_map(|folder| {
         let folder: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
         fs::read_dir(folder).expect("the folder is there")
@@ -38,21 +58,153 @@ fn sources(folders: &[&str]) -> Vec<(String, String)> {
     files
         .filter_map(|entry| {
             let path = entry.expect("readable").path();
-            let stem = path.file_stem()?.to_str()?.to_owned();
+            let module = path.file_stem()?.to_str()?.to_owned();
             let text = fs::read_to_string(&path).ok()?;
-            (path.extension()? == "rs").then_some((stem, text))
+            (path.extension()? == "rs").then_some(Source { module, text })
         })
         .collect()
 }
 
-fn declares(text: &str, kinds: &[&str], name: &str) -> bool {
-    kinds.iter().any(|kind| {
-        let head = format!("{kind} {name}");
-        text.match_indices(&head).any(|(at, _)| {
-            let next = text[at + head.len()..].chars().next();
-            next.is_none_or(|c| !c.is_alphanumeric() && c != '_')
+/// Where the tests of a name are, which begins with that of a package unless it is this one.
+fn place_of(test: &str) -> (&'static [&'static str], &str) {
+    match test.split_once("::") {
+        Some(("examples", rest)) => (&["../examples/src/bin", "../examples/tests"], rest),
+        Some(("engine", rest)) => (&["../tests/tests/names"], rest),
+        _ => (&["tests/paper", "tests/chains"], test),
+    }
+}
+
+/// The file and the function of a test.
+fn find(test: &str) -> (Source, &str) {
+    let (folders, rest) = place_of(test);
+    let (module, function) = rest.split_once("::").expect("module::function");
+    let sources = sources(folders);
+    // A file that no `main` names is not compiled; programs are files of their own.
+    let mut roots = sources.iter().filter(|source| source.module == "main");
+    let is_compiled = test.starts_with("examples::")
+        || roots.any(|root| declares(&root.text, &["mod"], &format!("{module};")));
+    let found = sources.into_iter().find(|s| s.module == module);
+    let source = found.filter(|_| is_compiled);
+    (
+        source.unwrap_or_else(|| panic!("`{test}`: there is no module of that name")),
+        function,
+    )
+}
+
+/// Where a word stands in a text, neither as part of a longer one.
+fn words<'t>(text: &'t str, word: &'t str) -> impl Iterator<Item = usize> + 't {
+    let joins = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(word)
+        .map(|(at, _)| at)
+        .filter(move |at| {
+            let before = text[..*at].chars().next_back();
+            let after = text[at + word.len()..].chars().next();
+            !before.is_some_and(joins) && !after.is_some_and(joins)
         })
+}
+
+fn declares(text: &str, kinds: &[&str], name: &str) -> bool {
+    kinds
+        .iter()
+        .any(|kind| words(text, &format!("{kind} {name}")).next().is_some())
+}
+
+impl Source {
+    /// The lines of a function, comments left out: as rustfmt has it, to the brace below its head.
+    fn body(&self, function: &str) -> Option<String> {
+        let is_head = |line: &&str| {
+            let head = line.trim_start().trim_start_matches("pub ");
+            let head = head.trim_start_matches("const ");
+            head.starts_with("fn ") && words(head, function).next() == Some(3)
+        };
+        let mut lines = self.text.lines().skip_while(|line| !is_head(line));
+        let head = lines.next()?;
+        let indent = &head[..head.len() - head.trim_start().len()];
+        let end = format!("{indent}}}");
+        let code = lines
+            .take_while(|line| *line != end)
+            .filter(|line| !line.trim_start().starts_with("//"));
+        Some(code.collect::<Vec<_>>().join("\n"))
+    }
+
+    /// The functions that are declared here.
+    fn functions(&self) -> BTreeSet<&str> {
+        let heads = self.text.split("fn ").skip(1);
+        let name = |head: &'_ str| {
+            head.find(|c: char| !c.is_alphanumeric() && c != '_')
+                .map_or(0, |end| end)
+        };
+        heads
+            .map(|head| &head[..name(head)])
+            .filter(|name| !name.is_empty())
+            .collect()
+    }
+
+    /// All that runs where a function does, as far as it stands in this file.
+    fn reach(&self, function: &str) -> Option<String> {
+        let mut all = self.body(function)?;
+        let mut reached = BTreeSet::from([function]);
+        loop {
+            let next = self
+                .functions()
+                .into_iter()
+                .find(|name| !reached.contains(name) && calls(&all, name));
+            let Some(name) = next else {
+                return Some(all);
+            };
+            reached.insert(name);
+            all += &self.body(name).unwrap_or_default();
+        }
+    }
+
+    /// Whether code calls a function of a program, whose tests stand at its end.
+    fn runs_the_program(&self, code: &str) -> bool {
+        let program = Self {
+            module: self.module.clone(),
+            text: self
+                .text
+                .split("mod tests {")
+                .next()
+                .unwrap_or("")
+                .to_owned(),
+        };
+        let mut functions = program.functions().into_iter();
+        functions.any(|name| calls(code, name) || code.contains(&format!(".{name}(")))
+    }
+
+    /// Whether cargo runs a test of that name.
+    fn runs(&self, function: &str) -> bool {
+        let listed = self.text.split("in_both_precisions! {").nth(1);
+        let listed = listed.is_some_and(|list| list.split_whitespace().any(|w| w == function));
+        let marked = ["", "_f32", "_f64"].iter().any(|suffix| {
+            let heads = ["fn", "    fn"].map(|fun| format!("#[test]\n{fun} {function}{suffix}()"));
+            heads.iter().any(|head| self.text.contains(head))
+        });
+        listed || marked
+    }
+}
+
+/// Whether a text calls a function, or names it as a value behind a path.
+fn calls(text: &str, name: &str) -> bool {
+    words(text, name).any(|at| {
+        let behind = &text[at + name.len()..];
+        behind.starts_with('(') || behind.starts_with("::<") || text[..at].ends_with("::")
     })
+}
+
+/// Whether code uses an item: a type by its name, a function or method by a call. What the module calls by
+/// the same name itself has to be told apart by a path.
+fn uses(source: &Source, code: &str, item: &str) -> bool {
+    let name = item.rsplit("::").next().unwrap_or(item);
+    if name.starts_with(char::is_uppercase) {
+        return words(code, name).next().is_some();
+    }
+    if source.functions().contains(name) {
+        let parts: Vec<&str> = item.split("::").collect();
+        let path = parts[parts.len().saturating_sub(2)..].join("::");
+        return calls(code, &path) || code.contains(&format!(".{name}("));
+    }
+    calls(code, name)
 }
 
 #[test]
@@ -60,37 +212,39 @@ fn every_row_names_an_item_and_a_test() {
     let rows = rows();
     assert!(rows.len() > 100, "only {} rows", rows.len());
     for row in rows {
-        let [.., item, tests] = row.as_slice() else {
-            panic!("a row of {} cells: {row:?}", row.len());
-        };
-        assert!(!item.is_empty() && !names(tests).is_empty(), "{row:?}");
+        let (_, tests) = items_and_tests(&row);
+        let item = row[row.len() - 2];
+        assert!(!item.is_empty() && !tests.is_empty(), "{row:?}");
     }
 }
 
 #[test]
 fn every_item_exists() {
     let sources = sources(&["src", "src/worked_examples"]);
-    let all: String = sources.iter().map(|(_, text)| text.as_str()).collect();
+    let programs = self::sources(&["../examples/src/bin"]);
+    let all: String = sources.iter().map(|source| source.text.as_str()).collect();
+    let types = ["pub struct", "pub enum", "pub trait", "pub mod"];
+    let functions = ["pub fn", "pub const fn"];
     for row in rows() {
-        for name in names(row[row.len() - 2]) {
+        for name in items_and_tests(&row).0 {
             let parts: Vec<&str> = name.split("::").collect();
-            let types = ["pub struct", "pub enum", "pub trait", "pub mod"];
-            let functions = ["pub fn", "pub const fn"];
             let found = match parts.as_slice() {
                 [single] => declares(&all, &types, single),
+                ["examples", program] => programs.iter().any(|source| source.module == *program),
                 [.., owner, item] if owner.starts_with(char::is_uppercase) => {
                     // A method: in a file that implements its type.
                     declares(&all, &types, owner)
-                        && sources.iter().any(|(_, text)| {
-                            [" {owner}<T> {", " {owner}<N, F> {"]
+                        && sources.iter().any(|source| {
+                            [" {owner}<T> {", " {owner}<N, F> {", "impl {owner} {"]
                                 .iter()
-                                .any(|head| text.contains(&head.replace("{owner}", owner)))
-                                && declares(text, &functions, item)
+                                .any(|head| source.text.contains(&head.replace("{owner}", owner)))
+                                && declares(&source.text, &functions, item)
                         })
                 }
-                [module, item] => sources.iter().any(|(stem, text)| {
-                    stem == module
-                        && (declares(text, &functions, item) || declares(text, &types, item))
+                [module, item] => sources.iter().any(|source| {
+                    source.module == *module
+                        && (declares(&source.text, &functions, item)
+                            || declares(&source.text, &types, item))
                 }),
                 _ => false,
             };
@@ -100,30 +254,29 @@ fn every_item_exists() {
 }
 
 #[test]
-fn every_test_exists() {
-    let sources = sources(&["tests/paper", "tests/chains"]);
+fn every_test_runs_and_uses_what_its_row_names() {
+    let mut wrong = Vec::new();
     for row in rows() {
-        for name in names(row[row.len() - 1]) {
-            let (module, function) = name.split_once("::").expect("module::function");
-            let text = sources
-                .iter()
-                .find(|(stem, _)| stem == module)
-                .map(|(_, text)| text);
-            let text = text.unwrap_or_else(|| panic!("no module `{module}` of tests"));
-            let listed = text
-                .split("in_both_precisions! {")
-                .nth(1)
-                .is_some_and(|list| list.split_whitespace().any(|word| word == function));
-            let single = ["", "_f32", "_f64"]
-                .iter()
-                .any(|suffix| text.contains(&format!("#[test]\nfn {function}{suffix}()")));
-            assert!(
-                declares(text, &["fn"], function) || single,
-                "`{name}` does not exist"
-            );
-            assert!(listed || single, "`{name}` is never run");
+        let (items, tests) = items_and_tests(&row);
+        let mut unused: BTreeSet<&str> = items.into_iter().collect();
+        for test in tests {
+            let (source, function) = find(test);
+            let suffixed = ["", "_f64"].map(|suffix| format!("{function}{suffix}"));
+            let code = suffixed.iter().find_map(|name| source.reach(name));
+            let Some(code) = code.filter(|_| source.runs(function)) else {
+                wrong.push(format!("`{test}` is never run"));
+                continue;
+            };
+            unused.retain(|item| match item.strip_prefix("examples::") {
+                Some(program) => source.module != program || !source.runs_the_program(&code),
+                None => !uses(&source, &code, item),
+            });
+        }
+        for item in unused {
+            wrong.push(format!("`{item}` is used by no test of the row {}", row[0]));
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// The other way round: a property that nobody finds from the table is as good as lost.
@@ -131,10 +284,10 @@ fn every_test_exists() {
 fn every_test_is_in_the_table() {
     let named: BTreeSet<String> = rows()
         .iter()
-        .flat_map(|row| names(row[row.len() - 1]))
+        .flat_map(|row| items_and_tests(row).1)
         .map(str::to_owned)
         .collect();
-    for (module, text) in sources(&["tests/paper"]) {
+    for Source { module, text } in sources(&["tests/paper"]) {
         let Some(list) = text.split("in_both_precisions! {\n").nth(1) else {
             continue;
         };

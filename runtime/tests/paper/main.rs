@@ -33,8 +33,11 @@ mod generic;
 mod geometry;
 mod index;
 mod inertia;
+#[path = "../chains/jet.rs"]
+mod jet;
 mod kinematics;
 mod logarithm;
+mod nearest;
 mod newton_euler;
 mod normalize;
 mod particles;
@@ -45,4 +48,5 @@ mod screw;
 mod serialization;
 #[cfg(feature = "approx")]
 mod tolerance;
+mod translation;
 mod vector;

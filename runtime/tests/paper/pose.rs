@@ -12,9 +12,11 @@ fn points_change_frame<T: Real>() {
         let scale = size_of(&m.to_matrix());
         let literal = apply(&m.to_matrix(), point.to_homogeneous());
         assert_within((m * point).to_homogeneous(), literal, scale, 8.0);
+        assert_eq!(m.change_frame(&point), m * point);
         let literal = apply(&m.to_matrix(), direction.to_homogeneous());
         assert_within((m * direction).to_homogeneous(), literal, scale, 8.0);
         assert_eq!((m * direction).to_homogeneous()[3], T::constant(0.0));
+        assert_eq!(m.change_frame(&direction), m * direction);
     }
 }
 
@@ -104,6 +106,8 @@ fn a_displacement_in_its_own_frame_is_the_relative_pose<T: Real>() {
                 scale,
                 64.0,
             );
+            let back = m.change_frame(&Displacement::from_relative_pose(m_1_2));
+            assert_same(&back.to_matrix(), &q_in_0.to_matrix(), scale, 64.0);
         }
     }
 }

@@ -3,13 +3,13 @@
 use crate::dense::{
     Dense, assert_same, assert_within, combine, product, size_of, transpose, unit_roundoff,
 };
+use crate::jet::Jet;
 use crate::sample::{Random, angles, units};
 use homogen::vector::{
     add, identity, matrix_product, matrix_scale, matrix_sum, outer, product as turn, scale, sub,
     underscore,
 };
-use homogen::{Action, Inertia, Jacobian, Point, Pose, Real, Scalar, Screw, Velocity, rotation};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use homogen::{Action, Inertia, Jacobian, Point, Pose, Real, Screw, Velocity, rotation};
 
 /// Revolute, prismatic and screw pairs in all directions.
 fn screws<T: Real>(seed: u64) -> Vec<Screw<T>> {
@@ -43,6 +43,20 @@ fn coordinates_are_axis_point_and_pitch<T: Real>() {
             scale(pitch, u),
         );
         assert_within(l.b(), b, T::constant(2.0), 4.0);
+        // (u̲, −u̲ p_ax) of a hinge there, which leaves its axis where it is, and (0, u) of a slide.
+        let hinge = Screw::revolute(u, point);
+        assert_eq!(hinge.u(), u);
+        let on_axis = add(point, scale(pitch, u));
+        assert_within(
+            (hinge * Point(on_axis)).0,
+            [T::constant(0.0); 3],
+            T::constant(4.0),
+            8.0,
+        );
+        let b = turn(&underscore(u), point).map(|x| -x);
+        assert_within(hinge.b(), b, T::constant(2.0), 2.0);
+        let slide = Screw::prismatic(u);
+        assert_eq!((slide.u(), slide.b()), ([T::constant(0.0); 3], u));
         // Points of the axis move along it only.
         assert_within((l * Point(point)).0, scale(pitch, u), T::constant(4.0), 8.0);
     }
@@ -83,6 +97,8 @@ fn rotation_and_translation_of_a_finite_motion<T: Real>() {
             );
             let flat = |x: &[[T; 3]; 3]| x.as_flattened().to_vec();
             assert_within(flat(q.rotation()), flat(&literal), T::constant(1.0), 12.0);
+            let r = rotation::from_axis_angle(u, phi);
+            assert_within(flat(&r), flat(&literal), T::constant(1.0), 12.0);
             let moved = sub(point, turn(q.rotation(), point));
             let t = add(moved, scale(pitch * phi, u));
             assert_within(q.translation(), t, T::constant(4.0).max(phi.abs()), 16.0);
@@ -118,101 +134,29 @@ fn motions_along_one_screw_add<T: Real>() {
     }
 }
 
+/// The same screw, for numbers that carry derivatives.
+fn still<T: Real>(l: &Screw<T>) -> Screw<Jet<T>> {
+    Screw::new(l.u().map(Jet::still), l.b().map(Jet::still))
+}
+
+/// dQ/dφ = L Q, d²Q/dφ² = L² Q and dP/dφ = L P at every φ.
 fn derivative_of_a_finite_motion<T: Real>() {
-    for l in screws::<T>(94) {
-        for phi in [0.0, 0.5, -2.0, 3.1] {
-            // dP/dφ = L P at every φ, by a central difference of second order.
-            let phi = T::constant(phi);
-            let step = T::EPSILON.sqrt().sqrt();
-            let p = Point([0.3, -0.8, 0.5].map(T::constant));
-            let (after, before) = (l.exp(phi + step) * p, l.exp(phi - step) * p);
-            let slope = (after - before).scaled(T::constant(0.5) / step);
-            let expected = l * (l.exp(phi) * p);
-            let size = T::constant(8.0);
-            let tolerance = T::constant(4.0) * step * step;
-            for (a, b) in slope.0.into_iter().zip(expected.0) {
-                assert!((a - b).abs() <= tolerance * size, "{a} is not {b}");
-            }
-        }
-    }
-}
-
-/// A dual number a + b ε, ε² = 0: b is the derivative. A scalar that this crate has never heard of.
-#[derive(Clone, Copy)]
-struct Dual<T>(T, T);
-
-impl<T: Real> Add for Dual<T> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0, self.1 + other.1)
-    }
-}
-
-impl<T: Real> Sub for Dual<T> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        Self(self.0 - other.0, self.1 - other.1)
-    }
-}
-
-impl<T: Real> Mul for Dual<T> {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        Self(self.0 * other.0, self.0 * other.1 + self.1 * other.0)
-    }
-}
-
-impl<T: Real> Div for Dual<T> {
-    type Output = Self;
-
-    fn div(self, other: Self) -> Self {
-        let quotient = self.0 / other.0;
-        Self(quotient, (self.1 - quotient * other.1) / other.0)
-    }
-}
-
-impl<T: Real> Neg for Dual<T> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self(-self.0, -self.1)
-    }
-}
-
-impl<T: Real> Scalar for Dual<T> {
-    fn constant(value: f64) -> Self {
-        Self(T::constant(value), T::constant(0.0))
-    }
-
-    fn mul_add(self, factor: Self, term: Self) -> Self {
-        self * factor + term
-    }
-
-    fn sqrt(self) -> Self {
-        let root = self.0.sqrt();
-        Self(root, self.1 / (root + root))
-    }
-
-    fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = self.0.sin_cos();
-        (Self(sine, cosine * self.1), Self(cosine, -(sine * self.1)))
-    }
-}
-
-fn derivative_by_dual_numbers<T: Real>() {
+    let mut random = Random::new(98);
     for l in screws::<T>(98) {
         for phi in angles::<T>() {
-            // dQ/dφ = L Q, exactly this time.
-            let constant = |x: T| Dual(x, T::constant(0.0));
-            let dual = Screw::new(l.u().map(constant), l.b().map(constant));
-            let q = dual.exp(Dual(phi, T::constant(1.0))).to_matrix();
-            let (value, slope) = (q.map(|r| r.map(|x| x.0)), q.map(|r| r.map(|x| x.1)));
+            let moving = still(&l).exp(Jet::moving(phi));
+            let part = |part: fn(Jet<T>) -> T| moving.to_matrix().map(|row| row.map(part));
+            let (value, slope, second) = (part(|x| x.0), part(|x| x.1), part(|x| x.2));
             let scale = T::constant(4.0).max(phi.abs());
             assert_same(&value, &l.exp(phi).to_matrix(), scale, 2.0);
-            assert_same(&slope, &product(&l.to_matrix(), &value), scale, 24.0);
+            let lq = product(&l.to_matrix(), &value);
+            assert_same(&slope, &lq, scale, 24.0);
+            assert_same(&second, &product(&l.to_matrix(), &lq), scale, 48.0);
+            let p = random.vector();
+            let path = moving * Point(p.map(Jet::still));
+            let found = l.derivative(l.exp(phi) * Point(p));
+            assert_within(found.0, path.0.map(|x| x.1), scale, 48.0);
+            assert_eq!(found, l * (l.exp(phi) * Point(p)));
         }
     }
 }
@@ -221,23 +165,22 @@ fn derivatives_of_pose_and_inertia_along_a_screw<T: Real>() {
     let mut random = Random::new(99);
     for l in screws::<T>(99) {
         // Part II: ∂M/∂q = L M and ∂J/∂q = L J + J Lᵗ, for what the joint carries.
-        let constant = |x: T| Dual(x, T::constant(0.0));
         let (m, j) = (random.pose::<T>(), random.inertia::<T>());
-        let step = Screw::new(l.u().map(constant), l.b().map(constant))
-            .exp(Dual(T::constant(0.0), T::constant(1.0)))
+        let step = still(&l)
+            .exp(Jet::moving(T::constant(0.0)))
             .to_relative_pose();
-        let dual_m = Pose::new(
-            m.rotation().map(|row| row.map(constant)),
-            m.translation().map(constant),
+        let still_m = Pose::new(
+            m.rotation().map(|row| row.map(Jet::still)),
+            m.translation().map(Jet::still),
         );
         let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = j.second_moments();
-        let moments = [xx, yy, zz, xy, xz, yz].map(constant);
-        let dual_j = Inertia::new(moments, j.q().map(constant), constant(j.mass()));
-        let slope = |x: Dense<Dual<T>>| x.map(|row| row.map(|x| x.1));
+        let moments = [xx, yy, zz, xy, xz, yz].map(Jet::still);
+        let still_j = Inertia::new(moments, j.q().map(Jet::still), Jet::still(j.mass()));
+        let slope = |x: Dense<Jet<T>>| x.map(|row| row.map(|x| x.1));
         let (dense_l, dense_m, dense_j) = (l.to_matrix(), m.to_matrix(), j.to_matrix());
         let literal = product(&dense_l, &dense_m);
         assert_same(
-            &slope((step * dual_m).to_matrix()),
+            &slope((step * still_m).to_matrix()),
             &literal,
             T::constant(4.0),
             4.0,
@@ -246,7 +189,7 @@ fn derivatives_of_pose_and_inertia_along_a_screw<T: Real>() {
         let literal = combine(1.0, &left, 1.0, &transpose(&left));
         let scale = T::constant(4.0) * size_of(&dense_j);
         assert_same(
-            &slope(step.change_frame(&dual_j).to_matrix()),
+            &slope(step.change_frame(&still_j).to_matrix()),
             &literal,
             scale,
             8.0,
@@ -388,7 +331,6 @@ in_both_precisions! {
     rotation_and_translation_of_a_finite_motion
     motions_along_one_screw_add
     derivative_of_a_finite_motion
-    derivative_by_dual_numbers
     derivatives_of_pose_and_inertia_along_a_screw
     rates_along_a_screw
     pseudo_scalar_product_is_power_at_unit_rate

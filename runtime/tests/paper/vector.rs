@@ -2,11 +2,11 @@
 
 use crate::dense::assert_within;
 use crate::sample::{Random, units};
-use homogen::Real;
 use homogen::vector::{
     add, axial, cross, dot, matrix_product, matrix_scale, matrix_sum, negate, norm, outer, product,
     scale, sub, transpose, underscore, unit,
 };
+use homogen::{Direction, Pose, Real};
 
 fn underscore_is_cross_product<T: Real>() {
     let mut random = Random::new(1);
@@ -73,7 +73,7 @@ fn powers_of_unit_underscore_alternate<T: Real>() {
 fn vectors_change_frame_by_rotation<T: Real>() {
     let mut random = Random::new(4);
     for _ in 0..100 {
-        let (r, v) = (random.rotation::<T>(), random.vector());
+        let (r, v, t) = (random.rotation::<T>(), random.vector(), random.vector());
         let literal = matrix_product(&matrix_product(&r, &underscore(v)), &transpose(&r));
         let expected = underscore(product(&r, v));
         assert_within(
@@ -82,6 +82,9 @@ fn vectors_change_frame_by_rotation<T: Real>() {
             T::constant(2.0),
             16.0,
         );
+        // The same of typed vectors, which have no place.
+        let seen = Pose::new(r, t) * Direction(v);
+        assert_within(seen.0, axial(&literal), T::constant(2.0), 16.0);
     }
 }
 

@@ -1,12 +1,17 @@
 //! Angles of many turns, and sums of angles.
 
 use homogen_codegen::Function;
-use homogen_codegen::expression::{Evaluation, Expr, Graph, Input};
-use homogen_codegen::schedule::schedule;
+use homogen_codegen::chain::frames::Layout;
+use homogen_codegen::expand::program_by;
+use homogen_codegen::formulation::Angles;
+use homogen_codegen::model::Way;
+use homogen_codegen::schedule::{Operand, Program};
 use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
 use homogen_tests::metrics;
+use homogen_tests::oracle::link_frames;
 use homogen_tests::states::Random;
+use homogen_tests::subjects::subject;
 use homogen_tests::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
 use crate::case::{Case, Metric, judge};
@@ -88,68 +93,80 @@ fn check_sines<T: Tested>(angle: f64, sine: &Big, cosine: &Big) {
     assert!(worst <= 2.0, "{angle:e} in {}: {worst} ulp", T::NAME);
 }
 
-/// sin(q₂ + q₃) and cos(q₂ + q₃) by the sum of the angles and by products, where the angles nearly cancel at
-/// up to 10⁶ rad. The sum is rounded before it is turned, so that its sine is off by u|q₂ + q₃| and no more,
-/// since what cancels is exact; products are off by a few u at any angle.
+/// A pose by the code that the generator makes where it may sum the angles of parallel axes, and by the
+/// code that turns by one after the other, where two angles nearly cancel at up to 10⁶ rad. The sum is
+/// rounded before it is turned, once an angle after the first, so that rotations are off by 2 u of the
+/// angles and no more, since what cancels is exact; products are off by a few u at any angle.
 #[test]
 fn merged_angle() {
-    let graph = Graph::new();
-    let [a, b] = [0, 1].map(|k| graph.input(Input::Q(k)));
-    let merged = (a + b).sin_cos();
-    let ((sine_a, cosine_a), (sine_b, cosine_b)) = (a.sin_cos(), b.sin_cos());
-    let products = (
-        sine_a * cosine_b + cosine_a * sine_b,
-        cosine_a * cosine_b - sine_a * sine_b,
-    );
-    let [merged, products] = [merged, products].map(|(sine, cosine)| [sine.expr(), cosine.expr()]);
-    let truth = Evaluation::of(&graph, &merged);
-    let mut worst = [[0.0_f64; 2]; 5];
-    let mut random = Random::new(24);
-    for k in 0..1200 {
-        let angle = single(match k % 3 {
-            0 => 4.0 * random.unit(),
-            1 => of_size(&mut random, 0.0, 6.0),
-            _ => 1e6 * random.unit(),
-        });
-        let other = match k % 4 {
-            0 => single(1e-9 - angle),
-            1 => single(of_size(&mut random, -9.0, -3.0) - angle),
-            _ => single(4.0 * random.unit()),
+    // The turns before the parallel axes, how many these are, and how long the arm is [m].
+    for (label, before, parallel, reach) in [("planar/2", 0, 2, 2.0), ("ur5_class/0", 1, 3, 1.3)] {
+        let chain = subject(label).chain();
+        let joints = chain.joints.len();
+        let made = |angles| {
+            let way = Way {
+                angles,
+                ..Way::PLAIN
+            };
+            program_by(&chain, &[ForwardKinematics], 0, Layout::DESCRIBED, way)
         };
-        let q = vec![angle, other];
-        let arguments = Arguments {
-            q,
-            ..Arguments::default()
+        let (merged, products) = (made(Angles::Merged), made(Angles::Apart));
+        // One turns by sums, the other by coordinates alone.
+        let sums = |program: &Program| {
+            let sums = |angle: &&Operand| matches!(angle, Operand::Step(_));
+            program.angles.iter().filter(sums).count()
         };
-        let truth: Vec<Big> = truth.at(|input| Big::new(arguments.at(input)));
-        let size = angle.abs().max(other.abs()).max(1.0);
-        let errors = [
-            absolute::<F64>(&graph, [&merged, &products], &arguments, &truth),
-            absolute::<F32>(&graph, [&merged, &products], &arguments, &truth),
-            absolute::<Flushed>(&graph, [&merged, &products], &arguments, &truth),
-            absolute::<Fused32>(&graph, [&merged, &products], &arguments, &truth),
-            absolute::<Fused64>(&graph, [&merged, &products], &arguments, &truth),
-        ];
-        for (worst, [merged, products]) in worst.iter_mut().zip(errors) {
-            *worst = [worst[0].max(merged / size), worst[1].max(products)];
+        assert_eq!((sums(&merged), sums(&products)), (parallel - 1, 0));
+        let truth = link_frames::reference(&chain, ForwardKinematics, 0);
+        let mut worst = [[0.0_f64; 2]; 5];
+        let mut random = Random::new(24);
+        for k in 0..1200 {
+            let mut arguments = Arguments::random(joints, &mut random);
+            let turns = &mut arguments.q[before..before + parallel];
+            turns[0] = single(match k % 3 {
+                0 => 4.0 * random.unit(),
+                1 => of_size(&mut random, 0.0, 6.0),
+                _ => 1e6 * random.unit(),
+            });
+            turns[1] = match k % 4 {
+                0 => single(1e-9 - turns[0]),
+                1 => single(of_size(&mut random, -9.0, -3.0) - turns[0]),
+                _ => single(4.0 * random.unit()),
+            };
+            let size = turns.iter().map(|q| q.abs()).sum::<f64>().max(1.0);
+            let truth = link_frames::evaluate(&truth, &arguments);
+            let errors = [
+                absolute::<F64>([&merged, &products], &arguments, &truth, reach),
+                absolute::<F32>([&merged, &products], &arguments, &truth, reach),
+                absolute::<Flushed>([&merged, &products], &arguments, &truth, reach),
+                absolute::<Fused32>([&merged, &products], &arguments, &truth, reach),
+                absolute::<Fused64>([&merged, &products], &arguments, &truth, reach),
+            ];
+            for (worst, [merged, products]) in worst.iter_mut().zip(errors) {
+                *worst = [worst[0].max(merged / size), worst[1].max(products)];
+            }
         }
-    }
-    println!("merged, by u max(1, |q|), and products, by u: {worst:?}");
-    for [merged, products] in worst {
-        assert!(merged <= 2.0, "{merged} u max(1, |q|)");
-        assert!(products <= 4.0, "{products} u");
+        println!("{label}: merged, by u max(1, Σ|q|), and products, by u: {worst:?}");
+        for [merged, products] in worst {
+            assert!(merged <= 2.0, "{label}: {merged} u max(1, Σ|q|)");
+            assert!(products <= 5.0, "{label}: {products} u");
+        }
     }
 }
 
-/// The largest errors of both forms, in u of 1.
+/// The largest errors of two programs for a pose, in u of 1 for rotations and of the reach \[m\] for
+/// translations.
 fn absolute<T: Tested>(
-    graph: &Graph,
-    forms: [&[Expr; 2]; 2],
+    programs: [&Program; 2],
     arguments: &Arguments,
     truth: &[Big],
+    reach: f64,
 ) -> [f64; 2] {
-    forms.map(|results| {
-        let found = metrics::results::<T>(&schedule(graph, results), arguments);
-        metrics::largest(metrics::scaled::<T>(&found, truth, &[1.0; 2]))
+    let sizes: Vec<f64> = (0..12)
+        .map(|entry| if entry % 4 == 3 { reach } else { 1.0 })
+        .collect();
+    programs.map(|program| {
+        let found = metrics::results::<T>(program, arguments);
+        metrics::largest(metrics::scaled::<T>(&found, truth, &sizes))
     })
 }

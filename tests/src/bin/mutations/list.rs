@@ -3,6 +3,8 @@
 //! Each mutation replaces a text that its file has exactly once; a test of this file holds the list
 //! to that.
 
+mod paper;
+
 use std::fmt;
 
 /// One thing broken.
@@ -31,8 +33,13 @@ pub struct Test {
 const ENGINE: &[&str] = &["--lib"];
 const GEOMETRY: &[&str] = &["--test", "hard_cases_geometry"];
 
-/// All of them, grouped by the crate that is built again.
-pub const MUTATIONS: [Mutation; 32] = [
+/// All of them.
+pub fn all() -> impl Iterator<Item = &'static Mutation> {
+    MUTATIONS.iter().chain(paper::EQUATIONS)
+}
+
+/// Those of the engine and of geometry, grouped by the crate that is built again.
+const MUTATIONS: [Mutation; 32] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
@@ -319,13 +326,13 @@ impl fmt::Display for Test {
 
 #[cfg(test)]
 mod tests {
-    use super::MUTATIONS;
+    use super::all;
     use std::path::Path;
 
     /// So that the list cannot fall behind the sources.
     #[test]
     fn every_mutation_has_its_place() {
-        for mutation in &MUTATIONS {
+        for mutation in all() {
             let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
             let text = std::fs::read_to_string(root.join(mutation.file)).expect("a source");
             let broken = mutation

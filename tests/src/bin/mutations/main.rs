@@ -2,7 +2,7 @@
 //!
 //! `cargo run -p homogen-tests --bin mutations [part of a mutation's name]`
 //!
-//! In: the tracked files of this repository, and [`MUTATIONS`]. Out: a table of what was broken and which
+//! In: the tracked files of this repository, and the mutations of [`all`]. Out: a table of what was broken and which
 //! test noticed; a failure where one did not. It works on a copy in the temporary folder, whose build
 //! is kept for the next time, and never changes the repository.
 
@@ -15,12 +15,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Output};
 
-use list::{MUTATIONS, Mutation, Test};
+use list::{Mutation, Test, all};
 
 fn main() -> ExitCode {
     let wanted = env::args().nth(1).unwrap_or_default();
-    let mutations: Vec<&Mutation> = MUTATIONS
-        .iter()
+    let mutations: Vec<&Mutation> = all()
         .filter(|mutation| mutation.name.contains(&wanted))
         .collect();
     match demonstrate(&mutations) {

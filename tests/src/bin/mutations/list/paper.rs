@@ -1,0 +1,64 @@
+//! Equations of the paper broken in the runtime, and names in generated code.
+//!
+//! In: nothing. Out: mutations, each noticed by a test that the checklist of the runtime names beside the
+//! equation. It never lists what other tests are for.
+
+use super::{Mutation, Test};
+
+/// All of them, in the order of the checklist.
+pub const EQUATIONS: &[Mutation] = &[
+    Mutation {
+        name: "change of frame: the pole moved the other way",
+        file: "runtime/src/tensor.rs",
+        from: "cross(m_r_s.translation(), u)",
+        to: "cross(u, m_r_s.translation())",
+        noticed_by: row("translation::shifted_frames_move_the_pole_alone::f64"),
+    },
+    Mutation {
+        name: "composition: Coriolis' term once",
+        file: "runtime/src/acceleration.rs",
+        from: "let two = T::constant(2.0);",
+        to: "let two = T::constant(1.0);",
+        noticed_by: row("composition::composed_motion::f64"),
+    },
+    Mutation {
+        name: "gravity as a matrix: upwards",
+        file: "runtime/src/acceleration.rs",
+        from: "Self::new([[T::constant(0.0); 3]; 3], g)",
+        to: "Self::new([[T::constant(0.0); 3]; 3], scale(T::constant(-1.0), g))",
+        noticed_by: row("dynamics::gravity_as_a_matrix::f64"),
+    },
+    Mutation {
+        name: "names: the frame of a branch by the number of its joint",
+        file: "codegen/src/model/carry.rs",
+        from: "self.parent.map_or(0, |parent| parent + 1)",
+        to: "self.index",
+        noticed_by: Test {
+            package: "homogen-tests",
+            target: &["--test", "names"],
+            name: "subscripts::names_are_those_of_appendix_b",
+        },
+    },
+    Mutation {
+        name: "angles: axes carried the other way",
+        file: "runtime/src/angles.rs",
+        from: "cross(first, second)",
+        to: "cross(second, first)",
+        noticed_by: row("angles::rates_and_second_rates_are_derivatives::f64"),
+    },
+    Mutation {
+        name: "lines: the distance along, not across",
+        file: "runtime/src/geometry.rs",
+        from: "norm(cross(self.direction, sub(point, self.point)))",
+        to: "dot(self.direction, sub(point, self.point)).abs()",
+        noticed_by: row("nearest::distances_are_the_least_over_parameters::f64"),
+    },
+];
+
+const fn row(name: &'static str) -> Test {
+    Test {
+        package: "homogen",
+        target: &["--test", "paper"],
+        name,
+    }
+}

@@ -1,0 +1,168 @@
+//! Every name in generated code, run and compared.
+//!
+//! In: robots, functions, and ways to lay out frames. Out: nothing where what a program computes under a
+//! name is the entry of the matrix that the name says. It never looks at results: other tests do.
+
+use std::array::from_fn;
+use std::collections::BTreeSet;
+
+use homogen::Direction;
+use homogen_codegen::Function;
+use homogen_codegen::chain::frames::Layout;
+use homogen_codegen::chain::{self, Chain};
+use homogen_codegen::description::read_text;
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::program_by;
+use homogen_codegen::model::{Carried, Way};
+use homogen_codegen::request::Request;
+use homogen_codegen::schedule::{Operand, Program, run};
+use homogen_tests::arguments::Arguments;
+use homogen_tests::robots::PandaClass;
+use homogen_tests::states::Random;
+use homogen_tests::subjects::subject;
+
+use crate::matrices::Matrices;
+
+/// A pivot or a factor of the mass matrix: `d_3` and `l_3_2`, which are no matrices of the paper.
+fn is_of_the_factors(name: &str) -> bool {
+    let name = name.strip_prefix("minus_").unwrap_or(name);
+    let rest = name.strip_prefix("d_").or(name.strip_prefix("l_"));
+    rest.is_some_and(|rest| rest.split('_').all(|part| part.parse::<u16>().is_ok()))
+}
+
+/// The state at which a function's H is: it may know neither rates nor second rates.
+fn seen_by(function: Function, state: &Arguments) -> Arguments {
+    let rest = vec![0.0; state.q.len()];
+    let mut state = state.clone();
+    match function {
+        Function::Gravity => {
+            state.qd.clone_from(&rest);
+            state.qdd = rest;
+        }
+        Function::Bias | Function::ForwardDynamics => state.qdd = rest,
+        _ => {}
+    }
+    state
+}
+
+/// Runs a program and holds every name in it to the matrices; returns what letters it met.
+fn hold(what: &str, program: &Program, matrices: &Matrices, state: &Arguments) -> BTreeSet<String> {
+    let labelled: Vec<(u32, &str)> = (0..)
+        .zip(&program.steps)
+        .filter_map(|(k, step)| Some((k, step.label.as_deref()?)))
+        .collect();
+    let probe = Program {
+        results: labelled.iter().map(|(k, _)| Operand::Step(*k)).collect(),
+        ..program.clone()
+    };
+    let found = run(&probe, |input| state.at(input));
+    let mut met = BTreeSet::new();
+    for ((_, name), found) in labelled.into_iter().zip(found) {
+        if is_of_the_factors(name) {
+            continue;
+        }
+        let known = matrices.named(name);
+        let known = known.unwrap_or_else(|| panic!("{what}: `{name}` is no entry of a matrix"));
+        let fits = known
+            .iter()
+            .any(|known| (found - known).abs() <= 1e-11 * known.abs().max(1.0));
+        assert!(fits, "{what}: `{name}` is {found}, not one of {known:?}");
+        met.extend(
+            name.strip_prefix("minus_")
+                .unwrap_or(name)
+                .split('_')
+                .next()
+                .map(str::to_owned),
+        );
+    }
+    met
+}
+
+/// Axes across each other, a slide and a screw.
+const OBLIQUE: &str = "convention modified
+joint kind      pitch a    alpha d    theta mass cx   cy   cz   ixx  ixy   ixz   iyy  iyz   izz
+one   revolute  -     0    0.3   0.2  0.4   1.5  0.1  0.2  0.1  0.03 0.001 0.002 0.04 0.003 0.05
+two   prismatic -     0.3  1.1   0.1  -0.7  0.8  0.1  -0.1 0.3  0.02 0.001 0.002 0.03 0.001 0.02
+three screw     0.05  -0.2 -0.6  0    1.9   0.6  -0.1 0.1  0.2  0.01 0.001 0.001 0.02 0.001 0.02
+four  revolute  -     0.1  0.9   -0.3 0.2   0.4  0.05 0.02 0.03 0.01 0.001 0.001 0.01 0.001 0.01
+hand  fixed     -     0.1  0.4   0.2  0.1   -    -    -    -    -    -     -     -    -     -
+";
+
+fn robots() -> Vec<(&'static str, Chain)> {
+    let mut errors = Errors::new();
+    let oblique = read_text(OBLIQUE, "oblique.dh", None, &mut errors).expect("a table");
+    let oblique = chain::build(&oblique, &Request::default()).unwrap_or_else(|e| panic!("{e}"));
+    let shipped = [
+        "panda_class/0",
+        "scara/0",
+        "stanford_general/0",
+        "quadruped/0",
+    ];
+    let shipped = shipped.map(|label| (label, subject(label).chain()));
+    shipped.into_iter().chain([("oblique", oblique)]).collect()
+}
+
+#[test]
+fn names_are_those_of_appendix_b() {
+    let mut random = Random::new(31);
+    let mut met = BTreeSet::new();
+    let normals = Layout {
+        normals: true,
+        ..Layout::DESCRIBED
+    };
+    let regrouped = Layout {
+        regroup: true,
+        ..normals
+    };
+    for (label, chain) in robots() {
+        let state = Arguments::random(chain.joints.len(), &mut random);
+        for function in Function::ALL {
+            let outwards = Way {
+                pose: Carried::Outwards,
+                ..Way::PLAIN
+            };
+            for (form, way) in [
+                ("link", Way::PLAIN),
+                ("outwards", outwards),
+                ("0", Way::IN_FRAME_0),
+            ] {
+                for layout in [Layout::DESCRIBED, normals, regrouped] {
+                    let what = format!("{label}, {}, frames {form}, {layout:?}", function.name());
+                    let program = program_by(&chain, &[function], 0, layout, way);
+                    let matrices = Matrices::at(&chain, layout, &seen_by(function, &state));
+                    met.append(&mut hold(&what, &program, &matrices, &state));
+                }
+            }
+        }
+    }
+    // Each letter was met: no check passed for want of names.
+    let letters = ["h", "j", "l", "m", "phi", "w", "wd"].map(str::to_owned);
+    assert_eq!(met, BTreeSet::from(letters));
+}
+
+/// As described, frame k is the link's own: the names mean what the drawing of the robot shows.
+#[test]
+fn described_frames_are_those_of_the_links() {
+    let mut random = Random::new(32);
+
+    let chain = subject("panda_class/0").chain();
+    let state = Arguments::random(7, &mut random);
+    let matrices = Matrices::at(&chain, Layout::DESCRIBED, &state);
+    let at = |of: &[f64]| -> [f64; 7] { from_fn(|k| of[k]) };
+    let (q, qd, qdd) = (at(&state.q), at(&state.qd), at(&state.qdd));
+    let known = homogen::open_chain::motions(&PandaClass::chain(), &q, &qd, &qdd);
+    for (k, known) in known.iter().enumerate() {
+        let frame = known.pose.to_matrix();
+        let same = |a: [[f64; 4]; 4], b: [[f64; 4]; 4]| {
+            let pairs = a.as_flattened().iter().zip(b.as_flattened());
+            assert!(
+                pairs.clone().all(|(a, b)| (a - b).abs() < 1e-11),
+                "{k}: {a:?} {b:?}"
+            );
+        };
+        same(matrices.m[k].to_matrix(), frame);
+        same(matrices.w[k].to_matrix(), known.velocity.to_matrix());
+        same(matrices.h[0][k].to_matrix(), known.acceleration.to_matrix());
+    }
+    assert!(known[6].pose * Direction([0.0, 0.0, 1.0]) != Direction([0.0, 0.0, 1.0]));
+}

@@ -3,6 +3,7 @@
 //! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
 //! nothing else; emission, evaluation and counting all read it and never look at the graph again.
 
+mod blocks;
 pub mod bound;
 mod fuse;
 mod order;
@@ -10,6 +11,7 @@ mod price;
 mod run;
 mod signs;
 
+pub use blocks::{Block, LONGEST_SCOPE, Part, nested};
 pub use order::{schedule, schedule_unfused};
 pub use price::Price;
 pub use run::run;

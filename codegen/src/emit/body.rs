@@ -1,15 +1,16 @@
 //! From a program to statements.
 //!
-//! In: a [`Program`]. Out: one `let` for each operation, and its results as expressions. It never
-//! indexes, branches, or calls anything but sines, cosines, roots and fused products.
+//! In: a [`Program`]. Out: one `let` for each operation, in blocks where there are many, and its
+//! results as expressions. It never indexes, branches, or calls anything but sines, cosines, roots
+//! and fused products.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::dialect::Dialect;
 use super::names::Names;
-use super::scope::{Readable, Scope};
-use crate::schedule::{Operand, Operation, Program, Step};
+use super::scope::{Readable, Scope, block};
+use crate::schedule::{Block, Operand, Operation, Part, Program, Step, nested};
 
 /// The inside of a function.
 pub(super) struct Body {
@@ -27,19 +28,31 @@ pub(super) fn body(
     names: Names,
 ) -> Body {
     let (mut scope, mut statements) = Scope::open(program, readable, dialect, names);
-    let (before, after) = program.steps.split_at(program.before_angles);
-    for step in before {
-        statements.extend(statement(step, dialect, &mut scope));
-    }
+    let [before, after] = nested(program);
+    statements.extend(lets(&before, program, dialect, &mut scope));
     statements.extend(scope.bind_angles(program, dialect));
-    for step in after {
-        statements.extend(statement(step, dialect, &mut scope));
-    }
+    statements.extend(lets(&after, program, dialect, &mut scope));
     let results = program.results.iter();
     Body {
         statements,
         results: results.map(|result| scope.read(*result)).collect(),
     }
+}
+
+/// A scope's statements: a `let` for each step, and one for all that a block hands on.
+fn lets(parts: &[Part], program: &Program, dialect: &Dialect, scope: &mut Scope) -> TokenStream {
+    let mut statements = TokenStream::new();
+    for part in parts {
+        statements.extend(match part {
+            Part::Step(step) => statement(&program.steps[*step as usize], dialect, scope),
+            Part::Block(Block { parts, handed_on }) => {
+                let inside = lets(parts, program, dialect, scope);
+                let names = handed_on.iter().copied().map(Operand::Step);
+                block(&inside, names.map(|step| scope.read(step)))
+            }
+        });
+    }
+    statements
 }
 
 fn statement(step: &Step, dialect: &Dialect, scope: &mut Scope) -> TokenStream {

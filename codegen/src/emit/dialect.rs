@@ -12,6 +12,7 @@ use super::names::Names;
 use super::{Listing, sines};
 use crate::formulation::Sines;
 use crate::request::Real;
+use crate::schedule::LONGEST_SCOPE;
 
 /// What code without the runtime finds and leaves around it.
 #[derive(Clone, Debug, Default)]
@@ -201,9 +202,12 @@ impl Dialect {
     ) -> TokenStream {
         match &self.world {
             _ if angles.is_empty() => TokenStream::new(),
-            World::Runtime(runtime) if self.sines == Sines::Platform => quote! {
-                #(let (#sines, #cosines) = #runtime::Scalar::sin_cos(#angles);)*
-            },
+            World::Runtime(runtime) if self.sines == Sines::Platform => one_by_one(
+                &quote! { #runtime::Scalar::sin_cos },
+                sines,
+                cosines,
+                angles,
+            ),
             World::Runtime(runtime) if angles.len() <= ON_ONE_LINE => quote! {
                 let ([#(#sines),*], [#(#cosines),*]) =
                     #runtime::Scalar::sin_cos_all([#(#angles),*]);
@@ -223,7 +227,7 @@ impl Dialect {
                     quote! { Self::#name }
                 };
                 let sin_cos = library.sin_cos.clone().unwrap_or_else(own);
-                quote! { #(let (#sines, #cosines) = #sin_cos(#angles);)* }
+                one_by_one(&sin_cos, sines, cosines, angles)
             }
         }
     }
@@ -237,4 +241,17 @@ impl Dialect {
             World::Core(_) | World::Runtime(_) => TokenStream::new(),
         }
     }
+}
+
+/// The sine and the cosine of one angle after the other, by a function of one angle.
+fn one_by_one(
+    sin_cos: &TokenStream,
+    sines: &[TokenStream],
+    cosines: &[TokenStream],
+    angles: &[TokenStream],
+) -> TokenStream {
+    if angles.len() > LONGEST_SCOPE {
+        return quote! { let [#((#sines, #cosines)),*] = [#(#sin_cos(#angles)),*]; };
+    }
+    quote! { #(let (#sines, #cosines) = #sin_cos(#angles);)* }
 }

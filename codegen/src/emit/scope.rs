@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::ext::IdentExt;
 
 use super::dialect::Dialect;
@@ -15,7 +15,7 @@ use super::names::Names;
 use crate::expression::Input;
 use crate::function::Argument;
 use crate::request::Parameter;
-use crate::schedule::{Operand, Operation, Program, Step};
+use crate::schedule::{LONGEST_SCOPE, Operand, Operation, Program, Step};
 
 /// What a function can read.
 pub(super) struct Readable<'a> {
@@ -25,6 +25,17 @@ pub(super) struct Readable<'a> {
     pub joints: usize,
     /// The fields of `self`.
     pub parameters: &'a [Parameter],
+}
+
+/// How many fields are loaded in one scope; three numbers of a field take up to four `let`s.
+const FIELDS: usize = LONGEST_SCOPE / 4;
+
+/// How a field is loaded.
+struct Load {
+    /// The names of its numbers, as far as they are read.
+    names: Vec<Ident>,
+    /// What binds them.
+    statements: TokenStream,
 }
 
 /// The names of operands that are bound so far.
@@ -83,8 +94,17 @@ impl Scope {
         for argument in readable.arguments {
             statements.extend(scope.unpack(*argument, readable.joints, &used));
         }
-        for (index, parameter) in (0_u16..).zip(readable.parameters) {
-            statements.extend(scope.load(index, parameter, &used, dialect));
+        let parameters = (0_u16..).zip(readable.parameters);
+        let loads = parameters.map(|(index, field)| scope.load(index, field, &used, dialect));
+        let loads: Vec<_> = loads.filter(|load| !load.names.is_empty()).collect();
+        if loads.len() <= FIELDS {
+            statements.extend(loads.into_iter().map(|load| load.statements));
+        } else {
+            statements.extend(loads.chunks(FIELDS).map(|loads| {
+                let inside = loads.iter().map(|load| load.statements.clone());
+                let names = loads.iter().flat_map(|load| &load.names);
+                block(&inside.collect(), names)
+            }));
         }
         (scope, statements)
     }
@@ -222,7 +242,7 @@ impl Scope {
         parameter: &Parameter,
         used: &BTreeSet<Input>,
         dialect: &Dialect,
-    ) -> TokenStream {
+    ) -> Load {
         let field = &parameter.field;
         let name = field.unraw().to_string();
         let mut bind =
@@ -234,24 +254,27 @@ impl Scope {
             axes.map(|(entry, axis)| bind(entry, &format!("{name}_{axis}")))
                 .collect()
         };
-        if bound.iter().all(Option::is_none) {
-            return TokenStream::new();
-        }
         // The compiler's complaint about a field of another type belongs under the field.
         let span = field.span().resolved_at(Span::call_site());
         let value = quote_spanned! {span=> self.#field };
-        if let [Some(name)] = &*bound {
+        let statements = if let [Some(name)] = &*bound {
             let value = dialect.converted(&self.numerals, &value, span);
-            return quote! { let #name = #value; };
+            quote! { let #name = #value; }
+        } else {
+            let patterns = bound.iter().map(Option::as_ref).map(pattern);
+            let conversions = bound.iter().flatten().filter_map(|name| {
+                let value = quote! { #name };
+                let converted = dialect.converted(&self.numerals, &value, span);
+                // Without a conversion the pattern has said it all.
+                let needed = converted.to_string() != value.to_string();
+                needed.then(|| quote! { let #name = #converted; })
+            });
+            quote! { let [#(#patterns),*] = #value; #(#conversions)* }
+        };
+        Load {
+            names: bound.into_iter().flatten().collect(),
+            statements,
         }
-        let patterns = bound.iter().map(Option::as_ref).map(pattern);
-        let conversions = bound.iter().flatten().filter_map(|name| {
-            let value = quote! { #name };
-            let converted = dialect.converted(&self.numerals, &value, span);
-            // Without a conversion the pattern has said it all.
-            (converted.to_string() != value.to_string()).then(|| quote! { let #name = #converted; })
-        });
-        quote! { let [#(#patterns),*] = #value; #(#conversions)* }
     }
 
     fn bind_input(&mut self, input: Input, wish: &str, used: &BTreeSet<Input>) -> Option<Ident> {
@@ -259,6 +282,15 @@ impl Scope {
         self.inputs.insert(input, name.clone());
         Some(name)
     }
+}
+
+/// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them.
+pub(super) fn block(
+    inside: &TokenStream,
+    names: impl Iterator<Item = impl ToTokens>,
+) -> TokenStream {
+    let names: Vec<_> = names.collect();
+    quote! { let [#(#names),*] = { #inside [#(#names),*] }; }
 }
 
 fn entry(argument: Argument, joint: u16) -> Input {

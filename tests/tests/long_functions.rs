@@ -1,0 +1,69 @@
+//! Functions of a robot with so many joints that they are printed in blocks: that they compile, and
+//! what they return against the generic recursions.
+#![deny(warnings, clippy::pedantic)]
+
+use homogen::{Robot, generic};
+use homogen_tests::functions::evaluate;
+use homogen_tests::rounding::{DOUBLE, Worst};
+use homogen_tests::states::{Random, State};
+
+/// 39 joints; the longest function has some 10,000 operations.
+#[derive(Robot)]
+#[robot(urdf = "robots/humanoid.urdf", tip = "left_arm_9")]
+#[robot(generate(
+    forward_kinematics,
+    spatial_jacobian,
+    body_jacobian,
+    geometric_jacobian,
+    velocity,
+    acceleration,
+    inverse_dynamics,
+    gravity,
+    bias,
+    mass_matrix,
+    forward_dynamics,
+    mass_matrix_inverse,
+))]
+struct Humanoid;
+
+const STATES: usize = 20;
+
+#[test]
+fn what_is_evaluated_agrees() {
+    let chain = Humanoid::chain();
+    let mut random = Random::new(21);
+    let mut worst = Worst::in_units_of(DOUBLE);
+    for _ in 0..STATES {
+        let state = State::<f64, 39>::random(&mut random);
+        worst.note(&evaluate(&Humanoid, &state), &evaluate(&chain, &state));
+    }
+    println!("{worst}");
+    worst.assert_within(64.0);
+}
+
+/// Torques come back from accelerations, and the mass matrix from its inverse.
+#[test]
+fn what_is_solved_agrees() {
+    let chain = Humanoid::chain();
+    let mut random = Random::new(22);
+    let [mut torques, mut unit] = [0.0_f64; 2];
+    for _ in 0..STATES {
+        let State { q, qd, qdd } = State::<f64, 39>::random(&mut random);
+        let tau = generic::inverse_dynamics(&chain, &q, &qd, &qdd);
+        let found = Humanoid.forward_dynamics(&q, &qd, &tau);
+        for (needed, tau) in generic::inverse_dynamics(&chain, &q, &qd, &found).iter().zip(&tau) {
+            torques = torques.max((needed - tau).abs());
+        }
+        let mass = generic::mass_matrix(&chain, &q);
+        let inverse = Humanoid.mass_matrix_inverse(&q);
+        for (i, row) in mass.iter().enumerate() {
+            for (k, column) in inverse.iter().enumerate() {
+                let entry: f64 = row.iter().zip(column).map(|(m, n)| m * n).sum();
+                unit = unit.max((entry - f64::from(u8::from(i == k))).abs());
+            }
+        }
+    }
+    println!("{torques:.1e} N m, {unit:.1e}");
+    assert!(torques < 1e-9, "{torques:e} N m");
+    assert!(unit < 1e-9, "{unit:e}");
+}

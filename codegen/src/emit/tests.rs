@@ -16,6 +16,8 @@ use crate::function::Function;
 use crate::request::{Parameter, Real, Request, Target};
 use crate::schedule::{Operand, Operation, Price, Program, Step};
 
+mod long;
+
 const Q: [Operand; 2] = [Operand::Input(Input::Q(0)), Operand::Input(Input::Q(1))];
 
 fn step(label: &str, operation: Operation) -> Step {

@@ -51,7 +51,10 @@ fn what_is_solved_agrees() {
         let State { q, qd, qdd } = State::<f64, 39>::random(&mut random);
         let tau = generic::inverse_dynamics(&chain, &q, &qd, &qdd);
         let found = Humanoid.forward_dynamics(&q, &qd, &tau);
-        for (needed, tau) in generic::inverse_dynamics(&chain, &q, &qd, &found).iter().zip(&tau) {
+        for (needed, tau) in generic::inverse_dynamics(&chain, &q, &qd, &found)
+            .iter()
+            .zip(&tau)
+        {
             torques = torques.max((needed - tau).abs());
         }
         let mass = generic::mass_matrix(&chain, &q);

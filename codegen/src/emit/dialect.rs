@@ -243,7 +243,8 @@ impl Dialect {
     }
 }
 
-/// The sine and the cosine of one angle after the other, by a function of one angle.
+/// The sine and the cosine of one angle after the other, by a function of one angle; in a single
+/// binding where there are more than a scope may have.
 fn one_by_one(
     sin_cos: &TokenStream,
     sines: &[TokenStream],

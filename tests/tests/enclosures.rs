@@ -97,7 +97,8 @@ fn walk(random: &mut Random, exponents: i32, most: f64) {
                 a.exact.clone() * b.exact.clone(),
                 a.size * b.size,
             ),
-            6 if b.found.is_sharp() => {
+            // A number of 256 bits may have lost what an enclosure still holds.
+            6 if b.found.is_sharp() && b.exact != Big::zero() => {
                 let size = a.size / b.found.to_f64().abs();
                 let spread = b.size / b.found.to_f64().abs();
                 (
@@ -107,7 +108,7 @@ fn walk(random: &mut Random, exponents: i32, most: f64) {
                     size * spread,
                 )
             }
-            7 if a.found.is_sharp() && a.found.to_f64() > 0.0 => {
+            7 if a.found.is_sharp() && a.found.to_f64() > 0.0 && a.exact > Big::zero() => {
                 let spread = a.size / a.found.to_f64();
                 let root = a.found.sqrt();
                 ("a root", root, a.exact.sqrt(), root.to_f64() * spread)

@@ -89,15 +89,6 @@ impl Double {
         ((self.hi + 0.0).to_bits(), (self.lo + 0.0).to_bits())
     }
 
-    /// The same centre with the wider radius of the two.
-    #[must_use]
-    pub const fn or_as_wide_as(self, other: Self) -> Self {
-        Self {
-            radius: self.radius.max(other.radius),
-            ..self
-        }
-    }
-
     /// Whether anything is known of it.
     #[must_use]
     pub const fn is_known(self) -> bool {
@@ -193,6 +184,11 @@ impl Double {
             2.0 => (-sine, -cosine),
             _ => (-cosine, sine),
         }
+    }
+
+    /// Whether it is a number of `f64`: the sum and the product of two such are exact.
+    fn is_single(self) -> bool {
+        self.lo == 0.0 && self.radius == 0.0
     }
 
     fn is_exactly_zero(self) -> bool {
@@ -321,7 +317,12 @@ impl Add for Double {
         let (low, low_error) = two_sum(self.lo, other.lo);
         let (sum, error) = fast_two_sum(sum, error + low);
         let (hi, lo) = fast_two_sum(sum, error + low_error);
-        Self::around((hi, lo), self.radius + other.radius + SUM * hi.abs())
+        let rounding = if self.is_single() && other.is_single() {
+            0.0
+        } else {
+            SUM * hi.abs()
+        };
+        Self::around((hi, lo), self.radius + other.radius + rounding)
     }
 }
 
@@ -351,10 +352,15 @@ impl Mul for Double {
     fn mul(self, other: Self) -> Self {
         let (product, error) = two_product(self.hi, other.hi);
         let (hi, lo) = fast_two_sum(product, error + (self.hi * other.lo + self.lo * other.hi));
+        let rounding = if self.is_single() && other.is_single() {
+            0.0
+        } else {
+            PRODUCT * hi.abs()
+        };
         // That |a| is larger than its upper half by a factor of 1 + u is part of the slack.
         let radius = self.hi.abs() * other.radius
             + self.radius * (other.hi.abs() + other.radius)
-            + PRODUCT * hi.abs()
+            + rounding
             + underflow(hi, self.is_exactly_zero() || other.is_exactly_zero());
         Self::around((hi, lo), radius)
     }

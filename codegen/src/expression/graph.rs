@@ -234,19 +234,14 @@ impl Expr {
 }
 
 impl Inner {
-    /// The expression of that node: a number is known by its value, however it came about, and
-    /// everything else by what it acts on.
+    /// The expression of that node: a number is known by its 106 bits, however it came about and as
+    /// well as where it came about first, and everything else by what it acts on.
     fn intern(&mut self, node: Node, value: Option<Double>) -> Expr {
         let known = match value {
             Some(value) => self.constants.get(&value.bits()),
             None => self.memo.get(&node),
         };
         if let Some(&known) = known {
-            // Equal to all digits, though one may be known better than the other.
-            let slot = &mut self.values[known.index()];
-            *slot = slot
-                .zip(value)
-                .map(|(known, found)| known.or_as_wide_as(found));
             return known;
         }
         let expr = Expr(u32::try_from(self.nodes.len()).expect("a graph of fewer than 2³² nodes"));

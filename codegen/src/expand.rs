@@ -15,7 +15,7 @@ use crate::accuracy::{self, Accuracy};
 use crate::chain::{self, Chain};
 use crate::check::Check;
 use crate::description::Description;
-use crate::emit::{Item, Listed, Listing};
+use crate::emit::{About, Item, LeftOut, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::Forward;
 use crate::function::Function;
@@ -36,7 +36,13 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
     let check = Check::of(description, request, &chain)?;
     let mut errors = Errors::new();
     let mut functions = Vec::new();
+    // Of all that a robot can have, what it cannot have is left out.
+    let all = request.functions.is_empty();
+    let without_frame = || chain.frames.is_empty().then(functions_of_a_frame);
+    let mut left_out: Vec<LeftOut> = all.then(without_frame).flatten().into_iter().collect();
     for (wanted, frame) in wanted(&chain, request) {
+        let names: Vec<&str> = wanted.iter().map(|function| function.name()).collect();
+        let name = names.join("_and_");
         match list(&chain, wanted, frame, request) {
             Ok(listed) => {
                 match check.judge(&listed.functions, frame, &listed.program, request.scalar) {
@@ -44,8 +50,7 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
                     Err(fault) => errors.append(fault),
                 }
             }
-            // Of all that a robot can have, what it cannot have is left out.
-            Err(_) if request.functions.is_empty() => {}
+            Err(refusal) if all => leave_out(&mut left_out, name, &refusal),
             Err(refusal) => errors.append(refusal),
         }
     }
@@ -53,9 +58,13 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
     if let Err(refusal) = check.judge_data(&data) {
         errors.append(refusal);
     }
+    let about = About {
+        left_out,
+        ..about(description, &chain, request.formulation)
+    };
     errors.into_result(Listing {
         item,
-        about: about(description, &chain, request.formulation),
+        about,
         functions,
         data,
         scalar: request.scalar,
@@ -64,6 +73,36 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
         runtime: request.runtime.clone(),
         watched: None,
     })
+}
+
+/// The functions that a robot cannot have whose frames nobody asks for.
+fn functions_of_a_frame() -> LeftOut {
+    let all = Function::ALL.into_iter();
+    let of_a_frame = all.filter(|function| function.of_a_frame());
+    LeftOut {
+        functions: of_a_frame
+            .map(|function| function.name().to_owned())
+            .collect(),
+        reason: "the robot has more than one end, and none is named as the tip".to_owned(),
+        hint: Some("name a link as the tip, or further frames".to_owned()),
+    }
+}
+
+/// Notes a function that the robot cannot have, beside those that it cannot have for the same reason.
+fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: &Errors) {
+    let reasons = refusal.complaints().iter();
+    let reasons: Vec<String> = reasons.map(|reason| refusal.locate(reason)).collect();
+    let reason = reasons.join("; ");
+    if let Some(same) = left_out.iter_mut().find(|other| other.reason == reason) {
+        same.functions.push(function);
+    } else {
+        let mut hints = refusal.complaints().iter();
+        left_out.push(LeftOut {
+            functions: vec![function],
+            reason,
+            hint: hints.find_map(|complaint| complaint.hint.clone()),
+        });
+    }
 }
 
 /// The chain of a description, with doubts about the formulation beside those about the robot.

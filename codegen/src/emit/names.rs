@@ -52,7 +52,7 @@ impl Names {
     }
 
     fn alone(&mut self, mut name: String) -> Ident {
-        while self.taken.contains(&name) || KEYWORDS.contains(&name.as_str()) {
+        while self.taken.contains(&name) || is_keyword(&name) {
             name.push('_');
         }
         let ident = Ident::new(&name, Span::call_site());
@@ -92,7 +92,7 @@ pub fn type_name(text: &str) -> String {
         first.chain(letters).collect::<String>()
     });
     let name: String = words.collect();
-    if KEYWORDS.contains(&name.as_str()) {
+    if is_keyword(&name) {
         format!("{name}_")
     } else {
         name
@@ -106,6 +106,11 @@ fn is_continue(letter: char) -> bool {
     } else {
         letter.is_alphanumeric() && syn::parse_str::<Ident>(&format!("a{letter}")).is_ok()
     }
+}
+
+/// Whether Rust reserves the word.
+pub(super) fn is_keyword(name: &str) -> bool {
+    KEYWORDS.contains(&name)
 }
 
 /// Reserved words of all editions up to 2024.

@@ -100,7 +100,8 @@ impl Errors {
         }
     }
 
-    fn record(&mut self, complaint: Complaint) {
+    /// Records a complaint as a mistake.
+    pub fn record(&mut self, complaint: Complaint) {
         if self.complaints.len() < KEPT {
             self.complaints.push(complaint);
         } else {

@@ -18,6 +18,7 @@ use crate::emit::{LeftOut, Listed, Listing};
 use crate::error::Complaint;
 use crate::expand::{expand, understand};
 use crate::schedule::Price;
+use crate::wording::visible;
 
 /// Count the operations, depth and literals of each function
 #[derive(Args, Clone, Debug)]
@@ -131,7 +132,8 @@ fn error(accuracy: &Accuracy) -> Value {
 }
 
 fn table(functions: &[Listed]) -> String {
-    let names: Vec<String> = functions.iter().map(Listed::name).collect();
+    let names = functions.iter().map(Listed::name);
+    let names: Vec<String> = names.map(|name| visible(&name).into_owned()).collect();
     let width = names.iter().map(|name| name.chars().count()).max();
     let width = width.unwrap_or(0);
     let mut text = format!("{:width$}", "");

@@ -10,7 +10,6 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::dialect::{Dialect, Library, World};
-use super::names::sanitize;
 use super::{About, LeftOut, Listed, Listing, method, sines};
 use crate::function::{Argument, Function, Shape};
 use crate::request::{Real, Target};
@@ -106,9 +105,8 @@ pub(super) fn field(target: &Target) -> String {
 pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> String {
     let mut lines = head(listing, options);
     lines.push(needs(listing, library));
-    for listed in &listing.functions {
-        let name = method::name(&listed.functions, listed.frame.as_deref());
-        lines.push(format!("{}: {}.", sanitize(&name), listed.price));
+    for (listed, name) in listing.functions.iter().zip(method::names(listing)) {
+        lines.push(format!("{name}: {}.", listed.price));
         let accuracy = listed.accuracy.iter();
         lines.extend(accuracy.map(|accuracy| format!("    error: {accuracy}.")));
     }

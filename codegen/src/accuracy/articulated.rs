@@ -139,7 +139,7 @@ impl Pair {
     }
 
     fn squares(self) -> Self {
-        Self::new(self.turning.powi(2), self.sliding.powi(2))
+        Self::new(self.turning * self.turning, self.sliding * self.sliding)
     }
 
     fn roots(self) -> Self {
@@ -269,7 +269,7 @@ fn passed_on(whole: Pair, [rest, lost]: [Pair; 2], roundoff: f64) -> [Value; ART
 fn error_of(found: &[Value], outer: Pair) -> Pair {
     let length = |of: ops::Range<usize>| norm(found[of].iter().map(|value| value.error));
     // Entries off the diagonal of A and M stand there twice.
-    let symmetric = |at: usize| length(at..at + 3).hypot(SQRT_2 * length(at + 3..at + 6));
+    let symmetric = |at: usize| norm([length(at..at + 3), SQRT_2 * length(at + 3..at + 6)]);
     let (a, b, m) = (symmetric(0), length(6..15), symmetric(15));
     Pair::new(
         Pair::new(a, b).dot(outer) + length(21..24),
@@ -277,6 +277,13 @@ fn error_of(found: &[Value], outer: Pair) -> Pair {
     )
 }
 
+/// √Σx², of a sum that neither overflows nor vanishes; the `hypot` of each platform is its own.
 fn norm(entries: impl IntoIterator<Item = f64>) -> f64 {
-    entries.into_iter().fold(0.0, f64::hypot)
+    let entries: Vec<f64> = entries.into_iter().collect();
+    let largest = entries.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    if !(largest > 0.0 && largest < f64::INFINITY) {
+        return entries.iter().sum();
+    }
+    let squares = entries.iter().map(|x| (x / largest) * (x / largest));
+    largest * squares.sum::<f64>().sqrt()
 }

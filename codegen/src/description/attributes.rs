@@ -25,10 +25,11 @@ const TARGETS: [&str; 4] = ["mass_of", "com_of", "gravity", "origin_of"];
 ///
 /// None only where the tokens are no struct, enum or union at all.
 pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
-    let input: DeriveInput = match syn::parse2(tokens) {
+    let parsed = tokens::check_depth(&tokens);
+    let input: DeriveInput = match parsed.and_then(|()| Ok(syn::parse2(tokens)?)) {
         Ok(input) => input,
-        Err(error) => {
-            tokens::push(errors, error.into());
+        Err(complaint) => {
+            tokens::push(errors, complaint);
             return None;
         }
     };

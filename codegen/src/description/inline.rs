@@ -47,8 +47,12 @@ enum Part {
 
 /// Reads the tokens of `chain!`; relative paths of files begin at `folder`.
 ///
-/// None only where no struct is named.
+/// None only where no struct is named, or none can be looked for.
 pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
+    if let Err(complaint) = tokens::check_depth(&tokens) {
+        tokens::push(errors, complaint);
+        return None;
+    }
     let mut found = None;
     let parser = |input: ParseStream| {
         found = chain(input, folder, errors)

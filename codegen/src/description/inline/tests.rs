@@ -381,3 +381,22 @@ fn every_missing_token_is_survived() {
 fn flatten(tokens: TokenStream) -> Vec<proc_macro2::TokenTree> {
     tokens.into_iter().collect()
 }
+
+#[test]
+fn brackets_without_end_are_refused() {
+    for (open, close) in [("(", ")"), ("[", "]"), ("{", "}")] {
+        let nested = |depth: usize| {
+            let (open, close) = (open.repeat(depth), close.repeat(depth));
+            try_read(&format!("struct Arm; link base {open}{close}")).1
+        };
+        assert!(
+            !nested(100).contains("within each other"),
+            "{}",
+            nested(100)
+        );
+        assert_eq!(
+            nested(100_000),
+            "1:151: more than 128 brackets within each other\n"
+        );
+    }
+}

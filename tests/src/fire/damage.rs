@@ -1,0 +1,394 @@
+//! Changes that break readers.
+//!
+//! In: a text, chance. Out: bytes: the text with one to twelve changes of its values, its blocks or its
+//! characters, now and then in another encoding. It knows nothing of robots beyond the words in its
+//! lists.
+
+use std::ops::Range;
+
+use super::Language;
+use super::texts::{blocks, values};
+use crate::states::Random;
+
+/// Beyond this length a text does not grow.
+const LONGEST: usize = 4 << 20;
+
+/// Numbers, and what somebody took for numbers.
+const NUMBERS: [&str; 58] = [
+    "",
+    "0",
+    "-0",
+    "-0.0",
+    "+0",
+    "1",
+    "-1",
+    "2",
+    "1e-17",
+    "-1.6653e-16",
+    "1.1102e-16",
+    "1e-9",
+    "1.5708",
+    "-1.5707",
+    "3.14159",
+    "1.57079632679489661923",
+    "0.33333",
+    "1e308",
+    "-1e308",
+    "1e160",
+    "1e-160",
+    "1.7976931348623157e308",
+    "1e309",
+    "1e999",
+    "-1e999",
+    "1e-999",
+    "5e-324",
+    "2.2e-308",
+    "1e-310",
+    "1e99999999999999999999",
+    "1e-99999999999999999999",
+    "0e99999999999999999999",
+    "nan",
+    "NaN",
+    "-nan",
+    "inf",
+    "-Inf",
+    "infinity",
+    "0x10",
+    "0b1",
+    "1_000",
+    "1,5",
+    "1;5",
+    "1.2.3",
+    "1e",
+    "e1",
+    ".",
+    "+",
+    "--1",
+    "1e+",
+    "\u{ff11}",
+    "\u{221e}",
+    "\u{2212}1",
+    "1f64",
+    "1.5708rad",
+    "90deg",
+    "1 000",
+    "1d-3",
+];
+
+/// Vectors, and what somebody took for vectors.
+const VECTORS: [&str; 18] = [
+    "0 0 0",
+    "0 0 2",
+    "0 0",
+    "0 0 0 0",
+    "1 0 0 0 0 0 0",
+    "1e300 1e300 1e300",
+    "1e-300 1e-300 1e-300",
+    "1e-17 0 1",
+    "0 1e-9 1",
+    "-1 -1 -1",
+    "0.577 0.577 0.577",
+    "nan nan nan",
+    "1e-320 0 0",
+    "1.5708 0 1.5708",
+    "1e6 1e-6 0",
+    "\t1\n0\r0 ",
+    "0,0,1",
+    "[0, 0, 1]",
+];
+
+/// Words that mean something somewhere, and names that are hard to bear.
+const WORDS: [&str; 58] = [
+    "base",
+    "tip",
+    "tool",
+    "link1",
+    "joint1",
+    "revolute",
+    "continuous",
+    "prismatic",
+    "fixed",
+    "floating",
+    "planar",
+    "mimic",
+    "screw",
+    "spherical",
+    "Revolute",
+    "pi",
+    "pi/2",
+    "pi/0",
+    "2*pi",
+    "-pi*pi*pi/3/7",
+    "1/3",
+    "pi*",
+    "convention",
+    "modified",
+    "standard",
+    "joint",
+    "mass",
+    "ixx",
+    "theta",
+    "-",
+    "#",
+    "x",
+    "-z",
+    "xyz",
+    "rpy",
+    "rx",
+    "at",
+    "to",
+    "from",
+    "link",
+    "struct",
+    "generate",
+    "all_of",
+    "none",
+    "frames",
+    "lock",
+    "fn",
+    "Self",
+    "_",
+    "r#fn",
+    "*/",
+    "/*",
+    "`",
+    "\u{202e}",
+    "\u{0}",
+    "\u{1b}[2J",
+    "\u{feff}",
+    "${x}",
+];
+
+/// What may be put in between, by language.
+const URDF: [&str; 26] = [
+    "<link name=\"x\"/>",
+    "<joint name=\"x\" type=\"fixed\"/>",
+    "<origin xyz=\"1 2 3\"/>",
+    "<axis/>",
+    "<limit lower=\"1\" upper=\"-1\" velocity=\"-1\"/>",
+    "<mimic joint=\"shoulder\" multiplier=\"2\"/>",
+    "<dynamics friction=\"-1\"/>",
+    "<inertial/>",
+    "<mass value=\"-1\"/>",
+    "<mass value=\"1e300\"/>",
+    "<inertia ixx=\"1e300\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>",
+    "<!DOCTYPE r [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;\"><!ENTITY c \"&b;&b;&b;&b;&b;&b;&b;&b;\">]>",
+    "<!DOCTYPE r SYSTEM \"file:///etc/passwd\">",
+    "&c;",
+    "&lt;",
+    "&#0;",
+    "&#x202e;",
+    "&#xd800;",
+    "&#99999999999;",
+    "<![CDATA[<link name=\"x\"/>]]>",
+    "<!-- -- -->",
+    "<!--",
+    "<?xml version=\"1.1\"?>",
+    "<?php ?>",
+    "<xacro:macro name=\"m\" xmlns:xacro=\"http://ros.org/wiki/xacro\"/>",
+    "xmlns=\"u\"",
+];
+const TABLE: [&str; 12] = [
+    "\nconvention standard\n",
+    "\nconvention modified\n",
+    "\njoint kind a alpha d theta\n",
+    "\nx revolute 0 0 0 0\n",
+    "\nx screw 0 0 0 0 1e300\n",
+    " - ",
+    " # ",
+    "\t",
+    "\r",
+    "\u{a0}",
+    "\u{2003}",
+    " - - - - - - - - - - - - - - - - - - - - - - - -",
+];
+const INLINE: [&str; 24] = [
+    "link x;",
+    "joint x: fixed;",
+    "joint x: revolute(z) { from: base, to: base }",
+    "{",
+    "}",
+    "(",
+    ")",
+    "[",
+    "]",
+    ",",
+    ";",
+    ":",
+    "=",
+    "\"",
+    "'",
+    "/*",
+    "//",
+    "urdf = \"no.urdf\"",
+    "dh = \"/dev/null\"",
+    "generate(bias, bias)",
+    "formulation(refined = 2, articulated)",
+    "gravity = [1e308, 1e308, 1e308]",
+    "#[robot(x)]",
+    "target = \"cortex-m4\"",
+];
+
+/// The bytes of the text after some changes.
+pub(super) fn damage(language: Language, mut text: String, random: &mut Random) -> Vec<u8> {
+    let changes = *random.choose(&[1, 1, 1, 1, 1, 2, 2, 3, 4, 12]);
+    for _ in 0..changes {
+        if text.len() < LONGEST {
+            change(language, &mut text, random);
+        }
+    }
+    if random.chance(16) {
+        encoded(&text, random)
+    } else {
+        text.into_bytes()
+    }
+}
+
+fn pick(ranges: &[Range<usize>], random: &mut Random) -> Range<usize> {
+    if ranges.is_empty() {
+        return 0..0;
+    }
+    random.choose(ranges).clone()
+}
+
+fn change(language: Language, text: &mut String, random: &mut Random) {
+    match random.below(20) {
+        0..7 => {
+            let at = pick(&values(language, text), random);
+            let new = value(&text[at.clone()], random);
+            text.replace_range(at, &new);
+        }
+        7..9 => {
+            let all = values(language, text);
+            let (to, from) = (pick(&all, random), pick(&all, random));
+            let copied = text[from].to_owned();
+            text.replace_range(to, &copied);
+        }
+        9 => swap(text, &values(language, text), random),
+        10 => text.replace_range(pick(&blocks(language, text), random), ""),
+        11..13 => {
+            let all = blocks(language, text);
+            let (from, to) = (pick(&all, random), pick(&all, random));
+            let copied = text[from].to_owned();
+            text.insert_str(to.end, &copied);
+        }
+        13 => swap(text, &blocks(language, text), random),
+        14 => {
+            let between = match language {
+                Language::Urdf => random.choose(&URDF),
+                Language::Table => random.choose(&TABLE),
+                Language::Inline => random.choose(&INLINE),
+            };
+            text.insert_str(pick(&blocks(language, text), random).end, between);
+        }
+        15 => wrap(language, text, random),
+        16 => shuffle_lines(text, random),
+        _ => one_character(text, random),
+    }
+}
+
+/// Something else in the place of a value.
+fn value(old: &str, random: &mut Random) -> String {
+    let many = [1, 30, 400, 10_000][random.below(4)];
+    match random.below(12) {
+        0..4 => (*random.choose(&NUMBERS)).to_owned(),
+        4 => (*random.choose(&VECTORS)).to_owned(),
+        5..7 => (*random.choose(&WORDS)).to_owned(),
+        // One of the numbers of a vector.
+        7 | 8 => {
+            let words: Vec<&str> = old.split(' ').collect();
+            let changed = random.below(words.len());
+            let other = *random.choose(&NUMBERS);
+            let words = words.iter().enumerate();
+            let words = words.map(|(k, word)| if k == changed { other } else { word });
+            words.collect::<Vec<_>>().join(" ")
+        }
+        9 => format!("-{old}"),
+        10 => format!(
+            "{old}{}",
+            random.choose(&["9", "e9", "e-9", "0", " ", "\n", ".", "/3", "\u{e9}"])
+        ),
+        _ => random
+            .choose(&["7", "0.1234567", "n", "\u{1d11e}", " 1", "9."])
+            .repeat(many),
+    }
+}
+
+fn swap(text: &mut String, ranges: &[Range<usize>], random: &mut Random) {
+    let (a, b) = (pick(ranges, random), pick(ranges, random));
+    let (a, b) = if a.start < b.start { (a, b) } else { (b, a) };
+    if a.end <= b.start {
+        let (first, second) = (text[a.clone()].to_owned(), text[b.clone()].to_owned());
+        text.replace_range(b, &first);
+        text.replace_range(a, &second);
+    }
+}
+
+/// Puts a block inside many others.
+fn wrap(language: Language, text: &mut String, random: &mut Random) {
+    let depth = [1, 10, 100, 5000][random.below(4)];
+    let at = pick(&blocks(language, text), random);
+    let (open, close) = match language {
+        Language::Urdf => ("<a>", "</a>"),
+        Language::Table => ("# ", "\n"),
+        Language::Inline => *random.choose(&[("(", ")"), ("[", "]"), ("{", "}")]),
+    };
+    text.insert_str(at.end, &close.repeat(depth));
+    text.insert_str(at.start, &open.repeat(depth));
+}
+
+fn shuffle_lines(text: &mut String, random: &mut Random) {
+    let mut lines: Vec<&str> = text.split_inclusive('\n').collect();
+    for k in (1..lines.len()).rev() {
+        lines.swap(k, random.below(k + 1));
+    }
+    *text = lines.concat();
+}
+
+fn one_character(text: &mut String, random: &mut Random) {
+    let mut at = random.below(text.len() + 1);
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    match random.below(4) {
+        0 => text.truncate(at),
+        1 => drop((at < text.len()).then(|| text.remove(at))),
+        2 => {
+            let letters = "<>\"'=&;/ \n\t#-.e09[](){},:\u{0}\u{7f}\u{e9}\u{202e}\u{1f916}";
+            let letters: Vec<char> = letters.chars().collect();
+            text.insert(at, *random.choose(&letters));
+        }
+        _ => {
+            let mut end = (at + 1 + random.below(40)).min(text.len());
+            while !text.is_char_boundary(end) {
+                end += 1;
+            }
+            text.replace_range(at..end, "");
+        }
+    }
+}
+
+/// The text in another encoding, or with bytes that are none.
+fn encoded(text: &str, random: &mut Random) -> Vec<u8> {
+    let wide = |order: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(order).collect::<Vec<_>>();
+    match random.below(8) {
+        0 => [&[0xef, 0xbb, 0xbf], text.as_bytes()].concat(),
+        1 => [vec![0xff, 0xfe], wide(u16::to_le_bytes)].concat(),
+        2 => [vec![0xfe, 0xff], wide(u16::to_be_bytes)].concat(),
+        3 => wide(u16::to_le_bytes),
+        4 => text.replace('\n', "\r\n").into_bytes(),
+        5 => text.replace('\n', "\r").into_bytes(),
+        // Latin-1.
+        6 => text
+            .chars()
+            .map(|c| u8::try_from(u32::from(c)).unwrap_or(0xe9))
+            .collect(),
+        _ => {
+            let mut bytes = text.as_bytes().to_vec();
+            let at = random.below(bytes.len() + 1);
+            let odd = *random.choose(&[0x00, 0x1a, 0x80, 0xbf, 0xc0, 0xed, 0xf8, 0xff]);
+            bytes.insert(at, odd);
+            bytes
+        }
+    }
+}

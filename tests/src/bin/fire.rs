@@ -67,8 +67,10 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    // A panic is told with the input that caused it.
-    panic::set_hook(Box::new(|_| {}));
+    if arguments.only.is_none() {
+        // A panic is told with the input that caused it.
+        panic::set_hook(Box::new(|_| {}));
+    }
     let thread = thread::Builder::new().stack_size(STACK);
     let fired = thread.spawn(move || fire(&arguments));
     match fired.map(thread::JoinHandle::join) {

@@ -14,9 +14,15 @@ use crate::states::Random;
 const LONGEST: usize = 4 << 20;
 
 /// Numbers, and what somebody took for numbers.
-const NUMBERS: [&str; 58] = [
+const NUMBERS: [&str; 64] = [
     "",
     "0",
+    "1e50",
+    "-1e50",
+    "1e49",
+    "1e20",
+    "1e-50",
+    "-1e-30",
     "-0",
     "-0.0",
     "+0",

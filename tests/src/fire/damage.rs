@@ -81,6 +81,14 @@ const NUMBERS: [&str; 64] = [
     "1d-3",
 ];
 
+/// Numbers that readers take, and that computing has to bear.
+#[rustfmt::skip]
+const BORNE: [&str; 24] = [
+    "0", "-0", "0.0", "1", "-1", "2", "1e-17", "-1.6653e-16", "1.1102e-16", "1e-9", "-3e-7", "1e-30", "5e-324",
+    "-1e-300", "1.5708", "-1.570796", "3.14159", "6.2832", "1000000.1", "-1e20", "1e50", "123456789.123456789",
+    "0.1000000000000000055511151231257827021181583404541015625", "00000.5",
+];
+
 /// Vectors, and what somebody took for vectors.
 const VECTORS: [&str; 18] = [
     "0 0 0",
@@ -293,22 +301,18 @@ fn change(language: Language, text: &mut String, random: &mut Random) {
     }
 }
 
-/// Something else in the place of a value.
+/// Something else in the place of a value; where numbers are, other numbers more often than not.
 fn value(old: &str, random: &mut Random) -> String {
+    let words: Vec<&str> = old.split(' ').collect();
+    if words.iter().all(|word| word.parse::<f64>().is_ok()) && !random.chance(3) {
+        return exchanged(&words, *random.choose::<&str>(&BORNE), random);
+    }
     let many = [1, 30, 400, 10_000][random.below(4)];
     match random.below(12) {
         0..4 => (*random.choose(&NUMBERS)).to_owned(),
         4 => (*random.choose(&VECTORS)).to_owned(),
         5..7 => (*random.choose(&WORDS)).to_owned(),
-        // One of the numbers of a vector.
-        7 | 8 => {
-            let words: Vec<&str> = old.split(' ').collect();
-            let changed = random.below(words.len());
-            let other = *random.choose(&NUMBERS);
-            let words = words.iter().enumerate();
-            let words = words.map(|(k, word)| if k == changed { other } else { word });
-            words.collect::<Vec<_>>().join(" ")
-        }
+        7 | 8 => exchanged(&words, *random.choose::<&str>(&NUMBERS), random),
         9 => format!("-{old}"),
         10 => format!(
             "{old}{}",
@@ -318,6 +322,14 @@ fn value(old: &str, random: &mut Random) -> String {
             .choose(&["7", "0.1234567", "n", "\u{1d11e}", " 1", "9."])
             .repeat(many),
     }
+}
+
+/// The words with another in the place of one.
+fn exchanged(words: &[&str], other: &str, random: &mut Random) -> String {
+    let changed = random.below(words.len());
+    let words = words.iter().enumerate();
+    let words = words.map(|(k, word)| if k == changed { other } else { word });
+    words.collect::<Vec<_>>().join(" ")
 }
 
 fn swap(text: &mut String, ranges: &[Range<usize>], random: &mut Random) {

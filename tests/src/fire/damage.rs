@@ -305,14 +305,14 @@ fn change(language: Language, text: &mut String, random: &mut Random) {
 fn value(old: &str, random: &mut Random) -> String {
     let words: Vec<&str> = old.split(' ').collect();
     if words.iter().all(|word| word.parse::<f64>().is_ok()) && !random.chance(3) {
-        return exchanged(&words, *random.choose::<&str>(&BORNE), random);
+        return exchanged(&words, random.choose::<&str>(&BORNE), random);
     }
     let many = [1, 30, 400, 10_000][random.below(4)];
     match random.below(12) {
         0..4 => (*random.choose(&NUMBERS)).to_owned(),
         4 => (*random.choose(&VECTORS)).to_owned(),
         5..7 => (*random.choose(&WORDS)).to_owned(),
-        7 | 8 => exchanged(&words, *random.choose::<&str>(&NUMBERS), random),
+        7 | 8 => exchanged(&words, random.choose::<&str>(&NUMBERS), random),
         9 => format!("-{old}"),
         10 => format!(
             "{old}{}",

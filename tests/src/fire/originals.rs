@@ -87,7 +87,7 @@ link tool { mass: 0.8, com: [0.0, 0.0, 0.05], inertia: [0.001, 0.001, 0.0005] }
 joint camera: fixed { from: upper, to: eye }
 link eye
 "#,
-    r#"
+    r"
 struct Tree { exact, strict, scalar = f32, lock(second = 0.3), drop(off), frames(left, right),
     generate(gravity, all_of(mass_matrix, bias), forward_kinematics), formulation(raw, refined = 1) }
 link root;
@@ -97,14 +97,14 @@ joint second: prismatic(y) { from: root, to: right }
 link right { mass: 1, com: [0, 0.1, 0], inertia: [0.01, 0.01, 0.01] }
 joint third: revolute(-x) { from: right, to: off, at: ry(1/3) }
 link off { mass: 2*1.5, inertia: [0.01, 0.01, 0.01] }
-"#,
-    r#"
+",
+    r"
 struct Table { tip = tool; }
 denavit_hartenberg(standard) {
     shoulder: revolute { a: 0, alpha: pi/2, d: 0.4, theta: 0, mass: 1, com: [0, 0, 0.1], inertia: [0.1, 0.1, 0.1] }
     elbow: revolute { a: 0.3, alpha: 0, d: 0, theta: 0.1 }
 }
-"#,
+",
 ];
 
 /// A text, one of each language more often than a long one.

@@ -158,15 +158,20 @@ fn two_fields_for_one_number_and_two_of_one_name_are_told_at_once() {
 }
 
 #[test]
-fn the_centre_of_a_mass_that_is_not_there_is_told_unless_a_field_gives_the_mass() {
-    let center = || Target::CenterOfMassOf("tip".into());
+fn the_centre_of_a_mass_that_is_not_there_is_doubted_unless_a_field_gives_the_mass() {
+    let doubts = |builder: Builder| builder.listing().expect("no mistakes").about.warnings;
+    let arm = Builder::from_urdf("../robots/two_link.urdf")
+        .generate([Function::Gravity])
+        .parameter("center", Target::CenterOfMassOf("tip".into()));
+    let message = "link \"tip\" has no mass: field `center`, where its centre is, changes nothing";
+    assert_eq!(doubts(arm.clone()), [message]);
+    let refused = arm.clone().strict().to_tokens().expect_err("strict");
     assert_eq!(
-        refusal(&[("center", center())]),
-        "error: link \"tip\" has no mass: where its centre is changes nothing\n  \
-         hint: give it a mass, or a field with mass_of = \"tip\"\n"
+        refused.to_string(),
+        format!("error: {message} (refused: strict)\n")
     );
-    let mass = Target::MassOf("tip".into());
-    assert_eq!(refusal(&[("center", center()), ("mass", mass)]), "");
+    let with_mass = arm.parameter("mass", Target::MassOf("tip".into()));
+    assert_eq!(doubts(with_mass), [""; 0]);
 }
 
 #[test]

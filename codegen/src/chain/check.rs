@@ -100,7 +100,6 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         errors.record(clash);
     }
     check_targets(request, &tree, &links, &joints, &mut errors);
-    check_weights(description, request, &links, &mut errors);
     choose_tip(description, request, &mut tree, &mut errors);
     check_moving(description, request, &tree, &links, &mut errors);
     check_size(description, &tree, &mut errors);
@@ -207,31 +206,6 @@ fn check_targets(
                 name.place,
                 format!("{what} {} is not modelled", quoted(&name.text)),
             );
-        }
-    }
-}
-
-/// A field for the centre of mass of a link without one would change nothing.
-fn check_weights(
-    description: &Description,
-    request: &Request,
-    links: &Names<'_>,
-    errors: &mut Errors,
-) {
-    for parameter in &request.parameters {
-        if let Target::CenterOfMassOf(name) = &parameter.target
-            && let Some(link) = links.get(name)
-            && !request.weighs(name)
-        {
-            let inertial = description.links[link].inertial.as_ref();
-            if inertial.is_none_or(|inertial| inertial.mass.value == 0.0) {
-                let link = quoted(&name.text);
-                errors.push_with_hint(
-                    name.place,
-                    format!("link {link} has no mass: where its centre is changes nothing"),
-                    format!("give it a mass, or a field with mass_of = {link}"),
-                );
-            }
         }
     }
 }

@@ -6,9 +6,9 @@
 
 use super::Chain;
 use super::check::Tree;
-use crate::description::{Description, Inertial};
-use crate::error::{Complaint, Errors};
-use crate::request::Request;
+use crate::description::{Description, Inertial, Link};
+use crate::error::{Complaint, Errors, Place};
+use crate::request::{Request, Target};
 use crate::wording::quoted;
 
 /// What is within the rounding of the digits that vendors print.
@@ -46,6 +46,7 @@ pub fn check(
             massive[body] = true;
             doubts.extend(doubt(&link.name.text, inertial));
         }
+        doubts.extend(centre_of_nothing(link, request));
     }
     for (&link, _) in carried
         .iter()
@@ -101,6 +102,25 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
         place: inertial.place,
         message,
         hint,
+    })
+}
+
+/// A field for where the mass of a link is that has none.
+fn centre_of_nothing(link: &Link, request: &Request) -> Option<Complaint> {
+    let inertial = link.inertial.as_ref();
+    if inertial.is_some_and(|inertial| inertial.mass.value != 0.0) || request.weighs(&link.name) {
+        return None;
+    }
+    let parameter = request.parameters.iter().find(|parameter| {
+        matches!(&parameter.target, Target::CenterOfMassOf(name) if name.text == link.name.text)
+    })?;
+    let (name, field) = (quoted(&link.name.text), &parameter.field);
+    Some(Complaint {
+        place: Place::Token(field.span()),
+        message: format!(
+            "link {name} has no mass: field `{field}`, where its centre is, changes nothing"
+        ),
+        hint: Some(format!("give it a mass, or a field with mass_of = {name}")),
     })
 }
 

@@ -9,6 +9,7 @@
 
 mod damage;
 mod originals;
+mod splinters;
 mod texts;
 
 use std::ffi::OsString;

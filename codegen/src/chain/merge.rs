@@ -230,9 +230,8 @@ impl<'g> Reader<'g, '_> {
                 .axis
                 .map(|entry| self.component(&joint.name.text, &entry)),
         );
-        // Without a direction it is refused, and readers have made it one of length 1: only in a chain
-        // of thousands, whose products have left nothing sharp that is 1 as well, is none made of it.
-        axis.normalized().unwrap_or(axis)
+        axis.normalized()
+            .expect("an axis without a direction is refused")
     }
 
     fn snap(&mut self, item: &str, number: &Number, quarters: i64) {

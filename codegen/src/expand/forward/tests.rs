@@ -244,7 +244,7 @@ fn an_inertia_that_no_body_has_is_not_called_singular() {
 }
 
 /// The arm with a field for the mass of a link.
-fn with_field(last: End, link: &str) -> Result<Chain, Errors> {
+fn with_field(links: &[End], link: &str) -> Result<Chain, Errors> {
     let request = Request {
         functions: vec![vec![ForwardDynamics]],
         scalar: Real::F64,
@@ -254,12 +254,12 @@ fn with_field(last: End, link: &str) -> Result<Chain, Errors> {
         }],
         ..Request::default()
     };
-    understand(&described(&[(0.0, 0.0), last]), &request)
+    understand(&described(links), &request)
 }
 
 #[test]
 fn a_field_that_does_not_help_is_named() {
-    let chain = with_field((0.0, 0.0), "upper").expect("a tree");
+    let chain = with_field(&[(0.0, 0.0); 2], "upper").expect("a tree");
     let refusal = refusal(&chain, ForwardDynamics, Real::F64);
     let hint = "(field \"payload\" is described as zero, and does not help)";
     assert!(refusal.contains(hint), "{refusal}");
@@ -267,7 +267,7 @@ fn a_field_that_does_not_help_is_named() {
 
 #[test]
 fn a_field_may_be_all_that_makes_an_arm_regular() {
-    let chain = with_field((0.0, 0.0), "lower").expect("a tree");
+    let chain = with_field(&[(1.0, 0.0), (0.0, 0.0)], "lower").expect("a tree");
     let form = choose(&chain, ForwardDynamics, Real::F64).expect("regular with a payload");
     assert_eq!(form, Forward::UNREFINED);
     let doubts: Vec<&str> = (chain.report.warnings.iter())
@@ -276,6 +276,6 @@ fn a_field_may_be_all_that_makes_an_arm_regular() {
     let expected = "joint \"elbow\" can accelerate without any force where field \"payload\" is as \
                     described, zero: accelerations are infinite there";
     assert_eq!(doubts, [expected]);
-    let described = with_field((2.0, 0.0), "lower").expect("a tree");
+    let described = with_field(&[(1.0, 0.0), (2.0, 0.0)], "lower").expect("a tree");
     assert!(described.report.warnings.is_empty());
 }

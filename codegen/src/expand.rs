@@ -109,12 +109,14 @@ fn check_processor(request: &Request) -> Result<(), Errors> {
     errors.into_result(())
 }
 
+/// How many joints code without loops can be wanted for.
+const MOST: usize = 1000;
+
 /// Refuses a chain that is too long for code without loops.
 ///
 /// # Errors
 /// Where more joints move than anyone can want a page of code for.
 pub fn check_size(chain: &Chain) -> Result<(), Errors> {
-    const MOST: usize = 1000;
     let mut errors = chain.source.errors();
     let moving = chain.joints.len();
     if moving > MOST {

@@ -106,7 +106,19 @@ pub(super) fn hopeless(
 
 /// What is doubtful about accelerations: the form that is asked for, instead of the one that would be
 /// chosen; what all forms lose; and fields that must not be zero.
+///
+/// Where no function is named, a robot of many joints is not looked at: that takes as long as to generate
+/// its mass matrix.
 pub(super) fn doubts(chain: &Chain, request: &Request) -> Vec<Complaint> {
+    const UNASKED: usize = 40;
+    let most = if request.functions.is_empty() {
+        UNASKED
+    } else {
+        super::MOST
+    };
+    if chain.joints.len() > most {
+        return Vec::new();
+    }
     let items = request.items().into_iter();
     let items: Vec<Vec<Function>> = items
         .filter(|item| item.iter().any(|function| function.solves()))
@@ -131,21 +143,19 @@ fn doubt(
     const HARMLESS: f64 = 1e3;
     let (scalar, name) = (request.scalar, named(functions));
     let (error, most, by, hint) = if let Some(forward) = request.formulation.forward {
+        // It is the form that is doubted, and not what a frame or a sum of angles costs.
         let way = Way {
             forward,
-            frame: request.formulation.frame,
             ..Way::PLAIN
         };
         let program = program_by(chain, functions, 0, Layout::DESCRIBED, way);
         let error = Measure::of(chain, functions, worst.loss).error(&program, scalar);
-        let asked = request.formulation.words();
-        let asked = list(asked.iter().map(String::as_str));
-        (
-            error,
-            LIMIT,
-            format!("{name} with {asked}"),
-            "leave the form to the engine",
-        )
+        let form = Formulation {
+            forward: Some(forward),
+            ..Formulation::default()
+        };
+        let by = format!("{name} with {}", form.words().concat());
+        (error, LIMIT, by, "leave the form to the engine")
     } else if worst.loss > HARMLESS {
         let found = cheapest(
             request.processor,

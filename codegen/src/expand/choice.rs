@@ -24,8 +24,8 @@ use crate::target::Processor;
 /// The cheapest program found for some functions together, of a frame of the chain.
 ///
 /// # Errors
-/// Where forward dynamics is asked for of a chain that has none, or that would have no correct
-/// digit in this type of number.
+/// Where forward dynamics, or the inverse of the mass matrix, is asked for of a chain that has none, or
+/// that no form leaves half of the digits in this type of number.
 ///
 /// # Panics
 /// Where a function of a frame is asked for and the chain has none.

@@ -123,14 +123,19 @@ pub(super) fn doubts(chain: &Chain, request: &Request) -> Vec<Complaint> {
     let items: Vec<Vec<Function>> = items
         .filter(|item| item.iter().any(|function| function.solves()))
         .collect();
+    if items.is_empty() {
+        return Vec::new();
+    }
     // What is singular is refused, function by function.
-    let (false, Ok(worst)) = (items.is_empty(), solvable(chain)) else {
+    let Ok(worst) = solvable(chain) else {
         return Vec::new();
     };
     let of_items = items
         .iter()
         .filter_map(|functions| doubt(chain, worst, functions, request));
-    solvable::doubt(chain).into_iter().chain(of_items).collect()
+    (solvable::doubts(chain, worst).into_iter())
+        .chain(of_items)
+        .collect()
 }
 
 fn doubt(

@@ -4,13 +4,15 @@
 //! extended precision; or the mistake that says which joint nothing holds, or which body is none. It
 //! never looks at a type of number.
 
+use std::collections::BTreeSet;
+
 use crate::chain::frames::{Layout, arrange};
 use crate::chain::range::Range;
 use crate::chain::{Chain, Joint, physical};
 use crate::error::{Complaint, Errors};
-use crate::expression::{Double, Expr, Graph, Input, Term};
+use crate::expression::{Double, Expr, Graph, Input, Node, Term};
 use crate::model;
-use crate::schedule::{Program, run, schedule};
+use crate::schedule::{run, schedule};
 use crate::wording::{list, quoted};
 
 /// How many postures are looked at.
@@ -26,6 +28,8 @@ pub(super) struct Worst {
     pub(super) loss: f64,
     /// The joint that they belong to.
     pub(super) joint: usize,
+    /// A joint that accelerates against its force in some posture.
+    against: Option<usize>,
 }
 
 /// What a chain has in place of a mass matrix that is positive definite.
@@ -46,15 +50,30 @@ pub(super) fn solvable(chain: &Chain) -> Result<Worst, Errors> {
     worst(chain, |input| field(chain, &range, input)).map_err(|lack| refusal(chain, &lack))
 }
 
-/// What fields must not be, if forces are to determine accelerations.
-pub(super) fn doubt(chain: &Chain) -> Option<Complaint> {
-    let zeros = undescribed(chain);
-    if zeros.is_empty() || solvable(chain).is_err() {
+/// What is doubtful about a chain that is solvable somewhere: fields that must not be what is described,
+/// and inertias that are none in some postures.
+pub(super) fn doubts(chain: &Chain, worst: Worst) -> Vec<Complaint> {
+    let against = worst.against.map(|joint| {
+        let cause = cause(chain, joint).unwrap_or(&chain.joints[joint]);
+        Complaint {
+            place: cause.place,
+            message: format!(
+                "{}: not in every posture, but in some",
+                against_force(chain, joint)
+            ),
+            hint: Some(CORRECT.to_owned()),
+        }
+    });
+    against.into_iter().chain(zero(chain)).collect()
+}
+
+/// That a chain is singular where fields are what is described.
+fn zero(chain: &Chain) -> Option<Complaint> {
+    if chain.nominal.iter().all(|nominal| !is_zero(nominal)) {
         return None;
     }
-    let Err(Lack::Inertia(joint) | Lack::Sign(joint)) =
-        worst(chain, |input| described(chain, input))
-    else {
+    let zeros = undescribed(chain);
+    let Err(Lack::Inertia(joint)) = worst(chain, |input| described(chain, input)) else {
         return None;
     };
     let joint = &chain.joints[joint];
@@ -94,11 +113,21 @@ fn is_zero(nominal: &[f64]) -> bool {
     nominal.iter().all(|&entry| entry == 0.0)
 }
 
-/// The fields in whose place nothing but zeros are described.
+/// The fields in whose place nothing but zeros are described, of those that enter the mass matrix.
 fn undescribed(chain: &Chain) -> Vec<&str> {
-    let fields = chain.fields.iter().zip(&chain.nominal);
-    let zeros = fields.filter(|(_, nominal)| is_zero(nominal));
-    zeros.map(|(name, _)| name.as_str()).collect()
+    let graph = chain.graph.clone();
+    let (needed, _) = graph.needed(&pivots(&graph, chain));
+    let entering: BTreeSet<usize> = needed
+        .into_iter()
+        .filter_map(|expr| match graph.node(expr) {
+            Node::Input(Input::Parameter(field, _)) => Some(usize::from(field)),
+            _ => None,
+        })
+        .collect();
+    let zeros = entering
+        .into_iter()
+        .filter(|&field| is_zero(&chain.nominal[field]));
+    zeros.map(|field| chain.fields[field].as_str()).collect()
 }
 
 /// `field "payload" is` or `fields "a" and "b" are`.
@@ -113,16 +142,17 @@ fn are(fields: &[&str]) -> String {
 
 fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     let graph = chain.graph.clone();
-    let program = pivots(&graph, chain);
+    let program = schedule(&graph, &pivots(&graph, chain));
     let range = Range::of(chain);
     let mut worst = Worst {
         loss: 1.0,
         joint: 0,
+        against: None,
     };
     let count = chain.joints.len();
     // A joint that is singular in one posture may only be passing through it.
     let mut least = vec![f64::INFINITY; count];
-    let mut negative = vec![true; count];
+    let mut always = vec![true; count];
     for posture in 0..POSTURES {
         let values = run::<Double>(&program, |input| {
             Double::from(match input {
@@ -138,15 +168,23 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
                 f64::INFINITY
             };
             least[joint] = least[joint].min(loss);
-            negative[joint] &= pivot * SINGULAR < -entry.abs();
+            let is_against = pivot * SINGULAR < -entry.abs();
+            always[joint] &= is_against;
+            if is_against {
+                worst.against = worst.against.max(Some(joint));
+            }
             if loss > worst.loss && loss.is_finite() {
-                worst = Worst { loss, joint };
+                worst = Worst {
+                    loss,
+                    joint,
+                    ..worst
+                };
             }
         }
     }
     // Outermost first: what is outboard spoils what is inboard of it.
     for joint in (0..count).rev() {
-        if negative[joint] {
+        if always[joint] {
             return Err(Lack::Sign(joint));
         }
         if least[joint] > SINGULAR {
@@ -156,17 +194,15 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     Ok(worst)
 }
 
-fn pivots(graph: &Graph, chain: &Chain) -> Program {
+/// A diagonal entry and its pivot, for each joint.
+fn pivots(graph: &Graph, chain: &Chain) -> Vec<Expr> {
     let layout = Layout {
         regroup: true,
         ..Layout::DESCRIBED
     };
     let bodies = arrange(graph, chain, layout);
-    let results: Vec<Expr> = model::pivots(graph, &bodies)
-        .into_iter()
-        .map(Term::expr)
-        .collect();
-    schedule(graph, &results)
+    let pivots = model::pivots(graph, &bodies).into_iter();
+    pivots.map(Term::expr).collect()
 }
 
 /// A coordinate of a posture, from a sequence that fills the range evenly: multiples of the golden
@@ -200,28 +236,29 @@ fn refusal(chain: &Chain, lack: &Lack) -> Errors {
             );
         }
         Lack::Sign(joint) => {
-            let (joint, cause) = (&chain.joints[joint], cause(chain, joint));
-            let message = match cause {
-                Some(carrier) => format!(
-                    "the mass matrix is not positive definite: joint \"{}\" carries an inertia that \
-                     no body has, and joint \"{}\" accelerates against its force",
-                    carrier.name, joint.name
-                ),
-                None => format!(
-                    "the mass matrix is not positive definite: joint \"{}\" accelerates against its \
-                     force",
-                    joint.name
-                ),
-            };
-            let place = cause.unwrap_or(joint).place;
-            errors.push_with_hint(
-                place,
-                message,
-                format!("correct the inertias; check tells which no body can have{but}"),
-            );
+            let place = cause(chain, joint).unwrap_or(&chain.joints[joint]).place;
+            let message = against_force(chain, joint);
+            errors.push_with_hint(place, message, format!("{CORRECT}{but}"));
         }
     }
     errors
+}
+
+/// What is to be done about inertias that no body has.
+const CORRECT: &str = "correct the inertias; check tells which no body can have";
+
+fn against_force(chain: &Chain, joint: usize) -> String {
+    let carries = cause(chain, joint).map_or_else(String::new, |carrier| {
+        format!(
+            "joint \"{}\" carries an inertia that no body has, and ",
+            carrier.name
+        )
+    });
+    let name = &chain.joints[joint].name;
+    format!(
+        "the mass matrix is not positive definite: {carries}joint \"{name}\" accelerates against \
+         its force"
+    )
 }
 
 /// The first joint, from one outwards, that carries what no body is.

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use homogen::robot::ForwardDynamics;
+use homogen::robot::{ForwardDynamics, MassMatrixInverse};
 use homogen::{Robot, generic};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{Name, read_file};
@@ -39,6 +39,7 @@ macro_rules! robot {
             bias,
             mass_matrix,
             forward_dynamics,
+            mass_matrix_inverse,
         ))]
         #[robot(formulation($($words)*))]
         struct $name;
@@ -74,11 +75,12 @@ robot! {
 /// Every function against the dense recursions, in units of rounding.
 fn agree<R, const N: usize>(robot: &R, chain: &homogen::Chain<N, 1>, limit: f64)
 where
-    R: EveryFunction<N, f64> + ForwardDynamics<N, f64>,
+    R: EveryFunction<N, f64> + ForwardDynamics<N, f64> + MassMatrixInverse<N, f64>,
 {
     let mut random = Random::new(8);
     let mut worst = Worst::in_units_of(DOUBLE);
     let mut furthest: f64 = 0.0;
+    let mut inverted: f64 = 0.0;
     for _ in 0..STATES {
         let state: State<f64, N> = State::random(&mut random);
         worst.note(&evaluate(robot, &state), &evaluate(chain, &state));
@@ -87,8 +89,17 @@ where
         let found = robot.forward_dynamics(&state.q, &state.qd, &tau);
         let missed = found.iter().zip(state.qdd).map(|(x, y)| (x - y).abs());
         furthest = missed.fold(furthest, f64::max);
+        let (found, exact) = (
+            robot.mass_matrix_inverse(&state.q),
+            generic::mass_matrix_inverse(chain, &state.q),
+        );
+        let [found, exact] = [&found, &exact].map(|rows| rows.as_flattened());
+        let size = exact.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let missed = found.iter().zip(exact).map(|(x, y)| (x - y).abs() / size);
+        inverted = missed.fold(inverted, f64::max);
     }
-    println!("{worst}q̈ {furthest:.1e}");
+    println!("{worst}q̈ {furthest:.1e}, M⁻¹ {inverted:.1e}");
+    assert!(inverted < 1e-13, "{inverted:e} of the largest entry");
     worst.assert_within(limit);
     assert!(furthest < 1e-9, "{furthest:e} rad/s²");
 }

@@ -144,9 +144,9 @@ fn doubt(
     functions: &[Function],
     request: &Request,
 ) -> Option<Complaint> {
-    /// What no form loses digits with.
-    const HARMLESS: f64 = 1e3;
     let (scalar, name) = (request.scalar, named(functions));
+    // A loss below the cube root of 1/u is what a refinement brings back.
+    let harmless = worst.loss * worst.loss * worst.loss * scalar.roundoff() < 1.0;
     let (error, most, by, hint) = if let Some(forward) = request.formulation.forward {
         // It is the form that is doubted, and not what a frame or a sum of angles costs.
         let way = Way {
@@ -161,7 +161,7 @@ fn doubt(
         };
         let by = format!("{name} with {}", form.words().concat());
         (error, LIMIT, by, "leave the form to the engine")
-    } else if worst.loss > HARMLESS {
+    } else if !harmless {
         let found = cheapest(
             request.processor,
             request.formulation,

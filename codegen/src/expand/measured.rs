@@ -69,12 +69,11 @@ impl<'c> Measure<'c> {
             forward: Forward::MassMatrix { refinements },
             ..Way::PLAIN
         };
-        let slides = vec![false; chain.joints.len()];
         let mut solved = Vec::new();
         let mut end = 0;
         for &function in functions {
             let start = end;
-            end += function.units(&slides).len();
+            end += function.shape().len(chain.joints.len());
             if function.solves() {
                 let (graph, results) =
                     expressions_by(chain, &[function], 0, Layout::DESCRIBED, way);

@@ -91,7 +91,7 @@ pub(super) fn hopeless(
         chain,
         worst,
         scalar,
-        format!("{} would lose {}", named(functions), lost(error, scalar)),
+        &format!("{} would lose {}", named(functions), lost(error, scalar)),
     );
     errors.push_with_hint(
         complaint.place,
@@ -186,13 +186,13 @@ fn doubt(
             chain,
             worst,
             scalar,
-            format!("{by} loses {}", lost(error, scalar)),
+            &format!("{by} loses {}", lost(error, scalar)),
         )
     })
 }
 
 /// What functions lose, with the joint where the mass matrix does.
-fn complaint(chain: &Chain, worst: Worst, scalar: Real, what: String) -> Complaint {
+fn complaint(chain: &Chain, worst: Worst, scalar: Real, what: &str) -> Complaint {
     let joint = &chain.joints[worst.joint];
     let (name, loss, roundoff) = (&joint.name, worst.loss, scalar.roundoff());
     Complaint {

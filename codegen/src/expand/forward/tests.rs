@@ -25,9 +25,8 @@ type End = (f64, f64);
 fn described(links: &[End]) -> Description {
     let names = ["base", "upper", "lower", "hand", "finger"];
     let joints = ["shoulder", "elbow", "wrist", "knuckle"];
-    let mut text = r#"<robot name="arm"><link name="base"/>"#.to_owned();
-    for (k, (mass, moment)) in links.iter().enumerate() {
-        text += &format!(
+    let links = links.iter().enumerate().map(|(k, (mass, moment))| {
+        format!(
             r#"<link name="{child}"><inertial><origin xyz="1 0 0"/><mass value="{mass}"/>
             <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="{moment}"/></inertial></link>
             <joint name="{joint}" type="continuous"><parent link="{parent}"/><child link="{child}"/>
@@ -35,10 +34,12 @@ fn described(links: &[End]) -> Description {
             child = names[k + 1],
             joint = joints[k],
             parent = names[k],
-        );
-    }
+        )
+    });
+    let links: String = links.collect();
+    let text = format!(r#"<robot name="arm"><link name="base"/>{links}</robot>"#);
     let mut errors = Errors::new();
-    let description = read_text(&(text + "</robot>"), "arm.urdf", None, &mut errors);
+    let description = read_text(&text, "arm.urdf", None, &mut errors);
     assert!(errors.is_empty(), "{errors}");
     description.expect("no mistakes, so a description")
 }

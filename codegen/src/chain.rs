@@ -12,7 +12,7 @@ mod merge;
 pub mod mobility;
 mod names;
 mod numbers;
-mod physical;
+pub mod physical;
 pub mod range;
 pub mod regroup;
 mod shape;
@@ -41,6 +41,8 @@ pub struct Chain {
     /// What the description says of the numbers that struct fields stand for, in the order of the
     /// request's parameters.
     pub nominal: Vec<Vec<f64>>,
+    /// The names of those fields.
+    pub fields: Vec<String>,
     /// What became of the description on the way.
     pub report: Report,
     /// Where the description came from.

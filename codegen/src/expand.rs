@@ -1,13 +1,15 @@
 //! The way through the house: from a description to everything that is printed for it.
 //!
 //! In: a description, a request, the struct that gets the functions. Out: a [`Listing`]. It only
-//! connects the stages: where they offer more than one way, `forward` decides by accuracy, and
-//! `choice` between those that are left by count.
+//! connects the stages: where they offer more than one way, `choice` decides by count, between those
+//! that `forward` finds accurate enough by what has been `measured`.
 
 mod about;
 mod choice;
 mod data;
 mod forward;
+mod measured;
+mod solvable;
 
 pub use choice::{expressions_by, program, program_as, program_by, program_for};
 
@@ -118,14 +120,15 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         return Err(errors);
     }
     let mut chain = chain::build(description, request)?;
-    if let Some(doubt) = forward::doubt(&chain, request) {
-        if request.strict {
-            let mut errors = chain.source.errors();
+    let doubts = forward::doubts(&chain, request);
+    if request.strict && !doubts.is_empty() {
+        let mut errors = chain.source.errors();
+        for doubt in doubts {
             errors.push(doubt.place, format!("{} (refused: strict)", doubt.message));
-            return Err(errors);
         }
-        chain.report.warnings.push(doubt);
+        return Err(errors);
     }
+    chain.report.warnings.extend(doubts);
     Ok(chain)
 }
 
@@ -145,12 +148,14 @@ fn check_processor(request: &Request) -> Result<(), Errors> {
     errors.into_result(())
 }
 
+/// How many joints code without loops can be wanted for.
+const MOST: usize = 1000;
+
 /// Refuses a chain that is too long for code without loops.
 ///
 /// # Errors
 /// Where more joints move than anyone can want a page of code for.
 pub fn check_size(chain: &Chain) -> Result<(), Errors> {
-    const MOST: usize = 1000;
     let mut errors = chain.source.errors();
     let moving = chain.joints.len();
     if moving > MOST {
@@ -223,10 +228,13 @@ fn accuracy_of(
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
     let solves = functions.iter().filter_map(|function| match function {
-        Function::MassMatrixInverse => {
+        Function::MassMatrixInverse if found.way.forward == Forward::UNREFINED => {
             let parts = parts(&[Function::MassMatrix]);
             Some(accuracy::of_inverse(chain, &parts, scalar))
         }
+        Function::MassMatrixInverse => Some(Accuracy::Unknown(
+            "none is derived of an inverse that is refined or made of articulated bodies",
+        )),
         Function::ForwardDynamics => Some(match found.way.forward {
             Forward::MassMatrix { refinements } => {
                 let all = [

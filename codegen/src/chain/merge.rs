@@ -72,8 +72,12 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let Reader {
         nominal, report, ..
     } = reader;
+    let fields = request.parameters.iter();
     Chain {
         nominal,
+        fields: fields
+            .map(|parameter| parameter.field.to_string())
+            .collect(),
         joints,
         frames,
         has_tip: tree.tip.is_some(),

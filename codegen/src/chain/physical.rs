@@ -8,6 +8,8 @@ use super::Chain;
 use super::check::Tree;
 use crate::description::{Description, Inertial, Link};
 use crate::error::{Complaint, Errors, Place};
+use crate::expression::{Double, Term};
+use crate::matrix::Inertia;
 use crate::request::{Request, Target};
 use crate::wording::quoted;
 
@@ -122,6 +124,32 @@ fn centre_of_nothing(link: &Link, request: &Request) -> Option<Complaint> {
         ),
         hint: Some(format!("give it a mass, or a field with mass_of = {name}")),
     })
+}
+
+/// Whether a body can have an inertia, given in any frame; none where that is known at run time only.
+#[must_use]
+pub fn is_possible(inertia: Inertia<Term<'_>>) -> Option<bool> {
+    let known = |term: Term<'_>| term.value().map(Double::to_f64);
+    let mass = known(inertia.mass)?;
+    let [x, y, z] = inertia.q.map(known).0;
+    let [x, y, z] = [x?, y?, z?];
+    let [xx, yy, zz, xy, xz, yz] = inertia.second.0.map(known);
+    let per_mass = |product: f64| if mass > 0.0 { product / mass } else { 0.0 };
+    let moments = eigenvalues([
+        xx? - per_mass(x * x),
+        yy? - per_mass(y * y),
+        zz? - per_mass(z * z),
+        xy? - per_mass(x * y),
+        xz? - per_mass(x * z),
+        yz? - per_mass(y * z),
+    ]);
+    let size = moments.into_iter().map(f64::abs).sum::<f64>();
+    Some(
+        mass >= 0.0
+            && moments
+                .into_iter()
+                .all(|moment| moment >= -TOLERANCE * size),
+    )
 }
 
 /// Eigenvalues of a symmetric matrix xx, yy, zz, xy, xz, yz, by Jacobi's rotations.

@@ -1,6 +1,8 @@
 //! What is said of mechanics that a file has and the model has not: one doubt for each kind.
 
-use super::{doubts, doubts_in_joint};
+use super::{doubts, doubts_in_joint, fine};
+use crate::builder::Builder;
+use crate::function::Function;
 
 /// A robot with a joint for each inner text, in lines of their own from line 2 on.
 fn robot(kind: &str, inner: &[&str]) -> String {
@@ -87,4 +89,27 @@ fn soft_limits_and_calibration_tell_a_controller() {
     let inner = r#"<axis xyz="0 0 1"/><safety_controller k_velocity="1" soft_lower_limit="0.1"/>
         <calibration rising="0.1"/>"#;
     assert_eq!(doubts_in_joint("revolute", inner), [""; 0]);
+}
+
+#[test]
+fn doubts_stand_above_the_generated_code_and_strict_refuses_them() {
+    let text = robot(
+        "revolute",
+        &[
+            r#"<dynamics damping="0.1"/>"#,
+            r#"<limit lower="1" upper="-1"/>"#,
+        ],
+    )
+    .replace("xyz=\"0 0 1\"", "xyz=\"0 0 2\"");
+    let builder = || Builder::from_description(fine(&text)).generate([Function::ForwardKinematics]);
+    let source = builder().to_source().expect("a robot").to_string();
+    let refused = builder().strict().to_source().expect_err("doubts");
+    for doubt in [
+        "arm.urdf:2:45: the axis of joint",
+        "arm.urdf:3:53: the lower limit of joint",
+        "arm.urdf:2:53: not modelled: damping of joint",
+    ] {
+        assert!(source.contains(doubt), "{doubt}\n{source}");
+        assert!(refused.to_string().contains(doubt), "{doubt}\n{refused}");
+    }
 }

@@ -5,6 +5,7 @@ too late, or a crash, for a refusal.
 """
 
 import json
+import os
 import resource
 import subprocess
 
@@ -34,9 +35,19 @@ class Program:
     def run(self, *arguments):
         """What it prints for these arguments."""
         command = [self.binary, *map(str, arguments)]
-        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (MOST, MOST))
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_CPU, (MOST, MOST))
+
         try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=20 * MOST, preexec_fn=limit)
+            done = subprocess.run(
+                command,
+                capture_output=True,
+                text=True,
+                timeout=20 * MOST,
+                preexec_fn=limit,
+                env={**os.environ, "RUST_BACKTRACE": "0"},
+            )
         except subprocess.TimeoutExpired:
             raise Failed(f"took more than {20 * MOST} s: {arguments[:1]}") from None
         if done.returncode == 0:

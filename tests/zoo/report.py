@@ -16,10 +16,11 @@ HEAD = """\
 What `homogen check` and `homogen eval` make of robot descriptions as vendors and simulators ship them,
 untouched, beside Pinocchio {pinocchio} (written by `tests/zoo/run.sh`, on {machine}).
 
-Every file of the packages below that has a joint is read by both. Each of the {functions} functions is
-evaluated at {states} random states, in f64, once with right angles taken for what they are and once as
-written (`--exact`), and compared with Pinocchio; for the first, Pinocchio is given the same file with
-those angles in all digits. Poses are compared at up to {ends} ends of a tree. An error is relative: of a
+Every file of the packages below is read by both; what is not modelled yet is left out for both (a joint
+that mimics another gets a coordinate of its own, one of several coordinates is held). Each of the {functions} functions is
+evaluated at {states} random states, in f64, once with right angles and zeros taken for what they are and
+once as written (`--exact`), and compared with Pinocchio; for the first, Pinocchio is given the same file
+with those numbers in full. Poses are compared at up to {ends} ends of a tree. An error is relative: of a
 torque, in units of the largest of its joint at these states (and of a thousandth of the largest of all);
 of M, of √(Mᵢᵢ Mⱼⱼ); of poses, Jacobians, velocities and accelerations, of the largest entry of the block
 that turns and of the one that slides; of what was solved for, what it leaves of the equation, in units
@@ -29,7 +30,7 @@ of what that is summed of. More than {limit:.0e} is a failure.
 """
 
 ROBOTS = """
-| file | joints | left out | functions | worst error, right angles | worst error, as written |
+| file | joints | left out | functions | worst error | worst error, as written |
 | --- | --- | --- | --- | --- | --- |
 """
 

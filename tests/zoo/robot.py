@@ -1,7 +1,7 @@
 """One description, from the file to a verdict.
 
 In: a file. Out: whether both read it, and how far every function is from the peer's, with right angles
-taken for what they are and with angles as written. It never lets one file's failure end the run.
+and zeros taken for what they are and as written. It never lets one file's failure end the run.
 """
 
 import json
@@ -57,7 +57,7 @@ class Verdict:
     reason: str = ""
     joints: int = 0
     warnings: int = 0
-    # The largest error of each function, with right angles and with angles as written.
+    # The largest error of each function, with right angles taken for what they are and as written.
     errors: dict = field(default_factory=lambda: {False: {}, True: {}})
     # Of a robot without forward dynamics, how near to singular its mass matrix comes.
     least: float = None
@@ -88,7 +88,7 @@ def examine(program, file, folder, verdict):
         verdict.outcome = "read but for what is not modelled"
         verdict.reason = kinds(refused.mistakes)
         changed = folder / "reduced.urdf"
-        changed.write_text(urdf.reduced(file.read_text("utf-8")), "utf-8")
+        changed.write_text(urdf.reduced(urdf.read(file)), "utf-8")
         file = changed
         try:
             program.run("check", file)
@@ -126,10 +126,11 @@ def kinds(mistakes):
 
 def measure(program, file, folder, exact, verdict):
     """Compares every function."""
+    how = "as written" if exact else "with right angles"
     found = program.check(file, exact)
     verdict.joints, verdict.warnings = len(found["joints"]), len(found["warnings"])
     same = folder / "same.urdf"
-    same.write_text(urdf.with_right_angles(file.read_text("utf-8"), found["snapped"]), "utf-8")
+    same.write_text(urdf.with_right_angles(urdf.read(file), found["snapped"]), "utf-8")
     try:
         peer = Peer(same)
     except Unreadable:
@@ -148,7 +149,7 @@ def measure(program, file, folder, exact, verdict):
             if function in SOLVED:
                 verdict.least = peer.least_conditioned() if verdict.least is None else verdict.least
             if function not in SOLVED or verdict.least > SINGULAR:
-                verdict.failures.append(f"{function}: {refused}")
+                verdict.failures.append(f"{function} {how}: {refused}")
             continue
         record(verdict, exact, function, compare.dynamics(function, ours, theirs), "")
     for end, link in enumerate(peer.leaves()[:ENDS]):
@@ -157,7 +158,7 @@ def measure(program, file, folder, exact, verdict):
             try:
                 ours = program.eval(file, exact, function, listed, link)
             except Refused as refused:
-                verdict.failures.append(f"{function} of {link}: {refused}")
+                verdict.failures.append(f"{function} of {link} {how}: {refused}")
                 continue
             record(verdict, exact, function, compare.kinematics(function, ours, theirs), f" of {link}")
 
@@ -166,7 +167,7 @@ def record(verdict, exact, function, error, whose):
     errors = verdict.errors[exact]
     errors[function] = max(error, errors.get(function, 0.0))
     if not error <= LIMIT:
-        how = "with --exact" if exact else "with right angles"
+        how = "as written" if exact else "with right angles"
         verdict.failures.append(f"{function}{whose} differs by {error:.1e} {how}")
 
 

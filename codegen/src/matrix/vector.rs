@@ -130,13 +130,14 @@ impl<'g> Mul<Term<'g>> for Vector<Term<'g>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expression::Double;
 
     #[test]
     fn a_unit_vector_made_one_again_is_known_as_well_as_before() {
         let graph = Graph::new();
         let described = Vector::constant(&graph, [0.6, 0.0, 0.8]);
         let mut direction = described.normalized().expect("a direction");
-        let radius = |vector: Vector<Term<'_>>| vector.z().value().map_or(1.0, |z| z.radius());
+        let radius = |vector: Vector<Term<'_>>| vector.z().value().map_or(1.0, Double::radius);
         // The second time it may come out as another number of 106 bits.
         direction = direction.normalized().expect("a direction");
         let before = radius(direction);

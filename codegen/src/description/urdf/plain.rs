@@ -103,11 +103,10 @@ impl<'t> Copy<'t> {
                 (_, b'<') if at > start => return at,
                 (Some(open), _) if byte == open => quote = None,
                 (Some(_), b'&') => self.ampersand(at),
-                (Some(_), _) => {}
                 (None, b'"' | b'\'') => quote = Some(byte),
                 (None, b':') => self.put(at, FOR_COLON as u8),
                 (None, b'>') => return at + 1,
-                (None, _) => {}
+                _ => {}
             }
         }
         self.text.len()

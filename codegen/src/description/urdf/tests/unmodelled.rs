@@ -6,15 +6,15 @@ use crate::function::Function;
 
 /// A robot with a joint for each inner text, in lines of their own from line 2 on.
 fn robot(kind: &str, inner: &[&str]) -> String {
-    let mut text = "<robot name=\"r\"><link name=\"0\"/>\n".to_owned();
-    for (k, inner) in inner.iter().enumerate() {
+    let joints = inner.iter().enumerate().map(|(k, inner)| {
         let child = k + 1;
-        text += &format!(
+        format!(
             "<joint name=\"j{k}\" type=\"{kind}\"><axis xyz=\"0 0 1\"/>{inner}<parent link=\"{k}\"/>\
              <child link=\"{child}\"/></joint><link name=\"{child}\"/>\n"
-        );
-    }
-    text + "</robot>"
+        )
+    });
+    let joints: String = joints.collect();
+    format!("<robot name=\"r\"><link name=\"0\"/>\n{joints}</robot>")
 }
 
 #[test]
@@ -49,21 +49,21 @@ fn a_gear_is_said_once_for_all_transmissions() {
              </mechanicalReduction></actuator></transmission>\n"
         )
     };
-    let text = |transmissions: &[String]| {
+    let text = |transmissions: &[&str]| {
         format!(
             "<robot name=\"r\"><link name=\"a\"/>\n{}</robot>",
             transmissions.concat()
         )
     };
-    let one = transmission("t", " 1.0\n");
-    let hundred = transmission("u", "100");
-    assert_eq!(doubts(&text(&[one.clone()])), [""; 0]);
+    let one = &transmission("t", " 1.0\n");
+    let hundred = &transmission("u", "100");
+    assert_eq!(doubts(&text(&[one])), [""; 0]);
     assert_eq!(
-        doubts(&text(&[hundred.clone()])),
+        doubts(&text(&[hundred])),
         ["arm.urdf:2:43: not modelled: the reduction of transmission \"u\""]
     );
     assert_eq!(
-        doubts(&text(&[one, hundred.clone(), hundred])),
+        doubts(&text(&[one, hundred, hundred])),
         ["arm.urdf:4:43: not modelled: the reduction of transmission \"u\" and 1 other"]
     );
 }

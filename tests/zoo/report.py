@@ -17,8 +17,9 @@ What `homogen check` and `homogen eval` make of robot descriptions as vendors an
 untouched, beside Pinocchio {pinocchio} (written by `tests/zoo/run.sh`, on {machine}).
 
 Every file of the packages below is read by both; what is not modelled yet is left out for both (a joint
-that mimics another gets a coordinate of its own, one of several coordinates is held). Each of the {functions} functions is
-evaluated at {states} random states, in f64, once with right angles and zeros taken for what they are and
+that mimics another gets a coordinate of its own, one of several coordinates is held). Of a link that
+Pinocchio cannot read it complains, and goes on with zeros: that counts as refused. Each of the {functions}
+functions is evaluated at {states} random states, in f64, once with right angles and zeros taken for what they are and
 once as written (`--exact`), and compared with Pinocchio; for the first, Pinocchio is given the same file
 with those numbers in full. Poses are compared at up to {ends} ends of a tree. An error is relative: of a
 torque, in units of the largest of its joint at these states (and of a thousandth of the largest of all);
@@ -65,7 +66,7 @@ def summary(verdicts):
     words = ", ".join(f"{count} {outcome}" for outcome, count in sorted(counted.items()))
     values = sum(len(verdict.errors[exact]) for verdict in verdicts for exact in verdict.errors)
     return (
-        f"{len(verdicts)} files: {words}. {len(compared)} compared, {values} functions, worst error {worst:.0e}; "
+        f"{len(verdicts)} files: {words}. {len(compared)} compared, {values} comparisons, worst error {worst:.0e}; "
         f"{failed} with failures."
     )
 

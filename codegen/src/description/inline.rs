@@ -227,6 +227,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
             Part::Joint(mut joint) => {
                 let before = description.links.last().map(|link| link.name.clone());
                 joint.from = joint.from.or(before);
+                description.warnings.append(&mut joint.doubts);
                 waiting.push(joint);
             }
             Part::Row(joint) => description.joints.push(joint),

@@ -5,6 +5,8 @@
 //! [`frame_0`] at 256 bits; with the numbers as they stand (`exact`), so that no rule takes a residue
 //! for zero, in every layout, and without.
 
+use std::fmt::Write;
+
 use homogen_codegen::chain::frames::Layout;
 use homogen_codegen::check::Check;
 use homogen_codegen::description::{Description, Number, read_text};
@@ -16,6 +18,7 @@ use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::{Function, Real};
 use homogen_tests::arguments::Arguments;
+use homogen_tests::big::Big;
 use homogen_tests::oracle::frame_0;
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::states::Random;
@@ -54,7 +57,9 @@ impl Arm<'_> {
         for (k, (joint, inertial)) in self.joints.iter().zip(self.inertials).enumerate() {
             let (kind, origin) = joint;
             let next = k + 1;
-            text += &format!(
+            // Writing to a string cannot fail.
+            let _ = write!(
+                text,
                 r#"<link name="l{next}"><inertial>{inertial}</inertial></link>
                 <joint name="j{next}" type="{kind}<parent link="l{k}"/><child link="l{next}"/>
                 <origin {origin}/></joint>"#
@@ -126,7 +131,7 @@ fn compare(robot: &Robot, function: Function, program: &Program) {
         let arguments = Arguments::random(robot.joints(), &mut random);
         let found = run::<f64>(program, |input| arguments.at(input));
         let expected = frame_0::evaluate(robot, function, 0, &arguments);
-        let expected: Vec<f64> = expected.iter().map(|entry| entry.to_f64()).collect();
+        let expected: Vec<f64> = expected.iter().map(Big::to_f64).collect();
         let size = expected.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         for (x, y) in found.iter().zip(&expected) {
             // What is not a number is not near one.

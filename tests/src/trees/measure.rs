@@ -90,7 +90,7 @@ impl Measure {
                 self.lacking(found, arguments, &expected(Function::MassMatrix))
             }
             Function::MassMatrixInverse => {
-                self.from_identity(found, count, &expected(Function::MassMatrix))
+                self.off_identity(found, count, &expected(Function::MassMatrix))
             }
         }
     }
@@ -127,7 +127,7 @@ impl Measure {
     }
 
     /// M times its inverse, less 1.
-    fn from_identity(&self, inverse: &[f64], count: usize, matrix: &[Big]) -> f64 {
+    fn off_identity(&self, inverse: &[f64], count: usize, matrix: &[Big]) -> f64 {
         let roots = self.roots(matrix, count);
         let mut worst: f64 = 0.0;
         for j in 0..count {

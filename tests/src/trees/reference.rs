@@ -32,6 +32,9 @@ pub struct Reference {
 
 impl Reference {
     /// The part of a robot that is asked for.
+    ///
+    /// # Panics
+    /// Where the robot is no tree.
     #[must_use]
     pub fn of(robot: &Robot) -> Self {
         let gravity = robot.asked.gravity.as_ref();
@@ -83,13 +86,12 @@ impl Reference {
             Kind::Screw(pitch) => pitch.value().abs(),
             Kind::Revolute | Kind::Continuous | Kind::Fixed => 0.0,
         };
-        let (coordinate, at) = match robot.held(body) {
-            Some(at) => (Coordinate::Held(Big::new(at)), at.abs()),
-            None => {
-                self.moving.push(body.id);
-                // States are drawn up to 4.
-                (Coordinate::Free(self.moving.len() - 1), 4.0)
-            }
+        let (coordinate, at) = if let Some(at) = robot.held(body) {
+            (Coordinate::Held(Big::new(at)), at.abs())
+        } else {
+            self.moving.push(body.id);
+            // States are drawn up to 4.
+            (Coordinate::Free(self.moving.len() - 1), 4.0)
         };
         let mass = inertia.0[3][3].to_f64();
         self.reach += length(&placement.column()) + slide * at;

@@ -19,6 +19,9 @@ use super::written::Written;
 ///
 /// # Errors
 /// What a reader complains of.
+///
+/// # Panics
+/// Where the text is not even tokens.
 pub fn read(robot: &Robot) -> Result<(Description, Request), Errors> {
     let mut errors = Errors::new();
     let found = match robot.door {
@@ -279,7 +282,7 @@ impl fmt::Display for Robot {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.door {
             Door::Urdf => write!(out, "{}", urdf(self))?,
-            Door::Computed => write!(out, "{}(read, then without digits)\n", urdf(self))?,
+            Door::Computed => writeln!(out, "{}(read, then without digits)", urdf(self))?,
             Door::Inline => write!(out, "{}", chain(self))?,
         }
         if self.door != Door::Inline {

@@ -41,6 +41,9 @@ impl Written {
     }
 
     /// With so many digits in all, and an exponent where there are many zeros.
+    ///
+    /// # Panics
+    /// Where the value is not finite.
     #[must_use]
     pub fn digits(value: f64, digits: usize) -> Self {
         let word = format!("{value:.0$e}", digits.max(1) - 1);
@@ -209,6 +212,9 @@ mod tests {
         ] {
             assert_eq!(Written::digits(value, digits).to_string(), word);
         }
-        assert_eq!(Written::decimals(1.570_796_3, 4).to_string(), "1.5708");
+        assert_eq!(
+            Written::decimals(std::f64::consts::FRAC_PI_2, 4).to_string(),
+            "1.5708"
+        );
     }
 }

@@ -72,14 +72,13 @@ fn coordinate(axis: &[Written; 3]) -> Option<usize> {
 
 fn kind(numbers: &mut Numbers) -> Kind {
     match numbers.random.below(8) {
-        0 | 1 => Kind::Revolute,
         2 | 3 => Kind::Continuous,
         4 => Kind::Prismatic,
         5 if numbers.random.chance(2) => {
             let pitch = 0.1 * numbers.length * numbers.random.unit();
             Kind::Screw(numbers.number(pitch))
         }
-        5 => Kind::Revolute,
+        0 | 1 | 5 => Kind::Revolute,
         _ => Kind::Fixed,
     }
 }

@@ -85,8 +85,8 @@ mod tests {
         for (value, quarters_meant) in [
             (-1.6653e-16, 0),
             (8.8e-16, 0),
-            (1.5707963267948961, 1),
-            (-3.1415926535897936, -2),
+            (1.570_796_326_794_896_1, 1),
+            (-3.141_592_653_589_793_6, -2),
         ] {
             assert_eq!(quarters(&written(value, 1e-20)), Some(quarters_meant));
         }

@@ -11,16 +11,16 @@ mod forward;
 
 pub use choice::{expressions_by, program, program_as, program_by, program_for};
 
-use crate::accuracy::{self, Accuracy};
+use crate::accuracy::{self, Accuracy, Means};
 use crate::chain::{self, Chain};
 use crate::check::Check;
 use crate::description::Description;
 use crate::emit::{Item, Listed, Listing};
 use crate::error::{Errors, Place};
-use crate::formulation::Forward;
+use crate::formulation::{Forward, Sines};
 use crate::function::Function;
 use crate::model;
-use crate::request::{Real, Request};
+use crate::request::{Request, Trigonometry};
 use crate::schedule::Price;
 use about::about;
 use choice::{Found, cheapest};
@@ -150,7 +150,7 @@ fn list(
         frame,
         request.scalar,
     )?;
-    let accuracy = accuracy_of(&found, chain, &functions, request.scalar);
+    let accuracy = accuracy_of(&found, chain, &functions, means(request));
     let program = found.program;
     let (mut mul, mut add) = (0, 0);
     for &function in &functions {
@@ -174,19 +174,30 @@ fn list(
     })
 }
 
+/// What the programs of a request compute with.
+fn means(request: &Request) -> Means {
+    Means {
+        scalar: request.scalar,
+        trigonometry: match request.formulation.sines {
+            Sines::Own => request.trigonometry,
+            Sines::Platform => Trigonometry::Other,
+        },
+    }
+}
+
 /// What is promised of the results of a program: of all that are evaluated, and of each that solves
 /// something.
 fn accuracy_of(
     found: &Found,
     chain: &Chain,
     functions: &[Function],
-    scalar: Real,
+    means: Means,
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
     let solves = functions.iter().filter_map(|function| match function {
         Function::MassMatrixInverse => {
             let parts = parts(&[Function::MassMatrix]);
-            Some(accuracy::of_inverse(chain, &parts, scalar))
+            Some(accuracy::of_inverse(chain, &parts, means))
         }
         Function::ForwardDynamics => Some(match found.way.forward {
             Forward::MassMatrix { refinements } => {
@@ -196,14 +207,12 @@ fn accuracy_of(
                     Function::InverseDynamics,
                 ];
                 let parts = parts(&all[..if refinements == 0 { 2 } else { 3 }]);
-                accuracy::of_accelerations(chain, &parts, refinements, scalar)
+                accuracy::of_accelerations(chain, &parts, refinements, means)
             }
-            Forward::Articulated => {
-                accuracy::of_articulated(chain, found.layout, found.way, scalar)
-            }
+            Forward::Articulated => accuracy::of_articulated(chain, found.layout, found.way, means),
         }),
         _ => None,
     });
-    let evaluated = accuracy::of(chain, functions, &found.program, scalar);
+    let evaluated = accuracy::of(chain, functions, &found.program, means);
     evaluated.into_iter().chain(solves).collect()
 }

@@ -74,6 +74,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     } = reader;
     Chain {
         nominal,
+        parameters: request.parameters.clone(),
         joints,
         frames,
         has_tip: tree.tip.is_some(),

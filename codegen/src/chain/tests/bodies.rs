@@ -216,7 +216,11 @@ fn a_body_whose_inertia_overflows_is_refused() {
 fn with_field(text: &str, target: Target) -> Chain {
     let (description, mut request) = read(text);
     let field = quote::format_ident!("field");
-    request.parameters.push(Parameter { field, target });
+    request.parameters.push(Parameter {
+        field,
+        target,
+        range: None,
+    });
     build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
 }
 

@@ -10,6 +10,7 @@ pub mod dual;
 pub mod functions;
 pub mod fused_sines;
 pub mod hexadecimal;
+pub mod humanoid;
 pub mod metrics;
 pub mod oracle;
 pub mod robots;

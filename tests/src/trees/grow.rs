@@ -123,7 +123,11 @@ fn request(modelled: &Modelled, joints: &[Joint], random: &mut Random) -> Reques
 
 fn add(request: &mut Request, target: Target) {
     let field = format_ident!("field_{}", request.parameters.len());
-    request.parameters.push(Parameter { field, target });
+    request.parameters.push(Parameter {
+        field,
+        target,
+        range: None,
+    });
 }
 
 fn joint(k: usize, parent: usize, random: &mut Random) -> Joint {

@@ -225,7 +225,7 @@ impl Lengths {
             let length = self.of_group(known, members, depth);
             whole = whole.plus(length.times(norm(matrix)));
             for (row, sum) in rows.iter_mut().enumerate() {
-                let entries = matrix.iter().map(|column| column[row].abs());
+                let entries = matrix.iter().map(|column| column[row]);
                 *sum = sum.plus(length.times(root(entries)));
             }
         }
@@ -379,9 +379,10 @@ fn norm(columns: &[[f64; ROWS]]) -> f64 {
     unit * by_columns.min(by_rows).min(all).sqrt()
 }
 
-/// √(a² + b² + …) of numbers that are not negative.
+/// √(a² + b² + …).
 pub fn root(entries: impl IntoIterator<Item = f64>) -> f64 {
-    entries.into_iter().fold(0.0, both)
+    let sizes = entries.into_iter().map(f64::abs);
+    sizes.fold(0.0, both)
 }
 
 /// √(a² + b²) of numbers that are not negative; their squares may overflow or vanish.

@@ -209,6 +209,25 @@ fn promise(
     })
 }
 
+impl Accuracy {
+    /// Without what is said of `f32` beside `f64`, for a reason.
+    #[must_use]
+    pub fn without_single(self, reason: &'static str) -> Self {
+        let without = |mut promise: Promise| {
+            for bound in &mut promise.bounds {
+                bound.single = bound.single.map(|_| f64::INFINITY);
+            }
+            promise.lacks = promise.lacks.or(Some(reason));
+            promise
+        };
+        match self {
+            Self::Within(promise) => Self::Within(without(promise)),
+            Self::Backward(given, promise) => Self::Backward(given, without(promise)),
+            Self::Unknown(reason) => Self::Unknown(reason),
+        }
+    }
+}
+
 impl Promise {
     /// With the range of some arguments, and of the fields and sines that programs read.
     fn within(

@@ -20,7 +20,7 @@ use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
 use crate::function::Function;
 use crate::model;
-use crate::request::{Request, Trigonometry};
+use crate::request::{Real, Request, Trigonometry};
 use crate::schedule::Price;
 use about::about;
 use choice::{Found, cheapest};
@@ -150,7 +150,17 @@ fn list(
         frame,
         request.scalar,
     )?;
-    let accuracy = accuracy_of(&found, chain, &functions, means(request));
+    let mut accuracy = accuracy_of(&found, chain, &functions, means(request));
+    // What would be refused in f32 promises nothing there.
+    if request.scalar == Real::Generic
+        && forward::form(chain, &functions, Real::F32, request.formulation.forward).is_err()
+    {
+        let promised = accuracy.into_iter().map(|accuracy| match accuracy {
+            solved @ Accuracy::Backward(..) => solved.without_single(UNDONE),
+            other => other,
+        });
+        accuracy = promised.collect();
+    }
     let program = found.program;
     let (mut mul, mut add) = (0, 0);
     for &function in &functions {
@@ -173,6 +183,9 @@ fn list(
         accuracy,
     })
 }
+
+/// Why solutions have no bound in `f32`.
+const UNDONE: &str = "no digit may be left";
 
 /// What the programs of a request compute with.
 fn means(request: &Request) -> Means {

@@ -87,9 +87,8 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
 /// The axis of a joint in the frame of its body.
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// What is taken for zero, in relation to the numbers that a difference is of: their rounding in
-/// extended precision, far below what an operation of generated code loses.
-const NOTHING: f64 = 1e-28;
+/// How far from parallel axes may be that are taken for parallel: a rounding in extended precision.
+const PARALLEL: f64 = 1e-28;
 
 /// How many numbers a body is described by.
 const NUMBERS: usize = 22;
@@ -127,8 +126,6 @@ struct Solid {
     mass: f64,
     centre: [f64; 3],
     inertia: [[Double; 3]; 3],
-    /// What is zero among entries of the inertia.
-    nothing: f64,
     spin: Spin,
     /// a of q̇² ≤ 2a T, if nothing else moved the body.
     on_the_base: f64,
@@ -159,8 +156,7 @@ impl Solid {
                 whole - about_centre(row, column)
             })
         });
-        let nothing = NOTHING * (0..3).map(|k| second[k][k].to_f64().abs()).sum::<f64>();
-        inverse_form(inertia, [0.0; 3], nothing)?;
+        inverse_form(inertia, [0.0; 3])?;
         let placement: [f64; 12] = std::array::from_fn(|k| numbers[10 + k].to_f64());
         let centre = centre.map(Double::to_f64);
         let mass = mass.to_f64();
@@ -180,7 +176,6 @@ impl Solid {
             mass,
             centre,
             inertia,
-            nothing,
             spin: carrier.carried(&placement, slides),
             on_the_base,
         })
@@ -203,7 +198,7 @@ impl Solid {
                 };
                 if share == 0.0 { 0.0 } else { share / resists }
             }
-            Spin::Any => inverse_form(self.inertia, axis, self.nothing).unwrap_or(f64::INFINITY),
+            Spin::Any => inverse_form(self.inertia, axis).unwrap_or(f64::INFINITY),
         }
     }
 
@@ -251,7 +246,7 @@ impl Spin {
             Self::About(direction) if slides => Self::About(seen(direction)),
             Self::About(direction) => {
                 let [x, y, _] = seen(direction);
-                let along = x.abs().max(y.abs()) <= NOTHING;
+                let along = x.abs().max(y.abs()) <= PARALLEL;
                 if along { Self::About(Z) } else { Self::Any }
             }
             Self::Any => Self::Any,
@@ -260,15 +255,17 @@ impl Spin {
 }
 
 /// xᵗA⁻¹x of a matrix without a negative direction: infinite where A resists nothing along x, none
-/// where A may have a negative direction.
-fn inverse_form(mut a: [[Double; 3]; 3], x: [f64; 3], nothing: f64) -> Option<f64> {
+/// where A may have a negative direction. What is zero as far as 106 bits tell is taken for zero: it
+/// is far below what an operation of generated code loses.
+fn inverse_form(mut a: [[Double; 3]; 3], x: [f64; 3]) -> Option<f64> {
     let mut x = x.map(Double::from);
     let mut form = 0.0;
     for k in 0..3 {
         let (above, known) = (a[k], x[k]);
         let pivot = above[k];
-        if pivot.to_f64() > nothing {
-            form += (known * known / pivot).to_f64();
+        if pivot.is_sharp() && pivot.to_f64() > 0.0 {
+            let share = known * known / pivot;
+            form += share.to_f64() + share.radius();
             for (below, x) in a.iter_mut().zip(&mut x).skip(k + 1) {
                 let l = below[k] / pivot;
                 *x = *x - l * known;
@@ -276,13 +273,9 @@ fn inverse_form(mut a: [[Double; 3]; 3], x: [f64; 3], nothing: f64) -> Option<f6
                     *entry = *entry - l * above;
                 }
             }
-        } else if pivot.to_f64() < -nothing
-            || above[k + 1..]
-                .iter()
-                .any(|entry| entry.to_f64().abs() > nothing)
-        {
+        } else if !pivot.is_zero() || above[k + 1..].iter().any(|entry| !entry.is_zero()) {
             return None;
-        } else if known.to_f64() != 0.0 {
+        } else if !known.is_zero() {
             form = f64::INFINITY;
         }
     }

@@ -40,14 +40,13 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
             let range = if range.is_empty() {
                 range
             } else {
-                format!("{range}; ")
+                format!(" for {range}")
             };
-            let mut lines = vec![format!("Error: {range}{what}at most")];
-            for (k, group) in groups.iter().enumerate() {
-                let end = if k + 1 < groups.len() { ";" } else { "." };
+            let mut lines = vec![format!("Error{range}: {what}at most")];
+            lines.extend(groups.iter().map(|group| {
                 let of = of(&group.joints, promise);
-                lines.push(format!("- {}, {of}{end}", said(&group.worst)));
-            }
+                format!("- {}: {of}", said(&group.worst))
+            }));
             lines
         }
     }
@@ -286,10 +285,10 @@ mod tests {
         assert_eq!(
             lines(&Accuracy::Within(torques)),
             [
-                "Error: q within its limits; at most",
-                "- 5.0e-14 N m in f64, `hip'` to `ankle`;",
-                "- 1.0e-14 N in f64, `slide`;",
-                "- 1.0e-15 N m in f64, `wrist-1`, `tip`.",
+                "Error for q within its limits: at most",
+                "- 5.0e-14 N m in f64: `hip'` to `ankle`",
+                "- 1.0e-14 N in f64: `slide`",
+                "- 1.0e-15 N m in f64: `wrist-1`, `tip`",
             ]
         );
     }

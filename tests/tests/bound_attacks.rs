@@ -7,6 +7,7 @@
 
 use homogen_codegen::accuracy::{Accuracy, Bound};
 use homogen_codegen::chain::frames::{Layout, arrange};
+use homogen_codegen::chain::mobility::mobility;
 use homogen_codegen::chain::range::Range;
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{Description, read_text};
@@ -538,6 +539,87 @@ fn the_sentence_of_the_inverse_says_that_each_column_is_exact() {
         source.contains("each column is exact for an M of its own, off by at most"),
         "{source}"
     );
+}
+
+/// What shows that a mass matrix stays positive definite: no joint and no body is faster than its bound
+/// for the energy that it has.
+#[test]
+fn nothing_moves_more_than_its_energy_allows() {
+    for label in [
+        "panda_class/0",
+        "quadruped/0",
+        "spatial/6",
+        "planar/5",
+        "thin_rod/0",
+    ] {
+        let homogen_tests::subjects::Subject {
+            description,
+            mut request,
+        } = subject(label);
+        let joints = chain::build(&description, &request).expect("a tree").joints;
+        let carried = joints.iter().map(|joint| {
+            let mut all = description.joints.iter();
+            let found = all.find(|other| other.name.text == joint.name);
+            found.expect("it is of the description").child.clone()
+        });
+        request.frames = carried.collect();
+        request.tip = None;
+        request.path_only = false;
+        let chain =
+            chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+        let range = Range::of(&chain);
+        let most = mobility(&chain, Layout::DESCRIBED, &range).expect("bodies have inertias");
+        let energy = exactly(&chain, Function::MassMatrix);
+        let graph = chain.graph.clone();
+        let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
+        let moving: Vec<Expr> = (0..chain.frames.len())
+            .flat_map(|frame| {
+                let of = |function| model::build(&graph, &bodies, function, frame, Way::PLAIN);
+                [of(Function::Velocity), of(Function::ForwardKinematics)].concat()
+            })
+            .map(Term::expr)
+            .collect();
+        let moving = Evaluation::of(&graph, &moving);
+        let mut random = Random::new(3);
+        let count = chain.joints.len();
+        for _ in 0..100 {
+            let q: Vec<f64> = range
+                .q
+                .iter()
+                .map(|&range| any::<F64>(range, &mut random))
+                .collect();
+            let qd: Vec<f64> = (0..count).map(|_| random.unit()).collect();
+            let at = |input: Input| {
+                Double::from(match input {
+                    Input::Q(k) => q[usize::from(k)],
+                    Input::Qd(k) => qd[usize::from(k)],
+                    _ => unreachable!("nothing else is read"),
+                })
+            };
+            let m: Vec<f64> = energy.at(at).into_iter().map(Double::to_f64).collect();
+            let twice: f64 = (0..count * count)
+                .map(|k| m[k] * qd[k / count] * qd[k % count])
+                .sum();
+            let allowed = |square: f64, most: f64| square <= most * twice * (1.0 + 1e-9);
+            for (k, &most) in most.joints.iter().enumerate() {
+                assert!(allowed(qd[k] * qd[k], most), "{label} {k}");
+            }
+            let moving: Vec<f64> = moving.at(at).into_iter().map(Double::to_f64).collect();
+            for (frame, found) in chain.frames.iter().zip(moving.chunks(6 + 12)) {
+                let [omega, v] = [0, 3].map(|first| [0, 1, 2].map(|k| found[first + k]));
+                let origin = [0, 1, 2].map(|row| found[6 + 4 * row + 3]);
+                let cross = |k: usize| {
+                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                    omega[i] * origin[j] - omega[j] * origin[i]
+                };
+                let speed = [0, 1, 2].map(|k| v[k] + cross(k));
+                let square = |vector: [f64; 3]| vector.iter().map(|x| x * x).sum::<f64>();
+                let [turns, slides] = most.bodies[frame.body.expect("it moves")];
+                assert!(allowed(square(omega), turns), "{label} {}", frame.name);
+                assert!(allowed(square(speed), slides), "{label} {}", frame.name);
+            }
+        }
+    }
 }
 
 /// Torques of the exact accelerations that the range has never lead to what is no number, where a bound

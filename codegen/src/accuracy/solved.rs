@@ -94,9 +94,20 @@ fn solved(
     means: Means,
     scalar: Real,
 ) -> Worst {
-    let attempt = |margin: f64| -> Worst {
-        let parts = Parts::of(program, &widened(range, margin), mobility, means, scalar)?;
+    let parts = |range: &Range| -> Result<Parts, &'static str> {
+        let parts = Parts::of(program, range, mobility, means, scalar)?;
         parts.check(mobility)?;
+        Ok(parts)
+    };
+    let narrow = parts(range)?;
+    let attempt = |margin: f64| -> Worst {
+        let wider = widened(range, margin);
+        // Only a residual is computed of accelerations.
+        let parts = if refinements == 0 {
+            narrow.over(&wider)
+        } else {
+            parts(&wider)?
+        };
         let mut left = parts.unrefined();
         for _ in 0..refinements {
             let residual: Vec<f64> = (left.iter().zip(&parts.needed))
@@ -144,6 +155,7 @@ pub(super) fn stays(range: &Range, margin: f64, off: &[f64]) -> bool {
 }
 
 /// What a program computes that a solution comes from.
+#[derive(Clone)]
 struct Parts {
     roundoff: f64,
     /// What underflow takes from a sum on the way, in any unit.
@@ -192,6 +204,14 @@ impl Parts {
             bias,
             needed,
         })
+    }
+
+    /// The same for accelerations of another range, of which nothing here is computed.
+    fn over(&self, range: &Range) -> Self {
+        Self {
+            most: range.qdd.iter().map(|[_, most]| *most).collect(),
+            ..self.clone()
+        }
     }
 
     /// Whether all pivots are positive.

@@ -302,3 +302,19 @@ fn comment(lines: &[String]) -> TokenStream {
     });
     quote! { #(#[doc = #lines])* }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::arguments;
+    use crate::function::Function;
+
+    #[test]
+    fn a_shared_function_tells_the_units_of_all_its_arguments() {
+        let functions = [Function::ForwardDynamics, Function::InverseDynamics];
+        assert_eq!(
+            arguments(&functions),
+            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N."
+        );
+        assert_eq!(arguments(&[Function::Gravity]), "q in rad or m.");
+    }
+}

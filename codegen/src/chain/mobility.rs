@@ -143,9 +143,12 @@ impl Solid {
         if !regular {
             return None;
         }
-        let centre = first.map(|q| match mass.to_f64() > 0.0 {
-            true => q / mass,
-            false => Double::ZERO,
+        let centre = first.map(|q| {
+            if mass.to_f64() > 0.0 {
+                q / mass
+            } else {
+                Double::ZERO
+            }
         });
         let about_centre =
             |row: usize, column: usize| second[row][column] - first[row] * centre[column];

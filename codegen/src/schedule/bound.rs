@@ -232,7 +232,7 @@ impl<'p> Known<'p> {
             return Some(reason);
         }
         let known = |operand: &Operand| self.value(*operand) != Value::UNKNOWN;
-        operands.iter().all(known).then(|| match operation {
+        operands.iter().all(known).then_some(match operation {
             Operation::Div(..) | Operation::Sqrt(_) => Reason::Divisor,
             _ => Reason::Overflow,
         })

@@ -234,21 +234,16 @@ impl Lengths {
 
     /// How long some values are together; products by the factor that they share.
     fn of_group(&mut self, known: &Known<'_>, members: &[Of], depth: usize) -> Length {
-        let shared = match *members {
-            [Of::Product(a, b), ..] => match (a, b) {
-                (_, Operand::Input(_)) => b,
-                _ => a,
-            },
-            _ => {
-                let operands: Vec<Operand> = (members.iter())
-                    .filter_map(|of| match *of {
-                        Of::Whole(operand) => Some(operand),
-                        Of::Product(..) => None,
-                    })
-                    .collect();
-                return self.follow(known, &operands, true, depth);
-            }
+        let [Of::Product(a, b), ..] = *members else {
+            let operands: Vec<Operand> = (members.iter())
+                .filter_map(|of| match *of {
+                    Of::Whole(operand) => Some(operand),
+                    Of::Product(..) => None,
+                })
+                .collect();
+            return self.follow(known, &operands, true, depth);
         };
+        let shared = if matches!(b, Operand::Input(_)) { b } else { a };
         let others: Vec<Operand> = (members.iter())
             .filter_map(|of| match *of {
                 Of::Product(a, b) => Some(if b == shared { a } else { b }),

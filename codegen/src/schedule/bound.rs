@@ -8,14 +8,17 @@
 
 mod combination;
 mod length;
+mod norm;
+mod term;
 #[cfg(test)]
 mod tests;
 mod turn;
 mod value;
 
 use self::combination::{Follows, Kind, Names, is_sum};
-pub(crate) use self::length::root;
 use self::length::{Form, Length, Lengths};
+pub(crate) use self::norm::root;
+use self::term::Term;
 use self::turn::{Place, Turn, Turns};
 pub use self::value::Value;
 use super::{Operand, Operation, Program, Step};
@@ -130,17 +133,6 @@ struct Computed {
     place: Option<Place>,
     follows: Follows,
     kind: Kind,
-}
-
-/// A term of a sum.
-#[derive(Clone, Copy)]
-struct Term {
-    /// Whether a minus stands before it.
-    minus: bool,
-    /// The term, where it has a place of its own.
-    whole: Option<Operand>,
-    /// What it is the product of, if it is one.
-    factors: Option<[Operand; 2]>,
 }
 
 impl<'p> Known<'p> {
@@ -260,41 +252,6 @@ impl<'p> Known<'p> {
         } else {
             self.value(a).times(self.value(b))
         }
-    }
-
-    /// The terms of an operation that is a sum.
-    fn terms(&self, operation: Operation) -> Option<[Term; 2]> {
-        let single = |whole: Operand, minus| {
-            let factors = match whole {
-                Operand::Step(k) => match self.program.steps[k as usize].operation {
-                    Operation::Mul(a, b) => Some([a, b]),
-                    _ => None,
-                },
-                // As if it were multiplied by 1: a shift of an angle by nearly nothing leaves this.
-                Operand::Sin(_) | Operand::Cos(_) => Some([whole, Operand::Literal(1.0)]),
-                _ => None,
-            };
-            Term {
-                minus,
-                whole: Some(whole),
-                factors,
-            }
-        };
-        let product = |a, b, minus| Term {
-            minus,
-            whole: None,
-            factors: Some([a, b]),
-        };
-        Some(match operation {
-            Operation::Add(a, b) => [single(a, false), single(b, false)],
-            Operation::Sub(a, b) => [single(a, false), single(b, true)],
-            Operation::MulAdd(a, b, c) => [product(a, b, false), single(c, false)],
-            Operation::MulSub(a, b, c) => [product(a, b, false), single(c, true)],
-            Operation::NegMulAdd(a, b, c) => [product(a, b, true), single(c, false)],
-            Operation::Mul(..) | Operation::Div(..) | Operation::Sqrt(_) | Operation::Neg(_) => {
-                return None;
-            }
-        })
     }
 
     fn sum(&self, terms: [Term; 2], lengths: &mut Lengths) -> (Option<Value>, Form) {

@@ -8,6 +8,7 @@ use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 
 use super::combination::{Combination, Kind, Of, ROWS};
+use super::norm::{both, norm, root};
 use super::turn::Turn;
 use super::{Known, Value};
 use crate::schedule::Operand;
@@ -341,52 +342,4 @@ fn of_turn(known: &Known<'_>, angle: u32) -> Length {
         size,
         ..sine.beside(cosine)
     }
-}
-
-/// The greatest factor by which a matrix, given by its columns, lengthens a vector: the least of
-/// three bounds, of which that by the columns' products is exact for rotations.
-fn norm(columns: &[[f64; ROWS]]) -> f64 {
-    let entries = columns.iter().flatten().map(|entry| entry.abs());
-    let unit = entries.fold(0.0, f64::max);
-    if unit == 0.0 || !unit.is_finite() {
-        return unit;
-    }
-    let columns: Vec<[f64; ROWS]> = (columns.iter())
-        .map(|column| column.map(|entry| entry / unit))
-        .collect();
-    let dot = |a: &[f64; ROWS], b: &[f64; ROWS]| (0..ROWS).map(|k| a[k] * b[k]).sum::<f64>();
-    let largest = |sums: &mut dyn Iterator<Item = f64>| sums.fold(0.0, f64::max);
-    let by_columns = largest(&mut columns.iter().map(|a| {
-        let products = columns.iter().map(|b| dot(a, b).abs());
-        products.sum::<f64>()
-    }));
-    let by_rows = largest(&mut (0..ROWS).map(|row| {
-        let products = (0..ROWS).map(|other| {
-            let products = columns.iter().map(|column| column[row] * column[other]);
-            products.sum::<f64>().abs()
-        });
-        products.sum::<f64>()
-    }));
-    let all = columns
-        .iter()
-        .map(|column| dot(column, column))
-        .sum::<f64>();
-    unit * by_columns.min(by_rows).min(all).sqrt()
-}
-
-/// √(a² + b² + …).
-pub fn root(entries: impl IntoIterator<Item = f64>) -> f64 {
-    let sizes = entries.into_iter().map(f64::abs);
-    sizes.fold(0.0, both)
-}
-
-/// √(a² + b²) of numbers that are not negative; their squares may overflow or vanish.
-fn both(a: f64, b: f64) -> f64 {
-    let (less, more) = (a.min(b), a.max(b));
-    // What is not a number stays so.
-    if less == 0.0 || !(a + b).is_finite() {
-        return a + b;
-    }
-    let ratio = less / more;
-    more * (1.0 + ratio * ratio).sqrt()
 }

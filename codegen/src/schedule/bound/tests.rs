@@ -300,3 +300,28 @@ fn what_looks_like_a_turn_and_is_none_may_lengthen() {
     // At an angle of π/4 the vector (1, 1) grows by √2 each time.
     assert!(found >= 2.0_f64.powi(10), "{found} u");
 }
+
+/// A computed angle that is off by more than a turn tells nothing of its sine, but something of what
+/// that is in double precision.
+#[test]
+fn an_angle_that_is_off_by_turns_scales_as_well() {
+    let mut program = program(
+        &[step(0)],
+        &[
+            Operation::Mul(A, B),
+            Operation::Mul(Operand::Sin(0), Operand::Literal(2.0)),
+        ],
+    );
+    program.before_angles = 1;
+    let range = |_| Value::between(-1e5, 1e5);
+    let of = |scalar: Real| {
+        let conditions = Conditions {
+            scalar,
+            angles: f64::INFINITY,
+            range: &range,
+        };
+        results(&program, &conditions)[0].value.error
+    };
+    let ratio = Real::F64.roundoff() / Real::F32.roundoff();
+    assert!(of(Real::F64) <= ratio * of(Real::F32) * (1.0 + 1e-9));
+}

@@ -176,7 +176,7 @@ impl Value {
         // both the angle and its sine may be taken for zero.
         let place = scalar.roundoff() * (2.0 * (self.size() + error)).min(1.0);
         Self {
-            error: error.min(2.0) + place + 2.0 * scalar.smallest(),
+            error: error + place + 2.0 * scalar.smallest(),
             ..self
         }
         .or_unknown()

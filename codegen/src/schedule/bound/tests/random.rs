@@ -244,3 +244,26 @@ fn no_value_is_beyond_what_is_said_of_it() {
         check::<f32>(&program, Real::F32, seed, f64::from);
     }
 }
+
+#[test]
+fn a_bound_in_single_precision_tells_one_in_double() {
+    let ratio = Real::F64.roundoff() / Real::F32.roundoff();
+    for seed in 0..300 {
+        let program = drawn(seed);
+        // As far as angles of many turns, which are off by more than any sine can be.
+        let size = [3.0, 1e-20, 1e9][usize::try_from(seed % 3).expect("small")];
+        let range = |_| Value::between(-size, size);
+        let [single, double] = [Real::F32, Real::F64].map(|scalar| {
+            let conditions = Conditions {
+                scalar,
+                angles: f64::INFINITY,
+                range: &range,
+            };
+            results(&program, &conditions)
+        });
+        for (k, (single, double)) in single.iter().zip(&double).enumerate() {
+            let told = ratio * single.value.error * (1.0 + 1e-9);
+            assert!(double.value.error <= told, "seed {seed}, step {k}");
+        }
+    }
+}

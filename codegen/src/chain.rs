@@ -12,7 +12,7 @@ mod merge;
 pub mod mobility;
 mod names;
 mod numbers;
-mod physical;
+pub mod physical;
 pub mod range;
 pub mod regroup;
 mod shape;
@@ -43,6 +43,8 @@ pub struct Chain {
     pub nominal: Vec<Vec<f64>>,
     /// The struct fields, in the order of the request.
     pub parameters: Vec<Parameter>,
+    /// The names of those fields.
+    pub fields: Vec<String>,
     /// What became of the description on the way.
     pub report: Report,
     /// Where the description came from.

@@ -21,6 +21,7 @@ use crate::chain::Chain;
 use crate::description::{Description, Source};
 use crate::emit::ChainData;
 use crate::error::{Errors, Place};
+use crate::expression::Arithmetic;
 use crate::function::{Function, Shape};
 use crate::request::{Real, Request};
 use crate::schedule::{Operand, Program, run};
@@ -230,10 +231,14 @@ impl Judge {
             _ => {
                 let expected = self.expected(function, frame);
                 debug_assert_eq!(expected.len(), found.len());
+                // Frames that are turned, and turned back, leave of a residue no more digits than 106
+                // bits have beside the whole.
+                let sizes = expected.iter().map(|expected| expected.size());
+                let whole = Approximate::literal(sizes.fold(0.0, f64::max)).noise();
                 let pairs = found.iter().zip(&expected).enumerate();
                 pairs.into_iter().find_map(|(entry, (found, expected))| {
                     let distance = (found.value - expected.value).to_f64().abs();
-                    let most = found.error + found.noise() + expected.noise();
+                    let most = found.error + found.noise() + expected.noise() + whole;
                     wrong(
                         entry,
                         found.value.to_f64(),

@@ -49,7 +49,7 @@ pub struct Source {
     pub file: Option<String>,
     /// The token that named the file, for the compiler's messages.
     pub anchor: Option<Span>,
-    /// FNV-1a hash (64 bits) of the file's bytes; 0 for tokens.
+    /// FNV-1a hash (64 bits) of the file's text in UTF-8; 0 for tokens.
     pub hash: u64,
 }
 

@@ -86,6 +86,19 @@ pub struct About {
     pub formulation: Vec<String>,
     /// Doubts about the description, each a sentence with its place.
     pub warnings: Vec<String>,
+    /// Functions that the robot cannot have, where all that it can have were asked for.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// Functions that a robot cannot have, for one reason.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// The names of their methods.
+    pub functions: Vec<String>,
+    /// Why, a sentence with its place.
+    pub reason: String,
+    /// What to do about it.
+    pub hint: Option<String>,
 }
 
 /// One generated method.

@@ -9,6 +9,8 @@ use std::fmt;
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 
+use crate::wording::visible;
+
 /// Where something was written.
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Place {
@@ -98,7 +100,8 @@ impl Errors {
         }
     }
 
-    fn record(&mut self, complaint: Complaint) {
+    /// Records a complaint as a mistake.
+    pub fn record(&mut self, complaint: Complaint) {
         if self.complaints.len() < KEPT {
             self.complaints.push(complaint);
         } else {
@@ -131,17 +134,17 @@ impl Errors {
     }
 
     /// One line for a complaint, as editors and people read it:
-    /// `arm.urdf:112:7: joint "elbow" has no <axis>`.
+    /// `arm.urdf:112:7: joint "elbow" has no <axis>`. What cannot be seen is written out:
+    /// `\u{202e}`.
     #[must_use]
     pub fn locate(&self, complaint: &Complaint) -> String {
+        let message = visible(&complaint.message);
         match (complaint.place, &self.file) {
             (Place::File { line, column }, Some(file)) => {
-                format!("{file}:{line}:{column}: {}", complaint.message)
+                format!("{}:{line}:{column}: {message}", visible(file))
             }
-            (Place::File { line, column }, None) => {
-                format!("{line}:{column}: {}", complaint.message)
-            }
-            (_, _) => complaint.message.clone(),
+            (Place::File { line, column }, None) => format!("{line}:{column}: {message}"),
+            (_, _) => message.into_owned(),
         }
     }
 
@@ -158,7 +161,7 @@ impl Errors {
                 };
                 let mut message = self.locate(complaint);
                 if let Some(hint) = &complaint.hint {
-                    message = format!("{message}\nhint: {hint}");
+                    message = format!("{message}\nhint: {}", visible(hint));
                 }
                 quote_spanned!(span=> ::core::compile_error! { #message })
             })
@@ -171,7 +174,7 @@ impl fmt::Display for Errors {
         for complaint in &self.complaints {
             writeln!(out, "error: {}", self.locate(complaint))?;
             if let Some(hint) = &complaint.hint {
-                writeln!(out, "  hint: {hint}")?;
+                writeln!(out, "  hint: {}", visible(hint))?;
             }
         }
         if self.left_out > 0 {

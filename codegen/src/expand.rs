@@ -1,13 +1,15 @@
 //! The way through the house: from a description to everything that is printed for it.
 //!
 //! In: a description, a request, the struct that gets the functions. Out: a [`Listing`]. It only
-//! connects the stages: where they offer more than one way, `forward` decides by accuracy, and
-//! `choice` between those that are left by count.
+//! connects the stages: where they offer more than one way, `choice` decides by count, between those
+//! that `forward` finds accurate enough by what has been `measured`.
 
 mod about;
 mod choice;
 mod data;
 mod forward;
+mod measured;
+mod solvable;
 
 pub use choice::{expressions_by, program, program_as, program_by, program_for};
 
@@ -15,7 +17,7 @@ use crate::accuracy::{self, Accuracy, Means};
 use crate::chain::{self, Chain};
 use crate::check::Check;
 use crate::description::Description;
-use crate::emit::{Item, Listed, Listing};
+use crate::emit::{About, Item, LeftOut, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
 use crate::function::Function;
@@ -36,7 +38,13 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
     let check = Check::of(description, request, &chain)?;
     let mut errors = Errors::new();
     let mut functions = Vec::new();
+    // Of all that a robot can have, what it cannot have is left out.
+    let all = request.functions.is_empty();
+    let without_frame = || chain.frames.is_empty().then(functions_of_a_frame);
+    let mut left_out: Vec<LeftOut> = all.then(without_frame).flatten().into_iter().collect();
     for (wanted, frame) in wanted(&chain, request) {
+        let names: Vec<&str> = wanted.iter().map(|function| function.name()).collect();
+        let name = names.join("_and_");
         match list(&chain, wanted, frame, request) {
             Ok(listed) => {
                 match check.judge(&listed.functions, frame, &listed.program, request.scalar) {
@@ -44,8 +52,7 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
                     Err(fault) => errors.append(fault),
                 }
             }
-            // Of all that a robot can have, what it cannot have is left out.
-            Err(_) if request.functions.is_empty() => {}
+            Err(refusal) if all => leave_out(&mut left_out, name, &refusal),
             Err(refusal) => errors.append(refusal),
         }
     }
@@ -53,9 +60,13 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
     if let Err(refusal) = check.judge_data(&data) {
         errors.append(refusal);
     }
+    let about = About {
+        left_out,
+        ..about(description, &chain, request.formulation)
+    };
     errors.into_result(Listing {
         item,
-        about: about(description, &chain, request.formulation),
+        about,
         functions,
         data,
         scalar: request.scalar,
@@ -64,6 +75,36 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
         runtime: request.runtime.clone(),
         watched: None,
     })
+}
+
+/// The functions that a robot cannot have whose frames nobody asks for.
+fn functions_of_a_frame() -> LeftOut {
+    let all = Function::ALL.into_iter();
+    let of_a_frame = all.filter(|function| function.of_a_frame());
+    LeftOut {
+        functions: of_a_frame
+            .map(|function| function.name().to_owned())
+            .collect(),
+        reason: "the robot has more than one end, and none is named as the tip".to_owned(),
+        hint: Some("name a link as the tip, or further frames".to_owned()),
+    }
+}
+
+/// Notes a function that the robot cannot have, beside those that it cannot have for the same reason.
+fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: &Errors) {
+    let reasons = refusal.complaints().iter();
+    let reasons: Vec<String> = reasons.map(|reason| refusal.locate(reason)).collect();
+    let reason = reasons.join("; ");
+    if let Some(same) = left_out.iter_mut().find(|other| other.reason == reason) {
+        same.functions.push(function);
+    } else {
+        let mut hints = refusal.complaints().iter();
+        left_out.push(LeftOut {
+            functions: vec![function],
+            reason,
+            hint: hints.find_map(|complaint| complaint.hint.clone()),
+        });
+    }
 }
 
 /// The chain of a description, with doubts about the formulation beside those about the robot.
@@ -79,14 +120,15 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         return Err(errors);
     }
     let mut chain = chain::build(description, request)?;
-    if let Some(doubt) = forward::doubt(&chain, request) {
-        if request.strict {
-            let mut errors = chain.source.errors();
+    let doubts = forward::doubts(&chain, request);
+    if request.strict && !doubts.is_empty() {
+        let mut errors = chain.source.errors();
+        for doubt in doubts {
             errors.push(doubt.place, format!("{} (refused: strict)", doubt.message));
-            return Err(errors);
         }
-        chain.report.warnings.push(doubt);
+        return Err(errors);
     }
+    chain.report.warnings.extend(doubts);
     Ok(chain)
 }
 
@@ -106,12 +148,14 @@ fn check_processor(request: &Request) -> Result<(), Errors> {
     errors.into_result(())
 }
 
+/// How many joints code without loops can be wanted for.
+const MOST: usize = 1000;
+
 /// Refuses a chain that is too long for code without loops.
 ///
 /// # Errors
 /// Where more joints move than anyone can want a page of code for.
 pub fn check_size(chain: &Chain) -> Result<(), Errors> {
-    const MOST: usize = 1000;
     let mut errors = chain.source.errors();
     let moving = chain.joints.len();
     if moving > MOST {
@@ -151,10 +195,8 @@ fn list(
         request.scalar,
     )?;
     let mut accuracy = accuracy_of(&found, chain, &functions, means(request));
-    // What would be refused in f32 promises nothing there.
-    if request.scalar == Real::Generic
-        && forward::form(chain, &functions, Real::F32, request.formulation.forward).is_err()
-    {
+    // What would be refused in f32, where it loses as many units, promises nothing there.
+    if request.scalar == Real::Generic && !forward::keeps_half(found.error, Real::F32) {
         let promised = accuracy.into_iter().map(|accuracy| match accuracy {
             solved @ Accuracy::Backward(..) => solved.without_single(UNDONE),
             other => other,
@@ -185,7 +227,7 @@ fn list(
 }
 
 /// Why solutions have no bound in `f32`.
-const UNDONE: &str = "no digit may be left";
+const UNDONE: &str = "less than half of the digits may be left";
 
 /// What the programs of a request compute with.
 fn means(request: &Request) -> Means {
@@ -208,10 +250,13 @@ fn accuracy_of(
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
     let solves = functions.iter().filter_map(|function| match function {
-        Function::MassMatrixInverse => {
+        Function::MassMatrixInverse if found.way.forward == Forward::UNREFINED => {
             let parts = parts(&[Function::MassMatrix]);
             Some(accuracy::of_inverse(chain, &parts, means))
         }
+        Function::MassMatrixInverse => Some(Accuracy::Unknown(
+            "none is derived of an inverse that is refined or made of articulated bodies",
+        )),
         Function::ForwardDynamics => Some(match found.way.forward {
             Forward::MassMatrix { refinements } => {
                 let all = [

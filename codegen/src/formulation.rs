@@ -23,8 +23,8 @@ pub struct Formulation {
     pub frame: Frame,
     /// The inertial parameters that dynamics starts from.
     pub parameters: Parameters,
-    /// How accelerations are found from forces; where none is chosen, by the least that the
-    /// conditioning of the mass matrix asks for, and in a long row of joints by what is cheaper.
+    /// How accelerations are found from forces, and the inverse of the mass matrix; where none is
+    /// chosen, by what is cheapest of what was measured to be accurate enough.
     pub forward: Option<Forward>,
     /// Whether the angles of parallel axes are summed.
     pub angles: Angles,
@@ -54,7 +54,8 @@ pub enum Parameters {
     Raw,
 }
 
-/// How accelerations are found from forces.
+/// How accelerations are found from forces: by forward dynamics, and as the inverse of the mass matrix,
+/// each column of which is the acceleration by a unit force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forward {
     /// By the mass matrix and its factors.

@@ -178,6 +178,12 @@ impl Function {
         }
     }
 
+    /// Whether it solves for what forces do to accelerations.
+    #[must_use]
+    pub const fn solves(self) -> bool {
+        matches!(self, Self::ForwardDynamics | Self::MassMatrixInverse)
+    }
+
     /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
     #[must_use]
     pub const fn of_a_frame(self) -> bool {

@@ -25,6 +25,7 @@ pub use dense::dense;
 use crate::chain::frames::Bodies;
 use crate::expression::{Graph, Input, Term};
 use crate::function::{Argument, Function};
+use crate::matrix::Vector;
 
 /// One of several ways to compute the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,13 +95,24 @@ pub fn build<'g>(
     frame: usize,
     way: Way,
 ) -> Vec<Term<'g>> {
-    let state = State { graph };
+    let state = State::of(graph);
     let path = || carry::path(bodies, frame, &state, way.angles);
     let joints = || carry::joints(bodies, &state, way.angles);
     let gravity = bodies.gravity;
-    let torques = |qdd: &[Term<'g>]| match way.frame {
-        Frame::Link => newton_euler::inverse_dynamics(&joints(), gravity, &state, qdd),
-        Frame::Base => base_frame::inverse_dynamics(&joints(), gravity, &state, qdd),
+    let needed = |gravity: Vector<Term<'g>>, state: &State<'g>, qdd: &[Term<'g>]| match way.frame {
+        Frame::Link => newton_euler::inverse_dynamics(&joints(), gravity, state, qdd),
+        Frame::Base => base_frame::inverse_dynamics(&joints(), gravity, state, qdd),
+    };
+    let torques = |qdd: &[Term<'g>]| needed(gravity, &state, qdd);
+    let inertial = |qdd: &[Term<'g>]| {
+        needed(
+            Vector::zero(graph),
+            &State {
+                rest: true,
+                ..state
+            },
+            qdd,
+        )
     };
     let mass_matrix = || match way.frame {
         Frame::Link => composite::mass_matrix(&joints(), &state),
@@ -123,9 +135,15 @@ pub fn build<'g>(
         (Function::Gravity, Frame::Link) => gravity::gravity(&joints(), gravity, &state),
         (Function::Gravity, Frame::Base) => base_frame::gravity(&joints(), gravity, &state),
         (Function::MassMatrix, _) => mass_matrix(),
-        (Function::MassMatrixInverse, _) => {
-            forward_dynamics::mass_matrix_inverse(&mass_matrix(), &parents())
-        }
+        (Function::MassMatrixInverse, _) => match way.forward {
+            Forward::MassMatrix { refinements } => forward_dynamics::mass_matrix_inverse(
+                &mass_matrix(),
+                &parents(),
+                inertial,
+                refinements,
+            ),
+            Forward::Articulated => articulated::mass_matrix_inverse(&joints(), &state),
+        },
         (Function::ForwardDynamics, _) => match way.forward {
             Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
                 &mass_matrix(),
@@ -142,7 +160,7 @@ pub fn build<'g>(
 /// For each joint the diagonal entry of the mass matrix and the pivot that its factors leave of it.
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
-    let state = State { graph };
+    let state = State::of(graph);
     let matrix = composite::mass_matrix(&carry::joints(bodies, &state, Angles::Apart), &state);
     forward_dynamics::pivots(&matrix, &parents(bodies))
 }
@@ -157,7 +175,7 @@ pub(crate) fn articulated_motion<'g>(
     bodies: &Bodies<'g>,
     way: Way,
 ) -> Vec<Term<'g>> {
-    let state = State { graph };
+    let state = State::of(graph);
     let joints = carry::joints(bodies, &state, way.angles);
     articulated::motion(&joints, bodies.gravity, &state)
 }
@@ -169,7 +187,7 @@ pub(crate) fn articulated_steps<'g>(
     way: Way,
     entries: &[Term<'g>; ARTICULATED_STEP],
 ) -> Vec<Vec<Term<'g>>> {
-    let joints = carry::joints(bodies, &State { graph }, way.angles);
+    let joints = carry::joints(bodies, &State::of(graph), way.angles);
     let steps = joints.iter().map(|joint| articulated::step(joint, entries));
     steps.collect()
 }
@@ -177,9 +195,15 @@ pub(crate) fn articulated_steps<'g>(
 /// The arguments of the generated functions.
 struct State<'g> {
     graph: &'g Graph,
+    /// Whether all rates are zero, whatever the arguments.
+    rest: bool,
 }
 
 impl<'g> State<'g> {
+    const fn of(graph: &'g Graph) -> Self {
+        Self { graph, rest: false }
+    }
+
     /// Entry `k` of an argument.
     fn entry(&self, argument: Argument, k: usize) -> Term<'g> {
         let k = u16::try_from(k).expect("fewer than 65536 joints");
@@ -196,7 +220,11 @@ impl<'g> State<'g> {
     }
 
     fn qd(&self, k: usize) -> Term<'g> {
-        self.entry(Argument::Qd, k)
+        if self.rest {
+            self.zero()
+        } else {
+            self.entry(Argument::Qd, k)
+        }
     }
 
     fn qdd(&self, k: usize) -> Term<'g> {

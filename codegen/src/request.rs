@@ -5,11 +5,14 @@
 //! [`Request`], the same whichever door it came through. It never looks at the description.
 
 use proc_macro2::{Ident, TokenStream};
+use syn::ext::IdentExt;
 
 use crate::description::{Name, Number};
+use crate::error::{Complaint, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::target::Processor;
+use crate::wording::quoted;
 
 /// Everything that is asked for.
 #[derive(Clone, Debug, Default)]
@@ -153,6 +156,42 @@ impl Request {
         }
     }
 
+    /// What the struct fields contradict: two of one name, two for one number, gravity given here and
+    /// there. Each complaint stands at the later one.
+    #[must_use]
+    pub fn clashes(&self) -> Vec<Complaint> {
+        let mut clashes = Vec::new();
+        for (index, parameter) in self.parameters.iter().enumerate() {
+            let Parameter { field, target, .. } = parameter;
+            let place = Place::Token(field.span());
+            let mut complain = |message: String, hint: &str| {
+                clashes.push(Complaint {
+                    place,
+                    message,
+                    hint: Some(hint.to_owned()),
+                });
+            };
+            let before = &self.parameters[..index];
+            if before
+                .iter()
+                .any(|other| other.field.unraw() == field.unraw())
+            {
+                let message = format!("two fields are called `{field}`");
+                complain(message, "give one of them another name");
+            }
+            if let Some(other) = before.iter().find(|other| other.target.is(target)) {
+                let (what, other) = (target.words(), &other.field);
+                let message = format!("field `{field}` stands for {what}, as `{other}` does");
+                complain(message, "leave out one of them");
+            }
+            if matches!(target, Target::Gravity) && self.gravity.is_some() {
+                let message = format!("gravity is given as a vector and in field `{field}`");
+                complain(message, "leave out one of them");
+            }
+        }
+        clashes
+    }
+
     /// Whether a struct field stands for the mass of a link.
     #[must_use]
     pub fn weighs(&self, link: &Name) -> bool {
@@ -201,6 +240,31 @@ impl Target {
             return None;
         };
         Some([problem, example])
+    }
+
+    /// Whether both are the same number.
+    #[must_use]
+    pub fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::MassOf(one), Self::MassOf(other))
+            | (Self::CenterOfMassOf(one), Self::CenterOfMassOf(other))
+            | (Self::OriginOf(one), Self::OriginOf(other)) => one.text == other.text,
+            (Self::Gravity, Self::Gravity) => true,
+            _ => false,
+        }
+    }
+
+    /// What it is in a sentence.
+    #[must_use]
+    pub fn words(&self) -> String {
+        match self {
+            Self::MassOf(link) => format!("the mass of link {}", quoted(&link.text)),
+            Self::CenterOfMassOf(link) => {
+                format!("the centre of mass of link {}", quoted(&link.text))
+            }
+            Self::Gravity => "gravity".to_owned(),
+            Self::OriginOf(joint) => format!("the origin of joint {}", quoted(&joint.text)),
+        }
     }
 
     /// How many numbers the field holds.

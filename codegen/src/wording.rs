@@ -1,7 +1,10 @@
 //! The words of messages: names in quotes, lists, and the known word that was probably meant.
 //!
-//! In: text that anyone may have written, of any length. Out: text that fits a line. It never
+//! In: text that anyone may have written, of any length and of any characters. Out: text that fits
+//! a line and can be seen. It never
 //! decides whether something is a mistake.
+
+use std::borrow::Cow;
 
 /// The longest text that a message repeats in full, in characters.
 const LONGEST: usize = 60;
@@ -9,9 +12,39 @@ const LONGEST: usize = 60;
 /// The text in double quotes, cut where it is too long for a message.
 pub(crate) fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST) {
-        Some((cut, _)) => format!("\"{}…\"", text[..cut].escape_debug()),
-        None => format!("\"{}\"", text.replace(char::is_control, "\u{fffd}")),
+        Some((cut, _)) => format!("\"{}…\"", visible(&text[..cut])),
+        None => format!("\"{}\"", visible(text)),
     }
+}
+
+/// The text in one line, with everything that is not to be seen written as `\u{202e}`: whatever
+/// prints what others have named prints this.
+///
+/// A terminal obeys control characters, rustc refuses comments in which others turn the direction of
+/// the text, and two names that differ by what has no width look like one.
+pub(crate) fn visible(text: &str) -> Cow<'_, str> {
+    if !text.contains(is_hidden) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 8);
+    for letter in text.chars() {
+        if is_hidden(letter) {
+            shown.extend(letter.escape_unicode());
+        } else {
+            shown.push(letter);
+        }
+    }
+    Cow::Owned(shown)
+}
+
+/// Whether a character has no picture of its own: controls, those that turn the direction of text,
+/// those without width, breaks of lines and paragraphs, marks of encodings, tags.
+pub(crate) fn is_hidden(letter: char) -> bool {
+    letter.is_control()
+        || matches!(letter,
+            '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}'
+            | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{fe00}'..='\u{fe0f}'
+            | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
 }
 
 /// `a, b and c`.
@@ -96,8 +129,24 @@ mod tests {
     #[test]
     fn a_message_repeats_no_endless_text() {
         assert_eq!(quoted("arm"), "\"arm\"");
-        assert_eq!(quoted("a\nb"), "\"a\u{fffd}b\"");
+        assert_eq!(quoted("a\nb"), "\"a\\u{a}b\"");
         assert!(quoted(&"x".repeat(1_000_000)).len() < 80);
+    }
+
+    #[test]
+    fn what_is_not_to_be_seen_is_written_out() {
+        assert!(matches!(
+            visible("Kamera-öse 机器人 `x²` \\ \"3\""),
+            Cow::Borrowed(_)
+        ));
+        let hidden = "\0\u{7}\t\n\r\u{1b}\u{7f}\u{85}\u{9b}\u{61c}\u{200b}\u{200d}\u{200e}\u{200f}\u{2028}\
+            \u{2029}\u{202a}\u{202b}\u{202c}\u{202d}\u{202e}\u{2060}\u{2066}\u{2067}\u{2068}\u{2069}\u{feff}";
+        assert!(hidden.chars().all(is_hidden));
+        assert_eq!(visible("a\u{202e}b\u{1b}[2J"), "a\\u{202e}b\\u{1b}[2J");
+        let shown = visible(hidden);
+        assert!(!shown.contains(is_hidden) && shown.is_ascii(), "{shown}");
+        // Whoever shows what was shown changes nothing.
+        assert_eq!(visible(&shown), shown);
     }
 
     #[test]

@@ -8,6 +8,7 @@ pub mod arguments;
 pub mod big;
 pub mod climb;
 pub mod dual;
+pub mod fire;
 pub mod functions;
 pub mod fused_sines;
 pub mod hexadecimal;

@@ -39,6 +39,7 @@ pub struct Subject {
 /// | `spherical_wrist/I` | the same with the second axis across, so that it is singular at q₅ = 0 alone |
 /// | `thin_rod/I` | six rods with axes y and z in turn, and I kg m² about themselves |
 /// | `rolling_rod/I` | the same, the last of which turns about itself |
+/// | `waist_with_arm/0` | a humanoid's waist of three joints in light links, a torso, and an arm of seven |
 /// | `panda_class/D`, `quadruped/0` … | a robot that ships, its first joint D to the side and up |
 /// | `floating_FILE/D` | the same without gravity |
 /// | `payload/M` | the arm of seven joints with M kg at 10 m from its hand |
@@ -72,6 +73,7 @@ pub fn subject(label: &str) -> Subject {
         "spherical_wrist" => wrist(number, [0.0, 1.0, 0.0]),
         "thin_rod" => thin_rods(number, [0.0, 0.0, 1.0]),
         "rolling_rod" => thin_rods(number, [1.0, 0.0, 0.0]),
+        "waist_with_arm" => waist_with_arm(),
         "payload" => with_payload(shipped("panda_class"), number),
         file => {
             let mut description = shipped(file.strip_prefix("floating_").unwrap_or(file));
@@ -215,6 +217,49 @@ fn thin_rods(about_itself: f64, last: [f64; 3]) -> Description {
         )
     });
     robot(segments.collect(), [0.5, 0.0, 0.0])
+}
+
+/// Joints of small links about one point, as gears and motors make them, before what is heavy.
+fn waist_with_arm() -> Description {
+    let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    let body = |mass, center, [xx, yy, zz]: [f64; 3]| Body {
+        mass,
+        center,
+        tensor: [xx, 0.01 * yy, -0.02 * zz, yy, 0.015 * xx, zz],
+    };
+    let small = |mass: f64| {
+        body(
+            mass,
+            [0.01, -0.005, 0.02],
+            [3e-4, 4e-4, 2e-4].map(|of| of * mass),
+        )
+    };
+    let segments = [
+        ([0.0, 0.0, 0.1], z, small(0.3)),
+        ([0.0, 0.0, 0.02], x, small(0.3)),
+        ([0.0; 3], y, body(8.0, [0.01, 0.0, 0.18], [0.1, 0.08, 0.03])),
+        ([0.0, 0.12, 0.25], y, small(0.4)),
+        ([0.0, 0.03, 0.0], x, small(0.4)),
+        (
+            [0.0, 0.0, -0.1],
+            z,
+            body(0.8, [0.0, 0.0, -0.06], [2e-3, 2e-3, 4e-4]),
+        ),
+        (
+            [0.01, 0.0, -0.15],
+            y,
+            body(0.6, [0.0, 0.005, -0.05], [1e-3, 1e-3, 2e-4]),
+        ),
+        ([0.0, 0.0, -0.14], z, small(0.1)),
+        ([0.0; 3], x, small(0.1)),
+        (
+            [0.0; 3],
+            y,
+            body(0.4, [0.0, 0.01, -0.06], [5e-4, 4e-4, 1e-4]),
+        ),
+    ];
+    let segments = segments.map(|(at, axis, body)| revolute(vec![translation(at)], axis, body));
+    robot(segments.into(), [0.0, 0.0, -0.1])
 }
 
 fn with_payload(mut description: Description, mass: f64) -> Description {

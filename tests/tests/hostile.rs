@@ -105,6 +105,26 @@ mod shadowed {
     arm!(Double, f64);
 }
 
+/// Structs that are called as generated code calls its type of number, or a value.
+mod namesakes {
+    macro_rules! arm {
+        ($name:ident) => {
+            #[derive(homogen::Robot)]
+            #[robot(urdf = "robots/hostile.urdf", generate(gravity))]
+            pub(crate) struct $name;
+        };
+    }
+    arm!(T);
+    #[allow(non_camel_case_types, reason = "it is only in the way")]
+    pub(crate) mod k {
+        arm!(k);
+    }
+    #[allow(non_camel_case_types, reason = "it is only in the way")]
+    pub(crate) mod t_1 {
+        arm!(t_1);
+    }
+}
+
 const Q: [f64; 3] = [0.4, -0.2, 1.1];
 const QD: [f64; 3] = [-0.3, 0.5, 0.7];
 const QDD: [f64; 3] = [1.3, -0.8, 0.2];
@@ -145,6 +165,25 @@ fn names_and_scopes_change_no_result() {
         close(double[i], generic[i], 1e-14);
         close(single[i].into(), expected[i], 1e-5);
     }
+}
+
+#[test]
+fn a_struct_may_have_any_name() {
+    let expected = friendly::Arm.gravity(&Q);
+    let found = [
+        namesakes::T.gravity(&Q),
+        namesakes::k::k.gravity(&Q),
+        namesakes::t_1::t_1.gravity(&Q),
+    ];
+    for torques in found {
+        for i in 0..3 {
+            close(torques[i], expected[i], 0.0);
+        }
+    }
+    let joints = friendly::Arm::chain().joints;
+    assert_eq!(namesakes::T::chain().joints, joints);
+    assert_eq!(namesakes::k::k::chain().joints, joints);
+    assert_eq!(namesakes::t_1::t_1::chain().joints, joints);
 }
 
 #[test]

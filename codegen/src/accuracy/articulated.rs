@@ -178,7 +178,7 @@ impl Pair {
     }
 
     fn squares(self) -> Self {
-        Self::new(self.turning.powi(2), self.sliding.powi(2))
+        Self::new(self.turning * self.turning, self.sliding * self.sliding)
     }
 
     fn roots(self) -> Self {
@@ -342,6 +342,7 @@ fn lost(found: &[Value], of: ops::Range<usize>) -> f64 {
     norm(found[of].iter().map(|value| value.error))
 }
 
+/// √Σx², of a sum that neither overflows nor vanishes; the `hypot` of each platform is its own.
 fn norm(entries: impl IntoIterator<Item = f64>) -> f64 {
     bound::root(entries)
 }

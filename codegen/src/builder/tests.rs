@@ -116,6 +116,64 @@ fn every_option_reaches_the_stages() {
     assert_eq!(errors.to_string(), "error: as asked\n");
 }
 
+/// What is said of a two-link arm with these fields.
+fn refusal(fields: &[(&str, Target)]) -> String {
+    let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);
+    let with_fields = fields.iter().fold(builder, |builder, (field, target)| {
+        builder.parameter(field, target.clone())
+    });
+    with_fields
+        .to_tokens()
+        .map_or_else(|errors| errors.to_string(), |_| String::new())
+}
+
+#[test]
+fn two_fields_for_one_number_and_two_of_one_name_are_told_at_once() {
+    let mass = || Target::MassOf("fore".into());
+    assert_eq!(
+        refusal(&[
+            ("a", mass()),
+            ("b", mass()),
+            ("a", Target::Gravity),
+            ("c", Target::Gravity)
+        ]),
+        "error: field `b` stands for the mass of link \"fore\", as `a` does\n  \
+         hint: leave out one of them\n\
+         error: two fields are called `a`\n  hint: give one of them another name\n\
+         error: field `c` stands for gravity, as `a` does\n  hint: leave out one of them\n"
+    );
+    assert_eq!(refusal(&[("a", mass()), ("b", Target::Gravity)]), "");
+    let twice = arm(as_asked)
+        .gravity([0.0; 3])
+        .parameter("g", Target::Gravity);
+    let twice = Builder {
+        expand: crate::expand::expand,
+        ..twice
+    };
+    let said = twice.to_tokens().expect_err("a mistake").to_string();
+    assert!(
+        said.contains("gravity is given as a vector and in field `g`"),
+        "{said}"
+    );
+}
+
+#[test]
+fn the_centre_of_a_mass_that_is_not_there_is_doubted_unless_a_field_gives_the_mass() {
+    let doubts = |builder: Builder| builder.listing().expect("no mistakes").about.warnings;
+    let arm = Builder::from_urdf("../robots/two_link.urdf")
+        .generate([Function::Gravity])
+        .parameter("center", Target::CenterOfMassOf("tip".into()));
+    let message = "link \"tip\" has no mass: field `center`, where its centre is, changes nothing";
+    assert_eq!(doubts(arm.clone()), [message]);
+    let refused = arm.clone().strict().to_tokens().expect_err("strict");
+    assert_eq!(
+        refused.to_string(),
+        format!("error: {message} (refused: strict)\n")
+    );
+    let with_mass = arm.parameter("mass", Target::MassOf("tip".into()));
+    assert_eq!(doubts(with_mass), [""; 0]);
+}
+
 #[test]
 fn a_range_that_a_field_cannot_have_is_told() {
     let mass = || Target::MassOf("rod-2".into());

@@ -96,6 +96,9 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         dropped,
     };
     check_kept(description, request, &tree, &links, &mut errors);
+    for clash in request.clashes() {
+        errors.record(clash);
+    }
     check_targets(request, &tree, &links, &joints, &mut errors);
     choose_tip(description, request, &mut tree, &mut errors);
     check_moving(description, request, &tree, &links, &mut errors);

@@ -16,7 +16,12 @@ use crate::wording::quoted;
 /// 2⁵⁰ rad: beyond, `f64` has no room for a quarter turn.
 const LARGEST_ANGLE: f64 = 1_125_899_906_842_624.0;
 
-/// Refuses what is not a number, no direction, or an angle without digits.
+/// Larger than any length, mass or inertia in any unit. A torque is a product of a mass and two lengths,
+/// and what solves for accelerations squares masses: of six such numbers the product is finite.
+const LARGEST: f64 = 1e50;
+
+/// Refuses what is not a number, no direction, or an angle without digits; and what is so large that
+/// it would overflow on the way.
 pub fn check(description: &Description, request: &Request, tree: &Tree, errors: &mut Errors) {
     if let Some(gravity) = &request.gravity {
         let mut account = Account {
@@ -102,8 +107,12 @@ impl Account<'_> {
     }
 
     fn numbers(&mut self, numbers: &[Number]) {
-        for number in numbers.iter().filter(|number| !number.value.is_finite()) {
-            self.refuse(number.place, "has a number that is not finite");
+        for number in numbers {
+            if !number.value.is_finite() {
+                self.refuse(number.place, "has a number that is not finite");
+            } else if number.value.abs() > LARGEST {
+                self.refuse(number.place, "has a number larger than anything is");
+            }
         }
     }
 

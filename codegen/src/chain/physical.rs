@@ -6,9 +6,12 @@
 
 use super::Chain;
 use super::check::Tree;
-use crate::description::{Description, Inertial};
-use crate::error::{Complaint, Errors};
-use crate::request::Request;
+use crate::description::{Description, Inertial, Link};
+use crate::error::{Complaint, Errors, Place};
+use crate::expression::{Double, Term};
+use crate::matrix::Inertia;
+use crate::request::{Request, Target};
+use crate::wording::quoted;
 
 /// What is within the rounding of the digits that vendors print.
 const TOLERANCE: f64 = 1e-9;
@@ -45,6 +48,7 @@ pub fn check(
             massive[body] = true;
             doubts.extend(doubt(&link.name.text, inertial));
         }
+        doubts.extend(centre_of_nothing(link, request));
     }
     for (&link, _) in carried
         .iter()
@@ -55,8 +59,8 @@ pub fn check(
         doubts.push(Complaint {
             place: name.place,
             message: format!(
-                "link \"{}\" moves and has no inertia: taken as massless",
-                name.text
+                "link {} moves and has no inertia: taken as massless",
+                quoted(&name.text)
             ),
             hint: Some("give it an inertial, with mass 0 if it has none".into()),
         });
@@ -83,14 +87,15 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
     let size = moments
         .into_iter()
         .fold(0.0_f64, |size, moment| size.max(moment.abs()));
+    let link = quoted(link);
     let message = if least < -TOLERANCE * size {
         format!(
-            "no body has the inertia of link \"{link}\": a second moment about its centre of mass \
+            "no body has the inertia of link {link}: a second moment about its centre of mass \
              is {least:.3e} kg m² ({:.1} % of the largest)",
             100.0 * least / size
         )
     } else if mass == 0.0 && size > 0.0 {
-        format!("link \"{link}\" has no mass but an inertia")
+        format!("link {link} has no mass but an inertia")
     } else {
         return None;
     };
@@ -102,6 +107,51 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
     })
 }
 
+/// A field for where the mass of a link is that has none.
+fn centre_of_nothing(link: &Link, request: &Request) -> Option<Complaint> {
+    let inertial = link.inertial.as_ref();
+    if inertial.is_some_and(|inertial| inertial.mass.value != 0.0) || request.weighs(&link.name) {
+        return None;
+    }
+    let parameter = request.parameters.iter().find(|parameter| {
+        matches!(&parameter.target, Target::CenterOfMassOf(name) if name.text == link.name.text)
+    })?;
+    let (name, field) = (quoted(&link.name.text), &parameter.field);
+    Some(Complaint {
+        place: Place::Token(field.span()),
+        message: format!(
+            "link {name} has no mass: field `{field}`, where its centre is, changes nothing"
+        ),
+        hint: Some(format!("give it a mass, or a field with mass_of = {name}")),
+    })
+}
+
+/// Whether a body can have an inertia, given in any frame; none where that is known at run time only.
+#[must_use]
+pub fn is_possible(inertia: Inertia<Term<'_>>) -> Option<bool> {
+    let known = |term: Term<'_>| term.value().map(Double::to_f64);
+    let mass = known(inertia.mass)?;
+    let [x, y, z] = inertia.q.map(known).0;
+    let [x, y, z] = [x?, y?, z?];
+    let [xx, yy, zz, xy, xz, yz] = inertia.second.0.map(known);
+    let per_mass = |product: f64| if mass > 0.0 { product / mass } else { 0.0 };
+    let moments = eigenvalues([
+        xx? - per_mass(x * x),
+        yy? - per_mass(y * y),
+        zz? - per_mass(z * z),
+        xy? - per_mass(x * y),
+        xz? - per_mass(x * z),
+        yz? - per_mass(y * z),
+    ]);
+    let size = moments.into_iter().map(f64::abs).sum::<f64>();
+    Some(
+        mass >= 0.0
+            && moments
+                .into_iter()
+                .all(|moment| moment >= -TOLERANCE * size),
+    )
+}
+
 /// Eigenvalues of a symmetric matrix xx, yy, zz, xy, xz, yz, by Jacobi's rotations.
 fn eigenvalues([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [f64; 3] {
     let mut m = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
@@ -111,8 +161,8 @@ fn eigenvalues([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [f64; 3] {
                 continue;
             }
             let cotangent = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
-            let t = 1.0_f64.copysign(cotangent) / (cotangent.abs() + cotangent.hypot(1.0));
-            let c = 1.0 / t.hypot(1.0);
+            let t = 1.0_f64.copysign(cotangent) / (cotangent.abs() + secant(cotangent));
+            let c = 1.0 / secant(t);
             let s = t * c;
             m[p][p] -= t * m[p][q];
             m[q][q] += t * m[p][q];
@@ -125,9 +175,29 @@ fn eigenvalues([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [f64; 3] {
     [m[0][0], m[1][1], m[2][2]]
 }
 
+/// √(1 + x²), the same on every platform, which the `hypot` of its library is not.
+fn secant(x: f64) -> f64 {
+    // The square of a larger one may overflow, and the 1 is far below the last digit.
+    if x.abs() > 1e100 {
+        x.abs()
+    } else {
+        (1.0 + x * x).sqrt()
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::eigenvalues;
+    use super::{eigenvalues, secant};
+
+    #[test]
+    fn a_secant_neither_overflows_nor_vanishes() {
+        for x in [0.0, -1e-300, 0.75, 1e8, -1e99, 1e101, f64::MAX] {
+            assert!(
+                (secant(x) - x.hypot(1.0)).abs() <= f64::EPSILON * x.hypot(1.0),
+                "{x}"
+            );
+        }
+    }
 
     #[test]
     fn eigenvalues_have_the_trace_and_the_squares_of_the_matrix() {

@@ -277,7 +277,7 @@ fn fields_stand_for_what_is_modelled() {
         Target::OriginOf(named("elbow")),
         Target::OriginOf(named("wrist")),
     ] {
-        let field = quote::format_ident!("field");
+        let field = quote::format_ident!("field_{}", request.parameters.len());
         request.parameters.push(Parameter {
             field,
             target,

@@ -16,6 +16,7 @@ use super::{Answer, Said, json, options};
 use crate::chain::Chain;
 use crate::description::{Description, Joint, JointKind};
 use crate::expand;
+use crate::wording::visible;
 
 /// Tell what was read, merged, locked, left out or repaired, and every doubt with its place
 #[derive(Args, Clone, Debug)]
@@ -101,10 +102,6 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
             "written": angle.written, "quarter_turns": angle.quarters,
         })
     });
-    let warnings = report.warnings.iter().map(|doubt| {
-        let (line, column) = json::line_and_column(doubt.place);
-        json!({ "line": line, "column": column, "message": doubt.message, "hint": doubt.hint })
-    });
     let details = described(description, chain).map(|(joint, mass)| {
         let limits = joint.limits.as_ref();
         // JSON has no infinity: a bound that does not exist is null.
@@ -127,12 +124,16 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
         "base": report.base,
         "tip": tip(chain),
         "joints": names,
+        // Every joint has one of each, called as the joint is.
+        "coordinates": names,
+        "velocities": names,
         "links": report.links,
         "merged": merged,
         "locked": locked,
         "dropped": report.dropped,
+        "mimicked": [],
         "snapped": snapped.collect::<Value>(),
-        "warnings": warnings.collect::<Value>(),
+        "warnings": json::warnings(&report.warnings),
         "details": {
             "hash": format!("{:016x}", description.source.hash),
             "frames": frames,
@@ -157,7 +158,7 @@ fn in_text(description: &Description, chain: &Chain) -> String {
     let report = &chain.report;
     let mut text = String::new();
     let mut line = |line: String| {
-        text.push_str(&line);
+        text.push_str(&visible(&line));
         text.push('\n');
     };
     let from = match &description.source.file {

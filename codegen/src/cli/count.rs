@@ -1,7 +1,8 @@
 //! `homogen count`: what each function costs.
 //!
 //! In: a description and names of functions. Out: a table of the prices that stand above the
-//! generated functions, the dense 4×4 products beside them; as JSON also the bounds of the error.
+//! generated functions, the dense 4×4 products beside them, what the robot cannot have and every
+//! doubt; as JSON also the bounds of the error.
 
 use std::fmt::Write;
 use std::io::Read;
@@ -13,9 +14,11 @@ use super::functions::Functions;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
 use crate::accuracy::{Accuracy, Bound, Given};
-use crate::emit::Listed;
+use crate::emit::{LeftOut, Listed, Listing};
+use crate::error::Complaint;
 use crate::expand::{expand, understand};
 use crate::schedule::Price;
+use crate::wording::visible;
 
 /// Count the operations, depth and literals of each function
 #[derive(Args, Clone, Debug)]
@@ -38,16 +41,15 @@ impl Count {
         let request = self.functions.request(&self.robot);
         let chain = understand(&description, &request)?;
         let listing = expand(&description, &request, options::item(&description))?;
-        let robot = &description.name.text;
         Ok(match self.format {
             Format::Text => Answer {
                 output: table(&listing.functions),
                 remarks: options::warnings(&description, &chain.report.warnings)
-                    + &self.functions.remarks(&listing),
+                    + &Functions::remarks(&listing),
                 code: 0,
             },
             Format::Json => Answer {
-                output: json::text(&in_json(robot, &listing.functions)),
+                output: json::text(&in_json(&listing, &chain.report.warnings)),
                 ..Answer::default()
             },
         })
@@ -72,8 +74,8 @@ fn columns(price: &Price) -> [(&'static str, usize); 12] {
     ]
 }
 
-fn in_json(robot: &str, functions: &[Listed]) -> Value {
-    let prices = functions.iter().map(|listed| {
+fn in_json(listing: &Listing, doubts: &[Complaint]) -> Value {
+    let prices = listing.functions.iter().map(|listed| {
         let mut price = json!({});
         for (name, number) in columns(&listed.price) {
             match name.split_once(' ') {
@@ -88,7 +90,20 @@ fn in_json(robot: &str, functions: &[Listed]) -> Value {
         (listed.name(), price)
     });
     let prices: Map<String, Value> = prices.collect();
-    json!({ "robot": robot, "functions": prices })
+    let left_out = listing.about.left_out.iter();
+    let left_out = left_out.map(
+        |LeftOut {
+             functions,
+             reason,
+             hint,
+         }| { json!({ "functions": functions, "reason": reason, "hint": hint }) },
+    );
+    json!({
+        "robot": listing.about.robot,
+        "functions": prices,
+        "left_out": left_out.collect::<Value>(),
+        "warnings": json::warnings(doubts),
+    })
 }
 
 /// The worst of each unit by the type of number, of the results or of what they are exact for; the
@@ -125,7 +140,8 @@ fn error(accuracy: &Accuracy) -> Value {
 }
 
 fn table(functions: &[Listed]) -> String {
-    let names: Vec<String> = functions.iter().map(Listed::name).collect();
+    let names = functions.iter().map(Listed::name);
+    let names: Vec<String> = names.map(|name| visible(&name).into_owned()).collect();
     let width = names.iter().map(|name| name.chars().count()).max();
     let width = width.unwrap_or(0);
     let mut text = format!("{:width$}", "");

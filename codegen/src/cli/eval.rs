@@ -1,7 +1,8 @@
 //! `homogen eval`: a function's values, without a compiler.
 //!
 //! In: a description, the name of a function, states. Out: its results, computed by the scheduled
-//! program itself in the arithmetic asked for, each number in its shortest form that reads back.
+//! program itself in the arithmetic asked for, each number in its shortest form that reads back; and
+//! every doubt about the description.
 
 use std::fmt::{Display, Write};
 use std::io::{ErrorKind, Read};
@@ -21,6 +22,7 @@ use crate::expand;
 use crate::expression::Input;
 use crate::function::{Argument, Function, Shape};
 use crate::schedule::{Arithmetic, Program, run};
+use crate::wording::visible;
 
 /// Compute a function at given states, without a compiler
 #[derive(Args, Clone, Debug)]
@@ -84,11 +86,10 @@ impl Eval {
             request.scalar,
         )?;
         let results = self.results(&program, &states)?;
-        let remarks = options::warnings(&description, &chain.report.warnings);
         Ok(match self.format {
             Format::Text => Answer {
                 output: in_text(&chain, function, &results),
-                remarks,
+                remarks: options::warnings(&description, &chain.report.warnings),
                 code: 0,
             },
             Format::Json => Answer {
@@ -141,9 +142,13 @@ impl Eval {
         let joints = chain.joints.len();
         let shape = self.function.shape();
         let names = chain.joints.iter().map(|joint| joint.name.as_str());
+        let names: Value = names.collect();
         let mut answer = Map::new();
         answer.insert("function".into(), json!(self.function.name()));
-        answer.insert("joints".into(), names.collect());
+        // Every joint has one of each, called as the joint is.
+        for key in ["coordinates", "velocities", "joints"] {
+            answer.insert(key.into(), names.clone());
+        }
         if self.function.of_a_frame() {
             answer.insert("base".into(), json!(chain.report.base));
             answer.insert("frame".into(), json!(chain.frames[frame].name));
@@ -152,6 +157,7 @@ impl Eval {
         if shape == Shape::Screws {
             answer.insert("rows".into(), json!(SCREW));
         }
+        answer.insert("warnings".into(), json::warnings(&chain.report.warnings));
         let results = results
             .iter()
             .map(|numbers| match rows(shape, joints, numbers) {
@@ -249,7 +255,7 @@ fn in_text(chain: &Chain, function: Function, results: &[Vec<f64>]) -> String {
                 .iter()
                 .zip(numbers)
                 .for_each(|(joint, number)| {
-                    let _ = writeln!(text, "{number:>24?}  {}", joint.name);
+                    let _ = writeln!(text, "{number:>24?}  {}", visible(&joint.name));
                 }),
         }
     }

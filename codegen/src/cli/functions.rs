@@ -3,13 +3,15 @@
 //! In: names, alone or with `+` between them, and the links that they are of. Out: functions; all
 //! that the robot has where none is named. It never knows what a command does with them.
 
+use std::fmt::Write;
+
 use clap::Args;
 
 use super::options::Robot;
-use crate::emit::Listing;
+use crate::emit::{LeftOut, Listing};
 use crate::function::Function;
 use crate::request::Request;
-use crate::wording::{known, list};
+use crate::wording::{known, list, visible};
 
 /// Functions, and further frames that they are of.
 #[derive(Args, Clone, Debug)]
@@ -41,24 +43,23 @@ impl Functions {
         robot.request(&self.frames.frames, &self.functions)
     }
 
-    /// What a person should know about the answer.
-    pub(super) fn remarks(&self, listing: &Listing) -> String {
-        if !self.functions.is_empty() {
-            return String::new();
+    /// What a person should know about the answer: what the robot cannot have.
+    pub(super) fn remarks(listing: &Listing) -> String {
+        let mut text = String::new();
+        for LeftOut {
+            functions,
+            reason,
+            hint,
+        } in &listing.about.left_out
+        {
+            let functions = list(functions.iter().map(String::as_str));
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "note: left out: {functions}: {reason}");
+            if let Some(hint) = hint {
+                let _ = writeln!(text, "  hint: {}", visible(hint));
+            }
         }
-        let all = Function::ALL.into_iter();
-        let missing = all.filter(|function| {
-            let mut listed = listing.functions.iter();
-            listed.all(|listed| listed.functions != [*function])
-        });
-        let missing: Vec<&str> = missing.map(Function::name).collect();
-        if missing.is_empty() {
-            return String::new();
-        }
-        format!(
-            "note: left out: {}\n  hint: ask for one with --functions to hear why\n",
-            list(missing)
-        )
+        text
     }
 }
 

@@ -70,7 +70,7 @@ impl Generate {
             builder = builder.extern_c(prefix);
         }
         let listing = builder.listing()?;
-        remarks.push_str(&self.functions.remarks(&listing));
+        remarks.push_str(&Functions::remarks(&listing));
         let mut output = builder.source(&listing).to_string();
         if let Some(path) = &self.c_header {
             write(path, &builder.c_header(&listing))?;

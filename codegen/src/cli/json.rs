@@ -1,13 +1,15 @@
 //! JSON as it is printed.
 //!
 //! In: a value. Out: text in which a list of numbers or names is one line, and whatever fits a
-//! line is one, so that a matrix can be read. It never changes a number.
+//! line is one, so that a matrix can be read; what cannot be seen is an escape. It never changes a
+//! number or a name.
 
 use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use crate::error::Place;
+use crate::error::{Complaint, Place};
+use crate::wording::is_hidden;
 
 /// What fits a line.
 const WIDTH: usize = 100;
@@ -17,7 +19,33 @@ pub(super) fn text(value: &Value) -> String {
     let mut text = String::new();
     write(value, 1, &mut text);
     text.push('\n');
-    text
+    escaped(&text)
+}
+
+/// Doubts with their places.
+pub(super) fn warnings(doubts: &[Complaint]) -> Value {
+    let doubts = doubts.iter().map(|doubt| {
+        let (line, column) = line_and_column(doubt.place);
+        json!({ "line": line, "column": column, "message": doubt.message, "hint": doubt.hint })
+    });
+    doubts.collect()
+}
+
+/// JSON whose strings have the escapes that JSON has for what a terminal or a reader would be
+/// deceived by; line breaks are between strings alone.
+fn escaped(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if letter != '\n' && is_hidden(letter) {
+            for unit in letter.encode_utf16(&mut [0; 2]) {
+                // Writing to a string cannot fail.
+                let _ = write!(shown, "\\u{unit:04x}");
+            }
+        } else {
+            shown.push(letter);
+        }
+    }
+    shown
 }
 
 /// The line and the column of a place, null where it has none.
@@ -68,6 +96,16 @@ fn is_nested(value: &Value) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_cannot_be_seen_is_an_escape() {
+        let name = "a\u{202e}b\n\u{1b}\u{7f}\u{85}\u{e0041}é\\";
+        let text = text(&json!({ name: [name] }));
+        assert!(!text.contains(|c| c != '\n' && is_hidden(c)), "{text}");
+        assert_eq!(text.lines().count(), 3);
+        let read: Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(read, json!({ name: [name] }));
+    }
 
     #[test]
     fn lists_of_numbers_stay_on_a_line() {

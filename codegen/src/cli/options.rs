@@ -18,6 +18,7 @@ use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::request::{Real, Request};
 use crate::target::Processor;
+use crate::wording::visible;
 
 /// Which robot, and which part of it.
 #[derive(Args, Clone, Debug)]
@@ -179,7 +180,7 @@ pub(super) fn warnings(description: &Description, doubts: &[Complaint]) -> Strin
         // Writing to a string cannot fail.
         let _ = writeln!(text, "warning: {}", errors.locate(doubt));
         if let Some(hint) = &doubt.hint {
-            let _ = writeln!(text, "  hint: {hint}");
+            let _ = writeln!(text, "  hint: {}", visible(hint));
         }
     }
     text

@@ -25,10 +25,11 @@ const KEYS: [&str; 5] = ["mass_of", "com_of", "gravity", "origin_of", "range"];
 ///
 /// None only where the tokens are no struct, enum or union at all.
 pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
-    let input: DeriveInput = match syn::parse2(tokens) {
+    let parsed = tokens::check_depth(&tokens);
+    let input: DeriveInput = match parsed.and_then(|()| Ok(syn::parse2(tokens)?)) {
         Ok(input) => input,
-        Err(error) => {
-            tokens::push(errors, error.into());
+        Err(complaint) => {
+            tokens::push(errors, complaint);
             return None;
         }
     };
@@ -66,12 +67,14 @@ pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<I
             Vec::new()
         }
     };
-    check_gravity(&parameters, &contents, errors);
     let mut item = inline::item(contents, input.ident, folder, errors);
     item.attributes = attributes;
     item.visibility = input.vis;
     item.generics = input.generics;
     item.request.parameters = parameters;
+    for clash in item.request.clashes() {
+        errors.record(clash);
+    }
     Some(item)
 }
 
@@ -140,9 +143,6 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                 };
                 if found.is_some() {
                     let message = format!("field `{ident}` stands for two numbers");
-                    tokens::push(errors, complaint(span, message));
-                } else if parameters.iter().any(|other| same(&other.target, &target)) {
-                    let message = format!("field `{ident}` stands for what another field does");
                     tokens::push(errors, complaint(span, message));
                 } else {
                     found = Some(target);
@@ -232,27 +232,6 @@ fn said(input: ParseStream) -> Parsed<Said> {
     };
     tokens::separator(input, &key)?;
     Ok(Said::Target(of(tokens::name(input)?)))
-}
-
-fn same(one: &Target, other: &Target) -> bool {
-    match (one, other) {
-        (Target::MassOf(one), Target::MassOf(other))
-        | (Target::CenterOfMassOf(one), Target::CenterOfMassOf(other))
-        | (Target::OriginOf(one), Target::OriginOf(other)) => one.text == other.text,
-        (Target::Gravity, Target::Gravity) => true,
-        _ => false,
-    }
-}
-
-fn check_gravity(parameters: &[Parameter], contents: &Contents, errors: &mut Errors) {
-    let field = parameters
-        .iter()
-        .find(|parameter| matches!(parameter.target, Target::Gravity));
-    if let (Some(field), Some(span)) = (field, contents.settings.span("gravity")) {
-        let message = format!("gravity is given here and in field `{}`", field.field);
-        let hint = "leave out one of them";
-        tokens::push(errors, complaint_with_hint(span, message, hint));
-    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Directions of axes.
 //!
-//! In: three numbers with their digits. Out: the same direction with length 1, or why it is none.
-//! It lengthens or shortens by no more than the written digits leave open: `0.577 0.577 0.577` is
-//! a unit vector, `0 0 2` is a mistake.
+//! In: three numbers with their digits. Out: the same direction with length 1, and a doubt where the
+//! length that was written is another; or why it is no direction. What the written digits leave open
+//! is no doubt: `0.577 0.577 0.577` is a unit vector, `0 0 2` is not.
 
 use super::Number;
 
@@ -12,26 +12,31 @@ const LARGEST_EXCUSE: f64 = 0.02;
 /// Departure from length 1 that comes from rounding alone.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// What is wrong with an axis: the end of a sentence that begins with the axis' name.
-pub(super) struct Refusal {
+/// The largest departure from length 1 that nobody needs to hear of, however many digits there are:
+/// exporters normalise what they have rounded before.
+const UNNOTICED: f64 = 1e-9;
+
+/// What is to be said of an axis: the end of a sentence that begins with the axis' name.
+pub(super) struct Remark {
     pub(super) what: String,
     pub(super) hint: String,
 }
 
-/// The axis with length 1.
-pub(super) fn unit(axis: [Number; 3]) -> Result<[Number; 3], Refusal> {
+/// The axis with length 1, and what is doubtful about it; or what is wrong with it.
+pub(super) fn unit(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), Remark> {
     let values = axis.map(|number| number.value);
     let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest == 0.0 {
-        return Err(Refusal {
+        return Err(Remark {
             what: "is zero".to_owned(),
             hint: "give it a direction, such as 0 0 1".to_owned(),
         });
     }
     // Scaled, so that no square overflows or vanishes.
     let scaled = values.map(|x| x / largest);
-    let length = largest * scaled.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let direction = scaled.map(|x| x / (length / largest));
+    let of_scaled = scaled.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let direction = scaled.map(|x| x / of_scaled);
+    let length = largest * of_scaled;
 
     let open: f64 = axis
         .iter()
@@ -39,21 +44,21 @@ pub(super) fn unit(axis: [Number; 3]) -> Result<[Number; 3], Refusal> {
         .map(|(number, cosine)| digits_open(number) * cosine.abs())
         .sum();
     let excess = (length - 1.0).abs();
-    if excess > open.min(LARGEST_EXCUSE) + ROUNDING {
-        let [x, y, z] = direction;
-        return Err(Refusal {
-            what: format!("has length {length} instead of 1"),
-            hint: format!("of length 1 it is {x} {y} {z}"),
-        });
-    }
     if excess <= ROUNDING {
-        return Ok(axis);
+        return Ok((axis, None));
     }
+    let doubt = (excess > open.min(LARGEST_EXCUSE) + UNNOTICED).then(|| {
+        let [x, y, z] = direction;
+        Remark {
+            what: format!("has length {}: taken with length 1", readable(length)),
+            hint: format!("of length 1 it is {x} {y} {z}"),
+        }
+    });
     let mut unit = axis;
     for (number, value) in unit.iter_mut().zip(direction) {
         number.value = value;
     }
-    Ok(unit)
+    Ok((unit, doubt))
 }
 
 /// By how much the digits of a number leave it open; whole numbers are meant as they stand.
@@ -65,13 +70,23 @@ fn digits_open(number: &Number) -> f64 {
     }
 }
 
+/// A length without hundreds of zeros.
+fn readable(length: f64) -> String {
+    if (1e-4..1e6).contains(&length) {
+        length.to_string()
+    } else {
+        format!("{length:e}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::description::number;
     use crate::error::Place;
 
-    fn axis(text: &str) -> Result<[f64; 3], (String, String)> {
+    /// The direction that a text means, and what is said of it.
+    fn axis(text: &str) -> Result<([f64; 3], Option<String>), String> {
         let mut words = text.split(' ');
         let numbers = std::array::from_fn(|_| {
             match number::read(words.next().unwrap_or("0"), Place::Unknown) {
@@ -80,42 +95,69 @@ mod tests {
             }
         });
         unit(numbers)
-            .map(|axis| axis.map(|number| number.value))
-            .map_err(|refusal| (refusal.what, refusal.hint))
+            .map(|(axis, doubt)| {
+                let said = doubt.map(|doubt| format!("{}; {}", doubt.what, doubt.hint));
+                (axis.map(|number| number.value), said)
+            })
+            .map_err(|refusal| refusal.what)
+    }
+
+    fn said(text: &str) -> Option<String> {
+        axis(text).unwrap().1
     }
 
     #[test]
     fn a_unit_axis_stays_as_written() {
-        assert_eq!(axis("0 0 1"), Ok([0.0, 0.0, 1.0]));
-        assert_eq!(axis("0 -1 0"), Ok([0.0, -1.0, 0.0]));
-        assert_eq!(axis("0.6 0 0.8"), Ok([0.6, 0.0, 0.8]));
+        assert_eq!(axis("0 0 1"), Ok(([0.0, 0.0, 1.0], None)));
+        assert_eq!(axis("0 -1 0"), Ok(([0.0, -1.0, 0.0], None)));
+        assert_eq!(axis("0.6 0 0.8"), Ok(([0.6, 0.0, 0.8], None)));
     }
 
     #[test]
-    fn rounded_digits_are_made_good() {
+    fn rounded_digits_are_made_good_without_a_word() {
         let third = 1.0 / 3.0_f64.sqrt();
-        let found = axis("0.577 0.577 0.577").unwrap();
+        let (found, said) = axis("0.577 0.577 0.577").unwrap();
         assert!(found.iter().all(|x| (x - third).abs() < 1e-15));
-        let found = axis("0.7071 0 -0.7071").unwrap();
+        assert_eq!(said, None);
+        let (found, said) = axis("0.7071 0 -0.7071").unwrap();
         assert!((found[0] - 0.5_f64.sqrt()).abs() < 1e-15 && found[1] == 0.0);
+        assert_eq!(said, None);
+        // All digits, of numbers that were rounded to twelve before.
+        assert_eq!(said_of_length(1.0 - 4e-13), None);
+        assert!(said_of_length(1.0 - 4e-9).is_some());
+    }
+
+    fn said_of_length(length: f64) -> Option<String> {
+        said(&format!("0 0 {length:.17}"))
     }
 
     #[test]
-    fn zero_and_other_lengths_are_refused() {
-        assert_eq!(axis("0 0.0 0").unwrap_err().0, "is zero");
+    fn another_length_is_made_one_and_said() {
         assert_eq!(
-            axis("0 0 2").unwrap_err(),
-            (
-                "has length 2 instead of 1".to_owned(),
-                "of length 1 it is 0 0 1".to_owned()
-            )
+            axis("0 0 2"),
+            Ok((
+                [0.0, 0.0, 1.0],
+                Some("has length 2: taken with length 1; of length 1 it is 0 0 1".to_owned())
+            ))
         );
+        let (found, _) = axis("1 1 0").unwrap();
+        assert!((found[0] - 0.5_f64.sqrt()).abs() < 1e-15);
         assert_eq!(
-            axis("1 1 0").unwrap_err().0,
-            "has length 1.4142135623730951 instead of 1"
+            said("-3e-300 0 4e-300").as_deref(),
+            Some("has length 5e-300: taken with length 1; of length 1 it is -0.6 0 0.8")
         );
-        assert!(axis("0 0 0.9").is_err());
-        assert!(axis("1e300 1e300 0").is_err());
-        assert!(axis("1e-300 0 0").is_err());
+        assert_eq!(axis("0 1e300 0").unwrap().0, [0.0, 1.0, 0.0]);
+        assert!(
+            said("1.5e308 1.5e308 0")
+                .unwrap()
+                .starts_with("has length inf")
+        );
+        assert!(said("0 0 0.9").is_some());
+    }
+
+    #[test]
+    fn zero_is_no_direction() {
+        assert_eq!(axis("0 0.0 0"), Err("is zero".to_owned()));
+        assert_eq!(axis("0 -0 1e-400"), Err("is zero".to_owned()));
     }
 }

@@ -10,7 +10,7 @@ use std::path::Path;
 use proc_macro2::Span;
 
 use super::{Description, denavit_hartenberg, urdf};
-use crate::error::{Errors, Place};
+use crate::error::{Complaint, Errors, Place};
 
 /// Reads a file: a table for `.dh`, URDF for `.urdf` and `.xml`, and what its text looks like for
 /// every other ending.
@@ -37,7 +37,8 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
     read_bytes(&bytes, &name, anchor, errors)
 }
 
-/// Reads the bytes of a file of that name, or of standard input under any name.
+/// Reads the bytes of a file of that name, or of standard input under any name; in Latin-1, with a
+/// doubt, where they are not UTF-8 and make sense so.
 pub fn read_bytes(
     bytes: &[u8],
     file: &str,
@@ -47,8 +48,17 @@ pub fn read_bytes(
     match std::str::from_utf8(bytes) {
         Ok(text) => read_text(text, file, anchor, errors),
         Err(error) => {
+            let doubt = doubt_encoding(bytes, error.valid_up_to());
+            // The characters of Latin-1 are the first of Unicode.
+            let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
+            let mut found = Errors::new();
+            if let Some(mut description) = read_text(&text, file, anchor, &mut found) {
+                errors.append(found);
+                description.warnings.insert(0, doubt);
+                return Some(description);
+            }
             errors.set_file(file, anchor);
-            refuse_encoding(bytes, error.valid_up_to(), errors);
+            errors.push_with_hint(doubt.place, doubt.message, doubt.hint.unwrap_or_default());
             None
         }
     }
@@ -105,7 +115,8 @@ fn load(path: &Path) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-fn refuse_encoding(bytes: &[u8], valid: usize, errors: &mut Errors) {
+/// What is said of bytes that are UTF-8 only up to there.
+fn doubt_encoding(bytes: &[u8], valid: usize) -> Complaint {
     let place = std::str::from_utf8(&bytes[..valid]).map_or(Place::Unknown, |text| {
         super::position::Positions::new(text).place(valid)
     });
@@ -114,7 +125,11 @@ fn refuse_encoding(bytes: &[u8], valid: usize, errors: &mut Errors) {
     } else {
         "the file is not written in UTF-8"
     };
-    errors.push_with_hint(place, message, "save it as UTF-8");
+    Complaint {
+        place,
+        message: message.to_owned(),
+        hint: Some("save it as UTF-8".to_owned()),
+    }
 }
 
 #[cfg(test)]
@@ -152,10 +167,24 @@ mod tests {
     }
 
     #[test]
+    fn latin_1_is_read_with_a_doubt() {
+        let bytes = b"<robot\nname=\"b\xe4r\"><link name='a'/><!-- \xdf --></robot>";
+        let mut errors = Errors::new();
+        let robot = read_bytes(bytes, "latin1.urdf", None, &mut errors).unwrap();
+        assert!(errors.is_empty(), "{errors}");
+        assert_eq!(robot.name.text, "bär");
+        let [doubt] = &robot.warnings[..] else {
+            panic!("{:?}", robot.warnings);
+        };
+        assert!(matches!(doubt.place, Place::File { line: 2, column: 8 }));
+        assert_eq!(doubt.message, "the file is not written in UTF-8");
+    }
+
+    #[test]
     fn other_encodings_are_said() {
         assert_eq!(
-            errors("latin1.urdf", b"<robot\nname=\"b\xe4r\"/>"),
-            "error: latin1.urdf:2:8: the file is not written in UTF-8\n  hint: save it as UTF-8\n"
+            errors("binary.urdf", b"\x7fELF\xff\n"),
+            "error: binary.urdf:1:5: the file is not written in UTF-8\n  hint: save it as UTF-8\n"
         );
         assert_eq!(
             errors("utf16.urdf", b"\xff\xfe<\0r\0"),

@@ -47,8 +47,12 @@ enum Part {
 
 /// Reads the tokens of `chain!`; relative paths of files begin at `folder`.
 ///
-/// None only where no struct is named.
+/// None only where no struct is named, or none can be looked for.
 pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
+    if let Err(complaint) = tokens::check_depth(&tokens) {
+        tokens::push(errors, complaint);
+        return None;
+    }
     let mut found = None;
     let parser = |input: ParseStream| {
         found = chain(input, folder, errors)
@@ -223,6 +227,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
             Part::Joint(mut joint) => {
                 let before = description.links.last().map(|link| link.name.clone());
                 joint.from = joint.from.or(before);
+                description.warnings.append(&mut joint.doubts);
                 waiting.push(joint);
             }
             Part::Row(joint) => description.joints.push(joint),

@@ -4,7 +4,7 @@
 //! is wrong. After a mistake the caller goes on behind the next separator, so that all mistakes of
 //! a macro call are reported at once.
 
-use proc_macro2::{Delimiter, Span, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, LitFloat, LitInt, LitStr, Token, token};
@@ -47,6 +47,27 @@ pub(super) fn push(errors: &mut Errors, complaint: Complaint) {
         Some(hint) => errors.push_with_hint(complaint.place, complaint.message, hint),
         None => errors.push(complaint.place, complaint.message),
     }
+}
+
+/// Deeper than anyone writes brackets in brackets, and than parsers of Rust bear it.
+const DEEPEST: usize = 128;
+
+/// Complains of brackets that nest too deep to be looked into.
+pub(super) fn check_depth(tokens: &TokenStream) -> Parsed<()> {
+    // Not by recursion, which is what this is about.
+    let mut open = vec![tokens.clone().into_iter()];
+    while let Some(innermost) = open.last_mut() {
+        match innermost.next() {
+            Some(TokenTree::Group(group)) if open.len() > DEEPEST => {
+                let message = format!("more than {DEEPEST} brackets within each other");
+                return Err(complaint(group.span_open(), message));
+            }
+            Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
+            Some(_) => {}
+            None => drop(open.pop()),
+        }
+    }
+    Ok(())
 }
 
 /// A word, be it a keyword of Rust or not.

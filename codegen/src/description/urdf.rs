@@ -2,18 +2,23 @@
 //!
 //! In: the text of a file. Out: a [`Description`], as far as it could be read, with a complaint
 //! for every mistake, each at its line and column. Everything that is not mechanics (meshes,
-//! transmissions, simulators' settings) is passed over. It never takes time or memory out of
-//! proportion to the text, and never guesses a number that is not there.
+//! simulators' settings) is passed over; mechanics that are not modelled (friction, gears) are
+//! passed over with a doubt. It never takes time or memory out of proportion to the text, and never
+//! guesses a number that is not there.
 
 mod element;
 mod joint;
 mod link;
+mod plain;
+mod transmission;
+mod unmodelled;
 mod xml;
 
 use proc_macro2::Span;
 use roxmltree::Node;
 
 use self::element::Reader;
+use self::unmodelled::Unmodelled;
 use super::position::Positions;
 use super::{Description, Name, Source, file, names};
 use crate::error::{Errors, Place};
@@ -43,11 +48,13 @@ pub fn read(
 ) -> Option<Description> {
     errors.set_file(file, anchor);
     let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
-    let document = xml::parse(&positions, errors)?;
+    let plain = plain::plain(positions.text());
+    let document = xml::parse(&plain, &positions, errors)?;
     let mut reader = Reader {
         positions: &positions,
         errors: Errors::new(),
         warnings: Vec::new(),
+        unmodelled: Unmodelled::default(),
         unknown: 0,
         xacro: None,
     };
@@ -65,6 +72,7 @@ pub fn read(
             hash: file::fingerprint(text.as_bytes()),
         };
         description.warnings = reader.warnings;
+        description.warnings.extend(reader.unmodelled.doubts());
         names::check(description, errors);
     }
     description
@@ -95,6 +103,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         match child.tag_name().name() {
             "link" => links.extend(link::read(reader, child)),
             "joint" => joints.extend(joint::read(reader, child)),
+            "transmission" => transmission::read(reader, child),
             _ => {}
         }
     }

@@ -5,25 +5,30 @@
 //! fixed size, results go to memory that need not hold anything yet: there is nothing unsafe but the
 //! promise that no other function has these names.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
+use syn::ext::IdentExt;
 
 use super::dialect::Dialect;
-use super::documentation::{self, plain};
+use super::documentation;
 use super::item::is_array;
 use super::method::{arguments, count, names};
+use super::names::{Names, is_keyword};
 use super::results::type_of;
 use super::{Library, Listed, Listing};
 use crate::function::{Function, Shape};
 use crate::request::Real;
+use crate::wording::visible;
 
 /// The functions, one for each method.
 pub(super) fn functions(listing: &Listing, prefix: &str, dialect: &Dialect) -> TokenStream {
     let methods = listing.functions.iter().zip(names(listing));
     methods
-        .map(|(listed, method)| function(listing, listed, &method, prefix, dialect))
+        .zip(symbols(listing, prefix))
+        .map(|((listed, method), symbol)| function(listing, listed, &method, &symbol, dialect))
         .collect()
 }
 
@@ -31,7 +36,7 @@ fn function(
     listing: &Listing,
     listed: &Listed,
     method: &Ident,
-    prefix: &str,
+    symbol: &str,
     dialect: &Dialect,
 ) -> TokenStream {
     let robot = &listing.item.ident;
@@ -68,7 +73,7 @@ fn function(
     };
     let about =
         format!(" [`{robot}::{method}`] for C, whose header tells what the pointers are to be.");
-    let name = format_ident!("{prefix}{method}");
+    let name = format_ident!("{symbol}");
     quote! {
         #[doc = #about]
         #[allow(unsafe_code, reason = "the name is promised to be the only one of its kind")]
@@ -98,13 +103,13 @@ pub fn c_header(listing: &Listing, options: &str, library: &Library) -> Option<S
             .to_owned(),
     );
     let mut text = comment(&head);
-    let guard = format!("HOMOGEN_{}{}_H", prefix, listing.item.ident).to_uppercase();
+    let robot = ascii(&listing.item.ident.unraw().to_string());
+    let guard = format!("HOMOGEN_{prefix}{robot}_H").to_uppercase();
     let _ = writeln!(text, "#ifndef {guard}\n#define {guard}\n");
     text.push_str("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
     structure(&mut text, listing, prefix, number);
-    for (listed, method) in listing.functions.iter().zip(names(listing)) {
+    for (listed, name) in listing.functions.iter().zip(symbols(listing, prefix)) {
         text.push_str(&comment(&documentation::lines(listing, listed, &dialect)));
-        let name = format!("{prefix}{method}");
         let _ = writeln!(
             text,
             "void {name}({});\n",
@@ -121,7 +126,9 @@ fn structure(text: &mut String, listing: &Listing, prefix: &str, number: &str) {
         return;
     }
     text.push_str("typedef struct {\n");
+    let mut taken = BTreeSet::new();
     for parameter in &listing.parameters {
+        let field = member(&parameter.field, &mut taken);
         let about = documentation::field(&parameter.target);
         let size = if is_array(&parameter.target) {
             "[3]"
@@ -131,13 +138,52 @@ fn structure(text: &mut String, listing: &Listing, prefix: &str, number: &str) {
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "    {number} {}{size}; /* {} */",
-            parameter.field,
+            "    {number} {field}{size}; /* {} */",
             harmless(&about)
         );
     }
     let _ = writeln!(text, "}} {prefix}robot;\n");
 }
+
+/// The names of the functions: those of the methods behind the prefix, in ASCII, without which there
+/// is no `no_mangle`.
+fn symbols(listing: &Listing, prefix: &str) -> Vec<String> {
+    let mut names = Names::default();
+    let listed = listing.functions.iter();
+    listed
+        .map(|listed| format!("{prefix}{}", names.fresh(&ascii(&listed.name()))))
+        .collect()
+}
+
+/// What a field is called in C; only its place in the struct has to be that of Rust.
+fn member(field: &Ident, taken: &mut BTreeSet<String>) -> String {
+    let mut name = ascii(&field.unraw().to_string());
+    while is_keyword(&name) || KEYWORDS.contains(&name.as_str()) || taken.contains(&name) {
+        name.push('_');
+    }
+    taken.insert(name.clone());
+    name
+}
+
+/// The text with an underscore for every character that not every compiler takes in a name.
+fn ascii(text: &str) -> String {
+    text.replace(|letter: char| !letter.is_ascii(), "_")
+}
+
+/// Words that C or C++ reserves and Rust does not, and two that common compilers define.
+#[rustfmt::skip]
+const KEYWORDS: [&str; 78] = [
+    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "case",
+    "catch", "char", "char16_t", "char32_t", "char8_t", "class", "co_await", "co_return",
+    "co_yield", "compl", "concept", "const_cast", "consteval", "constexpr", "constinit",
+    "decltype", "default", "delete", "double", "dynamic_cast", "explicit", "export", "float",
+    "friend", "goto", "inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not",
+    "not_eq", "nullptr", "operator", "or", "or_eq", "private", "protected", "public", "register",
+    "reinterpret_cast", "requires", "restrict", "short", "signed", "sizeof", "static_assert",
+    "static_cast", "switch", "template", "this", "thread_local", "throw", "typedef", "typeid",
+    "typename", "typeof_unqual", "unsigned", "using", "void", "volatile", "wchar_t", "xor", "xor_eq",
+    "linux", "unix",
+];
 
 /// `const float q[6], float gravity[6]`.
 fn parameters(listing: &Listing, listed: &Listed, prefix: &str, number: &str) -> String {
@@ -170,7 +216,7 @@ fn comment(lines: &[String]) -> String {
     format!("/* {}\n */\n", lines.join("\n * ").replace(" \n", "\n"))
 }
 
-/// A text that does not end the comment around it.
+/// A text that neither ends the comment around it nor seems to begin another.
 fn harmless(text: &str) -> String {
-    plain(text).replace("*/", "* /")
+    visible(text).replace("*/", "* /").replace("/*", "/ *")
 }

@@ -31,7 +31,7 @@ pub(super) fn chain(listing: &Listing, dialect: &Dialect) -> TokenStream {
         joints: data.names.len(),
         parameters: &listing.parameters,
     };
-    let names = Names::beside(&listing.item.generics);
+    let names = Names::beside(&listing.item);
     let Body {
         statements,
         results,

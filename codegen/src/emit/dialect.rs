@@ -60,7 +60,7 @@ pub(super) enum World {
 impl Dialect {
     /// For a crate that has the runtime.
     pub fn of_runtime(listing: &Listing) -> Self {
-        let mut names = Names::beside(&listing.item.generics);
+        let mut names = Names::beside(&listing.item);
         let made = matches!(listing.item.declaration, Declaration::Made);
         Self {
             fields: made.then_some(listing.scalar),

@@ -12,10 +12,10 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::dialect::{Dialect, Library, World};
-use super::names::sanitize;
-use super::{About, Listed, Listing, method, sines};
+use super::{About, LeftOut, Listed, Listing, method, sines};
 use crate::function::{Argument, Function, Shape};
 use crate::request::{Real, Target};
+use crate::wording::{list, visible};
 
 /// The doc comment of a generated method.
 pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -> TokenStream {
@@ -71,6 +71,7 @@ pub(super) fn of_chain(about: &About) -> TokenStream {
         origin(about),
     ];
     lines.extend(facts(about));
+    lines.extend(left_out(about));
     comment(&lines)
 }
 
@@ -78,6 +79,7 @@ pub(super) fn of_chain(about: &About) -> TokenStream {
 pub(super) fn of_robot(about: &About) -> TokenStream {
     let mut lines = vec![origin(about)];
     lines.extend(facts(about));
+    lines.extend(left_out(about));
     comment(&lines)
 }
 
@@ -110,15 +112,14 @@ pub(super) fn field(target: &Target) -> String {
 pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> String {
     let mut lines = head(listing, options);
     lines.push(needs(listing, library));
-    for listed in &listing.functions {
-        let name = method::name(&listed.functions, listed.frame.as_deref());
-        lines.push(format!("{}: {}.", sanitize(&name), listed.price));
+    for (listed, name) in listing.functions.iter().zip(method::names(listing)) {
+        lines.push(format!("{name}: {}.", listed.price));
         let said = listed.accuracy.iter().flat_map(error::lines);
         lines.extend(said.map(|line| format!("    {}", line.replacen("Error", "error", 1))));
     }
     lines.iter().fold(String::new(), |mut text, line| {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "// {}", plain(line));
+        let _ = writeln!(text, "// {}", visible(line));
         text
     })
 }
@@ -135,6 +136,7 @@ pub(super) fn head(listing: &Listing, options: &str) -> Vec<String> {
         lines.push(format!("Options: {options}."));
     }
     lines.extend(facts(about));
+    lines.extend(left_out(about));
     lines
 }
 
@@ -280,9 +282,23 @@ fn facts(about: &About) -> Vec<String> {
         .collect()
 }
 
+/// What the robot has not, where everything that it can have was asked for, and why, a line each.
+fn left_out(about: &About) -> impl Iterator<Item = String> {
+    let missing = about.left_out.iter();
+    missing.map(
+        |LeftOut {
+             functions, reason, ..
+         }| {
+            let functions: Vec<String> = functions.iter().map(|name| code(name)).collect();
+            let functions = list(functions.iter().map(String::as_str));
+            format!("Left out: {functions} ({reason}).")
+        },
+    )
+}
+
 /// A name of the user's, so that neither Markdown nor a lint takes it for prose.
 fn code(name: &str) -> String {
-    format!("`{}`", plain(name).replace('`', "'"))
+    format!("`{}`", visible(name).replace('`', "'"))
 }
 
 /// A path as people write it.
@@ -290,13 +306,8 @@ fn spelled(path: &TokenStream) -> String {
     path.to_string().replace(' ', "")
 }
 
-/// A text in one line.
-pub(super) fn plain(text: &str) -> String {
-    text.replace(char::is_control, " ")
-}
-
 fn comment(lines: &[String]) -> TokenStream {
-    let lines = lines.iter().map(|line| match &*plain(line) {
+    let lines = lines.iter().map(|line| match &*visible(line) {
         "" => String::new(),
         line => format!(" {line}"),
     });

@@ -29,7 +29,7 @@ pub(super) fn method(
         joints,
         parameters: &listing.parameters,
     };
-    let names = Names::beside(&listing.item.generics);
+    let names = Names::beside(&listing.item);
     let Body {
         statements,
         results,

@@ -7,8 +7,10 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span};
+use syn::GenericParam;
 use syn::ext::IdentExt;
-use syn::{GenericParam, Generics};
+
+use super::Item;
 
 /// The names of one scope.
 #[derive(Clone, Debug, Default)]
@@ -17,10 +19,12 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// Names beside those of the user's generic parameters.
-    pub fn beside(generics: &Generics) -> Self {
+    /// Names beside those of the user's struct, which in a pattern would be taken for its only value,
+    /// and of its generic parameters.
+    pub fn beside(item: &Item) -> Self {
         let mut names = Self::default();
-        for parameter in &generics.params {
+        names.take_ident(&item.ident);
+        for parameter in &item.generics.params {
             match parameter {
                 GenericParam::Type(parameter) => names.take_ident(&parameter.ident),
                 GenericParam::Const(parameter) => names.take_ident(&parameter.ident),
@@ -52,7 +56,7 @@ impl Names {
     }
 
     fn alone(&mut self, mut name: String) -> Ident {
-        while self.taken.contains(&name) || KEYWORDS.contains(&name.as_str()) {
+        while self.taken.contains(&name) || is_keyword(&name) {
             name.push('_');
         }
         let ident = Ident::new(&name, Span::call_site());
@@ -63,7 +67,7 @@ impl Names {
 
 /// A text as an identifier: lower case, with one underscore for every run of what no identifier
 /// can hold. It may be a keyword.
-pub(super) fn sanitize(text: &str) -> String {
+fn sanitize(text: &str) -> String {
     let mut name = String::with_capacity(text.len());
     for letter in text.chars().flat_map(char::to_lowercase) {
         if is_continue(letter) {
@@ -92,20 +96,28 @@ pub fn type_name(text: &str) -> String {
         first.chain(letters).collect::<String>()
     });
     let name: String = words.collect();
-    if KEYWORDS.contains(&name.as_str()) {
+    if is_keyword(&name) {
         format!("{name}_")
     } else {
         name
     }
 }
 
-/// Whether a letter other than the underscore may stand within an identifier.
+/// Whether a letter other than the underscore may stand within an identifier: those of Latin script,
+/// Chinese characters, Japanese kana, Korean syllables. Of other scripts many look like one of those,
+/// have no width, or are the same letter in two encodings, which the compiler takes for one.
 fn is_continue(letter: char) -> bool {
-    if letter.is_ascii() {
-        letter.is_ascii_alphanumeric()
-    } else {
-        letter.is_alphanumeric() && syn::parse_str::<Ident>(&format!("a{letter}")).is_ok()
+    match letter {
+        // Ligatures, and letters that stand for two others.
+        '×' | '÷' | 'ĳ' | 'ŀ' | 'ŉ' | 'ſ' => false,
+        'ß'..='ž' | 'ぁ'..='ゖ' | 'ァ'..='ヺ' | '一'..='鿿' | '가'..='힣' => true,
+        letter => letter.is_ascii_alphanumeric(),
     }
+}
+
+/// Whether Rust reserves the word.
+pub(super) fn is_keyword(name: &str) -> bool {
+    KEYWORDS.contains(&name)
 }
 
 /// Reserved words of all editions up to 2024.
@@ -120,7 +132,7 @@ const KEYWORDS: [&str; 54] = [
 
 #[cfg(test)]
 mod tests {
-    use super::{Names, type_name};
+    use super::{Item, Names, type_name};
     use proc_macro2::Ident;
     use syn::parse_quote;
 
@@ -172,6 +184,45 @@ mod tests {
     }
 
     #[test]
+    fn letters_that_look_like_others_or_like_nothing_are_no_part_of_a_name() {
+        let wishes = [
+            "a\u{430}",
+            "fi\u{fb01}",
+            "\u{f900}",
+            "\u{1f71}b",
+            "\u{3164}",
+            "\u{200d}x\u{202e}",
+            "e\u{301}",
+            "機器人",
+            "각",
+            "\u{1100}\u{1161}\u{11a8}",
+            "ŉſŀĳ9",
+            "İ",
+        ];
+        let names = fresh(&mut Names::default(), &wishes);
+        assert_eq!(
+            names,
+            [
+                "a",
+                "fi",
+                "unnamed",
+                "b",
+                "unnamed_",
+                "x",
+                "e",
+                "機器人",
+                "각",
+                "unnamed__",
+                "n9",
+                "i"
+            ]
+        );
+        for name in names {
+            assert!(syn::parse_str::<Ident>(&name).is_ok(), "{name}");
+        }
+    }
+
+    #[test]
     fn types_have_names_of_their_own() {
         let names = ["panda", "double pendulum", "ur5e-robot", "2nd", "self", ""];
         assert_eq!(
@@ -188,10 +239,15 @@ mod tests {
     }
 
     #[test]
-    fn generic_parameters_are_left_alone() {
-        let item: syn::DeriveInput = parse_quote! { struct Arm<'t_1, T, const q_1: usize>; };
-        let mut names = Names::beside(&item.generics);
-        assert_eq!(fresh(&mut names, &["q_1", "t_1"]), ["q_1_", "t_1"]);
+    fn the_struct_and_its_generic_parameters_are_left_alone() {
+        let item: syn::DeriveInput = parse_quote! { struct k<'t_1, T, const q_1: usize>; };
+        let mut names = Names::beside(&Item::derived(&item));
+        assert_eq!(
+            fresh(&mut names, &["q_1", "t_1", "k"]),
+            ["q_1_", "t_1", "k_"]
+        );
         assert_eq!(names.fresh_type("T"), "T_");
+        let item: syn::DeriveInput = parse_quote! { struct T; };
+        assert_eq!(Names::beside(&Item::derived(&item)).fresh_type("T"), "T_");
     }
 }

@@ -32,7 +32,7 @@ pub struct Wanted<'a> {
 #[must_use]
 pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
     let Wanted { item, request, .. } = wanted;
-    let mut names = Names::beside(&item.generics);
+    let mut names = Names::beside(item);
     let dialect = Dialect::runtime(request.scalar, request.runtime.clone(), &mut names);
     let unknown = wanted.joints.is_none().then(|| names.fresh_type("N"));
     let count = match (&unknown, wanted.joints) {

@@ -109,7 +109,7 @@ pub(crate) fn listing(item: Item, scalar: Real) -> Listing {
                 "gravity only along −y".to_owned(),
             ],
             formulation: Vec::new(),
-            warnings: Vec::new(),
+            ..About::default()
         },
         functions: vec![listed(&[Function::Gravity], gravity(literal(0.5)))],
         data: ChainData {

@@ -34,6 +34,7 @@ pub(super) fn about(description: &Description, chain: &Chain, formulation: Formu
         facts: facts(chain, formulation.parameters),
         formulation: formulation.words(),
         warnings: warnings(description, chain),
+        left_out: Vec::new(),
     }
 }
 

@@ -1,11 +1,14 @@
 //! Which of the programs that compute the same is taken.
 //!
 //! In: a chain, the functions that are asked for together, a formulation. Out: the [`Program`] that
-//! costs least on a processor, of all layouts of the frames and all ways that compute them; or the
-//! program of one layout and one way. It never looks at values: which form of forward dynamics is
-//! accurate enough has been decided in [`forward`].
+//! costs least on a processor, of all layouts of the frames and all ways that compute them, and of the
+//! forms of forward dynamics that are accurate enough; or the program of one layout and one way. It
+//! never looks at values itself: [`Measure`] tells how far a program is off, and [`forward`] which
+//! forms there are and what is enough.
 
 use super::forward;
+use super::measured::Measure;
+use super::solvable::solvable;
 use crate::chain::Chain;
 use crate::chain::frames::{Layout, arrange};
 use crate::error::Errors;
@@ -21,8 +24,8 @@ use crate::target::Processor;
 /// The cheapest program found for some functions together, of a frame of the chain.
 ///
 /// # Errors
-/// Where forward dynamics is asked for of a chain that has none, or that would have no correct
-/// digit in this type of number.
+/// Where forward dynamics, or the inverse of the mass matrix, is asked for of a chain that has none, or
+/// that no form leaves half of the digits in this type of number.
 ///
 /// # Panics
 /// Where a function of a frame is asked for and the chain has none.
@@ -78,6 +81,8 @@ pub(super) struct Found {
     pub(super) program: Program,
     pub(super) layout: Layout,
     pub(super) way: Way,
+    /// The error that was measured \[u\], where the form was chosen by it.
+    pub(super) error: f64,
 }
 
 pub(super) fn cheapest(
@@ -88,85 +93,119 @@ pub(super) fn cheapest(
     frame: usize,
     scalar: Real,
 ) -> Result<Found, Errors> {
-    let forms = forms(formulation, chain, functions, scalar)?;
-    let dynamic = functions.iter().any(|function| !function.of_a_frame());
-    let layouts = if dynamic {
-        Layout::for_dynamics(chain)
-    } else {
-        Layout::for_kinematics(chain)
-    };
-    let schedule = match formulation.products {
-        Products::Fused if processor.fuses(scalar) => schedule,
-        Products::Fused | Products::Unfused => schedule_unfused,
-    };
-    let ways = ways(formulation, functions);
-    let mut best: Option<(usize, Found)> = None;
-    for forward in forms {
+    let search = Search::new(processor, formulation, chain, functions, frame, scalar);
+    if !functions.iter().any(|function| function.solves()) {
+        return Ok(search.best(Way::PLAIN.forward).1);
+    }
+    let worst = solvable(chain)?;
+    if let Some(asked) = formulation.forward {
+        return Ok(search.best(asked).1);
+    }
+    let mut measure = Measure::of(chain, functions, worst.loss);
+    let mut tried: Vec<(usize, Found)> = Vec::new();
+    for forms in forward::rounds(chain, functions, formulation) {
+        let mut best: Option<(usize, Found)> = None;
+        for form in forms {
+            let (weight, mut found) = search.best(form);
+            if best.as_ref().is_some_and(|(least, _)| *least <= weight) {
+                continue;
+            }
+            found.error = measure.error(&found.program, scalar);
+            if found.error <= forward::ENOUGH {
+                best = Some((weight, found));
+            } else {
+                tried.push((weight, found));
+            }
+        }
+        if let Some((_, found)) = best {
+            return Ok(found);
+        }
+    }
+    // None is accurate enough: what costs least of those that lose little more than the best.
+    let least = (tried.iter()).fold(f64::INFINITY, |least, (_, found)| least.min(found.error));
+    if !forward::keeps_half(least, scalar) {
+        return Err(forward::hopeless(chain, worst, least, functions, scalar));
+    }
+    let near = tried
+        .into_iter()
+        .filter(|(_, found)| found.error <= 2.0 * least);
+    let best = near.min_by_key(|(weight, _)| *weight);
+    Ok(best.expect("the least is among them").1)
+}
+
+/// Where the program of least weight is looked for.
+struct Search<'a> {
+    processor: Processor,
+    formulation: Formulation,
+    chain: &'a Chain,
+    functions: &'a [Function],
+    frame: usize,
+    scalar: Real,
+    layouts: Vec<Layout>,
+    ways: Vec<Way>,
+}
+
+impl<'a> Search<'a> {
+    fn new(
+        processor: Processor,
+        formulation: Formulation,
+        chain: &'a Chain,
+        functions: &'a [Function],
+        frame: usize,
+        scalar: Real,
+    ) -> Self {
+        let dynamic = functions.iter().any(|function| !function.of_a_frame());
+        Self {
+            processor,
+            formulation,
+            chain,
+            functions,
+            frame,
+            scalar,
+            layouts: if dynamic {
+                Layout::for_dynamics(chain)
+            } else {
+                Layout::for_kinematics(chain)
+            },
+            ways: ways(formulation, functions),
+        }
+    }
+
+    /// The program of least weight in a form of forward dynamics, of all layouts and ways; its error has
+    /// not been measured.
+    fn best(&self, forward: Forward) -> (usize, Found) {
+        let schedule = match self.formulation.products {
+            Products::Fused if self.processor.fuses(self.scalar) => schedule,
+            Products::Fused | Products::Unfused => schedule_unfused,
+        };
         // What a body opposes to an acceleration must be a body's; and a refinement is as good as its
         // residual: a literal that has taken in a heavy neighbour's mass is rounded to the size of
         // that.
-        let physical = forward != Forward::UNREFINED || formulation.parameters == Parameters::Raw;
-        for &layout in &layouts {
+        let physical =
+            forward != Forward::UNREFINED || self.formulation.parameters == Parameters::Raw;
+        let mut best: Option<(usize, Found)> = None;
+        for &layout in &self.layouts {
             let regroup = layout.regroup && !physical;
             let layout = Layout { regroup, ..layout };
-            for &way in &ways {
+            for &way in &self.ways {
                 let way = Way { forward, ..way };
-                let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+                let (chain, functions) = (self.chain, self.functions);
+                let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);
                 let program = schedule(&graph, &results);
-                let weight = processor.weight(scalar, &Price::of(&program));
+                let weight = self.processor.weight(self.scalar, &Price::of(&program));
                 if best.as_ref().is_none_or(|(least, _)| weight < *least) {
                     let found = Found {
                         program,
                         layout,
                         way,
+                        error: 0.0,
                     };
                     best = Some((weight, found));
                 }
             }
         }
+        best.expect("there is at least one layout and one way")
     }
-    Ok(best
-        .expect("there is at least one form, one layout and one way")
-        .1)
-}
-
-/// The forms of forward dynamics between which the count decides: the one that is accurate enough,
-/// and articulated bodies for a chain so long that they may be cheaper. They lose fewer digits than
-/// factors that need no refinement.
-fn forms(
-    formulation: Formulation,
-    chain: &Chain,
-    functions: &[Function],
-    scalar: Real,
-) -> Result<Vec<Forward>, Errors> {
-    // The factors cost ever more for each further joint: with skew axes they are dearer from 11 on,
-    // with right angles from 13. In a plane they are from 4 on, but an arm keeps the form that has the
-    // closer error bound, and is expanded in half of the time.
-    const COMPARED: usize = 8;
-    const DEARER: usize = 20;
-    let form = forward::form(chain, functions, scalar, formulation.forward)?;
-    let articulated = Formulation {
-        forward: Some(Forward::Articulated),
-        ..formulation
-    };
-    let open = formulation.forward.is_none()
-        && form == Forward::UNREFINED
-        && functions.contains(&Function::ForwardDynamics)
-        && articulated.check().is_ok();
-    Ok(match longest(chain) {
-        DEARER.. if open => vec![Forward::Articulated],
-        COMPARED.. if open => vec![form, Forward::Articulated],
-        _ => vec![form],
-    })
-}
-
-/// The most joints that stand in a row.
-fn longest(chain: &Chain) -> usize {
-    let mut before: Vec<usize> = Vec::with_capacity(chain.joints.len());
-    for joint in &chain.joints {
-        before.push(1 + joint.parent.map_or(0, |parent| before[parent]));
-    }
-    before.into_iter().max().unwrap_or(0)
 }
 
 /// The ways between which the count decides.

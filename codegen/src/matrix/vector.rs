@@ -126,3 +126,35 @@ impl<'g> Mul<Term<'g>> for Vector<Term<'g>> {
         Self(self.0.map(|entry| entry * factor))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::Double;
+
+    #[test]
+    fn a_unit_vector_made_one_again_is_known_as_well_as_before() {
+        let graph = Graph::new();
+        let described = Vector::constant(&graph, [0.6, 0.0, 0.8]);
+        let mut direction = described.normalized().expect("a direction");
+        let radius = |vector: Vector<Term<'_>>| vector.z().value().map_or(1.0, Double::radius);
+        // The second time it may come out as another number of 106 bits.
+        direction = direction.normalized().expect("a direction");
+        let before = radius(direction);
+        for _ in 0..100 {
+            direction = direction.normalized().expect("a direction");
+        }
+        assert!(radius(direction) <= 1e3 * before, "{before:e}");
+        assert!(before < 1e-30);
+    }
+
+    #[test]
+    fn a_written_number_stays_exact_beside_one_that_comes_out_like_it() {
+        let graph = Graph::new();
+        let written = graph.constant(1.0);
+        let three = Vector::constant(&graph, [0.1, 0.2, 0.3]);
+        let one = (three.x() + three.y()) / (three.x() + three.y());
+        assert!(one.expr() == written.expr());
+        assert!(written.value().is_some_and(|value| value.radius() == 0.0));
+    }
+}

@@ -1,8 +1,9 @@
 //! Joint accelerations by the articulated-body recursion (Featherstone 1983): what a body and all
-//! that hangs on it loosely opposes to an acceleration, carried inwards; accelerations outwards.
+//! that hangs on it loosely opposes to an acceleration, carried inwards; accelerations outwards, or
+//! the inverse of the mass matrix from what unit forces do on their way inwards.
 //!
-//! In: the joints and bodies with physical inertias, never regrouped ones. Out: q̈. No mass matrix is
-//! formed, so no digit is lost with its conditioning.
+//! In: the joints and bodies with physical inertias, never regrouped ones. Out: q̈, or M⁻¹. No mass
+//! matrix is formed, and what its conditioning would take is lost only as far as masses differ.
 
 use super::State;
 use super::carry::Joint;
@@ -57,6 +58,61 @@ pub fn forward_dynamics<'g>(
         acceleration
     });
     found
+}
+
+/// The inverse of the mass matrix, row by row: M⁻¹ = Yᵗ D⁻¹ Y, with the joints' shares D and Yₖⱼ the
+/// force that joint k lacks, standing still, where joint j exerts a unit force (the innovations form
+/// of Rodriguez, Jain and Kreutz-Delgado, "A spatial operator algebra for manipulator modeling and
+/// control", 1991). Only joints inboard of j feel it.
+pub fn mass_matrix_inverse<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>> {
+    let count = joints.len();
+    let mut articulated: Vec<Articulated<'g>> = (joints.iter())
+        .map(|joint| Articulated::of(joint.inertia))
+        .collect();
+    let mut yields = Vec::with_capacity(count);
+    for k in (0..count).rev() {
+        let joint = &joints[k];
+        let given = articulated[k].yielding(joint, joint.motion);
+        if let Some(parent) = joint.parent {
+            articulated[parent] = articulated[parent] + given.left.passed_on(joint);
+        }
+        yields.push(given);
+    }
+    yields.reverse();
+
+    // Of each joint, the joints inboard of it and itself, with Y, from itself inwards.
+    let one = state.graph.constant(1.0);
+    let lacks = (0..count).map(|column| {
+        let mut rows = vec![(column, one)];
+        let mut action = yields[column].pushed(one, None, &joints[column]);
+        let mut at = column;
+        while let Some(parent) = joints[at].parent {
+            action = carried(&joints[at], action);
+            let joint = &joints[parent];
+            let lacking = -action.along(joint.screw);
+            rows.push((parent, lacking));
+            action = yields[parent].pushed(lacking, Some(action), joint);
+            at = parent;
+        }
+        rows.reverse();
+        rows
+    });
+    let lacks: Vec<Vec<(usize, Term<'g>)>> = lacks.collect();
+    let mut entries = vec![state.zero(); count * count];
+    for column in 0..count {
+        for row in 0..=column {
+            // What is inboard of both is where their rows begin, which go from the base outwards.
+            let both = lacks[row].iter().zip(&lacks[column]);
+            let both = both.take_while(|((k, _), (l, _))| k == l);
+            let products =
+                both.map(|((k, of_row), (_, of_column))| *of_column * yields[*k].inverse * *of_row);
+            let entry = products.reduce(|sum, product| sum + product);
+            let entry = entry.unwrap_or_else(|| state.zero());
+            entries[row * count + column] = entry;
+            entries[column * count + row] = entry;
+        }
+    }
+    entries
 }
 
 /// How many numbers [`motion`] gives for each joint: c and f of the velocities, ω̇ and a that they
@@ -179,14 +235,14 @@ fn passed_on<'g>(
     left: &Articulated<'g>,
     action: Action<Term<'g>>,
 ) -> (Articulated<'g>, Action<Term<'g>>) {
-    let left = left
-        .turn(joint.turn())
-        .shift(joint.offset())
-        .inboard(joint.placement);
-    let action = action
+    (left.passed_on(joint), carried(joint, action))
+}
+
+/// An action on a body, in the frame of the one that carries it.
+fn carried<'g>(joint: &Joint<'g>, action: Action<Term<'g>>) -> Action<Term<'g>> {
+    action
         .change_frame(joint.displacement())
-        .change_frame(joint.placement);
-    (left, action)
+        .change_frame(joint.placement)
 }
 
 /// The linear map from an acceleration (ω̇, a) to the action (c, f) that it takes:
@@ -206,6 +262,31 @@ struct Yielding<'g> {
     inverse: Term<'g>,
     /// What the joint passes on.
     left: Articulated<'g>,
+}
+
+impl<'g> Yielding<'g> {
+    /// What the joint passes on of an action, if there is one, when it yields to the force that it lacks:
+    /// along itself nothing of the action, and the force of the joint where there is none.
+    fn pushed(
+        &self,
+        lacking: Term<'g>,
+        action: Option<Action<Term<'g>>>,
+        joint: &Joint<'g>,
+    ) -> Action<Term<'g>> {
+        let push = lacking * self.inverse;
+        let (mut c, mut f) = (self.action.c * push, self.action.f * push);
+        let mut along = lacking;
+        if let Some(action) = action {
+            (c, f) = (c + action.c, f + action.f);
+            along = along.graph().constant(0.0);
+        }
+        match joint.motion {
+            Motion::Revolute => c.0[2] = along,
+            Motion::Prismatic => f.0[2] = along,
+            Motion::Screw(_) => {}
+        }
+        Action { c, f }
+    }
 }
 
 impl<'g> Articulated<'g> {
@@ -268,6 +349,13 @@ impl<'g> Articulated<'g> {
             }
             Motion::Screw(_) => {}
         }
+    }
+
+    /// In the frame of the body that carries it.
+    fn passed_on(&self, joint: &Joint<'g>) -> Self {
+        self.turn(joint.turn())
+            .shift(joint.offset())
+            .inboard(joint.placement)
     }
 
     /// In other axes.

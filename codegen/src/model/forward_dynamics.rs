@@ -1,8 +1,9 @@
-//! Joint accelerations of given joint forces and torques, from the mass matrix and the bias.
+//! Joint accelerations of given joint forces and torques, from the mass matrix and the bias; and the
+//! accelerations of unit forces, which are the inverse of the mass matrix.
 //!
-//! In: the mass matrix, the tree, and what computes inverse dynamics. Out: q̈. A refinement takes
-//! the inverse dynamics of what was found as the residual, which brings back the digits that forming
-//! the mass matrix lost. It never knows in which frame either was computed.
+//! In: the mass matrix, the tree, and what computes inverse dynamics. Out: q̈, or M⁻¹. A refinement
+//! takes the inverse dynamics of what was found as the residual, which brings back the digits that
+//! forming the mass matrix lost. It never knows in which frame either was computed.
 
 use super::factor::factor;
 use crate::expression::Term;
@@ -32,21 +33,33 @@ pub fn forward_dynamics<'g>(
     accelerations
 }
 
-/// The inverse of the mass matrix, row by row.
-pub fn mass_matrix_inverse<'g>(matrix: &[Term<'g>], parents: &[Option<usize>]) -> Vec<Term<'g>> {
+/// The inverse of the mass matrix, row by row; `needed` is the inverse dynamics at rest without
+/// gravity: M q̈ of q̈.
+pub fn mass_matrix_inverse<'g>(
+    matrix: &[Term<'g>],
+    parents: &[Option<usize>],
+    needed: impl Fn(&[Term<'g>]) -> Vec<Term<'g>>,
+    refinements: usize,
+) -> Vec<Term<'g>> {
     let count = parents.len();
     let factors = factor(matrix, parents);
     let graph = matrix[0].graph();
     let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
     let mut entries = vec![zero; count * count];
-    for column in 0..count {
-        let mut unit = vec![zero; count];
-        unit[column] = one;
-        let solved = factors.solve(&unit);
-        // The inverse is symmetric: what one column has, the others need not compute.
-        for row in 0..=column {
-            entries[row * count + column] = solved[row];
-            entries[column * count + row] = solved[row];
+    for _ in 0..=refinements {
+        let before = entries.clone();
+        for column in 0..count {
+            // The inverse is symmetric: what one column has, the others need not compute.
+            let found = &before[column * count..][..count];
+            let needed = needed(found).into_iter().enumerate();
+            let unit = |row: usize| if row == column { one } else { zero };
+            let lacking: Vec<Term<'g>> = needed.map(|(k, needed)| unit(k) - needed).collect();
+            let more = factors.solve(&lacking);
+            for row in 0..=column {
+                let entry = found[row] + more[row];
+                entries[row * count + column] = entry;
+                entries[column * count + row] = entry;
+            }
         }
     }
     entries

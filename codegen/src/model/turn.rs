@@ -8,7 +8,7 @@
 use super::State;
 use crate::chain::Motion;
 use crate::chain::frames::{Bodies, Body};
-use crate::expression::{Double, Graph, Term};
+use crate::expression::{Graph, Term};
 use crate::formulation::Angles;
 
 /// A turn about z.
@@ -69,9 +69,10 @@ pub fn of<'g>(body: &Body<'g>, k: usize, state: &State<'g>, outer: Option<Turn<'
         Motion::Revolute | Motion::Screw(_) => Turn::by(state.q(k), body.offset),
         Motion::Prismatic => Turn::default(),
     };
+    // The axes are parallel where there is an outer turn: which way is all that is open.
     let same = body.placement.rotation.0[2][2]
         .value()
-        .is_some_and(Double::is_one);
+        .is_some_and(|cosine| cosine.to_f64() > 0.0);
     match outer {
         Some(outer) if same => outer.and(own),
         Some(outer) => outer.reversed().and(own),

@@ -1,246 +1,187 @@
-//! Descriptions and requests at random.
+//! Robots at random, as nasty as those that vendors ship.
 //!
-//! In: a source of random numbers. Out: a tree whose joint k carries link k + 1, told in any order,
-//! and a request that it can fulfil. Right angles, axes along coordinates and zeros are frequent,
-//! since they are what simplification looks for.
+//! In: a source of random numbers. Out: a [`Robot`]. Whoever changes this keeps what follows in it;
+//! [`features`](super::features) counts each, and a test wants some of all of them:
+//! * residues of 1e-18 to 1e-6 where a zero was meant: in offsets, in roll, pitch and yaw, in axes,
+//!   in centres of mass, in the axes of inertias and in their products;
+//! * offsets and rotations that a fixed joint takes back but for rounding;
+//! * right angles written with 2 to 17 digits, with `pi`, as sums of two or three parts, and so many
+//!   turns of them that the angle is huge; angles beside right ones;
+//! * axes that are coaxial, parallel, antiparallel, intersecting or nothing of all that;
+//! * links without inertial, massless ones in the middle, points, thin rods;
+//! * every kind of joint that has one coordinate, and fixed ones everywhere; up to 20 joints;
+//! * units in which numbers are a thousand times as large or as small;
+//! * whatever a request can combine: another base, tips, further frames, joints held at zero and
+//!   elsewhere, links dropped, the path alone, `exact`, any gravity and none, struct fields whose
+//!   values are not those described;
+//! * numbers read as URDF, as tokens, and numbers that were never written, with no digits to read.
+//!
+//! One robot in three is plain: the same without residues.
 
-use std::array::from_fn;
-use std::f64::consts::FRAC_PI_2;
+mod bodies;
+mod numbers;
 
-use homogen_codegen::description::{
-    Axis, Description, Inertial, Joint, JointKind, Link, Name, Number, Source, Step,
-};
-use homogen_codegen::error::Place;
-use homogen_codegen::request::{Parameter, Request, Target};
-use quote::format_ident;
-
-use super::JOINTS;
 use crate::states::Random;
 
-pub(super) struct Grown {
-    pub(super) description: Description,
-    pub(super) request: Request,
-    pub(super) fields: Vec<[f64; 3]>,
+use self::numbers::Numbers;
+use super::robot::{Asked, Body, Door, Field, Kind, Robot};
+use super::written::Written;
+
+/// The most joints of a robot, moving or not.
+pub const MOST: usize = 20;
+
+/// A robot in which something moves.
+pub fn grow(random: &mut Random) -> Robot {
+    loop {
+        let robot = attempt(random);
+        if robot.moving().next().is_some() {
+            return robot;
+        }
+    }
 }
 
-pub(super) fn grow(random: &mut Random) -> Grown {
-    // Mostly a chain, sometimes a branch from anywhere.
-    let parents = from_fn(|k| match random.below(3) {
-        0 => random.below(k + 1),
-        _ => k,
-    });
-    let mut joints: Vec<Joint> = (0..JOINTS).map(|k| joint(k, parents[k], random)).collect();
-    let mut links: Vec<Link> = (0..=JOINTS).map(|k| link(k, random)).collect();
-    let modelled = Modelled::random(parents, random);
-    let request = request(&modelled, &joints, random);
-    let fields = request.parameters.iter();
-    let fields = fields
-        .map(|_| vector(random).map(|entry| 1.5 + entry))
+fn attempt(random: &mut Random) -> Robot {
+    let count = match random.below(16) {
+        0..=10 => 1 + random.below(6),
+        11..=14 => 7 + random.below(4),
+        _ => 11 + random.below(MOST - 10),
+    };
+    let unit = |random: &mut Random| match random.below(8) {
+        0 => 1e3,
+        1 => 1e-3,
+        _ => 1.0,
+    };
+    let mut numbers = Numbers {
+        residues: !random.chance(3),
+        door: *random.choose(&[Door::Urdf, Door::Urdf, Door::Inline, Door::Computed]),
+        length: unit(random),
+        mass: unit(random),
+        random,
+    };
+    let mut bodies: Vec<Body> = Vec::new();
+    for id in 1..=count {
+        // Mostly a chain, sometimes a branch from anywhere.
+        let parent = match numbers.random.below(4) {
+            0 => numbers.random.below(id),
+            _ => id - 1,
+        };
+        let body = bodies::body(id, parent, &bodies, &mut numbers);
+        bodies.push(body);
+    }
+    if numbers.random.chance(6) {
+        let row = row(&bodies, 1 + numbers.random.below(count));
+        bodies::share_a_right_angle(&mut bodies, &row, &mut numbers);
+    }
+    let root = bodies::inertial(&mut numbers);
+    let mut robot = Robot {
+        root,
+        bodies,
+        asked: Asked::default(),
+        door: numbers.door,
+    };
+    ask(&mut robot, &mut numbers);
+    shuffle(&mut robot.bodies, numbers.random);
+    robot
+}
+
+/// A body and the two before it.
+fn row(bodies: &[Body], last: usize) -> Vec<usize> {
+    let before = |id: &usize| {
+        let body = bodies.iter().find(|body| body.id == *id);
+        body.map(|body| body.parent)
+    };
+    std::iter::successors(Some(last), before).take(3).collect()
+}
+
+/// A request that the robot can fulfil.
+fn ask(robot: &mut Robot, numbers: &mut Numbers) {
+    let count = robot.bodies.len();
+    let random = &mut *numbers.random;
+    if random.chance(4) {
+        robot.asked.base = random.below(count.min(3));
+    }
+    if random.chance(4) {
+        let link = 1 + random.below(count);
+        if link != robot.asked.base {
+            robot.asked.drop.push(link);
+        }
+    }
+    let modelled: Vec<usize> = (robot.bodies.iter().map(|body| body.id))
+        .filter(|&id| robot.models(id))
         .collect();
-    shuffle(&mut joints, random);
-    shuffle(&mut links, random);
-    Grown {
-        description: Description {
-            name: name("tree", 0),
-            source: Source::default(),
-            links,
-            joints,
-            warnings: Vec::new(),
-        },
-        request,
-        fields,
-    }
-}
-
-/// What is left of a tree when it is cut at a base and below a dropped link.
-struct Modelled {
-    base: usize,
-    dropped: Option<usize>,
-    /// The base first.
-    links: Vec<usize>,
-}
-
-impl Modelled {
-    fn random(parents: [usize; JOINTS], random: &mut Random) -> Self {
-        let base = if random.chance(4) { random.below(3) } else { 0 };
-        let dropped = random.chance(4).then(|| 1 + random.below(JOINTS));
-        let dropped = dropped.filter(|&link| link != base);
-        let mut links = vec![base];
-        // Parents have smaller numbers than their children.
-        for (k, parent) in parents.into_iter().enumerate() {
-            let link = k + 1;
-            if links.contains(&parent) && Some(link) != dropped && link != base {
-                links.push(link);
-            }
-        }
-        Self {
-            base,
-            dropped,
-            links,
-        }
-    }
-}
-
-fn request(modelled: &Modelled, joints: &[Joint], random: &mut Random) -> Request {
-    let tip = (!random.chance(4)).then(|| name("link", *random.choose(&modelled.links)));
-    let mut request = Request {
-        base: (modelled.base > 0).then(|| name("link", modelled.base)),
-        path_only: tip.is_some() && random.chance(4),
-        tip,
-        drop: modelled.dropped.iter().map(|&k| name("link", k)).collect(),
-        gravity: match random.below(4) {
-            0 => Some([number(0.0); 3]),
-            1 => Some(vector(random).map(number)),
-            _ => None,
-        },
-        ..Request::default()
+    let link = |random: &mut Random| match modelled[..] {
+        [] => robot.asked.base,
+        _ => *random.choose(&modelled),
     };
-    for joint in joints {
-        if !matches!(joint.kind, JointKind::Fixed) && random.chance(8) {
-            let at = (!random.chance(2)).then(|| number(random.unit()));
-            request.lock.push((joint.name.clone(), at));
-        }
-    }
-    if random.chance(3) {
-        let link = *random.choose(&modelled.links);
-        request.frames.push(name("link", link));
-    }
-    // The base is fixed: what it weighs is felt nowhere, and nothing carries it.
-    for &link in modelled.links.iter().filter(|&&link| link != modelled.base) {
-        let target = match random.below(16) {
-            0 => Target::MassOf(name("link", link)),
-            1 => Target::CenterOfMassOf(name("link", link)),
-            2 => Target::OriginOf(name("joint", link - 1)),
-            _ => continue,
-        };
-        add(&mut request, target);
-    }
-    if request.gravity.is_none() && random.chance(4) {
-        add(&mut request, Target::Gravity);
-    }
-    request
-}
-
-fn add(request: &mut Request, target: Target) {
-    let field = format_ident!("field_{}", request.parameters.len());
-    request.parameters.push(Parameter {
-        field,
-        target,
-        range: None,
-    });
-}
-
-fn joint(k: usize, parent: usize, random: &mut Random) -> Joint {
-    let kind = match random.below(6) {
-        0 | 1 => JointKind::Revolute,
-        2 => JointKind::Continuous,
-        3 => JointKind::Prismatic,
-        4 => JointKind::Screw {
-            pitch: number(0.1 * random.unit()),
-        },
-        _ => JointKind::Fixed,
-    };
-    Joint {
-        name: name("joint", k),
-        kind,
-        parent: name("link", parent),
-        child: name("link", k + 1),
-        origin: steps(random),
-        axis: direction(random).map(number),
-        limits: None,
-        place: Place::Unknown,
-    }
-}
-
-fn link(k: usize, random: &mut Random) -> Link {
-    let inertial = (!random.chance(5)).then(|| Inertial {
-        origin: steps(random),
-        mass: number(1.5 + random.unit()),
-        inertia: tensor(random).map(number),
-        place: Place::Unknown,
-    });
-    Link {
-        name: name("link", k),
-        inertial,
-    }
-}
-
-/// A tensor that a body can have: tr(E) 1 − E of second moments E = A Aᵗ.
-fn tensor(random: &mut Random) -> [f64; 6] {
-    if random.chance(4) {
-        return [0.0; 6];
-    }
-    let a: [[f64; 3]; 3] = from_fn(|_| vector(random).map(|entry| 0.3 * entry));
-    let e = |i: usize, j: usize| -> f64 { (0..3).map(|k| a[i][k] * a[j][k]).sum() };
-    let trace = e(0, 0) + e(1, 1) + e(2, 2);
-    [
-        trace - e(0, 0),
-        -e(0, 1),
-        -e(0, 2),
-        trace - e(1, 1),
-        -e(1, 2),
-        trace - e(2, 2),
-    ]
-}
-
-/// A translation and up to two rotations, each of which may be missing.
-fn steps(random: &mut Random) -> Vec<Step> {
-    let mut steps = Vec::new();
     if !random.chance(4) {
-        steps.push(Step::Translate(vector(random).map(number)));
+        robot.asked.tip = Some(link(random));
+        robot.asked.path_only = random.chance(4);
     }
-    for _ in 0..random.below(3) {
-        let axis = *random.choose(&[Axis::X, Axis::Y, Axis::Z]);
-        let quarters = *random.choose(&[-2.0, -1.0, 1.0, 2.0]);
-        let angle = if random.chance(3) {
-            3.0 * random.unit()
-        } else {
-            quarters * FRAC_PI_2
-        };
-        steps.push(Step::Rotate(axis, number(angle)));
-    }
-    if random.chance(4) {
-        steps.push(Step::Translate(vector(random).map(number)));
-    }
-    steps
-}
-
-/// A vector, some of whose entries are zero.
-fn vector(random: &mut Random) -> [f64; 3] {
-    from_fn(|_| if random.chance(3) { 0.0 } else { random.unit() })
-}
-
-/// A vector of length 1, mostly along a coordinate axis.
-fn direction(random: &mut Random) -> [f64; 3] {
-    let mut direction = [0.0; 3];
     if random.chance(3) {
-        direction = vector(random);
+        robot.asked.frames.push(link(random));
     }
-    let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-    if length < 0.1 {
-        direction = [0.0; 3];
-        direction[random.below(3)] = if random.chance(4) { -1.0 } else { 1.0 };
-        return direction;
+    robot.asked.exact = random.chance(4);
+    match random.below(6) {
+        0 => robot.asked.gravity = Some([(); 3].map(|()| Written::zero())),
+        1 | 2 => robot.asked.gravity = Some(numbers.vector(10.0)),
+        _ => {}
     }
-    direction.map(|x| x / length)
+    for body in robot.bodies.iter().filter(|body| body.kind != Kind::Fixed) {
+        if !numbers.random.chance(8) {
+            continue;
+        }
+        let at = match numbers.random.below(4) {
+            0 => None,
+            1 => Some(numbers.right_angle()),
+            _ => {
+                let value = 4.0 * numbers.random.unit();
+                Some(numbers.number(value))
+            }
+        };
+        // A coordinate of a request is a number, be it near a right angle or not.
+        let at = at.filter(|at| at.to_string().parse::<f64>().is_ok());
+        robot.asked.lock.push((body.id, at));
+    }
+    give_fields(robot, &modelled, numbers);
+}
+
+/// Struct fields for what a joint feels.
+fn give_fields(robot: &mut Robot, modelled: &[usize], numbers: &mut Numbers) {
+    let (length, mass) = (numbers.length, numbers.mass);
+    let anywhere = |random: &mut Random| [(); 3].map(|()| length * random.unit());
+    for &id in modelled {
+        let random = &mut *numbers.random;
+        let weighs = |body: &Body| {
+            let inertial = body.inertial.as_ref();
+            inertial.is_some_and(|inertial| !inertial.mass.is_zero())
+        };
+        match random.below(16) {
+            0 if robot.moves(id) => {
+                let value = mass * (1.0 + random.unit());
+                robot
+                    .asked
+                    .fields
+                    .push((Field::Mass(id), [value, 0.0, 0.0]));
+            }
+            1 if robot.moves(id) && robot.body(id).is_some_and(weighs) => {
+                let value = anywhere(random);
+                robot.asked.fields.push((Field::Center(id), value));
+            }
+            2 => {
+                let value = anywhere(random);
+                robot.asked.fields.push((Field::Origin(id), value));
+            }
+            _ => {}
+        }
+    }
+    if robot.asked.gravity.is_none() && numbers.random.chance(4) {
+        let value = [(); 3].map(|()| 9.0 * numbers.random.unit());
+        robot.asked.fields.push((Field::Gravity, value));
+    }
 }
 
 fn shuffle<X>(items: &mut [X], random: &mut Random) {
     for k in (1..items.len()).rev() {
         items.swap(k, random.below(k + 1));
-    }
-}
-
-fn name(kind: &str, k: usize) -> Name {
-    Name {
-        text: format!("{kind}{k}"),
-        place: Place::Unknown,
-    }
-}
-
-fn number(value: f64) -> Number {
-    Number {
-        value,
-        ..Number::default()
     }
 }

@@ -1,197 +1,185 @@
-//! A description as the runtime's chain, joint by joint.
+//! A robot in the dense matrices of the oracle, joint by joint.
 //!
-//! In: a description whose joint k carries link k + 1, in any order, and a request. Out: a chain
-//! with all its joints. One that is fixed, or not modelled, has no screw; one that is not modelled
-//! carries no mass either. It merges nothing, so that it shares no step with the generator.
+//! In: a [`Robot`], number by number as written. Out: a placement, a screw and an inertia of 256
+//! bits for every joint that hangs on the base, fixed and held ones too. It merges nothing, and
+//! shares nothing with the generator: not even the reading of a number.
 
-use std::array::from_fn;
+use crate::big::Big;
+use crate::oracle::matrix::Matrix;
+use crate::oracle::robot::{self as oracle, Coordinate};
 
-use homogen::rotation;
-use homogen::{Chain, Inertia, Joint, Pose, Screw};
-use homogen_codegen::description::{
-    self, Axis, Description, Inertial, JointKind, Link, Name, Number, Step,
-};
-use homogen_codegen::request::{Request, Target};
+use super::robot::{Body, Field, Inertial, Kind, Placement, Robot};
+use super::written::{Reading, Written};
 
-use super::JOINTS;
-
+/// A robot in matrices, and which joint each coordinate is of.
 #[derive(Clone, Debug)]
-pub(super) struct Reference {
-    pub(super) chain: Chain<JOINTS, 0>,
-    /// Where a joint is held; none where it moves.
-    pub(super) held: [Option<f64>; JOINTS],
-    base: usize,
-}
-
-/// The number at the end of `joint3` or `link3`.
-pub(super) fn index(name: &str) -> usize {
-    let digits = name.trim_start_matches(char::is_alphabetic);
-    digits.parse().expect("names end in their number")
+pub struct Reference {
+    /// What the oracle evaluates.
+    pub robot: oracle::Robot,
+    /// The number of the joint of each of its coordinates.
+    pub moving: Vec<usize>,
+    /// The link of each of its bodies.
+    pub links: Vec<usize>,
+    /// About how far the robot reaches, with its centres of mass \[m\]: the sum of all offsets.
+    pub reach: f64,
+    /// The most that a joint slides for a unit of its coordinate.
+    pub slide: f64,
+    /// What all bodies weigh together \[kg\].
+    pub mass: f64,
+    /// The sum of their second moments about their own frames' origins [kg m²].
+    pub second: f64,
 }
 
 impl Reference {
-    pub(super) fn of(description: &Description, request: &Request, fields: &[[f64; 3]]) -> Self {
-        let robot = Robot {
-            description,
-            request,
-            fields,
+    /// The part of a robot that is asked for.
+    #[must_use]
+    pub fn of(robot: &Robot) -> Self {
+        let gravity = robot.asked.gravity.as_ref();
+        let gravity = gravity.map_or([0.0, 0.0, -9.81], |entries| {
+            entries.each_ref().map(Written::value)
+        });
+        let gravity = robot.field(Field::Gravity).unwrap_or(gravity);
+        let mut reference = Self {
+            robot: oracle::Robot {
+                bodies: Vec::new(),
+                frames: Vec::new(),
+                gravity: Matrix::screw(&big([0.0; 3]), &big(gravity)),
+            },
+            moving: Vec::new(),
+            links: Vec::new(),
+            reach: 0.0,
+            slide: 0.0,
+            mass: 0.0,
+            second: 0.0,
         };
-        let base = request.base.as_ref().map_or(0, |name| index(&name.text));
-        let bodies = from_fn(|k| robot.body(k, base));
-        let given = request.gravity.map(|entries| entries.map(value));
-        let gravity = robot.field(|target| matches!(target, Target::Gravity));
-        let gravity = gravity.or(given).unwrap_or([0.0, 0.0, -9.81]);
-        Self {
-            chain: Chain::new(bodies, [], gravity),
-            held: from_fn(|k| robot.held(k, base)),
-            base,
+        let mut waiting: Vec<&Body> = robot.bodies.iter().collect();
+        waiting.retain(|body| robot.models(body.id));
+        // Parents before children, whatever the order of the text.
+        while !waiting.is_empty() {
+            let before = waiting.len();
+            waiting.retain(|body| !reference.take(robot, body));
+            assert!(waiting.len() < before, "the robot is a tree");
         }
+        reference
     }
 
-    /// Whether a joint that carries a link moves.
-    pub(super) fn moves(&self, link: usize) -> bool {
-        let parent = |k: &usize| self.chain.joints[*k].parent;
-        let mut carriers = std::iter::successors(self.body(link), parent);
-        carriers.any(|k| self.held[k].is_none())
+    /// The body that carries a link; none for the base.
+    #[must_use]
+    pub fn body(&self, link: usize) -> Option<usize> {
+        self.links.iter().position(|&known| known == link)
     }
 
-    /// The joint whose body a link is; none for the base.
-    pub(super) fn body(&self, link: usize) -> Option<usize> {
-        body(link, self.base)
-    }
-}
-
-fn body(link: usize, base: usize) -> Option<usize> {
-    link.checked_sub(1).filter(|_| link != base)
-}
-
-struct Robot<'d> {
-    description: &'d Description,
-    request: &'d Request,
-    fields: &'d [[f64; 3]],
-}
-
-impl Robot<'_> {
-    fn joint(&self, k: usize) -> &description::Joint {
-        let mut joints = self.description.joints.iter();
-        joints
-            .find(|joint| index(&joint.name.text) == k)
-            .expect("every joint is described")
-    }
-
-    fn link(&self, k: usize) -> &Link {
-        let mut links = self.description.links.iter();
-        links
-            .find(|link| index(&link.name.text) == k)
-            .expect("every link is described")
-    }
-
-    /// The links from one up to the root.
-    fn upwards(&self, link: usize) -> impl Iterator<Item = usize> {
-        std::iter::successors(Some(link), |link| {
-            let joint = link.checked_sub(1)?;
-            Some(index(&self.joint(joint).parent.text))
-        })
-    }
-
-    /// Whether the base carries link k + 1 by joint k, without a dropped link between them.
-    fn models(&self, k: usize, base: usize) -> bool {
-        let mut below = self.upwards(k + 1).take_while(|&link| link != base);
-        let reaches = self.upwards(k + 1).skip(1).any(|link| link == base);
-        let drop = &self.request.drop;
-        reaches && below.all(|link| drop.iter().all(|dropped| index(&dropped.text) != link))
-    }
-
-    fn held(&self, k: usize, base: usize) -> Option<f64> {
-        if matches!(self.joint(k).kind, JointKind::Fixed) || !self.models(k, base) {
-            return Some(0.0);
+    /// Adds a body, if the one it hangs on is there.
+    fn take(&mut self, robot: &Robot, body: &Body) -> bool {
+        let parent = self.body(body.parent);
+        if parent.is_none() && body.parent != robot.asked.base {
+            return false;
         }
-        let mut locks = self.request.lock.iter();
-        if let Some((_, at)) = locks.find(|(name, _)| index(&name.text) == k) {
-            return Some(at.map_or(0.0, value));
-        }
-        let tip = self.request.tip.as_ref().map(|name| index(&name.text));
-        let tip = tip.filter(|_| self.request.path_only)?;
-        let off_path = !self.upwards(tip).any(|link| link == k + 1);
-        off_path.then_some(0.0)
-    }
-
-    /// The value of the field that stands for a target.
-    fn field(&self, is: impl Fn(&Target) -> bool) -> Option<[f64; 3]> {
-        let mut parameters = self.request.parameters.iter();
-        let field = parameters.position(|parameter| is(&parameter.target))?;
-        Some(self.fields[field])
-    }
-
-    fn body(&self, k: usize, base: usize) -> Joint {
-        if !self.models(k, base) {
-            let nothing = Screw::new([0.0; 3], [0.0; 3]);
-            return Joint::new("", None, Pose::identity(), nothing, Inertia::zero());
-        }
-        let joint = self.joint(k);
-        let origin =
-            self.field(|target| matches!(target, Target::OriginOf(of) if is(of, &joint.name)));
-        let mut placement = pose(&joint.origin);
-        if let Some(origin) = origin {
-            placement = Pose::new(*placement.rotation(), origin);
-        }
-        let parent = body(index(&joint.parent.text), base);
-        Joint::new("", parent, placement, screw(joint), self.inertia(k + 1))
-    }
-
-    fn inertia(&self, link: usize) -> Inertia<f64> {
-        let link = self.link(link);
-        let mass = self.field(|target| matches!(target, Target::MassOf(of) if is(of, &link.name)));
-        let center =
-            self.field(|target| matches!(target, Target::CenterOfMassOf(of) if is(of, &link.name)));
-        let nothing = Inertial {
-            origin: Vec::new(),
-            mass: Number::default(),
-            inertia: [Number::default(); 6],
-            place: link.name.place,
+        let offset = robot.field(Field::Origin(body.id));
+        let placement = placement(&body.at, offset, robot.reading());
+        let inertia = inertia(robot, body);
+        let slide = match &body.kind {
+            Kind::Prismatic => 1.0,
+            Kind::Screw(pitch) => pitch.value().abs(),
+            Kind::Revolute | Kind::Continuous | Kind::Fixed => 0.0,
         };
-        let inertial = link.inertial.as_ref().unwrap_or(&nothing);
-        let [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(value);
-        let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-        let mass = mass.map_or(inertial.mass.value, |[mass, ..]| mass);
-        let mut placement = pose(&inertial.origin);
-        if let Some(center) = center {
-            placement = Pose::new(*placement.rotation(), center);
-        }
-        placement.change_frame(&Inertia::from_tensor_at_origin(mass, [0.0; 3], &tensor))
-    }
-}
-
-fn is(one: &Name, other: &Name) -> bool {
-    one.text == other.text
-}
-
-fn value(number: Number) -> f64 {
-    number.value
-}
-
-fn screw(joint: &description::Joint) -> Screw<f64> {
-    let axis = joint.axis.map(value);
-    match joint.kind {
-        JointKind::Revolute | JointKind::Continuous => Screw::revolute(axis, [0.0; 3]),
-        JointKind::Prismatic => Screw::prismatic(axis),
-        JointKind::Screw { pitch } => Screw::helical(axis, [0.0; 3], pitch.value),
-        JointKind::Fixed => Screw::new([0.0; 3], [0.0; 3]),
-    }
-}
-
-fn pose(steps: &[Step]) -> Pose<f64> {
-    steps.iter().fold(Pose::identity(), |pose, step| {
-        pose * match step {
-            Step::Translate(offset) => Pose::from_translation(offset.map(value)),
-            Step::Rotate(axis, angle) => {
-                let u = match axis {
-                    Axis::X => [1.0, 0.0, 0.0],
-                    Axis::Y => [0.0, 1.0, 0.0],
-                    Axis::Z => [0.0, 0.0, 1.0],
-                };
-                Pose::new(rotation::from_axis_angle(u, angle.value), [0.0; 3])
+        let (coordinate, at) = match robot.held(body) {
+            Some(at) => (Coordinate::Held(Big::new(at)), at.abs()),
+            None => {
+                self.moving.push(body.id);
+                // States are drawn up to 4.
+                (Coordinate::Free(self.moving.len() - 1), 4.0)
             }
+        };
+        let mass = inertia.0[3][3].to_f64();
+        self.reach += length(&placement.column()) + slide * at;
+        if mass > 0.0 {
+            self.reach += length(&inertia.column()) / mass;
         }
-    })
+        self.slide = self.slide.max(slide);
+        self.mass += mass;
+        self.second += (0..3).map(|k| inertia.0[k][k].to_f64().abs()).sum::<f64>();
+        self.links.push(body.id);
+        self.robot.bodies.push(oracle::Body {
+            parent,
+            placement,
+            screw: screw(body, robot.reading()),
+            inertia,
+            coordinate,
+        });
+        true
+    }
+}
+
+fn length(vector: &[Big; 3]) -> f64 {
+    let square = vector.iter().fold(Big::zero(), |sum, x| sum + x * x);
+    square.sqrt().to_f64()
+}
+
+fn big<const N: usize>(values: [f64; N]) -> [Big; N] {
+    values.map(Big::new)
+}
+
+fn placement(at: &Placement, offset: Option<[f64; 3]>, reading: Reading) -> Matrix {
+    let xyz = offset.unwrap_or_else(|| at.xyz.each_ref().map(|entry| entry.meant(reading)));
+    let [roll, pitch, yaw] = &at.rpy;
+    let fixed = [(2, yaw), (1, pitch), (0, roll)];
+    let turns = at.turns.iter().map(|(axis, angle)| (*axis, angle));
+    fixed.into_iter().chain(turns).fold(
+        Matrix::translation(&big(xyz)),
+        |placement, (axis, angle)| &placement * &rotation(axis, &angle.sin_cos(reading)),
+    )
+}
+
+/// R, 0; 0, 1 of a turn about a coordinate axis.
+fn rotation(axis: usize, (sine, cosine): &(Big, Big)) -> Matrix {
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut matrix = Matrix::identity();
+    matrix.0[j][j] = cosine.clone();
+    matrix.0[j][k] = -sine;
+    matrix.0[k][j] = sine.clone();
+    matrix.0[k][k] = cosine.clone();
+    matrix
+}
+
+/// L through the origin, about or along an axis made of length 1.
+fn screw(body: &Body, reading: Reading) -> Matrix {
+    let nothing = big([0.0; 3]);
+    let axis = big(body.axis.each_ref().map(|entry| entry.meant(reading)));
+    let square = axis.iter().fold(Big::zero(), |sum, x| sum + x * x);
+    let axis = axis.map(|entry| entry / square.sqrt());
+    match &body.kind {
+        Kind::Fixed => Matrix::zero(),
+        Kind::Revolute | Kind::Continuous => Matrix::screw(&axis, &nothing),
+        Kind::Prismatic => Matrix::screw(&nothing, &axis),
+        Kind::Screw(pitch) => {
+            let pitch = Big::new(pitch.value());
+            let slide = axis.each_ref().map(|entry| entry * &pitch);
+            Matrix::screw(&axis, &slide)
+        }
+    }
+}
+
+/// M J Mᵗ of ∫rrᵗdm = ½ Tr(I) − I about the centre of mass (16), (17).
+fn inertia(robot: &Robot, body: &Body) -> Matrix {
+    let nothing = Inertial {
+        at: Placement::none(),
+        mass: Written::zero(),
+        tensor: super::robot::zeros(),
+    };
+    let inertial = body.inertial.as_ref().unwrap_or(&nothing);
+    let mass = robot.field(Field::Mass(body.id));
+    let mass = mass.map_or(inertial.mass.value(), |[mass, ..]| mass);
+    let [xx, xy, xz, yy, yz, zz] = big(inertial.tensor.each_ref().map(Written::value));
+    let half = (&xx + &yy + &zz) / Big::new(2.0);
+    let zero = Big::zero;
+    let central = Matrix([
+        [&half - &xx, -&xy, -&xz, zero()],
+        [-&xy, &half - &yy, -&yz, zero()],
+        [-&xz, -&yz, &half - &zz, zero()],
+        [zero(), zero(), zero(), Big::new(mass)],
+    ]);
+    let center = robot.field(Field::Center(body.id));
+    let at = placement(&inertial.at, center, robot.reading());
+    &(&at * &central) * &at.transposed()
 }

@@ -8,15 +8,31 @@ use super::{ARM, homogen, json, keys, refused};
 fn tells_what_became_of_the_description() {
     let arm = json("check - --tip hand --lock elbow=0.3 --format json", ARM);
     let wanted = [
-        "robot", "file", "base", "tip", "joints", "links", "merged", "locked", "dropped",
-        "snapped", "warnings", "details",
+        "robot",
+        "file",
+        "base",
+        "tip",
+        "joints",
+        "coordinates",
+        "velocities",
+        "links",
+        "merged",
+        "locked",
+        "dropped",
+        "mimicked",
+        "snapped",
+        "warnings",
+        "details",
     ];
     assert_eq!(keys(&arm), wanted);
     assert_eq!(arm["robot"], "arm");
     assert_eq!(arm["file"], "<stdin>");
     assert_eq!(arm["base"], "base");
     assert_eq!(arm["tip"], "hand");
-    assert_eq!(arm["joints"], json!(["shoulder", "slide"]));
+    for names in ["joints", "coordinates", "velocities"] {
+        assert_eq!(arm[names], json!(["shoulder", "slide"]));
+    }
+    assert_eq!(arm["mimicked"], json!([]));
     assert_eq!(
         arm["links"],
         json!(["base", "upper", "fore", "hand", "camera"])

@@ -39,10 +39,17 @@ fn gives_every_price_by_name() {
     assert!(number(&dynamics["add"]) * 10 < number(&dynamics["naive"]["add"]));
     assert_eq!((number(&dynamics["sin"]), number(&dynamics["cos"])), (2, 2));
 
+    assert_eq!(counted["left_out"][0]["functions"][0], "forward_kinematics");
+    assert_eq!(
+        counted["left_out"][0]["reason"],
+        "the robot has more than one end, and none is named as the tip"
+    );
+
     let with_tip = json("count - --tip hand --frames camera --format json", ARM);
     let names = keys(&with_tip["functions"]);
     assert!(names.contains(&"forward_kinematics"));
     assert!(names.contains(&"forward_kinematics_of_camera"));
+    assert_eq!(with_tip["left_out"].as_array().map(Vec::len), Some(0));
 }
 
 #[test]
@@ -76,6 +83,12 @@ fn in_words_it_is_a_table() {
     assert!(
         all.remarks
             .contains("note: left out: forward_kinematics, spatial_jacobian"),
+        "{}",
+        all.remarks
+    );
+    assert!(
+        all.remarks
+            .contains(" and acceleration: the robot has more than one end,"),
         "{}",
         all.remarks
     );

@@ -3,7 +3,7 @@
 use homogen_codegen::cli::Answer;
 use serde_json::{Value, json};
 
-use super::{ARM, homogen};
+use super::{ARM, homogen, keys};
 
 #[test]
 fn says_the_shape_and_the_rows() {
@@ -14,7 +14,22 @@ fn says_the_shape_and_the_rows() {
     );
     let jacobian: Value = serde_json::from_str(&answer.output).expect("JSON");
     assert_eq!(jacobian["function"], "geometric_jacobian");
-    assert_eq!(jacobian["joints"], json!(["shoulder", "elbow", "slide"]));
+    let wanted = [
+        "function",
+        "coordinates",
+        "velocities",
+        "joints",
+        "base",
+        "frame",
+        "shape",
+        "rows",
+        "warnings",
+        "results",
+    ];
+    assert_eq!(keys(&jacobian), wanted);
+    for names in ["joints", "coordinates", "velocities"] {
+        assert_eq!(jacobian[names], json!(["shoulder", "elbow", "slide"]));
+    }
     assert_eq!(jacobian["frame"], "camera");
     assert_eq!(jacobian["shape"], json!([6, 3]));
     assert_eq!(jacobian["rows"][0], "angular_x");
@@ -141,7 +156,7 @@ fn a_result_that_no_number_can_hold_is_a_mistake() {
 }
 
 /// The answer of `eval` for states that come from a file, and a robot from standard input.
-fn eval(arguments: &str, states: &str) -> Answer {
+pub(super) fn eval(arguments: &str, states: &str) -> Answer {
     // A name of its own for each call: tests run at the same time.
     let name = format!(
         "homogen-states-{:016x}.json",

@@ -5,9 +5,11 @@
 
 mod check;
 mod count;
+mod doubts;
 mod eval;
 mod formulation;
 mod generate;
+mod hostile;
 mod inspect;
 
 use std::ffi::OsString;

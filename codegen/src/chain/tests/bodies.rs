@@ -198,18 +198,36 @@ fn numbers_that_nothing_can_be_computed_with_are_refused() {
 }
 
 #[test]
-fn a_body_whose_inertia_overflows_is_refused() {
-    let (description, request) = read(
-        "struct Arm; link base; link rod { mass: 1e300, com: [1e200, 0.0, 0.0], inertia: [0, 0, 0] }
-        joint hinge: revolute(z) { from: base, to: rod }",
+fn numbers_whose_products_would_overflow_are_refused_each() {
+    let arm = |mass: &str, com: &str, moment: &str| {
+        format!(
+            "struct Arm; link base; link rod {{ mass: {mass}, com: [{com}, 0.0, 0.0], \
+             inertia: [{moment}, 0, 0] }}
+            joint hinge: revolute(z) {{ from: base, to: rod }}"
+        )
+    };
+    let mistake = r#"error: link "rod" has a number larger than anything is"#;
+    assert_eq!(
+        said(&arm("1e300", "1e200", "-1.1e50")),
+        lines(&[mistake; 3])
     );
-    let refusal = build(&description, &request)
-        .expect_err("an overflow")
-        .to_string();
-    assert!(
-        refusal.contains("joint \"hinge\" has numbers too large for 64 bits"),
-        "{refusal}"
-    );
+    fine(&arm("1e50", "-1e50", "1e50"));
+}
+
+#[test]
+fn a_chain_of_thousands_of_which_one_joint_moves_is_a_chain() {
+    let joint = |k: usize| {
+        format!(
+            "joint j{k}: revolute(y) {{ at: xyz(0.1, 0, 0) rpy(0.1, 0.2, 0.3) }}
+            link l{k} {{ mass: 1, inertia: [1, 1, 1] }}\n"
+        )
+    };
+    let joints: String = (1..3000).map(joint).collect();
+    let chain = fine(&format!(
+        "struct Snake {{ tip: l1, path_only }} link l0; {joints}"
+    ));
+    assert_eq!(names(&chain), ["j1"]);
+    assert_eq!(number(&chain, chain.joints[0].axis.y()), 1.0);
 }
 
 /// The chain of an arm with a field for a target.

@@ -233,7 +233,7 @@ fn a_tree_with_fields_has_the_same_torques_in_every_layout() {
         Target::MassOf(named("tool")),
         Target::Gravity,
     ] {
-        let field = quote::format_ident!("field");
+        let field = quote::format_ident!("field_{}", request.parameters.len());
         request.parameters.push(Parameter {
             field,
             target,

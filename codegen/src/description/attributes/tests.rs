@@ -125,6 +125,13 @@ fn gravity_may_be_none_or_a_field() {
     let item = fine("#[robot(link base)] struct Arm { #[robot(gravity)] g: [f64; 3] }");
     assert!(matches!(item.request.parameters[0].target, Target::Gravity));
     assert!(item.request.gravity.is_none());
+    assert_eq!(
+        try_read(
+            "#[robot(link base, gravity = none)] struct Arm { #[robot(gravity)] g: [f64; 3] }"
+        )
+        .1,
+        "1:68: gravity is given as a vector and in field `g`\n  hint: leave out one of them\n"
+    );
 }
 
 #[test]
@@ -163,8 +170,7 @@ fn all_mistakes_are_reported_at_once() {
          mass_matrix_inverse\n\
          4:9: a field cannot stand for \"mass\"\n  \
          hint: known keys: mass_of, com_of, gravity, origin_of and range\n\
-         5:3: field `g` stands for two numbers\n\
-         1:35: gravity is given here and in field `g`\n  hint: leave out one of them\n"
+         5:3: field `g` stands for two numbers\n"
     );
     // The functions that were understood stay, for the stub.
     assert_eq!(item.unwrap().request.functions, [[Function::Gravity]]);
@@ -296,10 +302,16 @@ fn a_robot_is_a_struct_with_named_fields() {
 }
 
 #[test]
-fn a_field_stands_for_one_number() {
+fn a_field_stands_for_one_number_and_a_number_for_one_field() {
     assert_eq!(
-        errors_in_fields("#[robot(mass_of = a)] m: f64, #[robot(mass_of = \"a\")] n: f64"),
-        "2:33: field `n` stands for what another field does\n"
+        errors_in_fields(
+            "#[robot(mass_of = a)] m: f64, #[robot(mass_of = \"a\")] n: f64,\n\
+             #[robot(com_of = a)] c: [f64; 3], #[robot(com_of = a)] d: [f64; 3]"
+        ),
+        "2:55: field `n` stands for the mass of link \"a\", as `m` does\n  \
+         hint: leave out one of them\n\
+         3:56: field `d` stands for the centre of mass of link \"a\", as `c` does\n  \
+         hint: leave out one of them\n"
     );
     assert_eq!(
         errors_in_fields("#[robot(mass_of)] m: f64"),

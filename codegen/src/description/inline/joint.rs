@@ -1,7 +1,7 @@
 //! `joint NAME: revolute(z) { from: …, to: …, at: …, limits: […], velocity: … }`.
 //!
 //! In: tokens. Out: a joint whose links may still be open. The axis is `x`, `y`, `z`, `-z` and so
-//! on, or a vector of length 1; a screw joint adds `pitch: 0.01`, in metres per radian.
+//! on, or a vector (of another length than 1 with a doubt); a screw joint adds `pitch: 0.01`, in metres per radian.
 
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -10,7 +10,7 @@ use super::body;
 use crate::description::kind::{self, Kind};
 use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::description::{Axis, JointKind, Limits, Name, Number, Step, axis, number};
-use crate::error::{Errors, Place};
+use crate::error::{Complaint, Errors, Place};
 use crate::wording::{known, quoted};
 
 /// A joint, its links known as far as they were named.
@@ -21,12 +21,15 @@ pub(super) struct Joint {
     pub(super) to: Option<Name>,
     origin: Vec<Step>,
     limits: Option<Limits>,
+    /// What is doubtful about it.
+    pub(super) doubts: Vec<Complaint>,
 }
 
 /// What a joint allows, and along or about which axis.
 struct Motion {
     kind: JointKind,
     axis: [Number; 3],
+    doubt: Option<Complaint>,
 }
 
 /// Reads a joint behind the word `joint`.
@@ -39,11 +42,13 @@ pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
         return Err(complaint_with_hint(input.span(), message, hint));
     }
     input.parse::<Token![:]>()?;
-    let motion = motion(input, &subject, errors)?;
+    let mut motion = motion(input, &subject, errors)?;
     body::end(input, &subject)?;
+    let doubt = motion.as_mut().and_then(|motion| motion.doubt.take());
     let mut joint = Joint {
         name,
         motion,
+        doubts: doubt.into_iter().collect(),
         from: None,
         to: None,
         origin: Vec::new(),
@@ -87,6 +92,7 @@ impl Joint {
         let motion = self.motion.unwrap_or_else(|| Motion {
             kind: JointKind::Fixed,
             axis: [1.0, 0.0, 0.0].map(|value| number::computed(value, place)),
+            doubt: None,
         });
         Some(crate::description::Joint {
             name: self.name,
@@ -119,7 +125,11 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
     if !input.peek(token::Paren) {
         if kind == Kind::Fixed {
             let kind = JointKind::Fixed;
-            return Ok(Some(Motion { kind, axis: x }));
+            return Ok(Some(Motion {
+                kind,
+                axis: x,
+                doubt: None,
+            }));
         }
         let message = format!("{subject} has no axis");
         let hint = format!("write {word}(z)");
@@ -139,7 +149,7 @@ fn in_parentheses(input: ParseStream, kind: Kind, subject: &str) -> Parsed<Motio
         let message = format!("{subject} is fixed and has no axis");
         return Err(complaint(input.span(), message));
     }
-    let axis = direction(input, subject)?;
+    let (axis, doubt) = direction(input, subject)?;
     let kind = kind.with_pitch(|| -> Parsed<Number> {
         let hint = "write screw(z, pitch: 0.01), in metres per radian";
         let missing = || complaint_with_hint(input.span(), format!("{subject} has no pitch"), hint);
@@ -155,18 +165,22 @@ fn in_parentheses(input: ParseStream, kind: Kind, subject: &str) -> Parsed<Motio
         let message = format!("expected `)` after the axis of {subject}");
         return Err(complaint(input.span(), message));
     }
-    Ok(Motion { kind, axis })
+    Ok(Motion { kind, axis, doubt })
 }
 
-/// `z`, `-z`, or a vector.
-fn direction(input: ParseStream, subject: &str) -> Parsed<[Number; 3]> {
+/// `z`, `-z`, or a vector; and a doubt where that is not of length 1.
+fn direction(input: ParseStream, subject: &str) -> Parsed<([Number; 3], Option<Complaint>)> {
     let span = input.span();
     let subject = format!("the axis of {subject}");
     if input.peek(token::Bracket) {
         let numbers = tokens::vector(input, &subject)?;
-        return axis::unit(numbers).map_err(|refusal| {
-            complaint_with_hint(span, format!("{subject} {}", refusal.what), refusal.hint)
-        });
+        let say = |remark: axis::Remark| {
+            complaint_with_hint(span, format!("{subject} {}", remark.what), remark.hint)
+        };
+        return match axis::unit(numbers) {
+            Ok((axis, doubt)) => Ok((axis, doubt.map(say))),
+            Err(refusal) => Err(say(refusal)),
+        };
     }
     let sign = if input.peek(Token![-]) {
         input.parse::<Token![-]>()?;
@@ -185,7 +199,8 @@ fn direction(input: ParseStream, subject: &str) -> Parsed<[Number; 3]> {
             return Err(complaint_with_hint(span, message, hint));
         }
     };
-    Ok(axis.map(|value| number::computed(value, Place::Token(span))))
+    let axis = axis.map(|value| number::computed(value, Place::Token(span)));
+    Ok((axis, None))
 }
 
 /// `xyz(…) rpy(…)`, or any other product of steps, from left to right.

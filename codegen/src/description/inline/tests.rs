@@ -152,7 +152,7 @@ fn all_mistakes_are_reported_at_once() {
         "pub struct Arm { tipp: a, exact }\n\
          link base { mass: -1, com: [0, 0], inertia: [1, 1], colour: red }\n\
          joint one: revolut(z) { at: xyz(0, 0) }\n\
-         joint two: revolute([0, 0, 2]) { form: base, limits: [1, -1] }\n\
+         joint two: revolute([0, 0, 0]) { form: base, limits: [1, -1] }\n\
          joint three: planar;\n\
          jiont four: fixed;\n\
          link tool { mass: 1 }\n\
@@ -172,8 +172,8 @@ fn all_mistakes_are_reported_at_once() {
          hint: did you mean \"revolute\"? known types: \
          revolute, continuous, prismatic, screw and fixed\n\
          3:32: xyz of joint \"one\" has 2 numbers instead of 3\n\
-         4:21: the axis of joint \"two\" has length 2 instead of 1\n  \
-         hint: of length 1 it is 0 0 1\n\
+         4:21: the axis of joint \"two\" is zero\n  \
+         hint: give it a direction, such as 0 0 1\n\
          4:34: joint \"two\" has the unknown key \"form\"\n  \
          hint: did you mean \"from\"? known keys: from, to, at, limits and velocity\n\
          4:54: the lower limit of joint \"two\", 1, is above the upper one, -1\n\
@@ -244,6 +244,26 @@ fn joints_are_refused_with_what_to_write() {
         errors_in_joint("joint j: fixed { from: a to: b }"),
         "2:26: expected `,` between two fields\n"
     );
+}
+
+#[test]
+#[expect(clippy::float_cmp, reason = "reading is exact")]
+fn an_axis_of_another_length_is_made_a_unit_vector_with_a_doubt() {
+    let item = fine(
+        "struct Arm;\nlink base;\njoint j: revolute([0.0, 3.0, 4.0]);\nlink arm;\n\
+         joint k: revolute([0.577, 0.577, 0.577]);\nlink tool;",
+    );
+    let arm = item.description.unwrap();
+    assert_eq!(arm.joints[0].axis.map(|x| x.value), [0.0, 0.6, 0.8]);
+    let [doubt] = &arm.warnings[..] else {
+        panic!("{:?}", arm.warnings);
+    };
+    assert_eq!(
+        doubt.message,
+        "the axis of joint \"j\" has length 5: taken with length 1"
+    );
+    assert_eq!(doubt.hint.as_deref(), Some("of length 1 it is 0 0.6 0.8"));
+    assert!(matches!(doubt.place, Place::Token(_)));
 }
 
 #[test]
@@ -380,4 +400,23 @@ fn every_missing_token_is_survived() {
 
 fn flatten(tokens: TokenStream) -> Vec<proc_macro2::TokenTree> {
     tokens.into_iter().collect()
+}
+
+#[test]
+fn brackets_without_end_are_refused() {
+    for (open, close) in [("(", ")"), ("[", "]"), ("{", "}")] {
+        let nested = |depth: usize| {
+            let (open, close) = (open.repeat(depth), close.repeat(depth));
+            try_read(&format!("struct Arm; link base {open}{close}")).1
+        };
+        assert!(
+            !nested(100).contains("within each other"),
+            "{}",
+            nested(100)
+        );
+        assert_eq!(
+            nested(100_000),
+            "1:151: more than 128 brackets within each other\n"
+        );
+    }
 }

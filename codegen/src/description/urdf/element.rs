@@ -8,6 +8,8 @@ use std::borrow::Cow;
 
 use roxmltree::{Attribute, Node};
 
+use super::plain::{FOR_COLON, unescaped};
+use super::unmodelled::Unmodelled;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
 use crate::description::{Axis, Name, Number, Step};
@@ -22,6 +24,7 @@ pub(super) struct Reader<'r, 't> {
     pub(super) positions: &'r Positions<'t>,
     pub(super) errors: Errors,
     pub(super) warnings: Vec<Complaint>,
+    pub(super) unmodelled: Unmodelled,
     /// How many elements of unknown names were met.
     pub(super) unknown: usize,
     /// Where something stands that xacro should have replaced.
@@ -60,18 +63,19 @@ impl<'t> Reader<'_, 't> {
     ) -> Vec<Node<'a, 't>> {
         let children: Vec<_> = node.children().filter(Node::is_element).collect();
         for child in &children {
-            let name = child.tag_name();
-            if name.namespace().is_some_and(|uri| uri.contains("xacro")) {
+            let name = child.tag_name().name();
+            let prefix = name.split_once(FOR_COLON).map(|(prefix, _)| prefix);
+            if prefix == Some("xacro") {
                 let place = self.place(*child);
                 self.xacro.get_or_insert(place);
-            } else if self.unknown < MOST_DOUBTS && !known.contains(&name.name()) {
+            } else if self.unknown < MOST_DOUBTS && prefix.is_none() && !known.contains(&name) {
                 self.unknown += 1;
-                let Some(meant) = nearest(name.name(), known) else {
+                let Some(meant) = nearest(name, known) else {
                     continue;
                 };
                 self.warn(
                     self.place(*child),
-                    format!("<{}> in {subject} is ignored", name.name()),
+                    format!("<{name}> in {subject} is ignored"),
                     Some(format!("did you mean <{meant}>?")),
                 );
             }
@@ -79,7 +83,7 @@ impl<'t> Reader<'_, 't> {
         children
     }
 
-    /// The one element of that name; complains of a second one.
+    /// The one element of that name; complains of a second one that says anything else.
     pub(super) fn only<'a>(
         &mut self,
         children: &[Node<'a, 't>],
@@ -90,11 +94,19 @@ impl<'t> Reader<'_, 't> {
             .iter()
             .filter(|child| child.tag_name().name() == name);
         let first = found.next();
-        if let Some(second) = found.next() {
-            self.errors.push(
-                self.place(*second),
-                format!("{subject} has more than one <{name}>"),
-            );
+        if let (Some(first), Some(second)) = (first, found.next()) {
+            let place = self.place(*second);
+            let text = |node: &Node<'a, 't>| &self.positions.text()[node.range()];
+            if text(first) == text(second) {
+                self.warn(
+                    place,
+                    format!("{subject} has the same <{name}> twice"),
+                    None,
+                );
+            } else {
+                let message = format!("{subject} has more than one <{name}>");
+                self.errors.push(place, message);
+            }
         }
         first.copied()
     }
@@ -134,10 +146,11 @@ impl<'t> Reader<'_, 't> {
             return None;
         };
         let place = self.value_place(&found);
-        if is_xacro(found.value()) {
+        let text = self.value(&found);
+        if is_xacro(&text) {
             self.xacro.get_or_insert(place);
         }
-        if found.value().trim().is_empty() {
+        if text.trim().is_empty() {
             let attribute = quoted(attribute);
             self.errors.push(
                 place,
@@ -146,7 +159,7 @@ impl<'t> Reader<'_, 't> {
             return None;
         }
         Some(Name {
-            text: found.value().to_owned(),
+            text: text.into_owned(),
             place,
         })
     }
@@ -250,6 +263,19 @@ impl<'t> Reader<'_, 't> {
         steps
     }
 
+    /// The value of an attribute in one line.
+    pub(super) fn value<'a>(&self, attribute: &Attribute<'a, 't>) -> Cow<'a, str>
+    where
+        't: 'a,
+    {
+        let (_, text) = self.raw(attribute);
+        if text.contains(char::is_control) {
+            Cow::Owned(text.replace(['\t', '\n', '\r'], " "))
+        } else {
+            text
+        }
+    }
+
     /// Where the value of an attribute begins, and the value with offsets as in the file.
     fn raw<'a>(&self, attribute: &Attribute<'a, 't>) -> (usize, Cow<'a, str>)
     where
@@ -265,7 +291,7 @@ impl<'t> Reader<'_, 't> {
         let value = value.strip_suffix(['"', '\'']).unwrap_or(value);
         if value.contains('&') {
             // Offsets within a value with character references would be off by their lengths.
-            (start, Cow::Owned(attribute.value().to_owned()))
+            (start, Cow::Owned(unescaped(value)))
         } else {
             (start, Cow::Borrowed(value))
         }

@@ -1,7 +1,8 @@
 //! `<joint>`: what moves, about or along which axis, from which link to which.
 //!
 //! In: one element. Out: a [`Joint`], as far as it could be read, and complaints. The joints that
-//! are not modelled are refused by name; a screw joint has `<thread pitch="…"/>` in metres per
+//! are not modelled are refused by name, friction is passed over with a doubt, and what tells a
+//! controller (soft limits, calibration) without one; a screw joint has `<thread pitch="…"/>` in metres per
 //! radian, since URDF itself knows none.
 
 use roxmltree::Node;
@@ -48,17 +49,8 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
     let origin = reader.origin(origin, &subject);
     let axis = axis(reader, node, &children, kind, &subject);
     let limits = limits(reader, &children, kind, &subject);
-    if let Some(mimic) = reader.only(&children, "mimic", &subject) {
-        let other = mimic.attribute("joint").unwrap_or_default();
-        reader.errors.push_with_hint(
-            reader.place(mimic),
-            format!(
-                "{subject} mimics joint {}, and mimic joints are not modelled",
-                quoted(other)
-            ),
-            "make it fixed, or remove <mimic> to give it a coordinate of its own",
-        );
-    }
+    mimic(reader, &children, kind, &subject);
+    friction(reader, &children, kind, &subject);
     Some(Joint {
         name: name?,
         kind: kind.unwrap_or(JointKind::Fixed),
@@ -111,6 +103,63 @@ fn end<'t>(
     reader.name(element, "link", &format!("the {end} of {subject}"))
 }
 
+/// A joint that moves with another is refused; one that does not move mimics nothing.
+fn mimic<'t>(
+    reader: &mut Reader<'_, 't>,
+    children: &[Node<'_, 't>],
+    kind: Option<JointKind>,
+    subject: &str,
+) {
+    let Some(mimic) = reader.only(children, "mimic", subject) else {
+        return;
+    };
+    let place = reader.place(mimic);
+    if matches!(kind, Some(JointKind::Fixed)) {
+        let message = format!("{subject} is fixed, and its <mimic> is ignored");
+        reader.warn(place, message, None);
+        return;
+    }
+    let other = mimic.attribute_node("joint");
+    let other = other.map(|other| reader.value(&other)).unwrap_or_default();
+    reader.errors.push_with_hint(
+        place,
+        format!(
+            "{subject} mimics joint {}, and mimic joints are not modelled",
+            quoted(&other)
+        ),
+        "make it fixed, or remove <mimic> to give it a coordinate of its own",
+    );
+}
+
+/// Takes note of friction, damping and whatever else `<dynamics>` says, if it is not zero.
+fn friction<'t>(
+    reader: &mut Reader<'_, 't>,
+    children: &[Node<'_, 't>],
+    kind: Option<JointKind>,
+    subject: &str,
+) {
+    let Some(node) = reader.only(children, "dynamics", subject) else {
+        return;
+    };
+    if matches!(kind, Some(JointKind::Fixed)) {
+        return;
+    }
+    let words: Vec<&str> = node
+        .attributes()
+        .filter(|attribute| !is_zero(attribute.value()))
+        .map(|attribute| match attribute.name() {
+            "damping" => "damping",
+            "friction" => "friction",
+            _ => "other dynamics",
+        })
+        .collect();
+    if !words.is_empty() {
+        reader
+            .unmodelled
+            .friction(reader.place(node), subject, &words);
+    }
+}
+
 /// The axis with length 1; along x where the text gives none, as URDF has it.
 fn axis<'t>(
     reader: &mut Reader<'_, 't>,
@@ -147,15 +196,25 @@ fn axis<'t>(
     let Some(numbers) = reader.numbers(&xyz, &subject) else {
         return along_x(place);
     };
-    axis::unit(numbers).unwrap_or_else(|refusal| {
-        let place = reader.value_place(&xyz);
-        let message = format!("{subject} {}", refusal.what);
-        reader.errors.push_with_hint(place, message, refusal.hint);
-        along_x(place)
-    })
+    let place = reader.value_place(&xyz);
+    match axis::unit(numbers) {
+        Ok((axis, doubt)) => {
+            if let Some(doubt) = doubt {
+                reader.warn(place, format!("{subject} {}", doubt.what), Some(doubt.hint));
+            }
+            axis
+        }
+        Err(refusal) => {
+            let message = format!("{subject} {}", refusal.what);
+            reader.errors.push_with_hint(place, message, refusal.hint);
+            along_x(place)
+        }
+    }
 }
 
-/// The limits, where there are any; those of the angle mean nothing for a continuous joint.
+/// The limits, where there are any. Those of the angle mean nothing for a continuous joint, and
+/// nothing for any other where the lower one is above the upper one, by which simulators say that
+/// there are none.
 fn limits<'t>(
     reader: &mut Reader<'_, 't>,
     children: &[Node<'_, 't>],
@@ -167,27 +226,51 @@ fn limits<'t>(
         let Some(attribute) = node.attribute_node(name) else {
             return otherwise;
         };
-        number::read_bound(attribute.value().trim()).unwrap_or_else(|refusal| {
+        number::read_bound(reader.value(&attribute).trim()).unwrap_or_else(|refusal| {
             let place = reader.value_place(&attribute);
             reader.refuse(place, &format!("the {name} limit of {subject}"), &refusal);
             otherwise
         })
     };
     let velocity = bound("velocity", f64::INFINITY);
-    let (lower, upper) = match kind {
-        Some(JointKind::Continuous | JointKind::Fixed) | None => (f64::NEG_INFINITY, f64::INFINITY),
-        // A limit that is not written is zero, says URDF.
-        Some(_) => (bound("lower", 0.0), bound("upper", 0.0)),
+    let unlimited = Limits {
+        lower: f64::NEG_INFINITY,
+        upper: f64::INFINITY,
+        velocity,
     };
+    match kind {
+        None | Some(JointKind::Fixed) => return Some(unlimited),
+        Some(JointKind::Continuous) => {
+            let says = |bound: &f64| bound.is_finite() && *bound != 0.0;
+            let ends = [bound("lower", 0.0), bound("upper", 0.0)];
+            if ends.iter().any(says) {
+                reader.unmodelled.limits(reader.place(node), subject);
+            }
+            return Some(unlimited);
+        }
+        Some(_) => {}
+    }
+    // A limit that is not written is zero, says URDF.
+    let (lower, upper) = (bound("lower", 0.0), bound("upper", 0.0));
     if lower > upper {
-        reader.errors.push(
+        reader.warn(
             reader.place(node),
-            format!("the lower limit of {subject}, {lower}, is above the upper one, {upper}"),
+            format!(
+                "the lower limit of {subject}, {lower}, is above the upper one, {upper}: taken as \
+                 without limits"
+            ),
+            Some("swap them, if they are meant".to_owned()),
         );
+        return Some(unlimited);
     }
     Some(Limits {
         lower,
         upper,
         velocity,
     })
+}
+
+/// Whether a value is the number zero, however it is written.
+fn is_zero(value: &str) -> bool {
+    value.trim().parse() == Ok(0.0)
 }

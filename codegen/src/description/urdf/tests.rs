@@ -5,6 +5,7 @@ mod element;
 mod hostile;
 mod joint;
 mod link;
+mod unmodelled;
 mod xml;
 
 use super::*;
@@ -30,7 +31,7 @@ const ARM: &str = r#"<?xml version="1.0"?>
     <child link="upper"/>
     <axis xyz="0 0.7071 0.7071"/>
     <limit lower="-2.9" upper="2.9" effort="inf" velocity="2"/>
-    <dynamics damping="0.1"/>
+    <dynamics damping="0.0"/>
   </joint>
   <joint name="lift" type="screw">
     <parent link="upper"/>
@@ -65,6 +66,24 @@ fn errors_in(item: &str) -> String {
 /// What is said of a joint from a to b, whose inner text stands in line 2 from column 1.
 fn errors_in_joint(kind: &str, inner: &str) -> String {
     errors(&format!(
+        "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\
+         <joint name=\"j\" type=\"{kind}\"><parent link=\"a\"/><child link=\"b\"/>\n\
+         {inner}</joint></robot>"
+    ))
+}
+
+/// What is doubted of a robot, each doubt as the command line shows it.
+fn doubts(text: &str) -> Vec<String> {
+    let robot = fine(text);
+    let doubts = robot.warnings.iter();
+    doubts
+        .map(|doubt| robot.source.errors().locate(doubt))
+        .collect()
+}
+
+/// What is doubted of a joint from a to b, whose inner text stands in line 2 from column 1.
+fn doubts_in_joint(kind: &str, inner: &str) -> Vec<String> {
+    doubts(&format!(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\
          <joint name=\"j\" type=\"{kind}\"><parent link=\"a\"/><child link=\"b\"/>\n\
          {inner}</joint></robot>"

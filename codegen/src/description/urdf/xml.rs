@@ -1,6 +1,6 @@
 //! XML, as far as a robot's description needs it.
 //!
-//! In: any text. Out: a document whose reading took time and memory in proportion to the text, or
+//! In: a plain text. Out: a document whose reading took time and memory in proportion to the text, or
 //! one complaint. It never replaces entities, and never lets through what makes the XML reader
 //! slow: elements with hundreds of attributes, hundreds of namespaces.
 
@@ -29,9 +29,12 @@ pub(super) const XACRO: (&str, &str) = (
     "run: xacro robot.urdf.xacro > robot.urdf",
 );
 
-/// Parses the text, or pushes one complaint.
-pub(super) fn parse<'t>(positions: &Positions<'t>, errors: &mut Errors) -> Option<Document<'t>> {
-    let text = positions.text();
+/// Parses a text whose places are those of the file, or pushes one complaint.
+pub(super) fn parse<'t>(
+    text: &'t str,
+    positions: &Positions<'_>,
+    errors: &mut Errors,
+) -> Option<Document<'t>> {
     if text.trim().is_empty() {
         errors.push(Place::Unknown, "the file is empty");
         return None;
@@ -143,21 +146,10 @@ fn complain(error: &Error, positions: &Positions<'_>, errors: &mut Errors) {
             let offset = positions.text().find("<!DOCTYPE").unwrap_or(0);
             errors.push_with_hint(
                 positions.place(offset),
-                "the file has a <!DOCTYPE …>, which is not read",
-                "remove it, and write out the entities it defines",
+                "<!DOCTYPE …> does not end",
+                "remove it",
             );
         }
-        Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
-            errors.push_with_hint(place, XACRO.0, XACRO.1);
-        }
-        Error::UnknownNamespace(prefix, _) => errors.push_with_hint(
-            place,
-            format!("the prefix {} is not declared", quoted(prefix)),
-            format!(
-                "declare it in the root element: xmlns:{}=\"…\"",
-                cut(prefix)
-            ),
-        ),
         Error::DuplicatedAttribute(name, _) => {
             errors.push(place, format!("attribute {} is given twice", quoted(name)));
         }

@@ -20,7 +20,7 @@ fn an_inertial_has_mass_and_inertia() {
         "error: arm.urdf:2:14: the mass of link \"a\" is negative: -0.5\n"
     );
     assert_eq!(
-        errors_in_inertial(&format!("{MASS}{MASS}{TENSOR}")),
+        errors_in_inertial(&format!("{MASS}<mass value=\"2\"/>{TENSOR}")),
         "error: arm.urdf:2:18: the inertial of link \"a\" has more than one <mass>\n"
     );
     assert_eq!(

@@ -1,6 +1,6 @@
 //! What is said of files that are no URDF, or not yet, or no XML.
 
-use super::{ARM, TENSOR, errors, errors_in, errors_in_inertial, fine};
+use super::{ARM, MASS, TENSOR, doubts, errors, errors_in, errors_in_inertial, fine};
 
 #[test]
 fn a_byte_order_mark_is_no_character() {
@@ -49,7 +49,7 @@ fn xacro_is_said_once() {
     );
     assert_eq!(
         errors("<robot name=\"r\">\n<xacro:arm prefix=\"a\"/></robot>"),
-        format!("error: arm.urdf:2:2: {message}")
+        format!("error: arm.urdf:2:1: {message}")
     );
     assert_eq!(
         errors_in("<link name=\"${prefix}arm\"/><link/>"),
@@ -90,16 +90,45 @@ fn broken_xml_is_said_where_it_breaks() {
         "error: arm.urdf:2:1: attribute \"name\" is given twice\n"
     );
     assert_eq!(
-        errors("<robot name=\"r\">\n<gazebo:x/></robot>"),
-        "error: arm.urdf:2:2: the prefix \"gazebo\" is not declared\n  \
-         hint: declare it in the root element: xmlns:gazebo=\"…\"\n"
-    );
-    assert_eq!(
         errors("<robot name=\"r\">\n<link name=a/></robot>"),
         "error: arm.urdf:2:12: this is not well-formed XML: expected a quote not 'a'\n"
     );
     assert_eq!(
-        errors("<robot name=\"&r;\"/>"),
-        "error: arm.urdf:1:14: this is not well-formed XML: unknown entity reference 'r'\n"
+        errors("<!DOCTYPE r [\n<robot name=\"r\"/>"),
+        "error: arm.urdf:1:1: <!DOCTYPE …> does not end\n  hint: remove it\n"
+    );
+}
+
+#[test]
+fn what_other_readers_pass_over_is_passed_over() {
+    let link = "<link name=\"a\"/>";
+    for text in [
+        format!("\n \n<?xml version=\"1.0\"?>\n<robot name=\"r\">{link}</robot>"),
+        format!("<!DOCTYPE robot SYSTEM \"r.dtd\"><robot name=\"r\">{link}</robot>"),
+        format!("<robot name=\"r\"><!-- a -- b -->{link}</robot>"),
+        format!("<robot name=\"r\">{link}<drake:joint name=\"j\" drake:x=\"1\"/></robot>"),
+        format!("<robot name=\"r\" xmlns:g=\"g\">{link}<g:link name=\"b\"/></robot>"),
+        format!("<robot name=\"r\" xmlns=\"http://www.ros.org\">{link}</robot>"),
+        format!("<robot name=\"r\">this & that{link}</robot>"),
+        format!("<robot name=\"r\">{link}</robot>\n\0"),
+    ] {
+        assert_eq!(errors(&text), "", "{text}");
+        assert_eq!(doubts(&text), [""; 0], "{text}");
+        assert_eq!(fine(&text).links.len(), 1, "{text}");
+    }
+}
+
+#[test]
+fn an_ampersand_is_a_character_where_it_begins_no_reference() {
+    let robot = fine("<robot name=\"this & that &amp;\n&#66;\"><link name=\"&l;\"/></robot>");
+    assert_eq!(robot.name.text, "this & that & B");
+    assert_eq!(robot.links[0].name.text, "&l;");
+    assert_eq!(
+        errors_in_inertial(&format!("<mass value=\"&m;\"/>{TENSOR}")),
+        "error: arm.urdf:2:14: the mass of link \"a\" is not a number: \"&m;\"\n"
+    );
+    assert_eq!(
+        errors_in_inertial(&format!("{MASS}{TENSOR}<drake:mass value=\"x\"/>")),
+        ""
     );
 }

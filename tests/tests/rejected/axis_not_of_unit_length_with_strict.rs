@@ -1,9 +1,9 @@
-//! An axis whose length would scale the coordinate.
+//! An axis whose length is not 1, which is a doubt without `strict`.
 
 use homogen::chain;
 
 chain! {
-    struct Arm { generate(inverse_dynamics, gravity) }
+    struct Arm { strict, generate(inverse_dynamics, gravity) }
     link base;
     joint shoulder: revolute([0.0, 1.0, 1.0]);
     link upper { mass: 1.0, com: [0.1, 0.0, 0.0], inertia: [0.01, 0.01, 0.01] }

@@ -1,0 +1,115 @@
+//! What is said of mechanics that a file has and the model has not: one doubt for each kind.
+
+use super::{doubts, doubts_in_joint, fine};
+use crate::builder::Builder;
+use crate::function::Function;
+
+/// A robot with a joint for each inner text, in lines of their own from line 2 on.
+fn robot(kind: &str, inner: &[&str]) -> String {
+    let joints = inner.iter().enumerate().map(|(k, inner)| {
+        let child = k + 1;
+        format!(
+            "<joint name=\"j{k}\" type=\"{kind}\"><axis xyz=\"0 0 1\"/>{inner}<parent link=\"{k}\"/>\
+             <child link=\"{child}\"/></joint><link name=\"{child}\"/>\n"
+        )
+    });
+    let joints: String = joints.collect();
+    format!("<robot name=\"r\"><link name=\"0\"/>\n{joints}</robot>")
+}
+
+#[test]
+fn friction_is_said_once_for_all_joints_that_move() {
+    let damping = r#"<dynamics damping="0.1" friction="0.0"/>"#;
+    let friction = r#"<dynamics friction = " 0.2 "/>"#;
+    let none = r#"<dynamics damping="0" friction="-0.0"/>"#;
+    assert_eq!(
+        doubts(&robot("revolute", &[none, damping])),
+        ["arm.urdf:3:53: not modelled: damping of joint \"j1\""]
+    );
+    assert_eq!(
+        doubts(&robot("prismatic", &[damping, none, friction, damping])),
+        ["arm.urdf:2:54: not modelled: damping and friction of joint \"j0\" and 2 others"]
+    );
+    assert_eq!(
+        doubts(&robot(
+            "continuous",
+            &[r#"<dynamics D="1" K="7000" damping="0"/>"#]
+        )),
+        ["arm.urdf:2:55: not modelled: other dynamics of joint \"j0\""]
+    );
+    assert_eq!(doubts(&robot("fixed", &[damping])), [""; 0]);
+    assert_eq!(doubts(&robot("revolute", &["<dynamics/>"])), [""; 0]);
+}
+
+#[test]
+fn a_gear_is_said_once_for_all_transmissions() {
+    let transmission = |name: &str, reduction: &str| {
+        format!(
+            "<transmission name=\"{name}\"><actuator name=\"m\"><mechanicalReduction>{reduction}\
+             </mechanicalReduction></actuator></transmission>\n"
+        )
+    };
+    let text = |transmissions: &[&str]| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"/>\n{}</robot>",
+            transmissions.concat()
+        )
+    };
+    let one = &transmission("t", " 1.0\n");
+    let hundred = &transmission("u", "100");
+    assert_eq!(doubts(&text(&[one])), [""; 0]);
+    assert_eq!(
+        doubts(&text(&[hundred])),
+        ["arm.urdf:2:43: not modelled: the reduction of transmission \"u\""]
+    );
+    assert_eq!(
+        doubts(&text(&[one, hundred, hundred])),
+        ["arm.urdf:4:43: not modelled: the reduction of transmission \"u\" and 1 other"]
+    );
+}
+
+#[test]
+fn limits_beside_continuous_are_said_once() {
+    let limits = r#"<limit lower="-3.14" upper="3.14" effort="1" velocity="1"/>"#;
+    assert_eq!(
+        doubts(&robot("continuous", &[limits, "", limits])),
+        ["arm.urdf:2:55: not used: the limits of joint \"j0\" and 1 other, of type continuous"]
+    );
+    for none in [
+        r#"<limit effort="1" velocity="1"/>"#,
+        r#"<limit lower="0" upper="0.0"/>"#,
+        r#"<limit lower="-inf" upper="inf"/>"#,
+    ] {
+        assert_eq!(doubts(&robot("continuous", &[none])), [""; 0], "{none}");
+    }
+}
+
+#[test]
+fn soft_limits_and_calibration_tell_a_controller() {
+    let inner = r#"<axis xyz="0 0 1"/><safety_controller k_velocity="1" soft_lower_limit="0.1"/>
+        <calibration rising="0.1"/>"#;
+    assert_eq!(doubts_in_joint("revolute", inner), [""; 0]);
+}
+
+#[test]
+fn doubts_stand_above_the_generated_code_and_strict_refuses_them() {
+    let text = robot(
+        "revolute",
+        &[
+            r#"<dynamics damping="0.1"/>"#,
+            r#"<limit lower="1" upper="-1"/>"#,
+        ],
+    )
+    .replace("xyz=\"0 0 1\"", "xyz=\"0 0 2\"");
+    let builder = || Builder::from_description(fine(&text)).generate([Function::ForwardKinematics]);
+    let source = builder().to_source().expect("a robot").to_string();
+    let refused = builder().strict().to_source().expect_err("doubts");
+    for doubt in [
+        "arm.urdf:2:45: the axis of joint",
+        "arm.urdf:3:53: the lower limit of joint",
+        "arm.urdf:2:53: not modelled: damping of joint",
+    ] {
+        assert!(source.contains(doubt), "{doubt}\n{source}");
+        assert!(refused.to_string().contains(doubt), "{doubt}\n{refused}");
+    }
+}

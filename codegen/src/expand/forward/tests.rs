@@ -1,0 +1,283 @@
+//! Tests of which form is chosen, of what is doubted and of what is refused.
+
+use proc_macro2::{Ident, Span};
+
+use super::super::choice::{cheapest, program_by};
+use super::super::understand;
+use crate::chain::frames::Layout;
+use crate::chain::{self, Chain};
+use crate::description::{Description, Name, read_text};
+use crate::error::Errors;
+use crate::expression::{Double, Input};
+use crate::formulation::{Formulation, Forward};
+use crate::function::Function::{self, ForwardDynamics, MassMatrixInverse};
+use crate::model::Way;
+use crate::request::{Parameter, Real, Request, Target};
+use crate::schedule::run;
+use crate::target::Processor;
+
+const SOLVED: [Function; 2] = [ForwardDynamics, MassMatrixInverse];
+
+/// An inertia at the end of a link of 1 m: mass, and moment about the joints' axes.
+type End = (f64, f64);
+
+/// Links in a plane, one after the other.
+fn described(links: &[End]) -> Description {
+    let names = ["base", "upper", "lower", "hand", "finger"];
+    let joints = ["shoulder", "elbow", "wrist", "knuckle"];
+    let links = links.iter().enumerate().map(|(k, (mass, moment))| {
+        format!(
+            r#"<link name="{child}"><inertial><origin xyz="1 0 0"/><mass value="{mass}"/>
+            <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="{moment}"/></inertial></link>
+            <joint name="{joint}" type="continuous"><parent link="{parent}"/><child link="{child}"/>
+            <origin xyz="1 0 0"/><axis xyz="0 0 1"/></joint>"#,
+            child = names[k + 1],
+            joint = joints[k],
+            parent = names[k],
+        )
+    });
+    let links: String = links.collect();
+    let text = format!(r#"<robot name="arm"><link name="base"/>{links}</robot>"#);
+    let mut errors = Errors::new();
+    let description = read_text(&text, "arm.urdf", None, &mut errors);
+    assert!(errors.is_empty(), "{errors}");
+    description.expect("no mistakes, so a description")
+}
+
+fn arm(links: &[End]) -> Chain {
+    chain::build(&described(links), &Request::default()).expect("a tree")
+}
+
+/// Masses at the ends of two links.
+fn ends(first: f64, second: f64) -> Chain {
+    arm(&[(first, 0.0), (second, 0.0)])
+}
+
+/// Four rods, the last so heavy.
+fn heavy_tip(mass: f64) -> [End; 4] {
+    [1.0, 1.0, 1.0, mass].map(|mass| (mass, mass / 3.0))
+}
+
+/// The form of a function that is chosen in a type.
+fn choose(chain: &Chain, function: Function, scalar: Real) -> Result<Forward, Errors> {
+    let (processor, formulation) = (Processor::Portable, Formulation::default());
+    let found = cheapest(processor, formulation, chain, &[function], 0, scalar)?;
+    Ok(found.way.forward)
+}
+
+fn refusal(chain: &Chain, function: Function, scalar: Real) -> String {
+    choose(chain, function, scalar)
+        .expect_err("refused")
+        .to_string()
+}
+
+#[test]
+fn an_ordinary_arm_needs_no_refinement() {
+    for scalar in [Real::F32, Real::F64, Real::Generic] {
+        for function in SOLVED {
+            let form = choose(&ends(1.0, 1.0), function, scalar);
+            assert_eq!(form.expect("regular"), Forward::UNREFINED);
+        }
+    }
+}
+
+#[test]
+fn a_heavy_tip_is_refined_wherever_that_brings_the_digits_back() {
+    let refined = |form| matches!(form, Forward::MassMatrix { refinements: 1.. });
+    for (mass, scalar) in [(1e3, Real::F32), (1e3, Real::F64), (1e6, Real::F64)] {
+        for function in SOLVED {
+            let form = choose(&arm(&heavy_tip(mass)), function, scalar).expect("regular");
+            assert!(
+                refined(form),
+                "{function:?}, {mass:e} kg, {scalar:?}: {form:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_no_form_leaves_half_of_the_digits_is_refused() {
+    for function in SOLVED {
+        let refusal = refusal(&arm(&heavy_tip(1e7)), function, Real::F32);
+        let message = format!("{} would lose ", function.name());
+        assert!(refusal.contains(&message), "{refusal}");
+        assert!(
+            refusal.contains("\" the mass matrix loses a factor of "),
+            "{refusal}"
+        );
+        assert!(refusal.contains("generate it for f64"), "{refusal}");
+    }
+}
+
+/// What a request with a formulation makes understand of an arm: its doubts.
+fn doubts(links: &[End], words: Formulation, strict: bool) -> Result<Vec<String>, String> {
+    let request = Request {
+        functions: SOLVED.map(|function| vec![function]).to_vec(),
+        formulation: words,
+        scalar: Real::F64,
+        strict,
+        ..Request::default()
+    };
+    let chain = understand(&described(links), &request).map_err(|errors| errors.to_string())?;
+    let doubts = chain.report.warnings.into_iter();
+    Ok(doubts.map(|doubt| doubt.message).collect())
+}
+
+#[test]
+fn the_faster_form_is_a_word_away_and_its_doubt_says_what_it_costs() {
+    let heavy = [(1.0, 0.0), (1e6, 0.0)];
+    assert_eq!(doubts(&heavy, Formulation::default(), true), Ok(Vec::new()));
+    let faster = Formulation {
+        forward: Some(Forward::UNREFINED),
+        ..Formulation::default()
+    };
+    let told = doubts(&heavy, faster, false).expect("doubted only");
+    let [of_dynamics, of_inverse] = &told[..] else {
+        panic!("{told:?}");
+    };
+    for (doubt, function) in [
+        (of_dynamics, "forward_dynamics"),
+        (of_inverse, "mass_matrix_inverse"),
+    ] {
+        let start = format!("{function} with refined = 0 loses ");
+        assert!(doubt.starts_with(&start), "{doubt}");
+        assert!(
+            doubt.contains(" of its largest result: at joint \"shoulder\""),
+            "{doubt}"
+        );
+    }
+    let refused = doubts(&heavy, faster, true).expect_err("strict");
+    assert!(refused.contains("with refined = 0 loses"), "{refused}");
+    assert_eq!(doubts(&[(1.0, 0.0); 2], faster, true), Ok(Vec::new()));
+}
+
+/// The larger relative error of both accelerations in f64, against 106 bits, nearly stretched.
+fn error(chain: &Chain, refinements: usize) -> f64 {
+    let forward = Forward::MassMatrix { refinements };
+    let way = Way {
+        forward,
+        ..Way::PLAIN
+    };
+    let program = program_by(chain, &[ForwardDynamics], 0, Layout::DESCRIBED, way);
+    let state = |input| match input {
+        Input::Q(_) => 1e-4,
+        Input::Qd(_) => 0.3,
+        _ => 1.1,
+    };
+    let found = run::<f64>(&program, state);
+    let exact = run::<Double>(&program, |input| Double::from(state(input)));
+    let pairs = found.iter().zip(&exact);
+    pairs.fold(0.0, |worst, (found, exact)| {
+        worst.max((found / exact.to_f64() - 1.0).abs())
+    })
+}
+
+#[test]
+fn a_refinement_brings_back_the_digits_that_the_mass_matrix_lost() {
+    let arm = ends(1.0, 1e8);
+    let [plain, refined] = [0, 1].map(|refinements| error(&arm, refinements));
+    assert!(
+        plain > 1e-10 && refined < 1e-14,
+        "{plain:e} and {refined:e}"
+    );
+}
+
+/// Of three forms, in an arm of skew numbers; and the inverse is one of the mass matrix.
+#[test]
+fn every_form_of_the_inverse_inverts_the_mass_matrix() {
+    let arm = arm(&[(1.3, 0.2), (0.7, 0.1)]);
+    let at = |function, forward| {
+        let way = Way {
+            forward,
+            ..Way::PLAIN
+        };
+        let program = program_by(&arm, &[function], 0, Layout::DESCRIBED, way);
+        run::<Double>(&program, |_| Double::from(0.7))
+    };
+    let mass = at(Function::MassMatrix, Forward::UNREFINED);
+    for forward in [
+        Forward::UNREFINED,
+        Forward::MassMatrix { refinements: 1 },
+        Forward::MassMatrix { refinements: 2 },
+        Forward::Articulated,
+    ] {
+        let inverse = at(MassMatrixInverse, forward);
+        for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let product = mass[2 * row] * inverse[column] + mass[2 * row + 1] * inverse[2 + column];
+            let unit = f64::from(u8::from(row == column));
+            let missed = (product - Double::from(unit)).to_f64();
+            assert!(missed.abs() < 1e-15, "{forward:?}: {missed:e}");
+        }
+    }
+}
+
+#[test]
+fn a_massless_end_is_refused_by_the_name_of_its_joint() {
+    for function in SOLVED {
+        let refusal = refusal(&ends(1.0, 0.0), function, Real::F64);
+        assert!(
+            refusal.starts_with(
+                "error: arm.urdf:6:26: joint \"elbow\" can accelerate without any force"
+            ),
+            "{refusal}"
+        );
+        assert!(refusal.contains("give what it carries a mass"), "{refusal}");
+    }
+}
+
+/// Of a moment that is negative about the shoulder's axis, and of one about the elbow's.
+#[test]
+fn an_inertia_that_no_body_has_is_not_called_singular() {
+    for (links, carrier, joint) in [
+        ([(1.0, -100.0), (1.0, 0.1)], "shoulder", "shoulder"),
+        ([(1.0, 0.1), (1.0, -9.0)], "elbow", "elbow"),
+    ] {
+        for function in SOLVED {
+            let refusal = refusal(&arm(&links), function, Real::F64);
+            let message = format!(
+                "the mass matrix is not positive definite: joint \"{carrier}\" carries an inertia \
+                 that no body has, and joint \"{joint}\" accelerates against its force"
+            );
+            assert!(refusal.contains(&message), "{refusal}");
+            assert!(refusal.contains("correct the inertias"), "{refusal}");
+        }
+    }
+}
+
+/// The arm with a field for the mass of a link.
+fn with_field(links: &[End], link: &str) -> Result<Chain, Errors> {
+    let request = Request {
+        functions: vec![vec![ForwardDynamics]],
+        scalar: Real::F64,
+        parameters: vec![Parameter {
+            field: Ident::new("payload", Span::call_site()),
+            target: Target::MassOf(Name::from(link)),
+            range: None,
+        }],
+        ..Request::default()
+    };
+    understand(&described(links), &request)
+}
+
+#[test]
+fn a_field_that_does_not_help_is_named() {
+    let chain = with_field(&[(0.0, 0.0); 2], "upper").expect("a tree");
+    let refusal = refusal(&chain, ForwardDynamics, Real::F64);
+    let hint = "(field \"payload\" is described as zero, and does not help)";
+    assert!(refusal.contains(hint), "{refusal}");
+}
+
+#[test]
+fn a_field_may_be_all_that_makes_an_arm_regular() {
+    let chain = with_field(&[(1.0, 0.0), (0.0, 0.0)], "lower").expect("a tree");
+    let form = choose(&chain, ForwardDynamics, Real::F64).expect("regular with a payload");
+    assert_eq!(form, Forward::UNREFINED);
+    let doubts: Vec<&str> = (chain.report.warnings.iter())
+        .map(|doubt| doubt.message.as_str())
+        .collect();
+    let expected = "joint \"elbow\" can accelerate without any force where field \"payload\" is as \
+                    described, zero: accelerations are infinite there";
+    assert_eq!(doubts, [expected]);
+    let described = with_field(&[(1.0, 0.0), (2.0, 0.0)], "lower").expect("a tree");
+    assert!(described.report.warnings.is_empty());
+}

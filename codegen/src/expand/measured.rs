@@ -1,0 +1,281 @@
+//! How far off a program that solves for accelerations is, measured.
+//!
+//! In: a chain, functions, and programs that compute them one after the other. Out: the error to be
+//! expected in a type of number, in units of its roundoff. Each program is run as it stands, at states
+//! of the robot's range, and held against a hundred bits. It never bounds anything: between the
+//! states, and beyond them, an error may be larger.
+
+use super::choice::expressions_by;
+use super::solvable::field;
+use crate::chain::Chain;
+use crate::chain::frames::Layout;
+use crate::chain::range::Range;
+use crate::expression::{Arithmetic, Double, Evaluation, Input};
+use crate::formulation::Forward;
+use crate::function::Function;
+use crate::model::Way;
+use crate::request::Real;
+use crate::schedule::{Program, run};
+
+/// How many states are looked at.
+const STATES: u32 = 64;
+
+/// After how many states a program is known that loses next to nothing.
+const FIRST: u32 = 16;
+
+/// What is next to nothing \[u\].
+const NOTHING: f64 = 3.0;
+
+/// What the worst of a thousand states has of the mean of the worst eighth of [`STATES`]: four times it
+/// in the middle of some fifty robots, two to eight times for most.
+const TAIL: f64 = 4.0;
+
+/// How much of the range a state is near another in.
+const NEAR: f64 = 1e-3;
+
+/// How large joint forces and torques are \[N m or N\]: so small that it is the motion, and not they,
+/// that most robots' accelerations come from.
+const TORQUE: f64 = 4.0;
+
+/// States of a chain, and what its functions are there.
+pub(super) struct Measure<'c> {
+    chain: &'c Chain,
+    range: Range,
+    /// Of each function that solves something, where its results are among those of all.
+    solved: Vec<(Evaluation<Double>, std::ops::Range<usize>)>,
+    states: Vec<State>,
+}
+
+/// A state, with the exact results of each function that solves something.
+struct State {
+    arguments: Arguments,
+    exact: Vec<Vec<Double>>,
+}
+
+/// The arguments of all functions, exact in every type of number.
+struct Arguments {
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    tau: Vec<f64>,
+}
+
+impl<'c> Measure<'c> {
+    /// Of a chain whose mass matrix loses so much: the largest ratio of a diagonal entry to its pivot.
+    pub(super) fn of(chain: &'c Chain, functions: &[Function], loss: f64) -> Self {
+        // A hundred bits bear the mass matrix as it is where it leaves most of them.
+        const BORNE: f64 = 1e12;
+        let refinements = usize::from(loss > BORNE);
+        let way = Way {
+            forward: Forward::MassMatrix { refinements },
+            ..Way::PLAIN
+        };
+        let mut solved = Vec::new();
+        let mut end = 0;
+        for &function in functions {
+            let start = end;
+            end += function.shape().len(chain.joints.len());
+            if function.solves() {
+                let (graph, results) =
+                    expressions_by(chain, &[function], 0, Layout::DESCRIBED, way);
+                solved.push((Evaluation::of(&graph, &results), start..end));
+            }
+        }
+        Self {
+            chain,
+            range: Range::of(chain),
+            solved,
+            states: Vec::new(),
+        }
+    }
+
+    /// The error of the worst of a thousand states, as far as a few tell: beside the largest result, in
+    /// units of the type's roundoff. Infinite where a result is no number.
+    pub(super) fn error(&mut self, program: &Program, scalar: Real) -> f64 {
+        let mut errors: Vec<f64> = Vec::new();
+        for number in 0..STATES {
+            if number == FIRST && errors.iter().all(|&error| error <= NOTHING) {
+                break;
+            }
+            // States are made when they are first needed.
+            if errors.len() == self.states.len() {
+                let state = self.state(number);
+                self.states.push(state);
+            }
+            let state = &self.states[errors.len()];
+            let error = match scalar {
+                Real::F32 => self.error_at::<Single>(program, state),
+                Real::F64 | Real::Generic => self.error_at::<Plain>(program, state),
+            };
+            errors.push(error / scalar.roundoff());
+        }
+        errors.sort_by(f64::total_cmp);
+        let worst = &errors[errors.len() - errors.len() / 8..];
+        TAIL * worst.iter().sum::<f64>() / worst.iter().map(|_| 1.0).sum::<f64>()
+    }
+
+    fn state(&self, number: u32) -> State {
+        let arguments = Arguments::new(&self.range, self.chain.joints.len(), number);
+        let input = |input| Double::from(arguments.at(self.chain, &self.range, input));
+        let exact = self.solved.iter().map(|(function, _)| function.at(input));
+        State {
+            exact: exact.collect(),
+            arguments,
+        }
+    }
+
+    /// The largest error beside the largest result, of the function for which that is worse.
+    fn error_at<T: Rounded>(&self, program: &Program, state: &State) -> f64 {
+        let State { arguments, exact } = state;
+        let found = run::<T>(program, |input| {
+            T::literal(arguments.at(self.chain, &self.range, input))
+        });
+        let functions = self.solved.iter().zip(exact);
+        functions.fold(0.0, |worst, ((_, place), exact)| {
+            let size = largest(exact.iter().map(|exact| exact.to_f64()));
+            let errors = found[place.clone()].iter().zip(exact);
+            let errors =
+                errors.map(|(found, exact)| (Double::from(found.to_f64()) - *exact).to_f64());
+            let error = largest(errors);
+            // Where all are zero, so is what is found.
+            worst.max(if error == 0.0 { 0.0 } else { error / size })
+        })
+    }
+}
+
+impl Arguments {
+    /// Of a sequence that fills the range evenly: multiples of the golden ratio and of roots. Every eighth
+    /// state is near the posture of the description, in which axes and links are in line.
+    fn new(range: &Range, joints: usize, number: u32) -> Self {
+        let near = |&[lower, upper]: &[f64; 2]| {
+            let zero = 0.0_f64.clamp(lower, upper);
+            [lower, upper].map(|end| zero + NEAR * (end - zero))
+        };
+        let q: Vec<[f64; 2]> = if number % 8 == 7 {
+            range.q.iter().map(near).collect()
+        } else {
+            range.q.clone()
+        };
+        let number = f64::from(number + 1);
+        let mut entry = 0.0_f64;
+        let mut next = |[lower, upper]: [f64; 2]| {
+            entry += 1.0;
+            let share = 0.5 + number * 0.618_033_988_749_895 * entry.sqrt();
+            single(lower + (upper - lower) * share.fract())
+        };
+        let mut all = |ranges: &[[f64; 2]]| ranges.iter().map(|&ends| next(ends)).collect();
+        Self {
+            q: all(&q),
+            qd: all(&range.qd),
+            tau: all(&vec![[-TORQUE, TORQUE]; joints]),
+        }
+    }
+
+    fn at(&self, chain: &Chain, range: &Range, input: Input) -> f64 {
+        match input {
+            Input::Q(k) => self.q[usize::from(k)],
+            Input::Qd(k) => self.qd[usize::from(k)],
+            Input::Tau(k) => self.tau[usize::from(k)],
+            // No function that solves something reads accelerations; one beside it may.
+            Input::Qdd(_) => 1.0,
+            Input::Parameter(..) => single(field(chain, range, input)),
+        }
+    }
+}
+
+/// The largest size of all; infinite where one is no number.
+fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
+    numbers.fold(0.0, |most, number| {
+        if number.is_nan() {
+            f64::INFINITY
+        } else {
+            most.max(number.abs())
+        }
+    })
+}
+
+/// The nearest number of single precision.
+#[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
+fn single(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
+/// A type of number that gives the same bits on every platform.
+trait Rounded: Arithmetic {
+    fn to_f64(&self) -> f64;
+}
+
+/// Double precision, with sines rounded once.
+#[derive(Clone, Copy)]
+struct Plain(f64);
+
+/// Single precision, with sines rounded once.
+#[derive(Clone, Copy)]
+struct Single(f32);
+
+macro_rules! implement {
+    ($type:ident) => {
+        impl std::ops::Add for $type {
+            type Output = Self;
+
+            fn add(self, other: Self) -> Self {
+                Self(self.0 + other.0)
+            }
+        }
+
+        impl std::ops::Sub for $type {
+            type Output = Self;
+
+            fn sub(self, other: Self) -> Self {
+                Self(self.0 - other.0)
+            }
+        }
+
+        impl std::ops::Mul for $type {
+            type Output = Self;
+
+            fn mul(self, other: Self) -> Self {
+                Self(self.0 * other.0)
+            }
+        }
+
+        impl std::ops::Div for $type {
+            type Output = Self;
+
+            fn div(self, other: Self) -> Self {
+                Self(self.0 / other.0)
+            }
+        }
+
+        impl std::ops::Neg for $type {
+            type Output = Self;
+
+            fn neg(self) -> Self {
+                Self(-self.0)
+            }
+        }
+
+        impl Arithmetic for $type {
+            fn literal(value: f64) -> Self {
+                Self(Arithmetic::literal(value))
+            }
+
+            fn sqrt(self) -> Self {
+                Self(self.0.sqrt())
+            }
+
+            fn sin_cos(self) -> (Self, Self) {
+                let (sine, cosine) = Double::from(self.to_f64()).sin_cos();
+                (Self::literal(sine.to_f64()), Self::literal(cosine.to_f64()))
+            }
+        }
+
+        impl Rounded for $type {
+            fn to_f64(&self) -> f64 {
+                self.0.into()
+            }
+        }
+    };
+}
+
+implement!(Plain);
+implement!(Single);

@@ -1,0 +1,277 @@
+//! Whether forces determine accelerations at all: whether the mass matrix is positive definite.
+//!
+//! In: a chain. Out: what a pivot of its mass matrix loses at most, in a handful of postures and in
+//! extended precision; or the mistake that says which joint nothing holds, or which body is none. It
+//! never looks at a type of number.
+
+use std::collections::BTreeSet;
+
+use crate::chain::frames::{Layout, arrange};
+use crate::chain::range::Range;
+use crate::chain::{Chain, Joint, physical};
+use crate::error::{Complaint, Errors};
+use crate::expression::{Double, Expr, Graph, Input, Node, Term};
+use crate::model;
+use crate::schedule::{run, schedule};
+use crate::wording::{list, quoted};
+
+/// How many postures are looked at.
+const POSTURES: u32 = 16;
+
+/// What nothing but rounding is left of, beside a diagonal entry.
+const SINGULAR: f64 = 1e20;
+
+/// Where the mass matrix loses most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Worst {
+    /// The largest ratio of a diagonal entry to its pivot.
+    pub(super) loss: f64,
+    /// The joint that they belong to.
+    pub(super) joint: usize,
+    /// A joint that accelerates against its force in some posture.
+    against: Option<usize>,
+}
+
+/// What a chain has in place of a mass matrix that is positive definite.
+enum Lack {
+    /// A joint that moves nothing, whatever the posture.
+    Inertia(usize),
+    /// A joint that accelerates against its force.
+    Sign(usize),
+}
+
+/// What the mass matrix loses, with fields at what they are described as, or at the end of their range
+/// where nothing is described.
+///
+/// # Errors
+/// Where it is singular or has a negative pivot in every posture.
+pub(super) fn solvable(chain: &Chain) -> Result<Worst, Errors> {
+    let range = Range::of(chain);
+    worst(chain, |input| field(chain, &range, input)).map_err(|lack| refusal(chain, &lack))
+}
+
+/// What is doubtful about a chain that is solvable somewhere: fields that must not be what is described,
+/// and inertias that are none in some postures.
+pub(super) fn doubts(chain: &Chain, worst: Worst) -> Vec<Complaint> {
+    let against = worst.against.map(|joint| {
+        let cause = cause(chain, joint).unwrap_or(&chain.joints[joint]);
+        Complaint {
+            place: cause.place,
+            message: format!(
+                "{}: not in every posture, but in some",
+                against_force(chain, joint)
+            ),
+            hint: Some(CORRECT.to_owned()),
+        }
+    });
+    against.into_iter().chain(zero(chain)).collect()
+}
+
+/// That a chain is singular where fields are what is described.
+fn zero(chain: &Chain) -> Option<Complaint> {
+    if chain.nominal.iter().all(|nominal| !is_zero(nominal)) {
+        return None;
+    }
+    let zeros = undescribed(chain);
+    let Err(Lack::Inertia(joint)) = worst(chain, |input| described(chain, input)) else {
+        return None;
+    };
+    let joint = &chain.joints[joint];
+    Some(Complaint {
+        place: joint.place,
+        message: format!(
+            "joint \"{}\" can accelerate without any force where {} as described, zero: \
+             accelerations are infinite there",
+            joint.name,
+            are(&zeros)
+        ),
+        hint: Some("never give them zero, or give the link an inertial".to_owned()),
+    })
+}
+
+/// The value of a field's entry: what is described in its place, or the end of its range where nothing
+/// but zeros are.
+pub(super) fn field(chain: &Chain, range: &Range, input: Input) -> f64 {
+    match input {
+        Input::Parameter(field, _) if is_zero(&chain.nominal[usize::from(field)]) => {
+            range.get(input).map_or(0.0, |[_, most]| most)
+        }
+        _ => described(chain, input),
+    }
+}
+
+fn described(chain: &Chain, input: Input) -> f64 {
+    let Input::Parameter(field, entry) = input else {
+        return 0.0;
+    };
+    let field = chain.nominal.get(usize::from(field));
+    let entry = field.and_then(|field| field.get(usize::from(entry)));
+    entry.copied().unwrap_or(0.0)
+}
+
+fn is_zero(nominal: &[f64]) -> bool {
+    nominal.iter().all(|&entry| entry == 0.0)
+}
+
+/// The fields in whose place nothing but zeros are described, of those that enter the mass matrix.
+fn undescribed(chain: &Chain) -> Vec<&str> {
+    let graph = chain.graph.clone();
+    let (needed, _) = graph.needed(&pivots(&graph, chain));
+    let entering: BTreeSet<usize> = needed
+        .into_iter()
+        .filter_map(|expr| match graph.node(expr) {
+            Node::Input(Input::Parameter(field, _)) => Some(usize::from(field)),
+            _ => None,
+        })
+        .collect();
+    let zeros = entering
+        .into_iter()
+        .filter(|&field| is_zero(&chain.nominal[field]));
+    zeros.map(|field| chain.fields[field].as_str()).collect()
+}
+
+/// `field "payload" is` or `fields "a" and "b" are`.
+fn are(fields: &[&str]) -> String {
+    let names: Vec<String> = fields.iter().map(|name| quoted(name)).collect();
+    let names = list(names.iter().map(String::as_str));
+    match fields {
+        [_] => format!("field {names} is"),
+        _ => format!("fields {names} are"),
+    }
+}
+
+fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
+    let graph = chain.graph.clone();
+    let program = schedule(&graph, &pivots(&graph, chain));
+    let range = Range::of(chain);
+    let mut worst = Worst {
+        loss: 1.0,
+        joint: 0,
+        against: None,
+    };
+    let count = chain.joints.len();
+    // A joint that is singular in one posture may only be passing through it.
+    let mut least = vec![f64::INFINITY; count];
+    let mut always = vec![true; count];
+    for posture in 0..POSTURES {
+        let values = run::<Double>(&program, |input| {
+            Double::from(match input {
+                Input::Q(k) => coordinate(&range, k, posture),
+                _ => field(input),
+            })
+        });
+        for (joint, pair) in values.chunks(2).enumerate() {
+            let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());
+            let loss = if pivot > 0.0 {
+                entry / pivot
+            } else {
+                f64::INFINITY
+            };
+            least[joint] = least[joint].min(loss);
+            let is_against = pivot * SINGULAR < -entry.abs();
+            always[joint] &= is_against;
+            if is_against {
+                worst.against = worst.against.max(Some(joint));
+            }
+            if loss > worst.loss && loss.is_finite() {
+                worst = Worst {
+                    loss,
+                    joint,
+                    ..worst
+                };
+            }
+        }
+    }
+    // Outermost first: what is outboard spoils what is inboard of it.
+    for joint in (0..count).rev() {
+        if always[joint] {
+            return Err(Lack::Sign(joint));
+        }
+        if least[joint] > SINGULAR {
+            return Err(Lack::Inertia(joint));
+        }
+    }
+    Ok(worst)
+}
+
+/// A diagonal entry and its pivot, for each joint.
+fn pivots(graph: &Graph, chain: &Chain) -> Vec<Expr> {
+    let layout = Layout {
+        regroup: true,
+        ..Layout::DESCRIBED
+    };
+    let bodies = arrange(graph, chain, layout);
+    let pivots = model::pivots(graph, &bodies).into_iter();
+    pivots.map(Term::expr).collect()
+}
+
+/// A coordinate of a posture, from a sequence that fills the range evenly: multiples of the golden
+/// ratio and of roots.
+fn coordinate(range: &Range, k: u16, posture: u32) -> f64 {
+    let [lower, upper] = range.q[usize::from(k)];
+    let step = 0.618_033_988_749_895 * f64::from(k + 1).sqrt();
+    lower + (upper - lower) * (0.5 + f64::from(posture) * step).fract()
+}
+
+fn refusal(chain: &Chain, lack: &Lack) -> Errors {
+    let mut errors = chain.source.errors();
+    let zeros = undescribed(chain);
+    let but = if zeros.is_empty() {
+        String::new()
+    } else {
+        format!(" ({} described as zero, and does not help)", are(&zeros))
+    };
+    match *lack {
+        Lack::Inertia(joint) => {
+            let joint = &chain.joints[joint];
+            errors.push_with_hint(
+                joint.place,
+                format!(
+                    "joint \"{}\" can accelerate without any force: the mass matrix is singular",
+                    joint.name
+                ),
+                format!(
+                    "give what it carries a mass or an inertia about its axis, or lock it{but}"
+                ),
+            );
+        }
+        Lack::Sign(joint) => {
+            let place = cause(chain, joint).unwrap_or(&chain.joints[joint]).place;
+            let message = against_force(chain, joint);
+            errors.push_with_hint(place, message, format!("{CORRECT}{but}"));
+        }
+    }
+    errors
+}
+
+/// What is to be done about inertias that no body has.
+const CORRECT: &str = "correct the inertias; check tells which no body can have";
+
+fn against_force(chain: &Chain, joint: usize) -> String {
+    let carries = cause(chain, joint).map_or_else(String::new, |carrier| {
+        format!(
+            "joint \"{}\" carries an inertia that no body has, and ",
+            carrier.name
+        )
+    });
+    let name = &chain.joints[joint].name;
+    format!(
+        "the mass matrix is not positive definite: {carries}joint \"{name}\" accelerates against \
+         its force"
+    )
+}
+
+/// The first joint, from one outwards, that carries what no body is.
+fn cause(chain: &Chain, from: usize) -> Option<&Joint> {
+    let mut outboard = vec![false; chain.joints.len()];
+    for k in 0..chain.joints.len() {
+        let parent = chain.joints[k].parent;
+        outboard[k] = k == from || parent.is_some_and(|parent| outboard[parent]);
+    }
+    let carried = chain.joints.iter().zip(outboard);
+    let mut carried = carried.filter_map(|(joint, outboard)| outboard.then_some(joint));
+    carried.find(|joint| {
+        let inertia = joint.inertia.map(|entry| chain.graph.term(entry));
+        physical::is_possible(inertia) == Some(false)
+    })
+}

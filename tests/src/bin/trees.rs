@@ -1,0 +1,105 @@
+//! Tens of thousands of random trees.
+//!
+//! `cargo run --release -p homogen-tests --bin trees -- --long [--seed N] [--robots N]`
+//!
+//! In: a seed; without `--long` a few hundred robots. Out: the worst error of each function, every
+//! failure in the smallest robot that shows it, and a status that says whether there was one.
+
+use std::collections::BTreeMap;
+use std::process::ExitCode;
+
+use homogen_tests::trees::cases::Effort;
+use homogen_tests::trees::features::FEATURES;
+use homogen_tests::trees::prepared::TOLERANCE;
+use homogen_tests::trees::{numbered, try_seed};
+
+fn main() -> ExitCode {
+    match Wanted::read(std::env::args().skip(1)) {
+        Ok(wanted) => examine(&wanted),
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+struct Wanted {
+    seed: u64,
+    robots: u64,
+}
+
+impl Wanted {
+    fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+        let mut wanted = Self {
+            seed: 1,
+            robots: 300,
+        };
+        let mut given = None;
+        while let Some(word) = words.next() {
+            let mut number = || {
+                let next = words.next().and_then(|next| next.parse().ok());
+                next.ok_or_else(|| format!("{word} needs a number"))
+            };
+            match word.as_str() {
+                "--long" => wanted.robots = 20_000,
+                "--seed" => wanted.seed = number()?,
+                "--robots" => given = Some(number()?),
+                _ => return Err(format!("there is no option {word}")),
+            }
+        }
+        wanted.robots = given.unwrap_or(wanted.robots);
+        Ok(wanted)
+    }
+}
+
+fn examine(wanted: &Wanted) -> ExitCode {
+    // Panics are failures like others, and are told with the robot.
+    std::panic::set_hook(Box::new(|_| {}));
+    let effort = Effort {
+        states: 3,
+        all_up_to: 20,
+    };
+    let mut worst: BTreeMap<&str, (f64, u64)> = BTreeMap::new();
+    let (mut failures, mut programs, mut refused) = (0, 0, 0);
+    let mut counts = [0; FEATURES.len()];
+    for index in 0..wanted.robots {
+        let seed = numbered(wanted.seed, index);
+        match try_seed(seed, effort) {
+            Ok((robot, findings)) => {
+                programs += findings.programs;
+                refused += findings.refused;
+                for (function, error) in findings.worst {
+                    let entry = worst.entry(function).or_default();
+                    if error > entry.0 {
+                        *entry = (error, seed);
+                    }
+                }
+                for (count, (_, has)) in counts.iter_mut().zip(FEATURES) {
+                    *count += u32::from(has(&robot));
+                }
+            }
+            Err(told) => {
+                failures += 1;
+                println!("{told}\n");
+            }
+        }
+        if (index + 1) % 1000 == 0 {
+            eprintln!("{} robots, {failures} failures", index + 1);
+        }
+    }
+    for (function, (error, seed)) in worst {
+        println!("{function:24} {error:8.1e}  seed {seed}");
+    }
+    for (count, (name, _)) in counts.iter().zip(FEATURES) {
+        println!("{count:8} robots with {name}");
+    }
+    println!(
+        "{} robots, {programs} programs within {TOLERANCE:e}, {refused} refused by name, {failures} failures",
+        wanted.robots
+    );
+    if failures == 0 {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}

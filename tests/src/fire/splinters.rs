@@ -1,0 +1,76 @@
+//! What breaks readers, piece by piece.
+//!
+//! Words and numbers that take the place of others, and texts that are put between others, by language.
+
+/// Numbers, and what somebody took for numbers.
+#[rustfmt::skip]
+pub(super) const NUMBERS: [&str; 64] = [
+    "", "0", "1e50", "-1e50", "1e49", "1e20", "1e-50", "-1e-30", "-0", "-0.0", "+0", "1", "-1", "2",
+    "1e-17", "-1.6653e-16", "1.1102e-16", "1e-9", "1.5708", "-1.5707", "3.14159",
+    "1.57079632679489661923", "0.33333", "1e308", "-1e308", "1e160", "1e-160",
+    "1.7976931348623157e308", "1e309", "1e999", "-1e999", "1e-999", "5e-324", "2.2e-308", "1e-310",
+    "1e99999999999999999999", "1e-99999999999999999999", "0e99999999999999999999", "nan", "NaN",
+    "-nan", "inf", "-Inf", "infinity", "0x10", "0b1", "1_000", "1,5", "1;5", "1.2.3", "1e", "e1",
+    ".", "+", "--1", "1e+", "\u{ff11}", "\u{221e}", "\u{2212}1", "1f64", "1.5708rad", "90deg",
+    "1 000", "1d-3",
+];
+
+/// Numbers that readers take, and that computing has to bear.
+#[rustfmt::skip]
+pub(super) const BORNE: [&str; 24] = [
+    "0", "-0", "0.0", "1", "-1", "2", "1e-17", "-1.6653e-16", "1.1102e-16", "1e-9", "-3e-7",
+    "1e-30", "5e-324", "-1e-300", "1.5708", "-1.570796", "3.14159", "6.2832", "1000000.1", "-1e20",
+    "1e50", "123456789.123456789", "0.1000000000000000055511151231257827021181583404541015625",
+    "00000.5",
+];
+
+/// Vectors, and what somebody took for vectors.
+#[rustfmt::skip]
+pub(super) const VECTORS: [&str; 18] = [
+    "0 0 0", "0 0 2", "0 0", "0 0 0 0", "1 0 0 0 0 0 0", "1e300 1e300 1e300",
+    "1e-300 1e-300 1e-300", "1e-17 0 1", "0 1e-9 1", "-1 -1 -1", "0.577 0.577 0.577", "nan nan nan",
+    "1e-320 0 0", "1.5708 0 1.5708", "1e6 1e-6 0", "\t1\n0\r0 ", "0,0,1", "[0, 0, 1]",
+];
+
+/// Words that mean something somewhere, and names that are hard to bear.
+#[rustfmt::skip]
+pub(super) const WORDS: [&str; 58] = [
+    "base", "tip", "tool", "link1", "joint1", "revolute", "continuous", "prismatic", "fixed",
+    "floating", "planar", "mimic", "screw", "spherical", "Revolute", "pi", "pi/2", "pi/0", "2*pi",
+    "-pi*pi*pi/3/7", "1/3", "pi*", "convention", "modified", "standard", "joint", "mass", "ixx",
+    "theta", "-", "#", "x", "-z", "xyz", "rpy", "rx", "at", "to", "from", "link", "struct",
+    "generate", "all_of", "none", "frames", "lock", "fn", "Self", "_", "r#fn", "*/", "/*", "`",
+    "\u{202e}", "\u{0}", "\u{1b}[2J", "\u{feff}", "${x}",
+];
+
+/// What may be put into a URDF file.
+#[rustfmt::skip]
+pub(super) const URDF: [&str; 26] = [
+    "<link name=\"x\"/>", "<joint name=\"x\" type=\"fixed\"/>", "<origin xyz=\"1 2 3\"/>",
+    "<axis/>", "<limit lower=\"1\" upper=\"-1\" velocity=\"-1\"/>",
+    "<mimic joint=\"shoulder\" multiplier=\"2\"/>", "<dynamics friction=\"-1\"/>", "<inertial/>",
+    "<mass value=\"-1\"/>", "<mass value=\"1e300\"/>",
+    "<inertia ixx=\"1e300\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>",
+    "<!DOCTYPE r [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;\"><!ENTITY c \"&b;&b;&b;&b;&b;&b;&b;&b;\">]>",
+    "<!DOCTYPE r SYSTEM \"file:///etc/passwd\">", "&c;", "&lt;", "&#0;", "&#x202e;", "&#xd800;",
+    "&#99999999999;", "<![CDATA[<link name=\"x\"/>]]>", "<!-- -- -->", "<!--",
+    "<?xml version=\"1.1\"?>", "<?php ?>",
+    "<xacro:macro name=\"m\" xmlns:xacro=\"http://ros.org/wiki/xacro\"/>", "xmlns=\"u\"",
+];
+
+/// What may be put into a table.
+#[rustfmt::skip]
+pub(super) const TABLE: [&str; 12] = [
+    "\nconvention standard\n", "\nconvention modified\n", "\njoint kind a alpha d theta\n",
+    "\nx revolute 0 0 0 0\n", "\nx screw 0 0 0 0 1e300\n", " - ", " # ", "\t", "\r", "\u{a0}",
+    "\u{2003}", " - - - - - - - - - - - - - - - - - - - - - - - -",
+];
+
+/// What may be put into a robot in place.
+#[rustfmt::skip]
+pub(super) const INLINE: [&str; 24] = [
+    "link x;", "joint x: fixed;", "joint x: revolute(z) { from: base, to: base }", "{", "}", "(",
+    ")", "[", "]", ",", ";", ":", "=", "\"", "'", "/*", "//", "urdf = \"no.urdf\"",
+    "dh = \"/dev/null\"", "generate(bias, bias)", "formulation(refined = 2, articulated)",
+    "gravity = [1e308, 1e308, 1e308]", "#[robot(x)]", "target = \"cortex-m4\"",
+];

@@ -1,0 +1,105 @@
+//! What a text is made of.
+//!
+//! In: a text, whole or broken. Out: where its values stand (names, numbers, words) and its blocks
+//! (elements and attributes, lines, what stands in brackets). It never complains: of a broken text it
+//! finds what is still there.
+
+use std::ops::Range;
+
+use super::Language;
+
+/// Where the values stand, without quotes.
+pub(super) fn values(language: Language, text: &str) -> Vec<Range<usize>> {
+    match language {
+        Language::Urdf => between_quotes(text),
+        Language::Table => runs(text, |c| !c.is_whitespace()),
+        Language::Inline => {
+            let mut values = runs(text, |c| c.is_alphanumeric() || "_.-".contains(c));
+            values.extend(between_quotes(text));
+            values
+        }
+    }
+}
+
+/// Where the blocks stand; one may hold others.
+pub(super) fn blocks(language: Language, text: &str) -> Vec<Range<usize>> {
+    let mut blocks = lines(text);
+    match language {
+        Language::Urdf => {
+            blocks.extend(elements(text));
+            // With the blank, the name and the equals sign before the quote.
+            blocks.extend(between_quotes(text).into_iter().filter_map(|value| {
+                let start = text[..value.start].rfind(' ')?;
+                (value.end < text.len()).then_some(start..value.end + 1)
+            }));
+        }
+        Language::Table => blocks.extend(runs(text, |c| !c.is_whitespace())),
+        Language::Inline => blocks.extend(groups(text)),
+    }
+    blocks
+}
+
+fn lines(text: &str) -> Vec<Range<usize>> {
+    let mut end = 0;
+    let ranges = text.split_inclusive('\n').map(|line| {
+        let start = end;
+        end += line.len();
+        start..end
+    });
+    ranges.collect()
+}
+
+/// The longest stretches of characters of a kind.
+fn runs(text: &str, is: impl Fn(char) -> bool) -> Vec<Range<usize>> {
+    let mut found = Vec::new();
+    let mut start = None;
+    for (at, letter) in text.char_indices().chain([(text.len(), '\n')]) {
+        if at < text.len() && is(letter) {
+            start.get_or_insert(at);
+        } else if let Some(start) = start.take() {
+            found.push(start..at);
+        }
+    }
+    found
+}
+
+fn between_quotes(text: &str) -> Vec<Range<usize>> {
+    let quotes: Vec<usize> = text.match_indices('"').map(|(at, _)| at).collect();
+    quotes
+        .chunks_exact(2)
+        .map(|pair| pair[0] + 1..pair[1])
+        .collect()
+}
+
+/// From each tag that opens to the one that closes it.
+fn elements(text: &str) -> Vec<Range<usize>> {
+    let mut open = Vec::new();
+    let mut found = Vec::new();
+    for (start, _) in text.match_indices('<') {
+        let Some(length) = text[start..].find('>') else {
+            break;
+        };
+        let end = start + length + 1;
+        match text.as_bytes().get(start + 1) {
+            Some(b'/') => found.extend(open.pop().map(|first| first..end)),
+            Some(b'!' | b'?') => found.push(start..end),
+            _ if text[..end].ends_with("/>") => found.push(start..end),
+            _ => open.push(start),
+        }
+    }
+    found
+}
+
+/// What stands in brackets of any kind, with them.
+fn groups(text: &str) -> Vec<Range<usize>> {
+    let mut open = Vec::new();
+    let mut found = Vec::new();
+    for (at, letter) in text.char_indices() {
+        match letter {
+            '(' | '[' | '{' => open.push(at),
+            ')' | ']' | '}' => found.extend(open.pop().map(|first| first..at + 1)),
+            _ => {}
+        }
+    }
+    found
+}

@@ -1,0 +1,149 @@
+//! Which programs of a robot are run.
+//!
+//! In: a chain and a seed. Out: for each function the engine's own choice, and one that is drawn. It
+//! never runs anything.
+
+use std::fmt;
+
+use homogen_codegen::Function;
+use homogen_codegen::chain::Chain;
+use homogen_codegen::chain::frames::Layout;
+use homogen_codegen::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
+use homogen_codegen::model::Way;
+
+use crate::states::Random;
+
+/// What to try of a robot.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// States that each program runs at.
+    pub states: usize,
+    /// The most moving joints for which every function is tried by the engine's own choice, which
+    /// takes time; of longer robots a part of the functions is.
+    pub all_up_to: usize,
+}
+
+/// Who chooses how a function is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Choice {
+    /// The engine: what a user gets who says nothing.
+    Default,
+    /// The engine, within what a user says.
+    Within(Formulation),
+    /// Nobody: one layout and one way.
+    By(Layout, Way),
+}
+
+/// One program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Case {
+    /// Of which function.
+    pub function: Function,
+    /// Of which of the chain's frames, counted around.
+    pub frame: usize,
+    /// How.
+    pub choice: Choice,
+}
+
+/// What is run: every function by the engine's choice, and by one that is drawn.
+#[must_use]
+pub fn cases(chain: &Chain, seed: u64, effort: Effort) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let share = chain.joints.len().div_ceil(effort.all_up_to);
+    let mut cases = Vec::new();
+    for function in Function::ALL {
+        let frame = random.below(64);
+        let own = random.chance(share);
+        if own {
+            let choice = Choice::Default;
+            cases.push(Case {
+                function,
+                frame,
+                choice,
+            });
+        }
+        let choice = if own && random.chance(8) {
+            Choice::Within(formulation(function, &mut random))
+        } else {
+            by(chain, function, &mut random)
+        };
+        cases.push(Case {
+            function,
+            frame,
+            choice,
+        });
+    }
+    cases
+}
+
+fn formulation(function: Function, random: &mut Random) -> Formulation {
+    let mut formulation = Formulation {
+        frame: *random.choose(&[Frame::Link, Frame::Base]),
+        parameters: *random.choose(&[Parameters::Regrouped, Parameters::Raw]),
+        angles: *random.choose(&[Angles::Apart, Angles::Merged]),
+        products: *random.choose(&[Products::Fused, Products::Unfused]),
+        ..Formulation::default()
+    };
+    if function == Function::ForwardDynamics {
+        formulation.forward = Some(forward(random));
+        if formulation.check().is_err() {
+            formulation.frame = Frame::Link;
+        }
+    }
+    formulation
+}
+
+fn forward(random: &mut Random) -> Forward {
+    match random.below(4) {
+        0 => Forward::Articulated,
+        refinements => Forward::MassMatrix {
+            refinements: refinements - 1,
+        },
+    }
+}
+
+fn by(chain: &Chain, function: Function, random: &mut Random) -> Choice {
+    let mut layouts = if function.of_a_frame() {
+        Layout::for_kinematics(chain)
+    } else {
+        Layout::for_dynamics(chain)
+    };
+    layouts.push(Layout::DESCRIBED);
+    let mut layout = *random.choose(&layouts);
+    let mut way = Way {
+        frame: *random.choose(&[Frame::Link, Frame::Base]),
+        angles: *random.choose(&[Angles::Apart, Angles::Merged]),
+        ..*random.choose(&Way::all(function))
+    };
+    if function == Function::ForwardDynamics {
+        way.forward = forward(random);
+        // What opposes an acceleration must be a body's.
+        if way.forward == Forward::Articulated {
+            (layout.regroup, way.frame) = (false, Frame::Link);
+        }
+    }
+    Choice::By(layout, way)
+}
+
+impl Case {
+    /// Whether the recursions run in frame 0, which loses digits far from its origin.
+    #[must_use]
+    pub fn in_frame_0(self) -> bool {
+        match self.choice {
+            Choice::Default => false,
+            Choice::Within(formulation) => formulation.frame == Frame::Base,
+            Choice::By(_, way) => way.frame == Frame::Base,
+        }
+    }
+}
+
+impl fmt::Display for Case {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            function,
+            frame,
+            choice,
+        } = self;
+        write!(out, "{}, frame {frame}, {choice:?}", function.name())
+    }
+}

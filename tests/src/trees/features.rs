@@ -1,0 +1,345 @@
+//! What a robot has of all that real ones are nasty by.
+//!
+//! In: a [`Robot`], number by number. Out: the names of what it has, of the list that
+//! [`grow`](super::grow) promises. It looks at what is written, and not at how it came about.
+
+use crate::big::Big;
+use crate::oracle::matrix::Matrix;
+
+use super::reference::Reference;
+use super::robot::{Body, Door, Field, Inertial, Kind, Placement, Robot};
+use super::written::{Reading, Written};
+
+/// Every feature, and whether a robot has it.
+type Feature = (&'static str, fn(&Robot) -> bool);
+
+/// The list.
+pub const FEATURES: [Feature; 52] = [
+    ("a residue in an offset", |robot| {
+        any(robot, |body| residue(&body.at.xyz))
+    }),
+    ("a residue in roll, pitch and yaw", |robot| {
+        any(robot, |body| residue(&body.at.rpy))
+    }),
+    ("a residue in an axis", |robot| {
+        any(robot, |body| residue(&body.axis))
+    }),
+    ("a residue in a centre of mass", |robot| {
+        weighs(robot, |inertial| residue(&inertial.at.xyz))
+    }),
+    ("a residue in the axes of an inertia", |robot| {
+        weighs(robot, |inertial| residue(&inertial.at.rpy))
+    }),
+    ("a residue in a product of inertia", |robot| {
+        weighs(robot, |inertial| residue(&inertial.tensor))
+    }),
+    (
+        "a placement that a fixed joint takes back but for rounding",
+        taken_back,
+    ),
+    ("a right angle of 2 to 4 decimals", |robot| {
+        angle(robot, |word| right(word) && decimals(word) <= 4)
+    }),
+    ("a right angle of 5 to 13 decimals", |robot| {
+        angle(robot, |word| {
+            right(word) && (5..14).contains(&decimals(word))
+        })
+    }),
+    ("a right angle of 14 decimals and more", |robot| {
+        angle(robot, |word| right(word) && decimals(word) >= 14)
+    }),
+    ("a right angle by pi", |robot| {
+        angle(robot, |word| word.to_string().contains("pi"))
+    }),
+    ("a right angle in parts", parts),
+    ("thousands of right angles", |robot| {
+        angle(robot, |word| right(word) && word.value().abs() > 100.0)
+    }),
+    ("a huge angle", |robot| {
+        angle(robot, |word| word.value().abs() > 1000.0)
+    }),
+    ("an angle beside a right one", |robot| angle(robot, beside)),
+    ("coaxial joints", |robot| {
+        pair(robot, |pair| pair.parallel && pair.meet)
+    }),
+    ("parallel joints", |robot| {
+        pair(robot, |pair| {
+            pair.parallel && !pair.meet && pair.cosine > 0.0
+        })
+    }),
+    ("antiparallel joints", |robot| {
+        pair(robot, |pair| pair.parallel && pair.cosine < 0.0)
+    }),
+    ("intersecting joints", |robot| {
+        pair(robot, |pair| !pair.parallel && pair.meet)
+    }),
+    ("skew joints", |robot| {
+        pair(robot, |pair| !pair.parallel && !pair.meet)
+    }),
+    ("nearly parallel joints", |robot| {
+        pair(robot, |pair| pair.nearly && !pair.parallel)
+    }),
+    ("a link without inertial", |robot| {
+        any(robot, |body| body.inertial.is_none())
+    }),
+    ("a massless link in the middle", |robot| {
+        any(robot, |body| massless(body) && carries(robot, body))
+    }),
+    ("a point of mass", |robot| {
+        weighs(robot, |inertial| {
+            !inertial.mass.is_zero() && inertial.tensor.iter().all(Written::is_zero)
+        })
+    }),
+    ("a thin rod", |robot| weighs(robot, rod)),
+    ("a revolute joint", |robot| {
+        any(robot, |body| body.kind == Kind::Revolute)
+    }),
+    ("a continuous joint", |robot| {
+        any(robot, |body| body.kind == Kind::Continuous)
+    }),
+    ("a prismatic joint", |robot| {
+        any(robot, |body| body.kind == Kind::Prismatic)
+    }),
+    ("a screw", |robot| {
+        any(robot, |body| matches!(body.kind, Kind::Screw(_)))
+    }),
+    ("two fixed joints in a row", |robot| {
+        any(robot, |body| {
+            fixed(body) && robot.body(body.parent).is_some_and(fixed)
+        })
+    }),
+    ("15 joints or more", |robot| robot.bodies.len() >= 15),
+    ("another base", |robot| robot.asked.base > 0),
+    ("a tip", |robot| robot.asked.tip.is_some()),
+    ("a further frame", |robot| !robot.asked.frames.is_empty()),
+    ("the path alone", |robot| robot.asked.path_only),
+    ("a joint held at zero", |robot| {
+        robot.asked.lock.iter().any(|(_, at)| at.is_none())
+    }),
+    ("a joint held elsewhere", |robot| {
+        robot.asked.lock.iter().any(|(_, at)| at.is_some())
+    }),
+    ("a dropped link", |robot| !robot.asked.drop.is_empty()),
+    ("angles as written", |robot| robot.asked.exact),
+    ("no gravity", |robot| gravity(robot, true)),
+    ("an odd gravity", |robot| gravity(robot, false)),
+    ("a field for a mass", |robot| {
+        field(robot, |field| matches!(field, Field::Mass(_)))
+    }),
+    ("a field for a centre of mass", |robot| {
+        field(robot, |field| matches!(field, Field::Center(_)))
+    }),
+    ("a field for an origin", |robot| {
+        field(robot, |field| matches!(field, Field::Origin(_)))
+    }),
+    ("a field for gravity", |robot| {
+        field(robot, |field| field == Field::Gravity)
+    }),
+    ("read as URDF", |robot| robot.door == Door::Urdf),
+    ("read as tokens", |robot| robot.door == Door::Inline),
+    ("never written", |robot| robot.door == Door::Computed),
+    ("lengths of 1e3", |robot| {
+        any(robot, |body| {
+            body.at.xyz.iter().any(|word| word.value().abs() > 50.0)
+        })
+    }),
+    ("lengths of 1e-3", |robot| Reference::of(robot).reach < 0.05),
+    ("masses of 1e3", |robot| {
+        weighs(robot, |inertial| inertial.mass.value() > 50.0)
+    }),
+    ("no residue at all", |robot| robot.bodies.iter().all(plain)),
+];
+
+fn any(robot: &Robot, has: impl Fn(&Body) -> bool) -> bool {
+    robot.bodies.iter().any(has)
+}
+
+fn weighs(robot: &Robot, has: impl Fn(&Inertial) -> bool) -> bool {
+    let mut inertials = robot
+        .bodies
+        .iter()
+        .filter_map(|body| body.inertial.as_ref());
+    inertials.any(has)
+}
+
+fn is_residue(word: &Written) -> bool {
+    let size = word.value().abs();
+    size > 0.0 && size < 1e-5
+}
+
+fn residue(words: &[Written]) -> bool {
+    words.iter().any(is_residue)
+}
+
+fn plain(body: &Body) -> bool {
+    let mut body = body.clone();
+    let placed = |at: &mut Placement| at.numbers().any(|word| is_residue(word));
+    let weighed = body
+        .inertial
+        .as_mut()
+        .is_some_and(|inertial| placed(&mut inertial.at) || residue(&inertial.tensor));
+    !weighed && !placed(&mut body.at) && !residue(&body.axis)
+}
+
+/// Whether it holds of an angle of a joint or of an inertia.
+fn angle(robot: &Robot, has: impl Fn(&Written) -> bool) -> bool {
+    let of = |at: &Placement| {
+        let turns = at.turns.iter().map(|(_, angle)| angle);
+        at.rpy.iter().chain(turns).any(&has)
+    };
+    any(robot, |body| of(&body.at)) || weighs(robot, |inertial| of(&inertial.at))
+}
+
+fn right(word: &Written) -> bool {
+    word.quarters(Reading::Digits).is_some()
+}
+
+fn decimals(word: &Written) -> usize {
+    let word = word.to_string();
+    word.split_once('.').map_or(0, |(_, rest)| rest.len())
+}
+
+fn beside(word: &Written) -> bool {
+    let off = (word.value().abs() - std::f64::consts::FRAC_PI_2).abs();
+    off < 1e-2 && !right(word)
+}
+
+/// A fixed joint and the one behind it, which together are no motion but for rounding.
+fn taken_back(robot: &Robot) -> bool {
+    any(robot, |body| {
+        let Some(carrier) = robot.body(body.parent).filter(|body| fixed(body)) else {
+            return false;
+        };
+        let [first, second] = [carrier, body].map(|body| placement(robot, body.id));
+        let (Some(first), Some(second)) = (first, second) else {
+            return false;
+        };
+        let both = &(&first * &second) - &Matrix::identity();
+        let most = |matrix: &Matrix| largest(matrix.0.iter().flatten());
+        let scale = largest(&first.column());
+        scale > 0.0 && most(&both) > 0.0 && most(&both) < 1e-14 * scale.max(1.0)
+    })
+}
+
+fn placement(robot: &Robot, id: usize) -> Option<Matrix> {
+    let reference = Reference::of(robot);
+    let body = reference.body(id)?;
+    Some(reference.robot.bodies[body].placement.clone())
+}
+
+fn largest<'b>(entries: impl IntoIterator<Item = &'b Big>) -> f64 {
+    let sizes = entries.into_iter().map(|entry| entry.abs().to_f64());
+    sizes.fold(0.0, f64::max)
+}
+
+/// A half or a third of a right angle, twice about the same axis.
+fn parts(robot: &Robot) -> bool {
+    let part = |word: &Written| {
+        let part = word.value().abs();
+        let of = |whole: f64| (part - whole).abs() < 1e-4;
+        of(std::f64::consts::FRAC_PI_4) || of(std::f64::consts::FRAC_PI_6)
+    };
+    any(robot, |body| {
+        let turns = &body.at.turns;
+        let in_turns = turns.len() > 1 && turns[0] == turns[1] && part(&turns[0].1);
+        let carrier = robot.body(body.parent);
+        let in_row = carrier.is_some_and(|carrier| {
+            let pairs = carrier.at.rpy.iter().zip(&body.at.rpy);
+            pairs
+                .into_iter()
+                .any(|(one, other)| one == other && part(one))
+        });
+        in_turns || in_row
+    })
+}
+
+/// How the axis of a joint lies to that of the one before it.
+struct Pair {
+    /// To twelve digits.
+    parallel: bool,
+    /// To four.
+    nearly: bool,
+    /// To nine digits of the reach.
+    meet: bool,
+    cosine: f64,
+}
+
+fn pair(robot: &Robot, has: impl Fn(&Pair) -> bool) -> bool {
+    let reference = Reference::of(robot);
+    let bodies = &reference.robot.bodies;
+    // Of each body its pose where all joints stand at zero, and its axis: point and direction.
+    let mut poses: Vec<Matrix> = Vec::new();
+    for body in bodies {
+        let parent = body
+            .parent
+            .map_or_else(Matrix::identity, |at| poses[at].clone());
+        poses.push(&parent * &body.placement);
+    }
+    let axis = |body: usize| {
+        let l = &(&poses[body] * &bodies[body].screw) * &poses[body].inverse();
+        let [turn, slide] = [l.vector(), l.column()].map(|v| v.map(|x| x.to_f64()));
+        let point = poses[body].column().map(|x| x.to_f64());
+        (if turn == [0.0; 3] { slide } else { turn }, point)
+    };
+    let moves = |body: &usize| reference.moving.contains(&reference.links[*body]);
+    let pairs = (0..bodies.len()).filter(moves).filter_map(|body| {
+        let mut before = reference.robot.upwards(Some(body)).skip(1);
+        before.find(moves).map(|before| (axis(before), axis(body)))
+    });
+    pairs.into_iter().any(|((u, from), (v, to))| {
+        let normal = cross(u, v);
+        let offset: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
+        let near = 1e-9 * reference.reach.max(f64::MIN_POSITIVE);
+        let parallel = length(normal) < 1e-12;
+        has(&Pair {
+            parallel,
+            nearly: length(normal) < 1e-4,
+            meet: if parallel {
+                length(cross(offset, u)) <= near
+            } else {
+                dot(offset, normal).abs() <= near
+            },
+            cosine: dot(u, v),
+        })
+    })
+}
+
+fn cross([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> [f64; 3] {
+    [y * c - z * b, z * a - x * c, x * b - y * a]
+}
+
+fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {
+    u.iter().zip(v).map(|(x, y)| x * y).sum()
+}
+
+fn length(u: [f64; 3]) -> f64 {
+    dot(u, u).sqrt()
+}
+
+fn fixed(body: &Body) -> bool {
+    body.kind == Kind::Fixed
+}
+
+fn massless(body: &Body) -> bool {
+    let inertial = body.inertial.as_ref();
+    inertial.is_none_or(|inertial| inertial.mass.is_zero())
+}
+
+fn carries(robot: &Robot, body: &Body) -> bool {
+    any(robot, |other| other.parent == body.id)
+}
+
+/// One principal moment zero, and the others not.
+fn rod(inertial: &Inertial) -> bool {
+    let diagonal = [0, 3, 5].map(|k| inertial.tensor[k].is_zero());
+    diagonal.into_iter().filter(|zero| *zero).count() == 1
+}
+
+fn gravity(robot: &Robot, none: bool) -> bool {
+    let given = robot.asked.gravity.as_ref();
+    given.is_some_and(|gravity| gravity.iter().all(Written::is_zero) == none)
+}
+
+fn field(robot: &Robot, is: impl Fn(Field) -> bool) -> bool {
+    robot.asked.fields.iter().any(|(field, _)| is(*field))
+}

@@ -1,0 +1,157 @@
+//! Numbers as exporters write them.
+//!
+//! In: a source of random numbers and how nasty a robot is. Out: words: lengths and masses in the
+//! robot's units, residues of 1e-18 to 1e-6, right angles of 2 to 17 digits and angles beside them.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::states::Random;
+
+use super::super::robot::{Door, zeros};
+use super::super::written::Written;
+
+/// A robot's way with numbers.
+pub(super) struct Numbers<'r> {
+    pub(super) random: &'r mut Random,
+    /// Whether zeros are sometimes written as residues.
+    pub(super) residues: bool,
+    /// Through which reader they go.
+    pub(super) door: Door,
+    /// Its unit of length [m].
+    pub(super) length: f64,
+    /// Its unit of mass \[kg\].
+    pub(super) mass: f64,
+}
+
+impl Numbers<'_> {
+    /// ±10⁻¹⁸ to ±10⁻⁶ with a few digits.
+    pub(super) fn residue(&mut self) -> Written {
+        let exponent = 6 + self.random.below(13);
+        let exponent = i32::try_from(exponent).expect("a small number");
+        // Powers of ten as literals are the same on every machine.
+        let size: f64 = format!("1e-{exponent}").parse().expect("a number");
+        let value = size * (1.5 + self.random.unit()) * self.sign();
+        let digits = 1 + self.random.below(8);
+        Written::digits(value, digits)
+    }
+
+    /// 0, or in a robot with residues sometimes one of them.
+    pub(super) fn zero(&mut self) -> Written {
+        if self.residues && self.random.chance(3) {
+            self.residue()
+        } else {
+            Written::zero()
+        }
+    }
+
+    /// With 2 to 17 digits.
+    pub(super) fn number(&mut self, value: f64) -> Written {
+        let digits = *self.random.choose(&[2, 3, 4, 6, 9, 17]);
+        Written::digits(value, digits)
+    }
+
+    /// Three numbers of a size, some of them zero or nearly.
+    pub(super) fn vector(&mut self, size: f64) -> [Written; 3] {
+        [(); 3].map(|()| {
+            if self.random.chance(3) {
+                self.zero()
+            } else {
+                let value = size * self.random.unit();
+                self.number(value)
+            }
+        })
+    }
+
+    /// Along one coordinate axis, but for residues.
+    pub(super) fn along(&mut self, size: f64) -> [Written; 3] {
+        let mut vector = self.nothing();
+        let k = self.random.below(3);
+        vector[k] = {
+            let value = size * self.random.unit();
+            self.number(value)
+        };
+        vector
+    }
+
+    /// Zeros, or nearly.
+    pub(super) fn nothing(&mut self) -> [Written; 3] {
+        zeros().map(|_: Written| self.zero())
+    }
+
+    pub(super) fn sign(&mut self) -> f64 {
+        if self.random.chance(2) { 1.0 } else { -1.0 }
+    }
+
+    /// Any angle that a file may hold: mostly none or a right one.
+    pub(super) fn angle(&mut self) -> Written {
+        match self.random.below(16) {
+            0..=6 => self.zero(),
+            7..=10 => self.right_angle(),
+            11 => self.beside_a_right_angle(),
+            12 if self.random.chance(2) => self.huge_angle(),
+            _ => {
+                let value = 3.0 * self.random.unit();
+                self.number(value)
+            }
+        }
+    }
+
+    /// A multiple of π/2 with 2 to 17 digits behind the point.
+    pub(super) fn right_angle(&mut self) -> Written {
+        if self.door == Door::Inline && self.random.chance(3) {
+            return Written::new(*self.random.choose(&["pi/2", "-pi/2", "pi", "-pi"]));
+        }
+        let quarters = *self.random.choose(&[-3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0]);
+        let decimals = 2 + self.random.below(16);
+        Written::decimals(quarters * FRAC_PI_2, decimals)
+    }
+
+    /// Off by 1e-3 to 1e-15, or cut where it should be rounded.
+    fn beside_a_right_angle(&mut self) -> Written {
+        let off = *self
+            .random
+            .choose(&[1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15]);
+        let value = self.sign() * FRAC_PI_2 + self.sign() * off;
+        let decimals = *self.random.choose(&[4, 7, 10, 16]);
+        Written::decimals(value, decimals)
+    }
+
+    /// 1e3 to 1e6 rad; sometimes so many right angles.
+    fn huge_angle(&mut self) -> Written {
+        let size = *self.random.choose(&[1e3, 1e4, 1e5, 1e6]);
+        let value = size * self.random.unit();
+        let decimals = 2 + self.random.below(6);
+        if self.random.chance(2) {
+            Written::decimals((value / FRAC_PI_2).round() * FRAC_PI_2, decimals)
+        } else {
+            Written::decimals(value, decimals)
+        }
+    }
+
+    /// Of length 1, mostly along a coordinate axis, sometimes nearly.
+    pub(super) fn axis(&mut self) -> [Written; 3] {
+        let mut axis = [0.0; 3];
+        let k = self.random.below(3);
+        axis[k] = self.sign();
+        match self.random.below(6) {
+            // Residues whose squares are lost beside 1 are written as they are.
+            0 if self.residues => {
+                let mut words = axis.map(|entry| Written::digits(entry, 2));
+                let residue = self.residue();
+                if residue.value().abs() < 1e-8 {
+                    words[(k + 1) % 3] = residue;
+                }
+                return words;
+            }
+            1 if self.residues => {
+                axis[(k + 1) % 3] = self.residue().value();
+                axis[(k + 2) % 3] = self.residue().value();
+            }
+            2 => axis = [(); 3].map(|()| self.random.unit()),
+            3 => axis[(k + 1) % 3] = self.random.unit(),
+            _ => return axis.map(|entry| Written::digits(entry, 2)),
+        }
+        let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+        axis.map(|entry| Written::digits(entry / length, 17))
+    }
+}

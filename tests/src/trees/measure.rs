@@ -1,0 +1,164 @@
+//! How wrong a result is, in units of what it is made of.
+//!
+//! In: a result and a state, both by the coordinates of a [`Reference`]. Out: its largest error. Of a
+//! rotation the unit is 1, of an offset the robot's reach, of rates the sum of the joints' rates; of the
+//! torque of a joint the sum of the sizes of what its bodies ask of it, of an entry of the mass
+//! matrix the root of the two on its diagonal. Both of these can vanish where lever arms cancel, so
+//! that all masses at a hundredth of the reach stand beside them, and as much of all second moments; where
+//! the recursions run in frame 0, all of both. What solves with the mass matrix is not compared but put back: the torques of the
+//! accelerations, and the matrix times its inverse, beside the magnitudes that they are sums of.
+//!
+//! It decides nothing: what is wrong is for whoever asks.
+
+use homogen_codegen::Function;
+
+use crate::arguments::Arguments;
+use crate::big::Big;
+use crate::oracle::frame_0;
+use crate::oracle::robot as oracle;
+
+use super::reference::Reference;
+
+/// The truth about a robot and what to measure by.
+pub struct Measure {
+    robot: oracle::Robot,
+    /// What an offset is measured by.
+    reach: f64,
+    /// What the rate of a point is measured by for a unit of the rate of a joint.
+    slide: f64,
+    /// What stands for first moments that vanish [kg m].
+    first: f64,
+    /// What stands for second moments that vanish [kg m²].
+    second: f64,
+    gravity: f64,
+}
+
+impl Measure {
+    /// Of a link's frame, where a function is of one.
+    #[must_use]
+    pub fn of(reference: &Reference, link: Option<usize>, in_frame_0: bool) -> Self {
+        let mut robot = reference.robot.clone();
+        robot.frames = link.iter().map(|&link| reference.body(link)).collect();
+        let gravity = robot.gravity.column().map(|entry| entry.to_f64().abs());
+        let reach = reference.reach;
+        let share = if in_frame_0 { 1.0 } else { 0.01 };
+        let first = share * reach * reference.mass;
+        Self {
+            robot,
+            reach,
+            slide: reach + reference.slide,
+            first,
+            second: share * (share * reach * reach * reference.mass + reference.second),
+            gravity: gravity.into_iter().sum(),
+        }
+    }
+
+    /// The largest error of a result.
+    #[must_use]
+    pub fn error(&self, function: Function, found: &[f64], arguments: &Arguments) -> f64 {
+        let rates = sum(&arguments.qd);
+        let expected = |function| frame_0::evaluate(&self.robot, function, 0, arguments);
+        let compared = |size: &dyn Fn(usize) -> f64| largest(found, &expected(function), size);
+        let count = arguments.q.len();
+        match function {
+            Function::ForwardKinematics => compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 }),
+            Function::Velocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.slide }),
+            Function::Acceleration => {
+                let rates = sum(&arguments.qdd) + rates * rates;
+                compared(&|k| rates * if k % 4 == 3 { self.slide } else { 1.0 })
+            }
+            Function::SpatialJacobian | Function::BodyJacobian | Function::GeometricJacobian => {
+                compared(&|k| if k % 6 < 3 { 1.0 } else { self.slide })
+            }
+            Function::InverseDynamics | Function::Bias | Function::Gravity => {
+                let mut at = arguments.clone();
+                if function != Function::InverseDynamics {
+                    at.qdd.fill(0.0);
+                }
+                if function == Function::Gravity {
+                    at.qd.fill(0.0);
+                }
+                let sizes = self.torques(&at);
+                compared(&|k| sizes[k])
+            }
+            Function::MassMatrix => {
+                let expected = expected(function);
+                let roots = self.roots(&expected, count);
+                largest(found, &expected, &|k| roots[k / count] * roots[k % count])
+            }
+            Function::ForwardDynamics => {
+                self.lacking(found, arguments, &expected(Function::MassMatrix))
+            }
+            Function::MassMatrixInverse => {
+                self.from_identity(found, count, &expected(Function::MassMatrix))
+            }
+        }
+    }
+
+    /// What torques are made of.
+    fn torques(&self, at: &Arguments) -> Vec<f64> {
+        let rates = sum(&at.qd);
+        let rates = sum(&at.qdd) + rates * rates;
+        let floor = self.first * (self.gravity + rates * self.slide) + self.second * rates;
+        let sizes = frame_0::torque_sizes(&self.robot, at);
+        sizes.into_iter().map(|size| size + floor).collect()
+    }
+
+    /// The roots of the diagonal of the mass matrix.
+    fn roots(&self, matrix: &[Big], count: usize) -> Vec<f64> {
+        let diagonal = (0..count).map(|k| matrix[k * count + k].to_f64());
+        diagonal
+            .map(|entry| (entry.max(0.0) + self.second).sqrt())
+            .collect()
+    }
+
+    /// τ less the torques of the accelerations found.
+    fn lacking(&self, qdd: &[f64], arguments: &Arguments, matrix: &[Big]) -> f64 {
+        let roots = self.roots(matrix, qdd.len());
+        let opposed = product(qdd, &roots);
+        let mut at = arguments.clone();
+        at.qdd.fill(0.0);
+        let sizes = self.torques(&at);
+        at.qdd = qdd.to_vec();
+        let torques = frame_0::evaluate(&self.robot, Function::InverseDynamics, 0, &at);
+        largest(&at.tau, &torques, &|k| {
+            sizes[k] + roots[k] * opposed + at.tau[k].abs()
+        })
+    }
+
+    /// M times its inverse, less 1.
+    fn from_identity(&self, inverse: &[f64], count: usize, matrix: &[Big]) -> f64 {
+        let roots = self.roots(matrix, count);
+        let mut worst: f64 = 0.0;
+        for j in 0..count {
+            let column: Vec<f64> = (0..count).map(|k| inverse[k * count + j]).collect();
+            let size = product(&column, &roots);
+            for (i, row) in matrix.chunks(count).enumerate() {
+                let one = f64::from(u8::from(i == j));
+                let terms = row.iter().zip(&column);
+                let off = terms.fold(Big::new(-one), |sum, (entry, x)| sum + entry * Big::new(*x));
+                worst = worst.max(off.abs().to_f64() / (one + roots[i] * size));
+            }
+        }
+        worst
+    }
+}
+
+/// The largest error beside the size of its entry. An entry made of nothing must be nothing.
+fn largest(found: &[f64], expected: &[Big], size: &dyn Fn(usize) -> f64) -> f64 {
+    assert_eq!(found.len(), expected.len(), "the same shape");
+    let errors = found.iter().zip(expected).enumerate().map(|(k, (x, y))| {
+        let error = (Big::new(*x) - y).abs().to_f64();
+        if error == 0.0 { 0.0 } else { error / size(k) }
+    });
+    errors.fold(0.0, f64::max)
+}
+
+fn sum(entries: &[f64]) -> f64 {
+    entries.iter().map(|entry| entry.abs()).sum()
+}
+
+/// Σ |x y|.
+fn product(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| (x * y).abs()).sum()
+}

@@ -1,0 +1,309 @@
+//! A robot on both sides: what the generator understood of it, and the oracle's truth.
+//!
+//! In: a [`Robot`] and a [`Case`]. Out: what became of the program. Programs run in `f64`; states are
+//! drawn joint by joint, so that a robot that has lost a joint is in the same state otherwise.
+
+use std::cell::OnceCell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use homogen_codegen::chain::Chain;
+use homogen_codegen::check::Check;
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::{program, program_as, program_by, understand};
+use homogen_codegen::expression::Input;
+use homogen_codegen::formulation::Formulation;
+use homogen_codegen::function::Shape;
+use homogen_codegen::schedule::{Program, run};
+use homogen_codegen::{Function, Real};
+
+use crate::arguments::Arguments;
+use crate::states::Random;
+
+use super::cases::{Case, Choice};
+use super::measure::Measure;
+use super::reference::Reference;
+use super::regular::pivot;
+use super::robot::{Asked, Robot};
+use super::text;
+
+/// What every function is right to, beside the sizes that [`measure`](super::measure) tells.
+pub const TOLERANCE: f64 = 1e-10;
+
+/// How far an entry of the mass matrix may sink by elimination before accelerations may be refused.
+const REGULAR: f64 = 1e-8;
+
+/// What became of a program.
+pub enum Outcome {
+    /// It was refused by name, and might be.
+    Refused,
+    /// It is right to so much.
+    Within(f64),
+    /// There is no such function of this robot.
+    Nothing,
+}
+
+/// A robot on both sides, and states.
+pub struct Prepared<'r> {
+    robot: &'r Robot,
+    chain: Chain,
+    /// The engine's own judgement, which a user gets with every program.
+    check: Check,
+    reference: Reference,
+    states: Vec<Arguments>,
+    /// What is left of the mass matrix in each of them.
+    pivots: OnceCell<Vec<f64>>,
+}
+
+impl<'r> Prepared<'r> {
+    /// Reads a robot, and draws states for the joints that move.
+    ///
+    /// # Errors
+    /// Where a reader or the engine refuses it, or other joints move than should.
+    pub fn of(robot: &'r Robot, seed: u64, states: usize) -> Result<Self, String> {
+        let understood = guarded(|| {
+            let (description, request) = text::read(robot)?;
+            let chain = understand(&description, &request)?;
+            Check::of(&description, &request, &chain).map(|check| (chain, check))
+        })?;
+        let (chain, check) = understood.map_err(|errors| format!("refused: {errors}"))?;
+        let reference = Reference::of(robot);
+        let mut names: Vec<usize> = chain.joints.iter().map(|joint| id(&joint.name)).collect();
+        let mut moving = reference.moving.clone();
+        names.sort_unstable();
+        moving.sort_unstable();
+        if names != moving {
+            return Err(format!("joints {names:?} move instead of {moving:?}"));
+        }
+        let of_state = |state| Arguments {
+            q: drawn(&reference.moving, seed, 4 * state),
+            qd: drawn(&reference.moving, seed, 4 * state + 1),
+            qdd: drawn(&reference.moving, seed, 4 * state + 2),
+            tau: drawn(&reference.moving, seed, 4 * state + 3),
+        };
+        let states = (0..states as u64).map(of_state).collect();
+        Ok(Self {
+            robot,
+            chain,
+            check,
+            reference,
+            states,
+            pivots: OnceCell::new(),
+        })
+    }
+
+    /// What the generator made of it.
+    #[must_use]
+    pub const fn chain(&self) -> &Chain {
+        &self.chain
+    }
+
+    /// Runs a program.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn check(&self, case: Case) -> Result<Outcome, String> {
+        let frames = self.chain.frames.len();
+        if case.function.of_a_frame() && frames == 0 {
+            return Ok(Outcome::Nothing);
+        }
+        let frame = case.frame % frames.max(1);
+        let Some(program) = guarded(|| self.program(case, frame))?? else {
+            return Ok(Outcome::Refused);
+        };
+        let mut worst: f64 = 0.0;
+        for (state, arguments) in self.states.iter().enumerate() {
+            let found = run::<f64>(&program, |input| self.input(input, arguments));
+            if let Some(bad) = found.iter().find(|entry| !entry.is_finite()) {
+                // A robot may pass through a posture without accelerations, but must have others.
+                let asked = case.choice != Choice::Default;
+                let passes = asked || (0..self.states.len()).any(|state| !self.is_singular(state));
+                if solves(case.function) && self.is_singular(state) && passes {
+                    continue;
+                }
+                return Err(format!("{bad} of a finite state"));
+            }
+            let error = self.error(case, frame, &found, arguments);
+            // Not a number is no error within anything.
+            if error.partial_cmp(&TOLERANCE) != Some(std::cmp::Ordering::Less) {
+                return Err(format!("an error of {error:.1e}\n{arguments}"));
+            }
+            worst = worst.max(error);
+        }
+        Ok(Outcome::Within(worst))
+    }
+
+    /// The worst error of functions that are made as one.
+    ///
+    /// # Errors
+    /// Where they are refused.
+    pub fn together(&self, functions: &[Function]) -> Result<f64, String> {
+        let program = guarded(|| program(&self.chain, functions, 0, Real::F64))?;
+        let program = program.map_err(|errors| format!("refused: {errors}"))?;
+        let judged = self.check.judge(functions, 0, &program, Real::F64);
+        judged.map_err(|errors| format!("refused: {errors}"))?;
+        let mut worst: f64 = 0.0;
+        for arguments in &self.states {
+            let found = run::<f64>(&program, |input| self.input(input, arguments));
+            let mut found = found.as_slice();
+            for &function in functions {
+                let (these, rest) = found.split_at(function.shape().len(self.chain.joints.len()));
+                found = rest;
+                let case = Case {
+                    function,
+                    frame: 0,
+                    choice: Choice::Default,
+                };
+                worst = worst.max(self.error(case, 0, these, arguments));
+            }
+        }
+        Ok(worst)
+    }
+
+    /// The program of a case; none where it is refused by name, and may be.
+    fn program(&self, case: Case, frame: usize) -> Result<Option<Program>, String> {
+        let functions = [case.function];
+        let singular = |state: usize| solves(case.function) && self.is_singular(state);
+        let program = match case.choice {
+            Choice::By(layout, way) => {
+                // A form that nobody asked for may be one that this robot cannot bear.
+                if (0..self.states.len()).any(singular) {
+                    return Ok(None);
+                }
+                return Ok(Some(program_by(
+                    &self.chain,
+                    &functions,
+                    frame,
+                    layout,
+                    way,
+                )));
+            }
+            Choice::Default => self.chosen(Formulation::default(), case.function, frame),
+            Choice::Within(formulation) => self.chosen(formulation, case.function, frame),
+        };
+        program.map(Some).or_else(|errors| {
+            let refusal = format!("refused: {errors}");
+            // What the engine says of itself is no refusal.
+            let own = refusal.contains("fault of homogen");
+            if !own && (0..self.states.len()).any(singular) {
+                Ok(None)
+            } else {
+                Err(refusal)
+            }
+        })
+    }
+
+    /// What a user gets: the program that the engine chooses, which has passed its own check.
+    fn chosen(
+        &self,
+        formulation: Formulation,
+        function: Function,
+        frame: usize,
+    ) -> Result<Program, Errors> {
+        let functions = [function];
+        let program = program_as(formulation, &self.chain, &functions, frame, Real::F64)?;
+        self.check.judge(&functions, frame, &program, Real::F64)?;
+        Ok(program)
+    }
+
+    /// Whether accelerations may be refused, or be none: where the mass matrix is singular or nearly,
+    /// with what is in the fields or with what is described in their place.
+    fn is_singular(&self, state: usize) -> bool {
+        let pivots = self.pivots.get_or_init(|| {
+            let described = Robot {
+                asked: Asked {
+                    fields: Vec::new(),
+                    ..self.robot.asked.clone()
+                },
+                ..self.robot.clone()
+            };
+            let described = Reference::of(&described);
+            let least = |state| pivot(&self.reference, state).min(pivot(&described, state));
+            self.states.iter().map(least).collect()
+        });
+        pivots[state] < REGULAR
+    }
+
+    fn input(&self, input: Input, arguments: &Arguments) -> f64 {
+        let at = |k: u16| self.coordinate(usize::from(k));
+        match input {
+            Input::Q(k) => arguments.q[at(k)],
+            Input::Qd(k) => arguments.qd[at(k)],
+            Input::Qdd(k) => arguments.qdd[at(k)],
+            Input::Tau(k) => arguments.tau[at(k)],
+            Input::Parameter(field, entry) => {
+                self.robot.asked.fields[usize::from(field)].1[usize::from(entry)]
+            }
+        }
+    }
+
+    /// The reference's coordinate of a joint of the chain.
+    fn coordinate(&self, joint: usize) -> usize {
+        let id = id(&self.chain.joints[joint].name);
+        let mut moving = self.reference.moving.iter();
+        moving
+            .position(|&known| known == id)
+            .expect("the same joints")
+    }
+
+    /// The largest error of a result, in units of what it is made of.
+    fn error(&self, case: Case, frame: usize, found: &[f64], arguments: &Arguments) -> f64 {
+        let link = self.chain.frames.get(frame).map(|frame| id(&frame.name));
+        let measure = Measure::of(&self.reference, link, case.in_frame_0());
+        let found = self.in_order(case.function, found);
+        measure.error(case.function, &found, arguments)
+    }
+
+    /// A result by the coordinates of the reference instead of the chain's.
+    fn in_order(&self, function: Function, found: &[f64]) -> Vec<f64> {
+        let mut joints = vec![0; self.chain.joints.len()];
+        for joint in 0..joints.len() {
+            joints[self.coordinate(joint)] = joint;
+        }
+        let count = joints.len();
+        match function.shape() {
+            Shape::Pose | Shape::Velocity | Shape::Acceleration => found.to_vec(),
+            Shape::Vector => joints.iter().map(|&joint| found[joint]).collect(),
+            Shape::Screws => {
+                let columns = joints.iter().map(|joint| &found[6 * joint..6 * joint + 6]);
+                columns.flatten().copied().collect()
+            }
+            Shape::Matrix => {
+                let entry = |row: usize, column: usize| found[joints[row] * count + joints[column]];
+                let rows = (0..count).flat_map(|row| (0..count).map(move |column| (row, column)));
+                rows.map(|(row, column)| entry(row, column)).collect()
+            }
+        }
+    }
+}
+
+/// Whether it solves with the mass matrix, which may be singular.
+fn solves(function: Function) -> bool {
+    matches!(
+        function,
+        Function::ForwardDynamics | Function::MassMatrixInverse
+    )
+}
+
+/// One number in [−4, 4) for each joint, which depends on nothing but its number.
+fn drawn(joints: &[usize], seed: u64, of: u64) -> Vec<f64> {
+    let number = |&joint: &usize| {
+        let mut random = Random::new(seed ^ (of << 32) ^ ((joint as u64) << 48));
+        4.0 * random.unit()
+    };
+    joints.iter().map(number).collect()
+}
+
+/// The number at the end of `joint3` or `link3`.
+fn id(name: &str) -> usize {
+    let digits = name.trim_start_matches(char::is_alphabetic);
+    digits.parse().expect("names end in their number")
+}
+
+/// A panic as a message.
+fn guarded<X>(work: impl FnOnce() -> X) -> Result<X, String> {
+    catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
+        let text = panic.downcast_ref::<String>().cloned();
+        let text = text.or_else(|| panic.downcast_ref::<&str>().map(|&text| text.to_owned()));
+        format!("a panic: {}", text.unwrap_or_default())
+    })
+}

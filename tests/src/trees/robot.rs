@@ -1,0 +1,226 @@
+//! A robot as its file has it, number by number, and what is asked of it.
+//!
+//! In: what [`grow`](super::grow) draws. Out: the noun that everything else here reads. The link a
+//! joint carries has the joint's number, the root is link 0; numbers stay when others are taken
+//! away, so that a smaller robot moves as the one before. It computes nothing but who carries whom.
+
+use super::written::{Reading, Written};
+
+/// A description and a request.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Robot {
+    /// What link 0 weighs, which nothing feels.
+    pub root: Option<Inertial>,
+    /// In the order of the text.
+    pub bodies: Vec<Body>,
+    /// What is asked.
+    pub asked: Asked,
+    /// Through which reader it goes.
+    pub door: Door,
+}
+
+/// A joint and the link that it carries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// The number of both.
+    pub id: usize,
+    /// The link it hangs on.
+    pub parent: usize,
+    /// What it allows.
+    pub kind: Kind,
+    /// From the parent's frame to its own.
+    pub at: Placement,
+    /// In its own frame.
+    pub axis: [Written; 3],
+    /// None where the link is described without.
+    pub inertial: Option<Inertial>,
+}
+
+/// What a joint allows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A rotation within limits.
+    Revolute,
+    /// A rotation.
+    Continuous,
+    /// A translation.
+    Prismatic,
+    /// Both, with a pitch.
+    Screw(Written),
+    /// Nothing.
+    Fixed,
+}
+
+/// `xyz`, then `rpy`, then what only a text in Rust can say: turns about axes 0, 1 and 2.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placement {
+    /// A translation.
+    pub xyz: [Written; 3],
+    /// Roll, pitch and yaw.
+    pub rpy: [Written; 3],
+    /// Rotations about the turned axes.
+    pub turns: Vec<(usize, Written)>,
+}
+
+/// Mass, centre of mass and inertia tensor: xx, xy, xz, yy, yz, zz.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inertial {
+    /// Of the centre of mass, and of the axes of the tensor.
+    pub at: Placement,
+    /// Mass.
+    pub mass: Written,
+    /// About the centre of mass.
+    pub tensor: [Written; 6],
+}
+
+/// Which reader takes the text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Door {
+    /// URDF.
+    Urdf,
+    /// Tokens of Rust.
+    Inline,
+    /// URDF, then a description whose numbers have lost their digits, as a program makes them.
+    Computed,
+}
+
+/// A request.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Asked {
+    /// The link taken as fixed.
+    pub base: usize,
+    /// The link that poses are of.
+    pub tip: Option<usize>,
+    /// Whether all that does not move the tip is held.
+    pub path_only: bool,
+    /// Joints held, some at a coordinate.
+    pub lock: Vec<(usize, Option<Written>)>,
+    /// Links taken off.
+    pub drop: Vec<usize>,
+    /// Further frames.
+    pub frames: Vec<usize>,
+    /// Where it is not the usual one.
+    pub gravity: Option<[Written; 3]>,
+    /// Whether every angle is what it says.
+    pub exact: bool,
+    /// Struct fields and what is in them.
+    pub fields: Vec<(Field, [f64; 3])>,
+}
+
+/// What a struct field stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Field {
+    /// The mass of a link.
+    Mass(usize),
+    /// The centre of mass of a link.
+    Center(usize),
+    /// The origin of a joint.
+    Origin(usize),
+    /// Gravity.
+    Gravity,
+}
+
+impl Robot {
+    /// The body of that number; none for the root.
+    #[must_use]
+    pub fn body(&self, id: usize) -> Option<&Body> {
+        self.bodies.iter().find(|body| body.id == id)
+    }
+
+    /// A link and those that it hangs on, up to the root.
+    pub fn upwards(&self, id: usize) -> impl Iterator<Item = usize> {
+        std::iter::successors(Some(id), |&id| self.body(id).map(|body| body.parent))
+    }
+
+    /// Whether a joint hangs on the base, with no link between them that was dropped.
+    #[must_use]
+    pub fn models(&self, joint: usize) -> bool {
+        let base = self.asked.base;
+        let mut below = self.upwards(joint).take_while(|&link| link != base);
+        let reaches = self.upwards(joint).skip(1).any(|link| link == base);
+        reaches && below.all(|link| !self.asked.drop.contains(&link))
+    }
+
+    /// Where a joint that is modelled is held; none where it moves.
+    #[must_use]
+    pub fn held(&self, body: &Body) -> Option<f64> {
+        if body.kind == Kind::Fixed {
+            return Some(0.0);
+        }
+        let mut locks = self.asked.lock.iter();
+        if let Some((_, at)) = locks.find(|(joint, _)| *joint == body.id) {
+            return Some(at.as_ref().map_or(0.0, Written::value));
+        }
+        let tip = self.asked.tip.filter(|_| self.asked.path_only)?;
+        (!self.upwards(tip).any(|link| link == body.id)).then_some(0.0)
+    }
+
+    /// The numbers of the joints that move, in the order of the text.
+    pub fn moving(&self) -> impl Iterator<Item = usize> {
+        let modelled = self.bodies.iter().filter(|body| self.models(body.id));
+        let moving = modelled.filter(|body| self.held(body).is_none());
+        moving.map(|body| body.id)
+    }
+
+    /// Whether a joint between the base and a link moves.
+    #[must_use]
+    pub fn moves(&self, link: usize) -> bool {
+        let moving: Vec<usize> = self.moving().collect();
+        let mut below = self.upwards(link).take_while(|&at| at != self.asked.base);
+        below.any(|at| moving.contains(&at))
+    }
+
+    /// What is in the field that stands for something, where one does.
+    #[must_use]
+    pub fn field(&self, of: Field) -> Option<[f64; 3]> {
+        let mut fields = self.asked.fields.iter();
+        fields
+            .find(|(field, _)| *field == of)
+            .map(|(_, value)| *value)
+    }
+
+    /// What its angles mean.
+    #[must_use]
+    pub fn reading(&self) -> Reading {
+        match (self.door, self.asked.exact) {
+            (Door::Computed, _) => Reading::Computed,
+            (_, true) => Reading::Exact,
+            (_, false) => Reading::Digits,
+        }
+    }
+}
+
+impl Placement {
+    /// Where it is already.
+    #[must_use]
+    pub fn none() -> Self {
+        Self {
+            xyz: zeros(),
+            rpy: zeros(),
+            turns: Vec::new(),
+        }
+    }
+
+    /// Its numbers.
+    pub fn numbers(&mut self) -> impl Iterator<Item = &mut Written> {
+        let turns = self.turns.iter_mut().map(|(_, angle)| angle);
+        self.xyz.iter_mut().chain(&mut self.rpy).chain(turns)
+    }
+}
+
+impl Field {
+    /// The link or joint that it is of.
+    #[must_use]
+    pub const fn of(self) -> Option<usize> {
+        match self {
+            Self::Mass(id) | Self::Center(id) | Self::Origin(id) => Some(id),
+            Self::Gravity => None,
+        }
+    }
+}
+
+/// A vector that is zero.
+#[must_use]
+pub fn zeros<const N: usize>() -> [Written; N] {
+    [(); N].map(|()| Written::zero())
+}

@@ -1,0 +1,181 @@
+//! The smallest robot that still fails.
+//!
+//! In: a robot, and whether another one fails as it does. Out: one of which nothing more can be taken
+//! away: no joint, no field, no word of the request, no number that could be zero or shorter. It
+//! never looks at what fails.
+
+use super::robot::{Body, Inertial, Kind, Robot, zeros};
+use super::written::Written;
+
+/// Takes away what can be.
+pub fn shrink(robot: &Robot, fails: impl Fn(&Robot) -> bool) -> Robot {
+    let mut least = robot.clone();
+    let mut go_on = true;
+    while go_on {
+        go_on = false;
+        let mut at = 0;
+        // Smaller ones are made of the least so far: what was taken away shifts what is left.
+        while let Some(smaller) = smaller(&least).into_iter().nth(at) {
+            if fails(&smaller) {
+                least = smaller;
+                go_on = true;
+            } else {
+                at += 1;
+            }
+        }
+    }
+    least
+}
+
+/// Robots with something less, the largest steps first.
+fn smaller(robot: &Robot) -> Vec<Robot> {
+    let mut smaller = Vec::new();
+    let mut with = |change: &dyn Fn(&mut Robot)| {
+        let mut changed = robot.clone();
+        change(&mut changed);
+        smaller.push(changed);
+    };
+    for body in &robot.bodies {
+        let carries = robot.bodies.iter().any(|other| other.parent == body.id);
+        if !carries {
+            with(&|robot| remove(robot, body.id));
+        }
+    }
+    for body in robot.bodies.iter().filter(|body| body.parent == 0) {
+        with(&|robot| become_root(robot, body.id));
+    }
+    ask_less(robot, &mut with);
+    for (index, body) in robot.bodies.iter().enumerate() {
+        let mut on_body = |change: &dyn Fn(&mut Body)| {
+            with(&|robot| change(&mut robot.bodies[index]));
+        };
+        if body.kind != Kind::Fixed {
+            on_body(&|body| body.kind = Kind::Fixed);
+        }
+        if !matches!(body.kind, Kind::Fixed | Kind::Continuous) {
+            on_body(&|body| body.kind = Kind::Continuous);
+        }
+        if body.inertial.is_some() {
+            on_body(&|body| body.inertial = None);
+        }
+        if !body.at.turns.is_empty() {
+            on_body(&|body| body.at.turns.clear());
+        }
+        for k in 0..numbers(body.clone()).len() {
+            on_body(&|body| zero(body, k));
+            on_body(&|body| shorten(body, k));
+        }
+        if body.axis.iter().filter(|entry| !entry.is_zero()).count() > 1 {
+            for k in 0..3 {
+                on_body(&|body| {
+                    body.axis = zeros();
+                    body.axis[k] = Written::new("1");
+                });
+            }
+        }
+    }
+    smaller.retain(|smaller| smaller != robot);
+    smaller
+}
+
+/// Takes off a link that carries none.
+fn remove(robot: &mut Robot, id: usize) {
+    robot.bodies.retain(|body| body.id != id);
+    let asked = &mut robot.asked;
+    if asked.base == id {
+        asked.base = 0;
+    }
+    asked.tip = asked.tip.filter(|&tip| tip != id);
+    asked.lock.retain(|(joint, _)| *joint != id);
+    asked.drop.retain(|&link| link != id);
+    asked.frames.retain(|&link| link != id);
+    asked.fields.retain(|(field, _)| field.of() != Some(id));
+}
+
+/// Leaves of a robot what a link carries.
+fn become_root(robot: &mut Robot, id: usize) {
+    let inboard: Vec<usize> = (robot.bodies.iter().map(|body| body.id))
+        .filter(|&other| other == id || !robot.upwards(other).any(|link| link == id))
+        .collect();
+    for other in inboard {
+        remove(robot, other);
+    }
+    for body in robot.bodies.iter_mut().filter(|body| body.parent == id) {
+        body.parent = 0;
+    }
+}
+
+fn ask_less(robot: &Robot, with: &mut impl FnMut(&dyn Fn(&mut Robot))) {
+    if robot.root.is_some() {
+        with(&|robot| robot.root = None);
+    }
+    with(&|robot| robot.asked.base = 0);
+    with(&|robot| robot.asked.tip = None);
+    with(&|robot| robot.asked.path_only = false);
+    with(&|robot| robot.asked.exact = false);
+    with(&|robot| robot.asked.gravity = None);
+    for k in 0..robot.asked.lock.len() {
+        with(&|robot| {
+            robot.asked.lock.remove(k);
+        });
+        with(&|robot| robot.asked.lock[k].1 = None);
+    }
+    for k in 0..robot.asked.drop.len() {
+        with(&|robot| {
+            robot.asked.drop.remove(k);
+        });
+    }
+    for k in 0..robot.asked.frames.len() {
+        with(&|robot| {
+            robot.asked.frames.remove(k);
+        });
+    }
+    for k in 0..robot.asked.fields.len() {
+        with(&|robot| {
+            robot.asked.fields.remove(k);
+        });
+    }
+}
+
+/// All numbers of a body but those of its axis.
+fn numbers(mut body: Body) -> Vec<Written> {
+    let mut words = Vec::new();
+    each(&mut body, |word| words.push(word.clone()));
+    words
+}
+
+fn each(body: &mut Body, mut change: impl FnMut(&mut Written)) {
+    body.at.numbers().for_each(&mut change);
+    if let Kind::Screw(pitch) = &mut body.kind {
+        change(pitch);
+    }
+    if let Some(Inertial { at, mass, tensor }) = &mut body.inertial {
+        at.numbers().for_each(&mut change);
+        change(mass);
+        tensor.iter_mut().for_each(change);
+    }
+}
+
+fn zero(body: &mut Body, k: usize) {
+    let mut at = 0;
+    each(body, |word| {
+        if at == k && !word.is_zero() {
+            *word = Written::zero();
+        }
+        at += 1;
+    });
+}
+
+/// To one digit: of an angle in right angles nothing is left but a number.
+fn shorten(body: &mut Body, k: usize) {
+    let mut at = 0;
+    each(body, |word| {
+        if at == k {
+            let shorter = Written::digits(word.value(), 1);
+            if shorter.to_string().len() < word.to_string().len() {
+                *word = shorter;
+            }
+        }
+        at += 1;
+    });
+}

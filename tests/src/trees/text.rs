@@ -1,0 +1,297 @@
+//! A robot as the text that goes through a reader, and what comes out of it.
+//!
+//! In: a [`Robot`]. Out: URDF, or the tokens of `chain!`; the description and the request that the
+//! generator gets; the words by which a person finds a robot again that failed. It never computes
+//! with a number.
+
+use std::fmt::{self, Write};
+use std::path::Path;
+
+use homogen_codegen::description::{self, Description, Number, Step, inline};
+use homogen_codegen::error::Errors;
+use homogen_codegen::request::{Parameter, Request, Target};
+use quote::format_ident;
+
+use super::robot::{Asked, Body, Door, Field, Inertial, Kind, Placement, Robot};
+use super::written::Written;
+
+/// What the generator gets of a robot.
+///
+/// # Errors
+/// What a reader complains of.
+pub fn read(robot: &Robot) -> Result<(Description, Request), Errors> {
+    let mut errors = Errors::new();
+    let found = match robot.door {
+        Door::Urdf => description::read_text(&urdf(robot), "tree.urdf", None, &mut errors)
+            .map(|description| (description, request(&robot.asked))),
+        Door::Computed => description::read_text(&urdf(robot), "tree.urdf", None, &mut errors)
+            .map(|description| (computed(description), request(&robot.asked))),
+        Door::Inline => {
+            let tokens = chain(robot).parse().expect("the text is tokens");
+            let item = inline::read(tokens, Path::new("nowhere"), &mut errors);
+            item.and_then(|item| {
+                let request = Request {
+                    exact: robot.asked.exact,
+                    parameters: parameters(&robot.asked),
+                    ..item.request
+                };
+                item.description.map(|description| (description, request))
+            })
+        }
+    };
+    match found {
+        Some(found) => errors.into_result(found),
+        None => Err(errors),
+    }
+}
+
+/// The numbers as a program would have computed them.
+fn computed(mut description: Description) -> Description {
+    let unwritten = |number: &mut Number| number.resolution = 0.0;
+    let unplaced = |steps: &mut Vec<Step>| {
+        for step in steps {
+            match step {
+                Step::Translate(offset) => offset.iter_mut().for_each(unwritten),
+                Step::Rotate(_, angle) => unwritten(angle),
+            }
+        }
+    };
+    for joint in &mut description.joints {
+        unplaced(&mut joint.origin);
+        joint.axis.iter_mut().for_each(unwritten);
+    }
+    for inertial in description
+        .links
+        .iter_mut()
+        .filter_map(|link| link.inertial.as_mut())
+    {
+        unplaced(&mut inertial.origin);
+        inertial.inertia.iter_mut().for_each(unwritten);
+        unwritten(&mut inertial.mass);
+    }
+    description
+}
+
+fn request(asked: &Asked) -> Request {
+    let link = |id: usize| format!("link{id}").as_str().into();
+    let number = |word: &Written| Number {
+        value: word.value(),
+        ..Number::default()
+    };
+    let lock = asked.lock.iter().map(|(joint, at)| {
+        let name = format!("joint{joint}").as_str().into();
+        (name, at.as_ref().map(number))
+    });
+    Request {
+        base: (asked.base > 0).then(|| link(asked.base)),
+        tip: asked.tip.map(link),
+        path_only: asked.path_only,
+        lock: lock.collect(),
+        drop: asked.drop.iter().map(|&id| link(id)).collect(),
+        frames: asked.frames.iter().map(|&id| link(id)).collect(),
+        gravity: (asked.gravity.as_ref()).map(|gravity| gravity.each_ref().map(number)),
+        exact: asked.exact,
+        parameters: parameters(asked),
+        ..Request::default()
+    }
+}
+
+fn parameters(asked: &Asked) -> Vec<Parameter> {
+    let fields = asked.fields.iter().enumerate();
+    let parameter = |(index, (field, _)): (usize, &(Field, _))| Parameter {
+        field: format_ident!("field_{index}"),
+        target: match field {
+            Field::Mass(id) => Target::MassOf(format!("link{id}").as_str().into()),
+            Field::Center(id) => Target::CenterOfMassOf(format!("link{id}").as_str().into()),
+            Field::Origin(id) => Target::OriginOf(format!("joint{id}").as_str().into()),
+            Field::Gravity => Target::Gravity,
+        },
+        range: None,
+    };
+    fields.map(parameter).collect()
+}
+
+/// As URDF, which has no turns behind roll, pitch and yaw.
+#[must_use]
+pub fn urdf(robot: &Robot) -> String {
+    let mut text = "<robot name=\"tree\">\n".to_owned();
+    text.push_str(&urdf_link(0, robot.root.as_ref()));
+    for body in &robot.bodies {
+        text.push_str(&urdf_joint(body));
+        text.push_str(&urdf_link(body.id, body.inertial.as_ref()));
+    }
+    text.push_str("</robot>\n");
+    text
+}
+
+fn urdf_link(id: usize, inertial: Option<&Inertial>) -> String {
+    let Some(inertial) = inertial else {
+        return format!("  <link name=\"link{id}\"/>\n");
+    };
+    let names = ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"];
+    let tensor = names.iter().zip(&inertial.tensor);
+    let tensor: Vec<String> = tensor
+        .map(|(name, entry)| format!("{name}=\"{entry}\""))
+        .collect();
+    format!(
+        "  <link name=\"link{id}\"><inertial>{}<mass value=\"{}\"/><inertia {}/></inertial></link>\n",
+        urdf_origin(&inertial.at),
+        inertial.mass,
+        tensor.join(" "),
+    )
+}
+
+fn urdf_joint(body: &Body) -> String {
+    let kind = match &body.kind {
+        Kind::Revolute => "revolute",
+        Kind::Continuous => "continuous",
+        Kind::Prismatic => "prismatic",
+        Kind::Screw(_) => "screw",
+        Kind::Fixed => "fixed",
+    };
+    let motion = match &body.kind {
+        Kind::Fixed => String::new(),
+        Kind::Screw(pitch) => format!(
+            "<axis xyz=\"{}\"/><thread pitch=\"{pitch}\"/>",
+            words(&body.axis, " ")
+        ),
+        Kind::Revolute => format!(
+            "<axis xyz=\"{}\"/><limit lower=\"-4\" upper=\"4\" velocity=\"4\"/>",
+            words(&body.axis, " ")
+        ),
+        Kind::Continuous | Kind::Prismatic => {
+            format!("<axis xyz=\"{}\"/>", words(&body.axis, " "))
+        }
+    };
+    format!(
+        "  <joint name=\"joint{0}\" type=\"{kind}\"><parent link=\"link{1}\"/>\
+         <child link=\"link{0}\"/>{2}{motion}</joint>\n",
+        body.id,
+        body.parent,
+        urdf_origin(&body.at),
+    )
+}
+
+fn urdf_origin(at: &Placement) -> String {
+    assert!(at.turns.is_empty(), "URDF has roll, pitch and yaw alone");
+    let mut text = String::new();
+    for (name, vector) in [("xyz", &at.xyz), ("rpy", &at.rpy)] {
+        if !vector.iter().all(Written::is_zero) {
+            let _ = write!(text, " {name}=\"{}\"", words(vector, " "));
+        }
+    }
+    if text.is_empty() {
+        return text;
+    }
+    format!("<origin{text}/>")
+}
+
+/// As `chain!` has it, settings and all, but for fields and `exact`.
+#[must_use]
+pub fn chain(robot: &Robot) -> String {
+    let mut text = format!("struct Tree {{ {} }}\n", settings(&robot.asked));
+    text.push_str(&chain_link(0, robot.root.as_ref()));
+    for body in &robot.bodies {
+        let axis = words(&body.axis, ", ");
+        let motion = match &body.kind {
+            Kind::Revolute => format!("revolute([{axis}])"),
+            Kind::Continuous => format!("continuous([{axis}])"),
+            Kind::Prismatic => format!("prismatic([{axis}])"),
+            Kind::Screw(pitch) => format!("screw([{axis}], pitch: {pitch})"),
+            Kind::Fixed => "fixed".to_owned(),
+        };
+        let mut at = format!(
+            "xyz({}) rpy({})",
+            words(&body.at.xyz, ", "),
+            words(&body.at.rpy, ", ")
+        );
+        for (axis, angle) in &body.at.turns {
+            let _ = write!(at, " r{}({angle})", ["x", "y", "z"][*axis]);
+        }
+        let _ = writeln!(
+            text,
+            "joint joint{0}: {motion} {{ from: link{1}, to: link{0}, at: {at} }}",
+            body.id, body.parent
+        );
+        text.push_str(&chain_link(body.id, body.inertial.as_ref()));
+    }
+    text
+}
+
+fn chain_link(id: usize, inertial: Option<&Inertial>) -> String {
+    let Some(inertial) = inertial else {
+        return format!("link link{id};\n");
+    };
+    assert!(
+        inertial.at.turns.is_empty(),
+        "inertia_rpy is three angles alone"
+    );
+    format!(
+        "link link{id} {{ mass: {}, com: [{}], inertia: [{}], inertia_rpy: [{}] }}\n",
+        inertial.mass,
+        words(&inertial.at.xyz, ", "),
+        words(&inertial.tensor, ", "),
+        words(&inertial.at.rpy, ", "),
+    )
+}
+
+fn settings(asked: &Asked) -> String {
+    let mut settings = Vec::new();
+    let links = |ids: &[usize]| {
+        let ids: Vec<String> = ids.iter().map(|id| format!("link{id}")).collect();
+        ids.join(", ")
+    };
+    if asked.base > 0 {
+        settings.push(format!("base: link{}", asked.base));
+    }
+    if let Some(tip) = asked.tip {
+        settings.push(format!("tip: link{tip}"));
+    }
+    if asked.path_only {
+        settings.push("path_only".to_owned());
+    }
+    let locks = asked.lock.iter().map(|(joint, at)| match at {
+        Some(at) => format!("joint{joint} = {at}"),
+        None => format!("joint{joint}"),
+    });
+    let locks: Vec<String> = locks.collect();
+    if !locks.is_empty() {
+        settings.push(format!("lock({})", locks.join(", ")));
+    }
+    if !asked.drop.is_empty() {
+        settings.push(format!("drop({})", links(&asked.drop)));
+    }
+    if !asked.frames.is_empty() {
+        settings.push(format!("frames({})", links(&asked.frames)));
+    }
+    if let Some(gravity) = &asked.gravity {
+        settings.push(format!("gravity: [{}]", words(gravity, ", ")));
+    }
+    settings.join(", ")
+}
+
+fn words(numbers: &[Written], between: &str) -> String {
+    let words: Vec<String> = numbers.iter().map(Written::to_string).collect();
+    words.join(between)
+}
+
+/// What one needs to meet a robot again: its text, and its request in the words of attributes.
+impl fmt::Display for Robot {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.door {
+            Door::Urdf => write!(out, "{}", urdf(self))?,
+            Door::Computed => write!(out, "{}(read, then without digits)\n", urdf(self))?,
+            Door::Inline => write!(out, "{}", chain(self))?,
+        }
+        if self.door != Door::Inline {
+            writeln!(out, "#[robot({})]", settings(&self.asked))?;
+        }
+        if self.asked.exact {
+            writeln!(out, "exact")?;
+        }
+        for (field, value) in &self.asked.fields {
+            writeln!(out, "field {field:?} = {value:?}")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,214 @@
+//! A number as a file has it: its digits.
+//!
+//! In: a value and how many digits a person or an exporter would write. Out: the word, and what it
+//! means, read here and by nothing of the generator: its value, whether its digits are those that a
+//! right angle rounds to, and whether it is what rounding left of zero.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
+
+use crate::big::Big;
+
+/// One word: `0.1575`, `-1.6653e-16`, or `pi/2` where the text is Rust.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written(String);
+
+/// What is nearer to zero or to a right angle was computed to be that: 2⁻⁵⁰.
+const RESIDUE: f64 = 4.0 * f64::EPSILON;
+
+/// What digits count for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// An angle whose digits are those of a right angle is one; of angles, offsets and axes what is
+    /// below 2⁻⁵⁰ is zero.
+    Digits,
+    /// Every number is what it says.
+    Exact,
+    /// Only the value counts, which was computed: the `f64` nearest to a right angle is one.
+    Computed,
+}
+
+impl Written {
+    /// As it stands.
+    pub fn new(word: impl Into<String>) -> Self {
+        Self(word.into())
+    }
+
+    /// 0.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::new("0")
+    }
+
+    /// With so many digits in all, and an exponent where there are many zeros.
+    #[must_use]
+    pub fn digits(value: f64, digits: usize) -> Self {
+        let word = format!("{value:.0$e}", digits.max(1) - 1);
+        let rounded: f64 = word.parse().expect("a number was printed");
+        let moderate = rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs());
+        Self(if moderate { rounded.to_string() } else { word })
+    }
+
+    /// With so many digits behind the point.
+    #[must_use]
+    pub fn decimals(value: f64, decimals: usize) -> Self {
+        Self(format!("{value:.decimals$}"))
+    }
+
+    /// The nearest `f64`.
+    ///
+    /// # Panics
+    /// Where it is no number.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.in_pi()
+            .unwrap_or_else(|| self.0.parse().expect("a number was written"))
+    }
+
+    /// What is meant of an offset or a direction.
+    #[must_use]
+    pub fn meant(&self, reading: Reading) -> f64 {
+        let value = self.value();
+        let residue = reading == Reading::Digits && value.abs() < RESIDUE;
+        if residue { 0.0 } else { value }
+    }
+
+    /// Whether it is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.value() == 0.0
+    }
+
+    /// The same number with the other sign.
+    #[must_use]
+    pub fn negated(&self) -> Self {
+        if self.is_zero() {
+            return self.clone();
+        }
+        match self.0.strip_prefix('-') {
+            Some(rest) => Self::new(rest),
+            None => Self(format!("-{}", self.0)),
+        }
+    }
+
+    /// Sine and cosine of the angle, to 256 bits.
+    #[must_use]
+    pub fn sin_cos(&self, reading: Reading) -> (Big, Big) {
+        let Some(quarters) = self.quarters(reading) else {
+            return Big::new(self.meant(reading)).sin_cos();
+        };
+        let sine = |quarters: i64| {
+            Big::new(match quarters.rem_euclid(4) {
+                1 => 1.0,
+                3 => -1.0,
+                _ => 0.0,
+            })
+        };
+        (sine(quarters), sine(quarters + 1))
+    }
+
+    /// How many quarter turns it means; none where it is not a right angle.
+    #[must_use]
+    pub fn quarters(&self, reading: Reading) -> Option<i64> {
+        let value = self.value();
+        let quarters = (value / FRAC_PI_2).round();
+        if quarters == 0.0 || quarters.abs() > 1e6 {
+            return None;
+        }
+        let right = quarters * FRAC_PI_2;
+        let close = (value - right).abs() < RESIDUE && reading == Reading::Digits;
+        let meant = if self.in_pi().is_some() || reading == Reading::Computed || close {
+            right
+        } else if reading == Reading::Exact {
+            return None;
+        } else {
+            let decimals = self.written_decimals().filter(|&decimals| decimals >= 2)?;
+            format!("{right:.decimals$}").parse().ok()?
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "at most a million")]
+        (close || (value - meant).abs() <= f64::EPSILON * value.abs()).then_some(quarters as i64)
+    }
+
+    /// `pi`, `pi/2` and what is opposite to them.
+    fn in_pi(&self) -> Option<f64> {
+        let (sign, word) = match self.0.strip_prefix('-') {
+            Some(rest) => (-1.0, rest),
+            None => (1.0, self.0.as_str()),
+        };
+        match word {
+            "pi" => Some(sign * PI),
+            "pi/2" => Some(sign * FRAC_PI_2),
+            _ => None,
+        }
+    }
+
+    /// How many digits stand behind the point, the exponent counted; none for a whole number.
+    fn written_decimals(&self) -> Option<usize> {
+        let (mantissa, exponent) = self.0.split_once('e').unwrap_or((&self.0, "0"));
+        let fraction = mantissa.split_once('.').map_or(0, |(_, rest)| rest.len());
+        let exponent: i64 = exponent.parse().ok()?;
+        usize::try_from(i64::try_from(fraction).ok()? - exponent).ok()
+    }
+}
+
+impl fmt::Display for Written {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Reading, Written};
+
+    #[test]
+    fn right_angles_are_known_by_their_digits() {
+        for (word, quarters) in [
+            ("1.57", Some(1)),
+            ("1.5708", Some(1)),
+            ("-1.571", Some(-1)),
+            ("3.1415927", Some(2)),
+            ("1.5708e0", Some(1)),
+            ("157.08e-2", Some(1)),
+            ("1.57079632679489662", Some(1)),
+            ("pi/2", Some(1)),
+            ("-pi", Some(-2)),
+            ("1570796.327", Some(1_000_000)),
+            ("1.5707963267948961", Some(1)),
+            ("1.5707", None),
+            ("1.6", None),
+            ("1.570797", None),
+            ("3", None),
+            ("1e-9", None),
+            ("0", None),
+        ] {
+            let written = Written::new(word);
+            assert_eq!(written.quarters(Reading::Digits), quarters, "{word}");
+        }
+        assert_eq!(Written::new("1.5708").quarters(Reading::Exact), None);
+        assert_eq!(Written::new("pi/2").quarters(Reading::Exact), Some(1));
+        assert_eq!(Written::new("1.5708").quarters(Reading::Computed), None);
+    }
+
+    #[test]
+    fn residues_are_zero_where_digits_count() {
+        let residue = Written::new("-1.6653e-16");
+        assert_eq!(residue.meant(Reading::Digits), 0.0);
+        assert_eq!(residue.meant(Reading::Exact), -1.6653e-16);
+        assert_eq!(Written::new("1e-15").meant(Reading::Digits), 1e-15);
+    }
+
+    #[test]
+    fn digits_are_as_many_as_wanted() {
+        for (value, digits, word) in [
+            (1.0 / 3.0, 3, "0.333"),
+            (-1.6653e-16, 5, "-1.6653e-16"),
+            (1e-9, 1, "1e-9"),
+            (2.0, 6, "2"),
+            (0.0, 3, "0"),
+        ] {
+            assert_eq!(Written::digits(value, digits).to_string(), word);
+        }
+        assert_eq!(Written::decimals(1.570_796_3, 4).to_string(), "1.5708");
+    }
+}

@@ -1,0 +1,154 @@
+//! Every doubt that `homogen check` tells, each other command tells too, in words and as JSON; and what
+//! a robot cannot have is told with the reason wherever it is left out.
+
+use homogen_codegen::cli::Answer;
+use homogen_codegen::{Builder, Function, Real};
+use serde_json::Value;
+
+use super::{ARM, eval::eval, homogen};
+
+/// An arm whose last link weighs nothing.
+fn massless() -> String {
+    ARM.replace(
+        "<inertial><mass value=\"0.5\"/><inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/></inertial>",
+        "",
+    )
+}
+
+fn parsed(answer: &Answer) -> Value {
+    assert_eq!(answer.code, 0, "{}", answer.remarks);
+    serde_json::from_str(&answer.output).expect("JSON")
+}
+
+/// The lines of standard error that tell doubts.
+fn doubts(text: &str) -> Vec<&str> {
+    let mut lines = text
+        .lines()
+        .skip_while(|line| !line.starts_with("warning: "));
+    let told = |line: &&str| line.starts_with("warning: ") || line.starts_with("  hint: ");
+    lines.by_ref().take_while(told).collect()
+}
+
+const STATES: &str = r#"{"states":[{"q":[0.5,1,0.25],"qd":[0,0,0],"tau":[1,0,0]}]}"#;
+
+#[test]
+fn all_commands_tell_them_in_the_same_words() {
+    let checked = homogen("check -", ARM);
+    let wanted = doubts(&checked.output);
+    assert_eq!(wanted.len(), 2, "{}", checked.output);
+    for arguments in [
+        "count - --functions gravity",
+        "inspect - --function gravity",
+        "generate - --functions gravity",
+        "generate -",
+    ] {
+        assert_eq!(
+            doubts(&homogen(arguments, ARM).remarks),
+            wanted,
+            "{arguments}"
+        );
+    }
+    let answer = eval("--function gravity", STATES);
+    let remarks = answer.remarks.replace("states.json", "<stdin>");
+    assert_eq!(doubts(&remarks), wanted);
+}
+
+#[test]
+fn in_json_they_are_the_same_entries() {
+    let checked = parsed(&homogen("check - --format json", ARM));
+    let wanted = &checked["warnings"];
+    assert_eq!(wanted.as_array().map(Vec::len), Some(1));
+    assert_eq!(
+        (&wanted[0]["line"], &wanted[0]["column"]),
+        (&4.into(), &5.into())
+    );
+    assert!(wanted[0]["hint"].is_string());
+    let counted = parsed(&homogen("count - --functions bias --format json", ARM));
+    assert_eq!(&counted["warnings"], wanted);
+    let evaluated = eval("--function bias --format json", STATES);
+    assert_eq!(evaluated.remarks, "");
+    assert_eq!(&parsed(&evaluated)["warnings"], wanted);
+}
+
+#[test]
+fn a_doubt_about_one_function_is_told_where_that_function_is_asked_for() {
+    // A hand of 10 t on links of 1 kg.
+    let text = ARM.replace("mass value=\"0.5\"", "mass value=\"1e13\"");
+    let unrefined = "--function forward_dynamics --formulation refined=0";
+    let count = |format: &str| {
+        homogen(
+            &format!("count - --tip hand {unrefined} --format {format}"),
+            &text,
+        )
+    };
+    let said = count("text").remarks;
+    let lost = "forward dynamics with refined = 0 loses more than half of the digits";
+    assert!(said.contains(lost), "{said}");
+    let counted = parsed(&count("json"));
+    let warnings = counted["warnings"].as_array().expect("a list");
+    let last = warnings.last().expect("a doubt");
+    assert!(
+        last["message"]
+            .as_str()
+            .is_some_and(|text| text.starts_with(lost))
+    );
+    let other = homogen("count - --function gravity --formulation refined=0", &text);
+    assert!(!other.remarks.contains(lost), "{}", other.remarks);
+}
+
+#[test]
+fn what_is_left_out_is_told_with_the_reason() {
+    let text = massless();
+    let reason = "<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix \
+                  is singular";
+    let note =
+        format!("note: left out: forward_dynamics and mass_matrix_inverse: {reason}\n  hint: give");
+    for command in ["count - --tip hand", "generate - --tip hand"] {
+        let answer = homogen(command, &text);
+        assert_eq!(answer.code, 0);
+        assert!(answer.remarks.contains(&note), "{}", answer.remarks);
+    }
+    let counted = parsed(&homogen("count - --tip hand --format json", &text));
+    let left_out = &counted["left_out"][0];
+    assert_eq!(left_out["functions"][1], "mass_matrix_inverse");
+    assert_eq!(left_out["reason"], reason);
+    assert!(
+        left_out["hint"]
+            .as_str()
+            .is_some_and(|hint| hint.starts_with("give"))
+    );
+    // Whoever asks for nothing that is missing is told nothing.
+    let asked = homogen("count - --tip hand --functions gravity", &text);
+    assert!(!asked.remarks.contains("left out"), "{}", asked.remarks);
+}
+
+#[test]
+fn a_file_tells_what_is_left_out_at_its_head_and_above_the_struct() {
+    let answer = homogen("generate - --tip hand", &massless());
+    let line = "Left out: `forward_dynamics` and `mass_matrix_inverse` (<stdin>:21:16: joint \
+                \"slide\" can accelerate without any force: the mass matrix is singular).\n";
+    for opening in ["// ", "/// "] {
+        let told = answer.output.matches(&format!("\n{opening}{line}")).count();
+        assert_eq!(told, 1, "{}", answer.output);
+    }
+    // With the runtime the robot as data tells it as well.
+    let robot = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/quadruped.urdf");
+    let built = Builder::from_urdf(robot)
+        .runtime("::homogen")
+        .scalar(Real::F64);
+    let text = built.to_source().expect("no mistakes").to_string();
+    let line = "Left out: `forward_kinematics`, `spatial_jacobian`,";
+    assert!(
+        text.contains(&format!("    /// {line}")),
+        "no line above `chain`"
+    );
+    let all = built
+        .tip("hr_foot")
+        .to_source()
+        .expect("no mistakes")
+        .to_string();
+    assert!(!all.contains("Left out"));
+    for function in Function::ALL {
+        assert!(all.contains(&format!("pub fn {}(", function.name())));
+    }
+}

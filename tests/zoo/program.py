@@ -1,0 +1,68 @@
+"""The command line of homogen.
+
+In: a file and what is asked of it. Out: what the program answers. It never takes an answer that came
+too late, or a crash, for a refusal.
+"""
+
+import json
+import os
+import resource
+import subprocess
+
+# Seconds of the processor; of the clock more, for the machine may have other work.
+MOST = 10
+
+
+class Failed(Exception):
+    """The program crashed, or took too long."""
+
+
+class Refused(Exception):
+    """The program said what it does not want: one sentence a mistake."""
+
+    def __init__(self, said):
+        mistakes = [line.removeprefix("error: ") for line in said.splitlines() if line.startswith("error: ")]
+        super().__init__("; ".join(mistakes))
+        self.mistakes = mistakes
+
+
+class Program:
+    """Runs commands of the binary."""
+
+    def __init__(self, binary):
+        self.binary = str(binary)
+
+    def run(self, *arguments):
+        """What it prints for these arguments."""
+        command = [self.binary, *map(str, arguments)]
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_CPU, (MOST, MOST))
+
+        try:
+            done = subprocess.run(
+                command,
+                capture_output=True,
+                text=True,
+                timeout=20 * MOST,
+                preexec_fn=limit,
+                env={**os.environ, "RUST_BACKTRACE": "0"},
+            )
+        except subprocess.TimeoutExpired:
+            raise Failed(f"took more than {20 * MOST} s: {arguments[:1]}") from None
+        if done.returncode == 0:
+            return done.stdout
+        if done.returncode == 1 and "panicked" not in done.stderr:
+            raise Refused(done.stderr)
+        what = f"took more than {MOST} s" if done.returncode in (-9, -24) else f"ended with {done.returncode}"
+        raise Failed(f"{arguments[0]} {what}: {done.stderr.strip()[-200:]}")
+
+    def check(self, file, exact):
+        """What became of a description."""
+        return json.loads(self.run("check", file, "--format", "json", *["--exact"] * exact))
+
+    def eval(self, file, exact, function, states, link=None):
+        """A function's values at all states."""
+        options = ["--function", function, "--states", states, "--format", "json"]
+        options += ["--tip", link] if link else []
+        return json.loads(self.run("eval", file, *options, *["--exact"] * exact))["results"]

@@ -1,46 +1,46 @@
-//! How far rounding can take the results of a function, in words and numbers.
+//! How far rounding can take the results of a function.
 //!
-//! In: a chain, functions, their program and the type of number. Out: an [`Accuracy`], what stands
-//! beside the price: the worst of all results that share a unit. It never says less than "at most":
-//! where nothing can be said that holds for every state of the range, it gives the reason.
+//! In: a chain, functions, their program, and what it computes with. Out: an [`Accuracy`], what
+//! stands beside the price: the worst of each joint's results that share a unit. It never says less
+//! than "at most": where nothing can be said that holds for every state of the range, it gives the
+//! reason.
 
 mod articulated;
 mod solved;
 
-use std::fmt;
+use std::collections::BTreeMap;
 
 pub use self::articulated::of_articulated;
 pub use self::solved::{of_accelerations, of_inverse};
 use crate::chain::range::{self, Range};
 use crate::chain::{Chain, Motion};
 use crate::expression::Input;
-use crate::function::{Argument, Function};
-use crate::request::Real;
-use crate::schedule::Program;
-use crate::schedule::bound::{self, Value};
+use crate::function::{Argument, Function, Shape};
+use crate::request::{Real, Trigonometry};
+use crate::schedule::bound::{self, Conditions, Reason, Value};
+use crate::schedule::{Operand, Program};
 
 /// What is promised of the results of a function.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Accuracy {
     /// In every state of a range, no result is farther from the exact one.
-    Within {
-        /// The worst for each unit, in the order in which the units come among the results.
-        bounds: Vec<Bound>,
-        /// The range in words.
-        range: String,
-    },
+    Within(Promise),
     /// In every state of a range, what is found is the exact solution for something that is no farther
     /// from what was given (backward error).
-    Backward {
-        /// What was given.
-        given: Given,
-        /// As of [`Accuracy::Within`], of what was given.
-        bounds: Vec<Bound>,
-        /// The range in words.
-        range: String,
-    },
+    Backward(Given, Promise),
     /// Nothing, for a reason.
     Unknown(&'static str),
+}
+
+/// Bounds, and what they are for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Promise {
+    /// The worst for each joint and unit, in the order of the results.
+    pub bounds: Vec<Bound>,
+    /// The range in words.
+    pub range: String,
+    /// Why one of the types has no bound.
+    pub lacks: Option<&'static str>,
 }
 
 /// What a solution is found for.
@@ -48,13 +48,17 @@ pub enum Accuracy {
 pub enum Given {
     /// τ, of which accelerations are the solution.
     Torques,
-    /// M, of which each column of the inverse is one, from the diagonal up.
+    /// M, of which each column of the inverse is one, from the diagonal up: each for another M.
     MassMatrix,
 }
 
-/// The greatest error of the results of one unit; infinite where there is no bound in the type.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The greatest error of the results of one joint and unit; infinite where there is no bound in the
+/// type.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
+    /// The joint whose they are: entry, row of a matrix or column of a Jacobian; none where they are
+    /// of a frame.
+    pub joint: Option<String>,
     /// The unit; 1 for a number without.
     pub unit: &'static str,
     /// In `f64`, where that was asked for.
@@ -63,28 +67,27 @@ pub struct Bound {
     pub single: Option<f64>,
 }
 
-impl Given {
-    /// Its letter.
-    #[must_use]
-    pub const fn letter(self) -> &'static str {
-        match self {
-            Self::Torques => "τ",
-            Self::MassMatrix => "M",
-        }
-    }
+/// What a program computes with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Means {
+    /// The type of number; `f32` and `f64` where any is meant.
+    pub scalar: Real,
+    /// Its sines and cosines.
+    pub trigonometry: Trigonometry,
 }
 
-/// Bounds the errors of a program that computes some functions one after the other, for `f32` and
-/// `f64` where any type is meant; of those that invert a mass matrix it says nothing.
+/// The worst error of each result, or why there is none.
+type Worst = Result<Vec<f64>, &'static str>;
+
+/// Bounds the errors of a program that computes some functions one after the other; of those that
+/// solve something it says nothing.
 #[must_use]
 pub fn of(
     chain: &Chain,
     functions: &[Function],
     program: &Program,
-    scalar: Real,
+    means: Means,
 ) -> Option<Accuracy> {
-    let range = Range::of(chain);
-    let slides = slides(chain);
     let evaluated = |function: &Function| {
         !matches!(
             function,
@@ -92,19 +95,21 @@ pub fn of(
         )
     };
     let results = functions.iter().flat_map(|function| {
-        let units = function.units(&slides).into_iter();
-        units.map(|unit| evaluated(function).then_some(unit))
+        let owners = owners(chain, *function).into_iter();
+        owners.map(|owner| evaluated(function).then_some(owner))
     });
-    let (kept, units): (Vec<usize>, Vec<&str>) = results
+    let (kept, owners): (Vec<usize>, Vec<Owner>) = results
         .enumerate()
-        .filter_map(|(k, unit)| Some((k, unit?)))
+        .filter_map(|(k, owner)| Some((k, owner?)))
         .unzip();
-    if units.is_empty() {
+    if owners.is_empty() {
         return None;
     }
-    let worst = |scalar: Real| {
-        let errors = bound::errors(program, scalar, &|input| value(&range, input, scalar));
-        kept.iter().map(|&k| errors[k]).collect()
+    let range = Range::of(chain);
+    let worst = |scalar: Real| -> Worst {
+        let found = computed(program, &range, means, scalar);
+        let found = kept.iter().map(|&k| found[k]);
+        found.map(error).collect()
     };
     let mut arguments: Vec<Argument> = (functions.iter().copied())
         .filter(evaluated)
@@ -113,72 +118,161 @@ pub fn of(
         .collect();
     arguments.sort_unstable();
     arguments.dedup();
-    Some(match by_unit(units, scalar, worst) {
-        Some(bounds) => Accuracy::Within {
-            bounds,
-            range: range::words(chain, &arguments),
-        },
-        None => Accuracy::Unknown("a divisor may be zero, as far as ranges tell"),
+    let promise = promise(chain, means, &owners, worst);
+    Some(match promise {
+        Ok(promise) => Accuracy::Within(promise.within(chain, &arguments, &[program], means)),
+        Err(reason) => Accuracy::Unknown(reason),
     })
 }
 
-/// The worst error for each unit, for `f32` and `f64` where any type is meant; none where there is
-/// no bound in any.
-fn by_unit(
-    units: impl IntoIterator<Item = &'static str>,
-    scalar: Real,
-    worst: impl Fn(Real) -> Vec<f64>,
-) -> Option<Vec<Bound>> {
-    // Where one result has no bound, the type has none.
-    let all = |scalar: Real| {
-        let errors = worst(scalar);
-        let bounded = errors.iter().all(|error| error.is_finite());
-        bounded.then_some(errors)
+/// The joint and the unit of a result.
+type Owner = (Option<usize>, &'static str);
+
+/// Those of all results of a function.
+fn owners(chain: &Chain, function: Function) -> Vec<Owner> {
+    let units = function.units(&slides(chain)).into_iter();
+    let count = chain.joints.len();
+    let joint = |k: usize| match function.shape() {
+        Shape::Pose | Shape::Acceleration | Shape::Velocity => None,
+        Shape::Screws => Some(k / 6),
+        Shape::Vector => Some(k),
+        Shape::Matrix => Some(k / count),
     };
-    let double = (scalar != Real::F32).then(|| all(Real::F64));
-    let single = (scalar != Real::F64).then(|| all(Real::F32));
-    if ![&double, &single]
+    units
+        .enumerate()
+        .map(|(k, unit)| (joint(k), unit))
+        .collect()
+}
+
+/// The worst error for each owner, for `f32` and `f64` where any type is meant.
+///
+/// Every error is a sum of products of sizes with powers of the roundoff, and of the smallest normal
+/// number: a bound in `f32` times the ratio of both roundoffs is one in `f64`.
+fn promise(
+    chain: &Chain,
+    means: Means,
+    owners: &[Owner],
+    worst: impl Fn(Real) -> Worst,
+) -> Result<Promise, &'static str> {
+    let (double, single) = match means.scalar {
+        Real::F64 => (Some(worst(Real::F64)), None),
+        Real::F32 => (None, Some(worst(Real::F32))),
+        Real::Generic => {
+            let single = worst(Real::F32);
+            let ratio = Real::F64.roundoff() / Real::F32.roundoff();
+            let double = match &single {
+                Ok(errors) => Ok(errors.iter().map(|error| error * ratio).collect()),
+                Err(_) => worst(Real::F64),
+            };
+            (Some(double), Some(single))
+        }
+    };
+    let (found, lacking): (Vec<_>, Vec<_>) = [&double, &single]
         .into_iter()
         .flatten()
-        .any(Option::is_some)
-    {
-        return None;
+        .partition(|worst| worst.is_ok());
+    let lacks = lacking
+        .first()
+        .and_then(|worst| worst.as_ref().err().copied());
+    if let (true, Some(reason)) = (found.is_empty(), lacks) {
+        return Err(reason);
     }
-    let mut bounds: Vec<Bound> = Vec::new();
-    for (k, unit) in units.into_iter().enumerate() {
-        let at = |errors: &Option<Option<Vec<f64>>>| {
-            let errors = errors.as_ref()?;
-            Some(errors.as_ref().map_or(f64::INFINITY, |errors| errors[k]))
-        };
-        let (double, single) = (at(&double), at(&single));
-        match bounds.iter_mut().find(|bound| bound.unit == unit) {
-            Some(bound) => {
-                bound.double = larger(bound.double, double);
-                bound.single = larger(bound.single, single);
-            }
-            None => bounds.push(Bound {
-                unit,
-                double,
-                single,
-            }),
+    let at = |errors: &Option<Worst>, k: usize| {
+        let errors = errors.as_ref()?;
+        Some(errors.as_ref().map_or(f64::INFINITY, |errors| errors[k]))
+    };
+    let mut order: Vec<Owner> = Vec::new();
+    let mut all: BTreeMap<Owner, [Option<f64>; 2]> = BTreeMap::new();
+    for (k, &owner) in owners.iter().enumerate() {
+        let found = [at(&double, k), at(&single, k)];
+        let both = all.entry(owner).or_insert_with(|| {
+            order.push(owner);
+            found
+        });
+        for (most, found) in both.iter_mut().zip(found) {
+            *most = most.zip(found).map(|(a, b)| a.max(b));
         }
     }
-    Some(bounds)
+    let bounds = order.into_iter().map(|owner @ (joint, unit)| {
+        let [double, single] = all[&owner];
+        Bound {
+            joint: joint.map(|joint| chain.joints[joint].name.clone()),
+            unit,
+            double,
+            single,
+        }
+    });
+    Ok(Promise {
+        bounds: bounds.collect(),
+        range: String::new(),
+        lacks,
+    })
+}
+
+impl Accuracy {
+    /// Without what is said of `f32` beside `f64`, for a reason.
+    #[must_use]
+    pub fn without_single(self, reason: &'static str) -> Self {
+        let without = |mut promise: Promise| {
+            for bound in &mut promise.bounds {
+                bound.single = bound.single.map(|_| f64::INFINITY);
+            }
+            promise.lacks = promise.lacks.or(Some(reason));
+            promise
+        };
+        match self {
+            Self::Within(promise) => Self::Within(without(promise)),
+            Self::Backward(given, promise) => Self::Backward(given, without(promise)),
+            Self::Unknown(reason) => Self::Unknown(reason),
+        }
+    }
+}
+
+impl Promise {
+    /// With the range of some arguments, and of the fields and sines that programs read.
+    fn within(
+        self,
+        chain: &Chain,
+        arguments: &[Argument],
+        programs: &[&Program],
+        means: Means,
+    ) -> Self {
+        let reads = |field: usize| {
+            let mut operands = programs.iter().flat_map(|program| program.operands());
+            operands.any(|operand| match operand {
+                Operand::Input(Input::Parameter(of, _)) => usize::from(of) == field,
+                _ => false,
+            })
+        };
+        let mut range = range::words(chain, arguments, reads);
+        let turns = programs.iter().any(|program| !program.angles.is_empty());
+        if turns && means.trigonometry == Trigonometry::Other {
+            let between = if range.is_empty() { "" } else { ", " };
+            range.push_str(between);
+            range.push_str("sines within 1 unit in the last place");
+        }
+        Self { range, ..self }
+    }
 }
 
 /// What is promised of a solution, where something is.
-fn backward(chain: &Chain, given: Given, bounds: Option<Vec<Bound>>) -> Accuracy {
-    let arguments: &[Argument] = match given {
-        Given::Torques => &[Argument::Q, Argument::Qd, Argument::Qdd],
-        Given::MassMatrix => &[Argument::Q],
+fn backward(
+    chain: &Chain,
+    given: Given,
+    programs: &[&Program],
+    means: Means,
+    worst: impl Fn(Real) -> Worst,
+) -> Accuracy {
+    let (of, arguments): (Function, &[Argument]) = match given {
+        Given::Torques => {
+            let arguments = &[Argument::Q, Argument::Qd, Argument::Qdd];
+            (Function::InverseDynamics, arguments)
+        }
+        Given::MassMatrix => (Function::MassMatrix, &[Argument::Q]),
     };
-    match bounds {
-        Some(bounds) => Accuracy::Backward {
-            given,
-            bounds,
-            range: range::words(chain, arguments),
-        },
-        None => Accuracy::Unknown("ranges and inertias tell none"),
+    match promise(chain, means, &owners(chain, of), worst) {
+        Ok(promise) => Accuracy::Backward(given, promise.within(chain, arguments, programs, means)),
+        Err(reason) => Accuracy::Unknown(reason),
     }
 }
 
@@ -190,129 +284,31 @@ fn slides(chain: &Chain) -> Vec<bool> {
         .collect()
 }
 
+/// What a program computes in a range.
+fn computed(program: &Program, range: &Range, means: Means, scalar: Real) -> Vec<bound::Found> {
+    let input = |input: Input| value(range, input, scalar);
+    let conditions = Conditions {
+        scalar,
+        angles: means.trigonometry.reach(scalar),
+        range: &input,
+    };
+    bound::results(program, &conditions)
+}
+
+/// The error of a result, or why it has no bound.
+fn error(found: bound::Found) -> Result<f64, &'static str> {
+    if found.value.error.is_finite() {
+        Ok(found.value.error)
+    } else {
+        Err(found.reason.unwrap_or(Reason::Divisor).words())
+    }
+}
+
 fn value(range: &Range, input: Input, scalar: Real) -> Value {
     match (range.get(input), input) {
         // A field is of `f64`, and rounded when it is read.
-        (Some([lo, hi]), Input::Parameter(..)) => Value::between(lo, hi).rounded(scalar.roundoff()),
+        (Some([lo, hi]), Input::Parameter(..)) => Value::between(lo, hi).rounded(scalar),
         (Some([lo, hi]), _) => Value::between(lo, hi),
         (None, _) => Value::UNKNOWN,
-    }
-}
-
-fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
-    a.zip(b).map(|(a, b)| a.max(b))
-}
-
-impl fmt::Display for Accuracy {
-    /// One line: `at most 3.4e-14 N m in f64, 1.8e-5 N m in f32; q and q̇ within their limits`. Whatever
-    /// the type, f64 has a bound where f32 has one.
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (bounds, range) = match self {
-            Self::Within { bounds, range } => (bounds, range),
-            Self::Backward {
-                given,
-                bounds,
-                range,
-            } => {
-                write!(out, "as if {} were off by ", given.letter())?;
-                (bounds, range)
-            }
-            Self::Unknown(reason) => return write!(out, "no bound: {reason}"),
-        };
-        let worst = |name: &str, of: fn(&Bound) -> Option<f64>| {
-            let sizes: Option<Vec<f64>> = bounds.iter().map(of).collect();
-            let sizes = sizes.filter(|sizes| !sizes.is_empty())?;
-            if sizes.iter().any(|size| size.is_infinite()) {
-                return Some(format!("no bound in {name}"));
-            }
-            let sizes = sizes.into_iter().map(upwards).zip(bounds);
-            let sizes: Vec<String> = sizes
-                .map(|(size, bound)| match bound.unit {
-                    "1" => size,
-                    unit => format!("{size} {unit}"),
-                })
-                .collect();
-            Some(format!("{} in {name}", sizes.join(" and ")))
-        };
-        let (double, single) = (
-            worst("f64", |bound| bound.double),
-            worst("f32", |bound| bound.single),
-        );
-        let said: Vec<String> = double.into_iter().chain(single).collect();
-        write!(out, "at most {}", said.join(", "))?;
-        if !range.is_empty() {
-            write!(out, "; {range}")?;
-        }
-        Ok(())
-    }
-}
-
-/// Two digits, never less than the number.
-fn upwards(size: f64) -> String {
-    let near = |size: f64| format!("{size:.1e}");
-    let text = near(size);
-    match text.parse::<f64>() {
-        Ok(printed) if printed < size => near(size * 1.05),
-        _ => text,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Accuracy, Bound, Given, upwards};
-
-    #[test]
-    fn two_digits_are_never_less_than_the_number() {
-        for size in [0.0, 1.0, 1.04e-15, 1.06e-15, 9.99e-7, 9.51e-7, 4.4e-16] {
-            let text = upwards(size);
-            let printed: f64 = text.parse().expect("a number");
-            assert!((size..=1.11 * size).contains(&printed), "{size:e}: {text}");
-        }
-    }
-
-    #[test]
-    fn a_bound_is_a_line() {
-        let bound = |unit, double, single| Bound {
-            unit,
-            double,
-            single,
-        };
-        let within = |bounds| Accuracy::Within {
-            bounds,
-            range: "q within its limits".to_owned(),
-        };
-        let pose = within(vec![
-            bound("1", Some(1.34e-15), Some(7.2e-7)),
-            bound("m", Some(2e-15), Some(1e-6)),
-        ]);
-        assert_eq!(
-            pose.to_string(),
-            "at most 1.4e-15 and 2.0e-15 m in f64, 7.2e-7 and 1.0e-6 m in f32; q within its limits"
-        );
-        let single = within(vec![bound("N m", None, Some(3.1e-5))]);
-        assert_eq!(
-            single.to_string(),
-            "at most 3.1e-5 N m in f32; q within its limits"
-        );
-        let backward = |given, bounds| Accuracy::Backward {
-            given,
-            bounds,
-            range: "q within its limits".to_owned(),
-        };
-        let torques = vec![
-            bound("N m", Some(2.1e-12), None),
-            bound("N", Some(3e-12), None),
-        ];
-        assert_eq!(
-            backward(Given::Torques, torques).to_string(),
-            "as if τ were off by at most 2.1e-12 N m and 3.0e-12 N in f64; q within its limits"
-        );
-        let moments = vec![bound("kg m²", Some(1e-15), Some(f64::INFINITY))];
-        assert_eq!(
-            backward(Given::MassMatrix, moments).to_string(),
-            "as if M were off by at most 1.0e-15 kg m² in f64, no bound in f32; q within its limits"
-        );
-        let unknown = Accuracy::Unknown("nobody knows");
-        assert_eq!(unknown.to_string(), "no bound: nobody knows");
     }
 }

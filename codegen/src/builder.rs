@@ -10,6 +10,7 @@ mod output;
 #[cfg(all(test, feature = "pretty"))]
 mod tests;
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use proc_macro2::{Ident, TokenStream};
@@ -208,9 +209,37 @@ impl Builder {
     }
 
     /// A public field of the struct that takes the place of a number of the description.
-    pub fn parameter(mut self, field: &str, target: Target) -> Self {
+    ///
+    /// Error bounds are for a mass from zero to twice what is described (to 1 kg where that is
+    /// nothing), for entries of vectors of up to twice the largest that is described (of up to 1).
+    pub fn parameter(self, field: &str, target: Target) -> Self {
+        self.field(field, target, None)
+    }
+
+    /// The same, with the range that each of its entries is meant to have: `0.0..=3.0`.
+    ///
+    /// Error bounds are for this range; nothing checks it at run time.
+    pub fn parameter_within(
+        mut self,
+        field: &str,
+        target: Target,
+        range: RangeInclusive<f64>,
+    ) -> Self {
+        let ends = [*range.start(), *range.end()];
+        if let Some([problem, hint]) = target.refusal(ends) {
+            let message = format!("the range of field `{field}` {problem}");
+            self.mistakes.push_with_hint(Place::Unknown, message, hint);
+        }
+        self.field(field, target, Some(ends))
+    }
+
+    fn field(mut self, field: &str, target: Target, range: Option<[f64; 2]>) -> Self {
         if let Some(field) = self.parsed(field) {
-            self.request.parameters.push(Parameter { field, target });
+            self.request.parameters.push(Parameter {
+                field,
+                target,
+                range,
+            });
         }
         self
     }

@@ -23,7 +23,7 @@ use crate::description::{Description, Limits, Source};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
 use crate::matrix::{Inertia, Pose, Screw, Vector};
-use crate::request::Request;
+use crate::request::{Parameter, Request};
 
 /// The moving joints of a robot and the bodies they carry.
 #[derive(Clone, Debug)]
@@ -41,6 +41,8 @@ pub struct Chain {
     /// What the description says of the numbers that struct fields stand for, in the order of the
     /// request's parameters.
     pub nominal: Vec<Vec<f64>>,
+    /// The struct fields, in the order of the request.
+    pub parameters: Vec<Parameter>,
     /// The names of those fields.
     pub fields: Vec<String>,
     /// What became of the description on the way.

@@ -13,16 +13,16 @@ mod solvable;
 
 pub use choice::{expressions_by, program, program_as, program_by, program_for};
 
-use crate::accuracy::{self, Accuracy};
+use crate::accuracy::{self, Accuracy, Means};
 use crate::chain::{self, Chain};
 use crate::check::Check;
 use crate::description::Description;
 use crate::emit::{About, Item, LeftOut, Listed, Listing};
 use crate::error::{Errors, Place};
-use crate::formulation::Forward;
+use crate::formulation::{Forward, Sines};
 use crate::function::Function;
 use crate::model;
-use crate::request::{Real, Request};
+use crate::request::{Real, Request, Trigonometry};
 use crate::schedule::Price;
 use about::about;
 use choice::{Found, cheapest};
@@ -194,7 +194,15 @@ fn list(
         frame,
         request.scalar,
     )?;
-    let accuracy = accuracy_of(&found, chain, &functions, request.scalar);
+    let mut accuracy = accuracy_of(&found, chain, &functions, means(request));
+    // What would be refused in f32, where it loses as many units, promises nothing there.
+    if request.scalar == Real::Generic && !forward::keeps_half(found.error, Real::F32) {
+        let promised = accuracy.into_iter().map(|accuracy| match accuracy {
+            solved @ Accuracy::Backward(..) => solved.without_single(UNDONE),
+            other => other,
+        });
+        accuracy = promised.collect();
+    }
     let program = found.program;
     let (mut mul, mut add) = (0, 0);
     for &function in &functions {
@@ -218,19 +226,33 @@ fn list(
     })
 }
 
+/// Why solutions have no bound in `f32`.
+const UNDONE: &str = "less than half of the digits may be left";
+
+/// What the programs of a request compute with.
+fn means(request: &Request) -> Means {
+    Means {
+        scalar: request.scalar,
+        trigonometry: match request.formulation.sines {
+            Sines::Own => request.trigonometry,
+            Sines::Platform => Trigonometry::Other,
+        },
+    }
+}
+
 /// What is promised of the results of a program: of all that are evaluated, and of each that solves
 /// something.
 fn accuracy_of(
     found: &Found,
     chain: &Chain,
     functions: &[Function],
-    scalar: Real,
+    means: Means,
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
     let solves = functions.iter().filter_map(|function| match function {
         Function::MassMatrixInverse if found.way.forward == Forward::UNREFINED => {
             let parts = parts(&[Function::MassMatrix]);
-            Some(accuracy::of_inverse(chain, &parts, scalar))
+            Some(accuracy::of_inverse(chain, &parts, means))
         }
         Function::MassMatrixInverse => Some(Accuracy::Unknown(
             "none is derived of an inverse that is refined or made of articulated bodies",
@@ -243,14 +265,12 @@ fn accuracy_of(
                     Function::InverseDynamics,
                 ];
                 let parts = parts(&all[..if refinements == 0 { 2 } else { 3 }]);
-                accuracy::of_accelerations(chain, &parts, refinements, scalar)
+                accuracy::of_accelerations(chain, &parts, refinements, means)
             }
-            Forward::Articulated => {
-                accuracy::of_articulated(chain, found.layout, found.way, scalar)
-            }
+            Forward::Articulated => accuracy::of_articulated(chain, found.layout, found.way, means),
         }),
         _ => None,
     });
-    let evaluated = accuracy::of(chain, functions, &found.program, scalar);
+    let evaluated = accuracy::of(chain, functions, &found.program, means);
     evaluated.into_iter().chain(solves).collect()
 }

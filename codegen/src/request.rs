@@ -44,6 +44,8 @@ pub struct Request {
     pub processor: Processor,
     /// The type of number in the generated code.
     pub scalar: Real,
+    /// Which sines and cosines the generated code calls.
+    pub trigonometry: Trigonometry,
     /// Struct fields that stay free at run time.
     pub parameters: Vec<Parameter>,
     /// The path under which the generated code finds the runtime crate; `::homogen` where none.
@@ -71,6 +73,49 @@ impl Real {
             Self::F64 | Self::Generic => f64::EPSILON / 2.0,
         }
     }
+
+    /// The smallest positive number of full precision; of `f64` where any type is meant.
+    #[must_use]
+    pub const fn smallest(self) -> f64 {
+        match self {
+            Self::F32 => f32::MIN_POSITIVE as f64,
+            Self::F64 | Self::Generic => f64::MIN_POSITIVE,
+        }
+    }
+
+    /// The largest number; of `f64` where any type is meant.
+    #[must_use]
+    pub const fn largest(self) -> f64 {
+        match self {
+            Self::F32 => f32::MAX as f64,
+            Self::F64 | Self::Generic => f64::MAX,
+        }
+    }
+}
+
+/// Which sines and cosines generated code calls: how exact they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Trigonometry {
+    /// The runtime's: within one unit in the last place at every angle.
+    #[default]
+    Runtime,
+    /// Those that a file for `core` alone brings along: the same up to an angle.
+    Own,
+    /// The platform's, or a function that the user names: taken to be as exact.
+    Other,
+}
+
+impl Trigonometry {
+    /// The greatest magnitude of an angle \[rad\] whose sine and cosine are within one unit in the last
+    /// place, in the type.
+    #[must_use]
+    pub const fn reach(self, scalar: Real) -> f64 {
+        match (self, scalar) {
+            (Self::Own, Real::F32) => 3200.0,
+            (Self::Own, Real::F64 | Real::Generic) => 2e5,
+            (Self::Runtime | Self::Other, _) => f64::INFINITY,
+        }
+    }
 }
 
 /// A struct field that takes the place of a number of the description at run time.
@@ -80,6 +125,10 @@ pub struct Parameter {
     pub field: Ident,
     /// The number it stands for.
     pub target: Target,
+    /// The least and the greatest that each of its entries is meant to be, in the unit of what it
+    /// stands for; by default from zero to twice what is described, to both sides where it is a
+    /// vector. Error bounds are for these; nothing checks it at run time.
+    pub range: Option<[f64; 2]>,
 }
 
 /// What a struct field can stand for.
@@ -113,7 +162,7 @@ impl Request {
     pub fn clashes(&self) -> Vec<Complaint> {
         let mut clashes = Vec::new();
         for (index, parameter) in self.parameters.iter().enumerate() {
-            let Parameter { field, target } = parameter;
+            let Parameter { field, target, .. } = parameter;
             let place = Place::Token(field.span());
             let mut complain = |message: String, hint: &str| {
                 clashes.push(Complaint {
@@ -152,6 +201,47 @@ impl Request {
 }
 
 impl Target {
+    /// The unit of its numbers.
+    #[must_use]
+    pub const fn unit(&self) -> &'static str {
+        match self {
+            Self::MassOf(_) => "kg",
+            Self::CenterOfMassOf(_) | Self::OriginOf(_) => "m",
+            Self::Gravity => "m/s²",
+        }
+    }
+
+    /// The range that one number stands for: from zero to it, to both sides where entries have signs.
+    #[must_use]
+    pub const fn range_up_to(&self, most: f64) -> [f64; 2] {
+        match self {
+            Self::MassOf(_) => [0.0, most],
+            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::Gravity => [-most, most],
+        }
+    }
+
+    /// What is wrong with a range of its entries, and what to write instead.
+    #[must_use]
+    pub fn refusal(&self, [least, most]: [f64; 2]) -> Option<[&'static str; 2]> {
+        let example = match self {
+            Self::MassOf(_) => "write range = 0.0..=3.0, or range = 3.0 for the same",
+            Self::CenterOfMassOf(_) | Self::OriginOf(_) => {
+                "write range = 0.5, or range = -0.5..=0.5 for the same"
+            }
+            Self::Gravity => "write range = 12.0, or range = -12.0..=12.0 for the same",
+        };
+        let problem = if !(least.is_finite() && most.is_finite()) {
+            "is not finite"
+        } else if least > most {
+            "is empty"
+        } else if matches!(self, Self::MassOf(_)) && least < 0.0 {
+            "has negative masses"
+        } else {
+            return None;
+        };
+        Some([problem, example])
+    }
+
     /// Whether both are the same number.
     #[must_use]
     pub fn is(&self, other: &Self) -> bool {

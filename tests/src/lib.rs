@@ -6,11 +6,13 @@
 
 pub mod arguments;
 pub mod big;
+pub mod climb;
 pub mod dual;
 pub mod fire;
 pub mod functions;
 pub mod fused_sines;
 pub mod hexadecimal;
+pub mod humanoid;
 pub mod metrics;
 pub mod oracle;
 pub mod robots;

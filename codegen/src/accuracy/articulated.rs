@@ -12,34 +12,46 @@
 //! origin of the body, and s² is its mass.
 
 use std::f64::consts::SQRT_2;
-use std::ops;
+use std::{cmp, ops};
 
-use super::{Accuracy, Given, backward, by_unit, slides, value};
+use super::solved::{DOUBTFUL, caused, stays, tried, widened};
+use super::{Accuracy, Given, Means, Worst, backward, computed, error, value};
 use crate::chain::frames::{Body, Layout, arrange};
-use crate::chain::mobility::mobility;
+use crate::chain::mobility::{Mobility, mobility};
 use crate::chain::range::Range;
 use crate::chain::{Chain, Motion};
 use crate::expression::{Double, Expr, Graph, Input, Term};
-use crate::function::Function;
 use crate::model::{self, ARTICULATED_MOTION, ARTICULATED_STEP, Way};
 use crate::request::Real;
-use crate::schedule::bound::{self, Value};
+use crate::schedule::bound::{self, Conditions, Value};
 use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;
 
+/// How much of a motion's energy rounding may take: what is opposed to it is then known well enough
+/// for [`TRUST`].
+const SPOILT: f64 = 0.05;
+
+/// What the bounds are multiplied by for it: articulated inertias that are off by so much oppose
+/// little more, and their pivots are little less.
+const TRUST: f64 = 1.25;
+
 /// Of accelerations by articulated bodies.
 #[must_use]
-pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, scalar: Real) -> Accuracy {
+pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> Accuracy {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
     let range = Range::of(chain);
     let links = bodies.bodies.iter().zip(&range.q);
     let links: Option<Vec<Link>> = links.map(|(body, q)| Link::of(body, *q)).collect();
-    // Of what no body is, or of what is known at run time only, there is no mobility either.
-    let (Some(links), Some(_), true) = (links, mobility(chain), chain.nominal.is_empty()) else {
+    let read = chain.nominal.iter().all(Vec::is_empty);
+    let (Some(links), true) = (links, read) else {
         return Accuracy::Unknown(
             "neither screws nor fields nor inertias that no body has are followed",
         );
+    };
+    let mobility = match mobility(chain, layout, &range) {
+        Ok(mobility) => mobility,
+        Err(reason) => return Accuracy::Unknown(reason),
     };
     let compiled = |results: Vec<Term<'_>>| -> Program {
         let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
@@ -50,21 +62,38 @@ pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, scalar: Real) -> 
     let entries = std::array::from_fn(|k| graph.input(entry(k)));
     let steps = model::articulated_steps(&graph, &bodies, way, &entries);
     let steps: Vec<Program> = steps.into_iter().map(compiled).collect();
-    let worst = |scalar: Real| {
-        let input = |input: Input| value(&range, input, scalar);
-        let found = bound::results(&motion, scalar, &input);
-        let motions: Vec<Moving> = found.chunks(ARTICULATED_MOTION).map(Moving::of).collect();
-        let step = |k: usize, given: &[Value; ARTICULATED_STEP]| {
-            let input = |input: Input| match input {
-                Input::Parameter(0, k) => given[usize::from(k)],
-                other => value(&range, other, scalar),
+    let worst = |scalar: Real| -> Worst {
+        let attempt = |margin: f64| -> Worst {
+            let wider = widened(&range, margin);
+            let found = computed(&motion, &wider, means, scalar).into_iter();
+            let found = found.map(|found| error(found).map(|_| found.value));
+            let found = found.collect::<Result<Vec<Value>, _>>()?;
+            let motions: Vec<Moving> = found.chunks(ARTICULATED_MOTION).map(Moving::of).collect();
+            let step = |k: usize, given: &[Value; ARTICULATED_STEP]| {
+                let input = |input: Input| match input {
+                    Input::Parameter(0, k) => given[usize::from(k)],
+                    other => value(&range, other, scalar),
+                };
+                let conditions = Conditions {
+                    scalar,
+                    angles: means.trigonometry.reach(scalar),
+                    range: &input,
+                };
+                let found = bound::results(&steps[k], &conditions).into_iter();
+                let found = found.map(|found| error(found).map(|_| found.value));
+                found.collect::<Result<Vec<Value>, _>>()
             };
-            bound::results(&steps[k], scalar, &input)
+            let felt = felt(&links, &motions, &wider, &mobility, scalar, step)?;
+            let off = caused(&mobility.joints, &felt);
+            if stays(&range, margin, &off) {
+                Ok(felt)
+            } else {
+                Err(DOUBTFUL)
+            }
         };
-        felt(&links, &motions, &range, scalar.roundoff(), step)
+        tried(attempt)
     };
-    let units = Function::InverseDynamics.units(&slides(chain));
-    backward(chain, Given::Torques, by_unit(units, scalar, worst))
+    backward(chain, Given::Torques, &[&motion], means, worst)
 }
 
 /// The place of an entry of a step among the fields, of which the chain has none.
@@ -97,10 +126,20 @@ impl Link {
             parent: body.parent,
             slides: matches!(body.motion, Motion::Prismatic),
             reach: slide + norm([x?, y?, z?]),
-            spread: (xx? + yy? + zz?).max(0.0),
+            spread: spread([xx?, yy?, zz?])?,
             mass: number(body.inertia.mass)?.max(0.0),
         })
     }
+}
+
+/// ∫r²dm of its three parts, of which none is negative but for the digits that files round; none for
+/// what no body is.
+fn spread(second: [f64; 3]) -> Option<f64> {
+    /// What a part may be below zero, in relation to the whole.
+    const ROUNDED: f64 = 1e-6;
+    let whole: f64 = second.iter().map(|part| part.abs()).sum();
+    let negative = second.iter().any(|&part| part < -ROUNDED * whole);
+    (!negative).then_some(whole * (1.0 + 3.0 * ROUNDED))
 }
 
 impl Link {
@@ -190,15 +229,19 @@ fn felt(
     links: &[Link],
     motions: &[Moving],
     range: &Range,
-    roundoff: f64,
-    step: impl Fn(usize, &[Value; ARTICULATED_STEP]) -> Vec<Value>,
-) -> Vec<f64> {
+    mobility: &Mobility,
+    scalar: Real,
+    step: impl Fn(usize, &[Value; ARTICULATED_STEP]) -> Result<Vec<Value>, &'static str>,
+) -> Worst {
+    let roundoff = scalar.roundoff();
     let root_3 = 3.0_f64.sqrt();
     let none = || vec![Pair::default(); links.len()];
     // Of each body and all outboard of it: γ² and s², the moment and force that they take, and what of
     // them is lost; all as far as known from the bodies that hang on it, and how many there are.
     let (mut squares, mut forces, mut lost) = (none(), none(), none());
     let mut children = vec![0.0; links.len()];
+    // Of the energy of a motion, what is lost of articulated inertias takes at most this share.
+    let mut spoilt = 0.0;
     for (k, link) in links.iter().enumerate().rev() {
         let Moving {
             action: [action, action_lost],
@@ -234,28 +277,39 @@ fn felt(
         let products = roundoff * 6.0 * (root_3 * drifting + free);
         let rest_lost = whole.times(products + whole.dot(drift_lost));
         let rest_lost = rest_lost.plus(rest.times(2.0 * roundoff));
-        let found = step(k, &passed_on(whole, [rest, rest_lost], roundoff));
+        let found = step(k, &passed_on(whole, [rest, rest_lost], scalar))?;
         let [outer, _] = motions[parent].acceleration;
+        let seen = Pair::new(whole.turning + link.reach * whole.sliding, whole.sliding);
+        let [turns, slides] = mobility.bodies[parent].map(f64::sqrt);
+        let moving = Pair::new(turns, slides);
+        let summed = seen.dot(moving).powi(2) * (3.0 + children[parent]) * roundoff;
+        spoilt += inertia_of(&found, moving).dot(moving) + summed;
         lost[parent] = lost[parent]
             .plus(lost[k].at_distance(link.reach))
             .plus(error_of(&found, outer));
         forces[parent] = forces[parent].plus(forces[k].at_distance(link.reach));
-        let seen = Pair::new(whole.turning + link.reach * whole.sliding, whole.sliding);
         squares[parent] = squares[parent].plus(seen.squares());
         children[parent] += 1.0;
     }
+    // What is not a number is not less than anything.
+    if spoilt.partial_cmp(&SPOILT).is_none_or(cmp::Ordering::is_gt) {
+        return Err(DOUBTFUL);
+    }
     let felt = links.iter().zip(lost);
-    felt.map(|(link, lost)| link.along(lost)).collect()
+    Ok(felt.map(|(link, lost)| TRUST * link.along(lost)).collect())
 }
 
 /// What a step takes: what the joint leaves of the articulated inertia of γ and s, by four roundings,
 /// and the rest with its error.
-fn passed_on(whole: Pair, [rest, lost]: [Pair; 2], roundoff: f64) -> [Value; ARTICULATED_STEP] {
+fn passed_on(whole: Pair, [rest, lost]: [Pair; 2], scalar: Real) -> [Value; ARTICULATED_STEP] {
     let within = |size: f64, error: f64| Value {
         error,
         ..Value::between(-size, size)
     };
-    let inertia = |size: f64| within(size, 4.0 * roundoff * size);
+    let inertia = |size: f64| {
+        let lost = 4.0 * (scalar.roundoff() * size + scalar.smallest());
+        within(size, lost)
+    };
     std::array::from_fn(|entry| match entry {
         0..6 => inertia(whole.turning * whole.turning),
         6..15 => inertia(whole.turning * whole.sliding),
@@ -267,23 +321,28 @@ fn passed_on(whole: Pair, [rest, lost]: [Pair; 2], roundoff: f64) -> [Value; ART
 
 /// Moment and force of the errors of what a step gives, where the outer body accelerates so much.
 fn error_of(found: &[Value], outer: Pair) -> Pair {
-    let length = |of: ops::Range<usize>| norm(found[of].iter().map(|value| value.error));
+    inertia_of(found, outer).plus(Pair::new(lost(found, 21..24), lost(found, 24..27)))
+}
+
+/// Those of the errors of its articulated inertia alone.
+fn inertia_of(found: &[Value], outer: Pair) -> Pair {
     // Entries off the diagonal of A and M stand there twice.
-    let symmetric = |at: usize| norm([length(at..at + 3), SQRT_2 * length(at + 3..at + 6)]);
-    let (a, b, m) = (symmetric(0), length(6..15), symmetric(15));
-    Pair::new(
-        Pair::new(a, b).dot(outer) + length(21..24),
-        Pair::new(b, m).dot(outer) + length(24..27),
-    )
+    let symmetric = |at: usize| {
+        norm([
+            lost(found, at..at + 3),
+            SQRT_2 * lost(found, at + 3..at + 6),
+        ])
+    };
+    let (a, b, m) = (symmetric(0), lost(found, 6..15), symmetric(15));
+    Pair::new(Pair::new(a, b).dot(outer), Pair::new(b, m).dot(outer))
+}
+
+/// The length of some errors.
+fn lost(found: &[Value], of: ops::Range<usize>) -> f64 {
+    norm(found[of].iter().map(|value| value.error))
 }
 
 /// √Σx², of a sum that neither overflows nor vanishes; the `hypot` of each platform is its own.
 fn norm(entries: impl IntoIterator<Item = f64>) -> f64 {
-    let entries: Vec<f64> = entries.into_iter().collect();
-    let largest = entries.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    if !(largest > 0.0 && largest < f64::INFINITY) {
-        return entries.iter().sum();
-    }
-    let squares = entries.iter().map(|x| (x / largest) * (x / largest));
-    largest * squares.sum::<f64>().sqrt()
+    bound::root(entries)
 }

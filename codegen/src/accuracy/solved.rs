@@ -6,31 +6,40 @@
 //!
 //! A computed solution solves M + ΔM with |ΔM| ≤ γ |Lᵗ| D |L| exactly (Higham, *Accuracy and
 //! Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
-//! γ √(Mᵢᵢ Mⱼⱼ), since M is positive definite.
+//! γ √(Mᵢᵢ Mⱼⱼ), as long as all pivots are positive. They are where M + ΔM is positive definite:
+//! with a bound S of |ΔM|, and xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
-use super::{Accuracy, Given, backward, by_unit, slides, value};
+use super::{Accuracy, Given, Means, Worst, backward, computed, error};
 use crate::chain::Chain;
-use crate::chain::mobility::mobility;
+use crate::chain::frames::Layout;
+use crate::chain::mobility::{Mobility, mobility};
 use crate::chain::range::Range;
-use crate::expression::Input;
-use crate::function::Function;
 use crate::request::Real;
 use crate::schedule::Program;
-use crate::schedule::bound::{self, Value};
+use crate::schedule::bound::{Reason, Value};
+
+/// Why a solution is not bounded where rounding may spoil what it comes from.
+pub(super) const DOUBTFUL: &str = "rounding may outweigh the least inertia, as far as ranges tell";
+
+/// How much of what keeps M positive definite rounding may take: half, so that pivots whose sign is in
+/// question are covered as well.
+const SPOILT: f64 = 0.5;
 
 /// Of the inverse of the mass matrix: of each column from the diagonal up, which is solved for by
 /// itself. The program computes the mass matrix.
 #[must_use]
-pub fn of_inverse(chain: &Chain, parts: &Program, scalar: Real) -> Accuracy {
+pub fn of_inverse(chain: &Chain, program: &Program, means: Means) -> Accuracy {
     let range = Range::of(chain);
     let count = chain.joints.len();
-    let worst = |scalar: Real| -> Vec<f64> {
-        let found = Parts::of(parts, &range, scalar);
-        let entry = |k| found.lost(k / count, k % count);
-        (0..count * count).map(entry).collect()
+    let mobility = mobility(chain, Layout::DESCRIBED, &range);
+    let worst = |scalar: Real| -> Worst {
+        let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
+        let parts = Parts::of(program, &range, joints, means, scalar)?;
+        parts.check(joints)?;
+        let entry = |k| parts.lost(k / count, k % count);
+        Ok((0..count * count).map(entry).collect())
     };
-    let units = Function::MassMatrix.units(&slides(chain));
-    backward(chain, Given::MassMatrix, by_unit(units, scalar, worst))
+    backward(chain, Given::MassMatrix, &[program], means, worst)
 }
 
 /// Of accelerations by the factors of the mass matrix, refined so often. The program computes the
@@ -38,81 +47,119 @@ pub fn of_inverse(chain: &Chain, parts: &Program, scalar: Real) -> Accuracy {
 #[must_use]
 pub fn of_accelerations(
     chain: &Chain,
-    parts: &Program,
+    program: &Program,
     refinements: usize,
-    scalar: Real,
+    means: Means,
 ) -> Accuracy {
     let range = Range::of(chain);
-    let mobility = (refinements > 0).then(|| mobility(chain)).flatten();
-    let worst = |scalar: Real| match (refinements, &mobility) {
-        (0, _) => Parts::of(parts, &range, scalar).unrefined(),
-        (_, Some(mobility)) => refined(parts, &range, mobility, refinements, scalar),
-        (_, None) => vec![f64::INFINITY; range.qdd.len()],
+    let mobility = mobility(chain, Layout::DESCRIBED, &range);
+    let worst = |scalar: Real| -> Worst {
+        let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
+        solved(program, &range, joints, refinements, means, scalar)
     };
-    let units = Function::InverseDynamics.units(&slides(chain));
-    backward(chain, Given::Torques, by_unit(units, scalar, worst))
+    backward(chain, Given::Torques, &[program], means, worst)
 }
 
-/// What is left after some refinements; infinite where they may not converge, as far as ranges tell.
+/// The greatest accelerations that forces can cause: an entry of M⁻¹ is at most the root of the
+/// product of two diagonal ones.
+pub(super) fn caused(mobility: &[f64], forces: &[f64]) -> Vec<f64> {
+    let roots = mobility.iter().map(|most| most.sqrt());
+    let products = roots.clone().zip(forces).map(|(root, force)| root * force);
+    let sum: f64 = products.sum();
+    roots.map(|root| root * sum).collect()
+}
+
+/// How far what is found may be out of the range of the exact accelerations, in relation to it: what
+/// is tried, the least first.
+pub(super) const MARGINS: [f64; 4] = [1e-6, 1e-3, 0.03, 1.0];
+
+/// A range of accelerations that is wider by a margin.
+pub(super) fn widened(range: &Range, margin: f64) -> Range {
+    let wider = |end: f64| end * (1.0 + margin);
+    Range {
+        qdd: range.qdd.iter().map(|ends| ends.map(wider)).collect(),
+        ..range.clone()
+    }
+}
+
+/// What is left after some refinements.
 ///
 /// Each leaves what rounding takes from its residual and from the sum with the correction, and ΔM
-/// times the correction c. That is at most M⁻¹ (r + ΔM c), where r bounds the residual; an entry of
-/// M⁻¹ is at most the root of the product of two diagonal ones.
-fn refined(
-    parts: &Program,
+/// times the correction c. That is at most M⁻¹ (r + ΔM c), where r bounds the residual.
+fn solved(
+    program: &Program,
     range: &Range,
     mobility: &[f64],
     refinements: usize,
+    means: Means,
     scalar: Real,
-) -> Vec<f64> {
-    let accelerations = |forces: &[f64]| -> Vec<f64> {
-        let roots = mobility.iter().map(|most| most.sqrt());
-        let sum: f64 = roots
-            .clone()
-            .zip(forces)
-            .map(|(root, force)| root * force)
-            .sum();
-        roots.map(|root| root * sum).collect()
+) -> Worst {
+    let parts = |range: &Range| -> Result<Parts, &'static str> {
+        let parts = Parts::of(program, range, mobility, means, scalar)?;
+        parts.check(mobility)?;
+        Ok(parts)
     };
-    // What is found before the last refinement may be out of the range by what it corrects.
-    let attempt = |margin: f64| -> Option<Vec<f64>> {
-        let wider = |end: f64| end * (1.0 + margin);
-        let wider = Range {
-            qdd: range.qdd.iter().map(|ends| ends.map(wider)).collect(),
-            ..range.clone()
+    let narrow = parts(range)?;
+    let attempt = |margin: f64| -> Worst {
+        let wider = widened(range, margin);
+        // Only a residual is computed of accelerations.
+        let parts = if refinements == 0 {
+            narrow.over(&wider)
+        } else {
+            parts(&wider)?
         };
-        let parts = Parts::of(parts, &wider, scalar);
         let mut left = parts.unrefined();
         for _ in 0..refinements {
             let residual: Vec<f64> = (left.iter().zip(&parts.needed))
                 .map(|(left, needed)| left + needed.error)
                 .collect();
             // Twice M⁻¹ r, so that M⁻¹ ΔM c may be as much again.
-            let correction = accelerations(&residual).into_iter().map(|c| 2.0 * c);
+            let correction = caused(mobility, &residual).into_iter().map(|c| 2.0 * c);
             let correction: Vec<f64> = correction.collect();
             let spoilt = parts.lost_times(&correction);
-            let again = accelerations(&spoilt);
+            let again = caused(mobility, &spoilt);
             let most = range.qdd.iter().map(|[_, most]| margin / 4.0 * most);
             let mut all = correction.iter().zip(again).zip(most);
             // What is not a number is not within anything.
             if !all.all(|((&c, again), most)| again <= c / 2.0 && c <= most) {
-                return None;
+                return Err(DOUBTFUL);
             }
             let sums = parts.roundings_of_sums();
             left = (parts.needed.iter().zip(spoilt).zip(sums))
                 .map(|((needed, spoilt), sum)| needed.error + spoilt + sum)
                 .collect();
         }
-        Some(left)
+        let stays = stays(range, margin, &caused(mobility, &left));
+        if stays { Ok(left) } else { Err(DOUBTFUL) }
     };
-    let margins = [1e-6, 1e-3, 0.03, 1.0];
-    let left = margins.into_iter().find_map(attempt);
-    left.unwrap_or_else(|| vec![f64::INFINITY; mobility.len()])
+    tried(attempt)
+}
+
+/// The first margin that suffices.
+pub(super) fn tried(attempt: impl Fn(f64) -> Worst) -> Worst {
+    let attempts = MARGINS.into_iter().map(attempt);
+    let mut refused = Err(DOUBTFUL);
+    for found in attempts {
+        if found.is_ok() || found != Err(DOUBTFUL) {
+            return found;
+        }
+        refused = found;
+    }
+    refused
+}
+
+/// Whether accelerations that are off by so much are out of their range by no more than a margin.
+pub(super) fn stays(range: &Range, margin: f64, off: &[f64]) -> bool {
+    let most = range.qdd.iter().map(|[_, most]| margin * most);
+    off.iter().zip(most).all(|(off, most)| *off <= most)
 }
 
 /// What a program computes that a solution comes from.
+#[derive(Clone)]
 struct Parts {
     roundoff: f64,
+    /// What underflow takes from a sum on the way, in any unit.
+    vanishes: f64,
     /// The greatest that each acceleration can be.
     most: Vec<f64>,
     mass: Vec<Value>,
@@ -122,19 +169,65 @@ struct Parts {
 }
 
 impl Parts {
-    fn of(program: &Program, range: &Range, scalar: Real) -> Self {
+    fn of(
+        program: &Program,
+        range: &Range,
+        mobility: &[f64],
+        means: Means,
+        scalar: Real,
+    ) -> Result<Self, &'static str> {
         let most: Vec<f64> = range.qdd.iter().map(|[_, most]| *most).collect();
         let count = most.len();
-        let input = |input: Input| value(range, input, scalar);
-        let mut mass = bound::results(program, scalar, &input);
-        let mut rest = mass.split_off(count * count);
-        let needed = rest.split_off(count.min(rest.len()));
-        Self {
+        let found = computed(program, range, means, scalar).into_iter();
+        let found = found.map(|found| error(found).map(|_| found.value));
+        let mut mass = found.collect::<Result<Vec<Value>, _>>()?;
+        let mut bias = mass.split_off(count * count);
+        let needed = bias.split_off(count.min(bias.len()));
+        // Everything on the way is at most a product of two of these, as many times as there are
+        // joints, twice: factors are √(M/d) and pivots d at least half of 1/(M⁻¹)ₖₖ.
+        let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(1.0, f64::max);
+        let given = bias.iter().chain(&needed).map(|value| value.reach());
+        let joints = most.iter().map(|_| 1.0).sum::<f64>();
+        let size = largest(&mut mass.iter().map(|value| value.reach()))
+            * largest(&mut mobility.iter().map(|most| 2.0 * most))
+            * largest(&mut most.iter().copied())
+            * largest(&mut given.map(|torque| 2.0 * torque));
+        // Where a joint may move without any energy, that is the reason and not this.
+        if size.is_finite() && joints * joints * size * size >= scalar.largest() {
+            return Err(Reason::Overflow.words());
+        }
+        Ok(Self {
             roundoff: scalar.roundoff(),
+            vanishes: 16.0 * joints * joints * size * scalar.smallest(),
             most,
             mass,
-            bias: rest,
+            bias,
             needed,
+        })
+    }
+
+    /// The same for accelerations of another range, of which nothing here is computed.
+    fn over(&self, range: &Range) -> Self {
+        Self {
+            most: range.qdd.iter().map(|[_, most]| *most).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// Whether all pivots are positive.
+    fn check(&self, mobility: &[f64]) -> Result<(), &'static str> {
+        let roots: Vec<f64> = mobility.iter().map(|most| most.sqrt()).collect();
+        let row = |(k, root): (usize, &f64)| {
+            let entries = roots.iter().enumerate();
+            let entries = entries.map(|(other, of)| self.lost(k, other) * root * of);
+            entries.sum::<f64>()
+        };
+        let spoilt: f64 = roots.iter().enumerate().map(row).sum();
+        // What is not a number is not less than anything.
+        if spoilt <= SPOILT {
+            Ok(())
+        } else {
+            Err(DOUBTFUL)
         }
     }
 
@@ -146,7 +239,7 @@ impl Parts {
         // difference of torques and bias, 1; and 1 for all products of these.
         let roundings = self.most.iter().map(|_| 3.0).sum::<f64>() + 6.0;
         let solved = roundings * self.roundoff * (size(row) * size(column)).sqrt();
-        self.mass[row * count + column].error + solved
+        self.mass[row * count + column].error + solved + self.vanishes
     }
 
     /// The same of all entries, times a vector.
@@ -163,7 +256,7 @@ impl Parts {
     fn unrefined(&self) -> Vec<f64> {
         let lost = self.lost_times(&self.most).into_iter();
         lost.zip(&self.bias)
-            .map(|(lost, bias)| lost + bias.error)
+            .map(|(lost, bias)| lost + bias.error + self.vanishes)
             .collect()
     }
 
@@ -175,6 +268,6 @@ impl Parts {
             let terms = entries(row).iter().zip(&self.most);
             self.roundoff * terms.map(|(entry, most)| entry.reach() * most).sum::<f64>()
         };
-        (0..count).map(torque).collect()
+        (0..count).map(|row| torque(row) + self.vanishes).collect()
     }
 }

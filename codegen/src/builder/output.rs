@@ -10,7 +10,7 @@ use crate::description::{self, Description};
 use crate::emit::{self, Item, Library, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Products, Sines};
-use crate::request::Real;
+use crate::request::{Real, Trigonometry};
 use crate::target::Processor;
 
 impl Builder {
@@ -54,6 +54,11 @@ impl Builder {
         if request.runtime.is_none() && request.scalar == Real::Generic {
             request.scalar = Real::F64;
         }
+        request.trigonometry = match (&request.runtime, self.library().sin_cos) {
+            (Some(_), _) => Trigonometry::Runtime,
+            (None, Some(_)) => Trigonometry::Other,
+            (None, None) => Trigonometry::Own,
+        };
         // `core` has no fused product: a price that counted on it would be wrong.
         if request.runtime.is_none() && request.processor != Processor::Portable {
             request.formulation.products = Products::Unfused;

@@ -175,6 +175,27 @@ fn the_centre_of_a_mass_that_is_not_there_is_doubted_unless_a_field_gives_the_ma
 }
 
 #[test]
+fn a_range_that_a_field_cannot_have_is_told() {
+    let mass = || Target::MassOf("rod-2".into());
+    let builder = arm(as_asked)
+        .parameter_within("light", mass(), -1.0..=1.0)
+        .parameter_within("none", mass(), 2.0..=1.0)
+        .parameter_within("endless", Target::Gravity, 0.0..=f64::INFINITY)
+        .parameter_within("fine", Target::Gravity, -12.0..=12.0);
+    let errors = builder.to_source().map(|_| ()).expect_err("three mistakes");
+    let text = errors.to_string();
+    for part in [
+        "the range of field `light` has negative masses",
+        "the range of field `none` is empty",
+        "the range of field `endless` is not finite",
+        "hint: write range = 0.0..=3.0",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
+    assert!(!text.contains("fine"), "{text}");
+}
+
+#[test]
 fn options_that_are_no_rust_are_all_told() {
     let builder = arm(as_asked)
         .name("fn")

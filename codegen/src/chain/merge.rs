@@ -75,6 +75,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let fields = request.parameters.iter();
     Chain {
         nominal,
+        parameters: request.parameters.clone(),
         fields: fields
             .map(|parameter| parameter.field.to_string())
             .collect(),

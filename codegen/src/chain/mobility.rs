@@ -1,142 +1,290 @@
-//! How much a joint can be accelerated by what acts on it: a bound of each diagonal entry of the
-//! inverse of the mass matrix that holds in every state.
+//! How much a robot can move for the energy that it has, whatever its posture: what shows that a
+//! mass matrix is positive definite, and how far from singular.
 //!
-//! In: a chain. Out: a number for each joint. It never looks at a posture: the rate of a joint is
-//! the difference of what two bodies do about its axis, or along it, and their share of the kinetic
-//! energy is there whatever the others do.
+//! In: a chain, where its frames are and the range of its fields. Out: bounds of the rates of joints
+//! and bodies. It never looks at a posture: the rate of a joint is the difference of what two bodies
+//! do about its axis, or along it, and their share of the kinetic energy is there whatever the
+//! others do. A mass in a field is taken at its least: more of it only adds energy.
 
 use super::frames::{Body, Layout, arrange};
+use super::range::Range;
 use super::{Chain, Motion};
-use crate::expression::{Double, Term};
-use crate::matrix::{Rotation, Vector};
+use crate::expression::{Double, Expr, Input, Term, evaluate};
+use crate::request::Target;
 
-/// The bounds \[1/(kg m²), of joints that slide 1/kg\], infinite where one of the two bodies that a
-/// joint connects has no inertia of the kind; none where something is known at run time only, or
-/// where a body is none: then kinetic energy may be negative.
+/// Bounds of the squares of rates by twice the kinetic energy; infinite where a body has no inertia of
+/// the kind.
+#[derive(Clone, Debug)]
+pub struct Mobility {
+    /// Of each joint's rate: bounds of the diagonal entries of M⁻¹ \[1/(kg m²), of joints that slide
+    /// 1/kg\].
+    pub joints: Vec<f64>,
+    /// Of each body's ω \[1/(kg m²)\] and of the velocity of its frame's origin \[1/kg\].
+    pub bodies: Vec<[f64; 2]>,
+}
+
+/// How much the joints and bodies of a chain can move.
 ///
-/// (M⁻¹)ₖₖ is the greatest q̇ₖ²/(q̇ᵗM q̇). With x and y what the two bodies do, q̇ₖ = x − y, and
-/// q̇ᵗM q̇ ≥ x²/a + y²/b, this is at most a + b.
-#[must_use]
-pub fn mobility(chain: &Chain) -> Option<Vec<f64>> {
+/// (M⁻¹)ₖₖ is the greatest q̇ₖ²/(q̇ᵗM q̇). With x and y what the two bodies of a joint do, q̇ₖ = x − y,
+/// and q̇ᵗM q̇ ≥ x²/a + y²/b, this is at most a + b.
+///
+/// # Errors
+/// Why it is not known: kinetic energy may be negative with an inertia that no body has; centres of
+/// mass and offsets are known at run time only.
+pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility, &'static str> {
+    let moves = |target: &Target| matches!(target, Target::CenterOfMassOf(_) | Target::OriginOf(_));
+    let read = chain.parameters.iter().zip(&chain.nominal);
+    let read = read.filter(|(_, nominal)| !nominal.is_empty());
+    if read.into_iter().any(|(field, _)| moves(&field.target)) {
+        return Err("centres of mass and offsets that are fields are not followed");
+    }
     let graph = chain.graph.clone();
-    let bodies = arrange(&graph, chain, Layout::DESCRIBED).bodies;
-    let solids: Vec<Solid> = bodies.iter().map(Solid::of).collect::<Option<_>>()?;
-    let joint = |(body, solid): (&Body<'_>, &Solid)| match body.parent {
-        None => Some(solid.on_the_base(body.motion)),
+    let bodies = arrange(&graph, chain, layout).bodies;
+    let numbers: Vec<Expr> = (bodies.iter())
+        .flat_map(|body| numbers(body).map(Term::expr))
+        .collect();
+    let numbers = evaluate(&graph, &numbers, |input| {
+        let least = match input {
+            Input::Parameter(..) => range.get(input).map(|[least, _]| least),
+            _ => None,
+        };
+        Double::from(least.unwrap_or(f64::NAN))
+    });
+    let mut solids: Vec<Solid> = Vec::with_capacity(bodies.len());
+    for (body, numbers) in bodies.iter().zip(numbers.chunks(NUMBERS)) {
+        let carrier = body
+            .parent
+            .map_or(Spin::Still, |parent| solids[parent].spin);
+        let solid = Solid::of(body, numbers, carrier);
+        solids.push(solid.ok_or("an inertia is none that a body has, as far as its digits tell")?);
+    }
+    let joint = |solid: &Solid| match solid.parent {
+        None => solid.on_the_base,
         Some(parent) => {
             let parent = &solids[parent];
-            let axis = [0, 1, 2].map(|row| body.placement.rotation.0[row][2]);
-            let axis = numbers(axis)?;
-            Some(match body.motion {
-                Motion::Revolute | Motion::Screw(_) => solid.turns(Z) + parent.turns(axis),
-                Motion::Prismatic => {
-                    // A line along the axis moves along itself alike in both bodies; this one goes
-                    // through the centre of mass of the outer one.
-                    let centre = Vector::constant(&graph, solid.centre);
-                    let through = numbers(body.placement.point(centre).0)?;
-                    solid.slides(Z, solid.centre) + parent.slides(axis, through)
-                }
-            })
+            let axis = [0, 1, 2].map(|row| solid.placement[3 * row + 2]);
+            if solid.slides {
+                // A line along the axis moves along itself alike in both bodies; this one goes through
+                // the centre of mass of the outer one.
+                let through = solid.seen_from_parent(solid.centre);
+                solid.slides(Z, solid.centre) + parent.slides(axis, through)
+            } else {
+                solid.turns(Z) + parent.turns(axis)
+            }
         }
     };
-    bodies.iter().zip(&solids).map(joint).collect()
+    let joints = solids.iter().map(joint).collect();
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], Z];
+    let body = |solid: &Solid| {
+        let turns = axes.iter().map(|&axis| solid.turns(axis));
+        let slides = axes.iter().map(|&axis| solid.slides(axis, [0.0; 3]));
+        [turns.sum(), slides.sum()]
+    };
+    let bodies = solids.iter().map(body).collect();
+    Ok(Mobility { joints, bodies })
 }
 
 /// The axis of a joint in the frame of its body.
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
+/// How far from parallel axes may be that are taken for parallel: a rounding in extended precision.
+const PARALLEL: f64 = 1e-28;
+
+/// How many numbers a body is described by.
+const NUMBERS: usize = 22;
+
+/// m, q, ∫rrᵗdm (xx, yy, zz, xy, xz, yz), R by rows and t of the placement.
+fn numbers<'g>(body: &Body<'g>) -> [Term<'g>; NUMBERS] {
+    let inertia = body.inertia;
+    let rotation = body.placement.rotation.0.concat();
+    std::array::from_fn(|k| match k {
+        0 => inertia.mass,
+        1..4 => inertia.q.0[k - 1],
+        4..10 => inertia.second.0[k - 4],
+        10..19 => rotation[k - 10],
+        _ => body.placement.translation.0[k - 19],
+    })
+}
+
+/// About which directions a body turns.
+#[derive(Clone, Copy)]
+enum Spin {
+    /// None.
+    Still,
+    /// This one of its frame, in every state.
+    About([f64; 3]),
+    Any,
+}
+
 /// A body as a mass with a rotational inertia about its centre, in the body's frame.
 struct Solid {
+    parent: Option<usize>,
+    slides: bool,
+    screws: bool,
+    /// R by rows and t of the placement.
+    placement: [f64; 12],
     mass: f64,
     centre: [f64; 3],
-    inertia: [[f64; 3]; 3],
+    inertia: [[Double; 3]; 3],
+    spin: Spin,
+    /// a of q̇² ≤ 2a T, if nothing else moved the body.
+    on_the_base: f64,
 }
 
 impl Solid {
-    /// None for what no body is, and for what is known at run time only.
-    fn of(body: &Body<'_>) -> Option<Self> {
-        let [mass] = numbers([body.inertia.mass])?;
-        let first = numbers(body.inertia.q.0)?;
-        let second = Rotation(body.inertia.second.rows()).0;
-        let [xx, yy, zz] = [0, 1, 2].map(|k| numbers(second[k]));
-        let second = [xx?, yy?, zz?];
-        if mass < 0.0 || mass == 0.0 && first != [0.0; 3] {
+    /// None for what no body is.
+    fn of(body: &Body<'_>, numbers: &[Double], carrier: Spin) -> Option<Self> {
+        let mass = numbers[0];
+        let first = [numbers[1], numbers[2], numbers[3]];
+        let [xx, yy, zz, xy, xz, yz] = std::array::from_fn(|k| numbers[4 + k]);
+        let second = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let some = first.iter().any(|q| q.to_f64() != 0.0);
+        let regular = mass.to_f64() > 0.0 || mass.to_f64() == 0.0 && !some;
+        if !regular {
             return None;
         }
-        let centre = first.map(|q| if mass > 0.0 { q / mass } else { 0.0 });
+        let centre = first.map(|q| {
+            if mass.to_f64() > 0.0 {
+                q / mass
+            } else {
+                Double::ZERO
+            }
+        });
         let about_centre =
             |row: usize, column: usize| second[row][column] - first[row] * centre[column];
-        let trace: f64 = (0..3).map(|k| about_centre(k, k)).sum();
-        let entry = |row, column| {
-            let whole = if row == column { trace } else { 0.0 };
-            whole - about_centre(row, column)
-        };
-        let inertia = [0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row, column)));
+        let trace = about_centre(0, 0) + about_centre(1, 1) + about_centre(2, 2);
+        let inertia = [0, 1, 2].map(|row| {
+            [0, 1, 2].map(|column| {
+                let whole = if row == column { trace } else { Double::ZERO };
+                whole - about_centre(row, column)
+            })
+        });
         inverse_form(inertia, [0.0; 3])?;
+        let placement: [f64; 12] = std::array::from_fn(|k| numbers[10 + k].to_f64());
+        let centre = centre.map(Double::to_f64);
+        let mass = mass.to_f64();
+        let slides = matches!(body.motion, Motion::Prismatic);
+        let on_the_base = if slides {
+            mass.recip()
+        } else {
+            // A screw moves it along the axis as well.
+            let [x, y, _] = centre;
+            (inertia[2][2].to_f64() + mass * (x * x + y * y)).recip()
+        };
         Some(Self {
+            parent: body.parent,
+            slides,
+            screws: matches!(body.motion, Motion::Screw(_)),
+            placement,
             mass,
             centre,
             inertia,
+            spin: carrier.carried(&placement, slides),
+            on_the_base,
         })
     }
 
     /// a of ω² ≤ 2a T, where ω is the body's rate about an axis and T its kinetic energy.
     fn turns(&self, axis: [f64; 3]) -> f64 {
-        inverse_form(self.inertia, axis).unwrap_or(f64::INFINITY)
+        match self.spin {
+            _ if axis == [0.0; 3] => 0.0,
+            Spin::Still => 0.0,
+            Spin::About(direction) => {
+                let share = dot(axis, direction).powi(2);
+                let resists = if self.parent.is_none() {
+                    self.on_the_base.recip()
+                } else {
+                    let rows = self
+                        .inertia
+                        .map(|row| dot(row.map(Double::to_f64), direction));
+                    dot(rows, direction)
+                };
+                if share == 0.0 { 0.0 } else { share / resists }
+            }
+            Spin::Any => inverse_form(self.inertia, axis).unwrap_or(f64::INFINITY),
+        }
     }
 
     /// a of v² ≤ 2a T, where v is the velocity, along an axis, of what is at a point.
     fn slides(&self, axis: [f64; 3], point: [f64; 3]) -> f64 {
+        if self.parent.is_none() && !self.slides {
+            let across = axis[1] * point[0] - axis[0] * point[1];
+            let about = if across == 0.0 {
+                0.0
+            } else {
+                across * across * self.on_the_base
+            };
+            // What a screw does along its axis is not followed.
+            let along = if self.screws && axis[2] != 0.0 {
+                self.mass.recip()
+            } else {
+                0.0
+            };
+            return about + along;
+        }
         let [x, y, z] = [0, 1, 2].map(|k| point[k] - self.centre[k]);
         let [u, v, w] = axis;
         self.mass.recip() + self.turns([y * w - z * v, z * u - x * w, x * v - y * u])
     }
 
-    /// a of q̇² ≤ 2a T, where nothing else moves the body.
-    fn on_the_base(&self, motion: Motion) -> f64 {
-        let [x, y, _] = self.centre;
-        match motion {
-            Motion::Prismatic => self.mass.recip(),
-            // A screw moves it along the axis as well.
-            Motion::Revolute | Motion::Screw(_) => {
-                (self.inertia[2][2] + self.mass * (x * x + y * y)).recip()
+    /// A point of this body in the parent's frame, at q = 0.
+    fn seen_from_parent(&self, point: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|row| {
+            let r = [0, 1, 2].map(|column| self.placement[3 * row + column]);
+            dot(r, point) + self.placement[9 + row]
+        })
+    }
+}
+
+impl Spin {
+    /// That of a body, where this is that of the one that carries it.
+    fn carried(self, placement: &[f64; 12], slides: bool) -> Self {
+        let seen = |direction: [f64; 3]| {
+            let column = |k: usize| [0, 1, 2].map(|row| placement[3 * row + k]);
+            [0, 1, 2].map(|k| dot(column(k), direction))
+        };
+        match self {
+            Self::Still if slides => Self::Still,
+            Self::Still => Self::About(Z),
+            Self::About(direction) if slides => Self::About(seen(direction)),
+            Self::About(direction) => {
+                let [x, y, _] = seen(direction);
+                let along = x.abs().max(y.abs()) <= PARALLEL;
+                if along { Self::About(Z) } else { Self::Any }
             }
+            Self::Any => Self::Any,
         }
     }
 }
 
 /// xᵗA⁻¹x of a matrix without a negative direction: infinite where A resists nothing along x, none
-/// where A has a negative direction.
-fn inverse_form(mut a: [[f64; 3]; 3], mut x: [f64; 3]) -> Option<f64> {
-    /// What a pivot is taken for zero below, in relation to the trace: files have rounded digits.
-    const NOTHING: f64 = 1e-9;
-    let nothing = NOTHING * (0..3).map(|k| a[k][k].abs()).sum::<f64>();
+/// where A may have a negative direction. What is zero as far as 106 bits tell is taken for zero: it
+/// is far below what an operation of generated code loses.
+fn inverse_form(mut a: [[Double; 3]; 3], x: [f64; 3]) -> Option<f64> {
+    let mut x = x.map(Double::from);
     let mut form = 0.0;
     for k in 0..3 {
         let (above, known) = (a[k], x[k]);
         let pivot = above[k];
-        if pivot > nothing {
-            form += known * known / pivot;
+        if pivot.is_sharp() && pivot.to_f64() > 0.0 {
+            let share = known * known / pivot;
+            form += share.to_f64() + share.radius();
             for (below, x) in a.iter_mut().zip(&mut x).skip(k + 1) {
                 let l = below[k] / pivot;
-                *x -= l * known;
+                *x = *x - l * known;
                 for (entry, above) in below.iter_mut().zip(above) {
-                    *entry -= l * above;
+                    *entry = *entry - l * above;
                 }
             }
-        } else if pivot < -nothing || above[k + 1..].iter().any(|entry| entry.abs() > nothing) {
+        } else if !pivot.is_zero() || above[k + 1..].iter().any(|entry| !entry.is_zero()) {
             return None;
-        } else if known != 0.0 {
+        } else if !known.is_zero() {
             form = f64::INFINITY;
         }
     }
     Some(form)
 }
 
-fn numbers<const N: usize>(terms: [Term<'_>; N]) -> Option<[f64; N]> {
-    let mut numbers = [0.0; N];
-    for (number, term) in numbers.iter_mut().zip(terms) {
-        *number = term.value().map(Double::to_f64)?;
-    }
-    Some(numbers)
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|k| a[k] * b[k]).sum()
 }

@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 use super::{Chain, Joint, Motion};
 use crate::expression::Input;
 use crate::function::Argument;
+use crate::request::Parameter;
 
 /// The least and the greatest that each argument of a function can be.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,9 +36,13 @@ const SECOND_RATE: [f64; 2] = [10.0, 10.0];
 /// 1 m/s².
 const FIELD: f64 = 1.0;
 
+/// How many times as large as described they are otherwise.
+const TIMES: f64 = 2.0;
+
 impl Range {
-    /// The states of a chain. An entry of a field is at most twice as large as what is described in
-    /// its place, if anything is.
+    /// The states of a chain. A field has the range that is declared for it, or else one that holds
+    /// zero and twice the largest entry that is described in its place: its entries may be anything
+    /// that has this size.
     #[must_use]
     pub fn of(chain: &Chain) -> Self {
         let both = |size: f64| [-size, size];
@@ -52,12 +57,8 @@ impl Range {
             qdd: joints()
                 .map(|joint| both(SECOND_RATE[slides(joint)]))
                 .collect(),
-            fields: (chain.nominal.iter())
-                .map(|field| {
-                    let described = field.iter().any(|&entry| entry != 0.0);
-                    let most = |entry: f64| if described { 2.0 * entry.abs() } else { FIELD };
-                    field.iter().map(|&entry| both(most(entry))).collect()
-                })
+            fields: (chain.parameters.iter().zip(&chain.nominal))
+                .map(|(field, nominal)| vec![within(field, nominal); nominal.len()])
                 .collect(),
         }
     }
@@ -79,10 +80,11 @@ impl Range {
     }
 }
 
-/// The range of some arguments in words: `q and q̇ within their limits, |q̈| ≤ 10 rad/s²`.
+/// The range of some arguments, and of the fields that are read, in words:
+/// ``q and q̇ within their limits, |q̈| ≤ 10 rad/s², `payload` from 0 to 3 kg``.
 #[must_use]
-pub fn words(chain: &Chain, arguments: &[Argument]) -> String {
-    let mut within = Vec::new();
+pub fn words(chain: &Chain, arguments: &[Argument], reads: impl Fn(usize) -> bool) -> String {
+    let mut within_limits = Vec::new();
     let mut sizes = Vec::new();
     for argument in arguments {
         let (letter, defaults, units, limited): (_, _, _, fn(&Joint) -> bool) = match argument {
@@ -94,7 +96,7 @@ pub fn words(chain: &Chain, arguments: &[Argument]) -> String {
         let (has, lacks): (Vec<&Joint>, Vec<&Joint>) =
             chain.joints.iter().partition(|joint| limited(joint));
         if !has.is_empty() {
-            within.push(letter);
+            within_limits.push(letter);
         }
         let kinds = [0, 1].into_iter();
         let kinds = kinds.filter(|&kind| lacks.iter().any(|joint| slides(joint) == kind));
@@ -106,25 +108,40 @@ pub fn words(chain: &Chain, arguments: &[Argument]) -> String {
             sizes.push(format!("{or}|{letter}| ≤ {}", kinds.join(", ")));
         }
     }
-    let within = match &*within {
+    let within_limits = match &*within_limits {
         [] => None,
         [one] => Some(format!("{one} within its limits")),
         several => Some(format!("{} within their limits", several.join(" and "))),
     };
-    let described = |field: &Vec<f64>| field.iter().any(|&entry| entry != 0.0);
-    let (some, all) = (
-        chain.nominal.iter().any(described),
-        chain.nominal.iter().all(described),
-    );
-    let fields = match (some, all) {
-        (false, true) => None,
-        (true, true) => Some("fields at most twice as described"),
-        (true, false) => Some("fields at most twice as described, else 1 kg, 1 m"),
-        (false, false) => Some("fields at most 1 kg, 1 m"),
-    };
-    let fields = fields.map(str::to_owned);
-    let words: Vec<String> = within.into_iter().chain(sizes).chain(fields).collect();
+    let fields = chain.parameters.iter().zip(&chain.nominal).enumerate();
+    let fields = fields.filter(|(field, _)| reads(*field));
+    let fields = fields.map(|(_, (field, nominal))| {
+        let [least, most] = within(field, nominal);
+        let (name, unit) = (&field.field, field.target.unit());
+        if least == -most {
+            format!("entries of `{name}` ≤ {most} {unit}")
+        } else {
+            format!("`{name}` from {least} to {most} {unit}")
+        }
+    });
+    let words = within_limits.into_iter().chain(sizes);
+    let words: Vec<String> = words.chain(fields).collect();
     words.join(", ")
+}
+
+/// The least and the greatest of each entry of a field.
+fn within(field: &Parameter, nominal: &[f64]) -> [f64; 2] {
+    field.range.unwrap_or_else(|| {
+        let described = nominal
+            .iter()
+            .fold(0.0, |most: f64, entry| most.max(entry.abs()));
+        let most = if described > 0.0 {
+            TIMES * described
+        } else {
+            FIELD
+        };
+        field.target.range_up_to(most)
+    })
 }
 
 fn number(size: f64) -> String {
@@ -140,10 +157,14 @@ const fn slides(joint: &Joint) -> usize {
     matches!(joint.motion, Motion::Prismatic) as usize
 }
 
+/// The limits of a coordinate: one point where they are equal, but for two zeros, which in a URDF
+/// stand for limits that were not written.
 fn reach(joint: &Joint) -> Option<[f64; 2]> {
     let limits = joint.limits?;
-    let wide = limits.upper > limits.lower && (limits.upper - limits.lower).is_finite();
-    wide.then_some([limits.lower, limits.upper])
+    let [lower, upper] = [limits.lower, limits.upper];
+    let finite = lower.is_finite() && upper.is_finite() && (upper - lower).is_finite();
+    let written = lower != 0.0 || upper != 0.0;
+    (finite && written && lower <= upper).then_some([lower, upper])
 }
 
 fn rate(joint: &Joint) -> Option<f64> {
@@ -193,9 +214,9 @@ mod tests {
         assert_eq!(range.get(Input::Qd(1)), Some([-3.0, 3.0]));
         assert_eq!(range.get(Input::Qdd(0)), Some([-10.0, 10.0]));
         assert_eq!(range.get(Input::Tau(0)), None);
-        assert_eq!(words(&chain, &ALL[..1]), "q within its limits");
+        assert_eq!(words(&chain, &ALL[..1], |_| true), "q within its limits");
         assert_eq!(
-            words(&chain, &ALL),
+            words(&chain, &ALL, |_| true),
             "q and q̇ within their limits, |q̈| ≤ 10 rad/s², 10 m/s²"
         );
     }
@@ -210,7 +231,7 @@ mod tests {
         let range = Range::of(&chain);
         assert_eq!(range.get(Input::Q(1)), Some([-1.0, 1.0]));
         assert_eq!(
-            words(&chain, &ALL),
+            words(&chain, &ALL, |_| true),
             "q within its limits, else |q| ≤ 1 m, |q̇| ≤ 10 rad/s, 1 m/s, |q̈| ≤ 10 rad/s², 10 m/s²"
         );
     }

@@ -278,7 +278,11 @@ fn fields_stand_for_what_is_modelled() {
         Target::OriginOf(named("wrist")),
     ] {
         let field = quote::format_ident!("field_{}", request.parameters.len());
-        request.parameters.push(Parameter { field, target });
+        request.parameters.push(Parameter {
+            field,
+            target,
+            range: None,
+        });
     }
     let errors = build(&description, &request).expect_err("mistakes");
     assert_eq!(

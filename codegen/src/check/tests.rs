@@ -31,6 +31,7 @@ fn robots() -> Vec<(Description, Request)> {
     let field = |name: &str, target| Parameter {
         field: quote::format_ident!("{name}"),
         target,
+        range: None,
     };
     loaded.1.parameters = vec![
         field("gravity", Target::Gravity),

@@ -106,29 +106,37 @@ fn in_json(listing: &Listing, doubts: &[Complaint]) -> Value {
     })
 }
 
-/// The worst of each unit by the type of number, of the results or of what they are exact for, and
-/// where that holds; or why there is no bound.
+/// The worst of each unit by the type of number, of the results or of what they are exact for; the
+/// same for each joint; and where that holds; or why there is no bound.
 fn error(accuracy: &Accuracy) -> Value {
-    let (of, bounds, range) = match accuracy {
+    let (of, promise) = match accuracy {
         Accuracy::Unknown(reason) => return json!({ "unknown": reason }),
-        Accuracy::Within { bounds, range } => ("results", bounds, range),
-        Accuracy::Backward {
-            given,
-            bounds,
-            range,
-        } => match given {
-            Given::Torques => ("tau", bounds, range),
-            Given::MassMatrix => ("M", bounds, range),
-        },
+        Accuracy::Within(promise) => ("results", promise),
+        Accuracy::Backward(Given::Torques, promise) => ("tau", promise),
+        Accuracy::Backward(Given::MassMatrix, promise) => ("M", promise),
     };
-    let by_unit = |of: fn(&Bound) -> Option<f64>| -> Map<String, Value> {
-        let sizes = bounds.iter();
-        sizes
-            .map(|bound| (bound.unit.to_owned(), json!(of(bound))))
-            .collect()
+    let by_unit = |of: fn(&Bound) -> Option<f64>| {
+        let mut worst: Map<String, Value> = Map::new();
+        for bound in &promise.bounds {
+            let found = of(bound);
+            let before = worst.get(bound.unit).and_then(Value::as_f64);
+            let most = found.map(|found| before.map_or(found, |before| before.max(found)));
+            worst.insert(bound.unit.to_owned(), json!(most));
+        }
+        worst
     };
-    let (double, single) = (by_unit(|bound| bound.double), by_unit(|bound| bound.single));
-    json!({ "of": of, "f64": double, "f32": single, "range": range })
+    let of_joint = |bound: &Bound| {
+        let (joint, unit) = (&bound.joint, bound.unit);
+        json!({ "joint": joint, "unit": unit, "f64": bound.double, "f32": bound.single })
+    };
+    json!({
+        "of": of,
+        "f64": by_unit(|bound| bound.double),
+        "f32": by_unit(|bound| bound.single),
+        "joints": promise.bounds.iter().map(of_joint).collect::<Vec<_>>(),
+        "range": promise.range,
+        "lacks": promise.lacks,
+    })
 }
 
 fn table(functions: &[Listed]) -> String {

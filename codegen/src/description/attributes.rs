@@ -9,7 +9,7 @@ use std::path::Path;
 use proc_macro2::{Span, TokenStream};
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
-use syn::{Attribute, Data, DeriveInput, Field, Fields, Ident, Meta};
+use syn::{Attribute, Data, DeriveInput, Field, Fields, Ident, Meta, Token};
 
 use super::inline::{self, Contents};
 use super::item::Item;
@@ -18,8 +18,8 @@ use crate::error::Errors;
 use crate::request::{Parameter, Target};
 use crate::wording::{known, quoted};
 
-/// What a field can stand for.
-const TARGETS: [&str; 4] = ["mass_of", "com_of", "gravity", "origin_of"];
+/// What can be said of a field: the number that it stands for, and its range.
+const KEYS: [&str; 5] = ["mass_of", "com_of", "gravity", "origin_of", "range"];
 
 /// Reads a struct; relative paths of files begin at `folder`.
 ///
@@ -115,6 +115,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
     for field in fields {
         let Some(ident) = &field.ident else { continue };
         let mut found: Option<Target> = None;
+        let mut range: Option<Range> = None;
         for attribute in field.attrs.iter().filter(|attribute| is_robot(attribute)) {
             let example = "#[robot(mass_of = \"link\")]";
             let mut read = Vec::new();
@@ -122,13 +123,24 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                 attribute,
                 example,
                 errors,
-                |input, errors| match tokens::list(input, target) {
-                    Ok(targets) => read = targets,
+                |input, errors| match tokens::list(input, said) {
+                    Ok(said) => read = said,
                     Err(complaint) => tokens::push(errors, complaint),
                 },
             );
-            for target in read {
+            for said in read {
                 let span = attribute.meta.span();
+                let target = match said {
+                    Said::Range(second) => {
+                        if range.is_some() {
+                            let message = format!("field `{ident}` has two ranges");
+                            tokens::push(errors, complaint(second.span, message));
+                        }
+                        range = Some(second);
+                        continue;
+                    }
+                    Said::Target(target) => target,
+                };
                 if found.is_some() {
                     let message = format!("field `{ident}` stands for two numbers");
                     tokens::push(errors, complaint(span, message));
@@ -137,32 +149,89 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                 }
             }
         }
+        let range = range.and_then(|range| range.of(found.as_ref(), ident, errors));
         parameters.extend(found.map(|target| Parameter {
             field: ident.clone(),
             target,
+            range,
         }));
     }
     parameters
 }
 
-fn target(input: ParseStream) -> Parsed<Target> {
+/// What stands in the attribute of a field.
+enum Said {
+    Target(Target),
+    Range(Range),
+}
+
+/// `range = 3.0` or `range = 0.5..=3.0`, as it was written.
+struct Range {
+    span: Span,
+    least: Option<f64>,
+    most: f64,
+}
+
+impl Range {
+    fn read(input: ParseStream, key: &Ident) -> Parsed<Self> {
+        tokens::separator(input, key)?;
+        let span = input.span();
+        let first = tokens::number(input, "the range")?.value;
+        if !input.peek(Token![..=]) {
+            return Ok(Self {
+                span,
+                least: None,
+                most: first,
+            });
+        }
+        input.parse::<Token![..=]>()?;
+        Ok(Self {
+            span,
+            least: Some(first),
+            most: tokens::number(input, "the range")?.value,
+        })
+    }
+
+    /// The ends, where the field stands for a number that can have them.
+    fn of(&self, target: Option<&Target>, field: &Ident, errors: &mut Errors) -> Option<[f64; 2]> {
+        let Some(target) = target else {
+            let message = format!("field `{field}` has a range and stands for no number");
+            let hint = "write what it stands for beside it: #[robot(gravity, range = 12.0)]";
+            tokens::push(errors, complaint_with_hint(self.span, message, hint));
+            return None;
+        };
+        let ends = match self.least {
+            Some(least) => [least, self.most],
+            None => target.range_up_to(self.most),
+        };
+        if let Some([problem, hint]) = target.refusal(ends) {
+            let message = format!("the range of field `{field}` {problem}");
+            tokens::push(errors, complaint_with_hint(self.span, message, hint));
+            return None;
+        }
+        Some(ends)
+    }
+}
+
+fn said(input: ParseStream) -> Parsed<Said> {
     let key = tokens::word(input)?;
     let text = key.to_string();
     let of: fn(super::Name) -> Target = match text.as_str() {
         "mass_of" => Target::MassOf,
         "com_of" => Target::CenterOfMassOf,
         "origin_of" => Target::OriginOf,
-        "gravity" => return Ok(Target::Gravity),
+        "gravity" => return Ok(Said::Target(Target::Gravity)),
+        "range" => return Range::read(input, &key).map(Said::Range),
         other => {
             return Err(complaint_with_hint(
                 key.span(),
                 format!("a field cannot stand for {}", quoted(other)),
-                known(other, "keys", &TARGETS),
+                known(other, "keys", &KEYS),
             ));
         }
     };
     tokens::separator(input, &key)?;
-    Ok(of(tokens::name(input)?))
+    Ok(Said::Target(of(tokens::name(input)?)))
 }
 
 #[cfg(test)]

@@ -4,6 +4,8 @@
 //! computed, in which frame and unit, from which source, what is modelled, what it costs and how
 //! exact it is; and the same for the head of a file. It never says anything that the listing does not hold.
 
+mod error;
+
 use std::fmt::Write;
 
 use proc_macro2::TokenStream;
@@ -37,7 +39,7 @@ pub(super) fn lines(listing: &Listing, listed: &Listed, dialect: &Dialect) -> Ve
         }
     }
     lines.push(String::new());
-    lines.extend(arguments(&listed.functions));
+    lines.push(arguments(&listed.functions));
     if let World::Core(library) = &dialect.world {
         lines.extend(
             listed
@@ -51,8 +53,13 @@ pub(super) fn lines(listing: &Listing, listed: &Listed, dialect: &Dialect) -> Ve
     lines.extend(facts(about));
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
-    let accuracy = listed.accuracy.iter();
-    lines.extend(accuracy.map(|accuracy| format!("Error: {accuracy}.")));
+    for accuracy in &listed.accuracy {
+        let said = error::lines(accuracy);
+        // A list is a paragraph of its own.
+        let list = said.len() > 1;
+        lines.extend(list.then(String::new));
+        lines.extend(said);
+    }
     lines
 }
 
@@ -107,8 +114,8 @@ pub fn header(listing: &Listing, options: &str, library: Option<&Library>) -> St
     lines.push(needs(listing, library));
     for (listed, name) in listing.functions.iter().zip(method::names(listing)) {
         lines.push(format!("{name}: {}.", listed.price));
-        let accuracy = listed.accuracy.iter();
-        lines.extend(accuracy.map(|accuracy| format!("    error: {accuracy}.")));
+        let said = listed.accuracy.iter().flat_map(error::lines);
+        lines.extend(said.map(|line| format!("    {}", line.replacen("Error", "error", 1))));
     }
     lines.iter().fold(String::new(), |mut text, line| {
         // Writing to a string cannot fail.
@@ -233,18 +240,16 @@ fn range(library: &Library, listed: &Listed, real: Real) -> String {
     }
 }
 
-fn arguments(functions: &[Function]) -> Option<String> {
-    let all = functions.iter().flat_map(|function| function.arguments());
-    let last = all.max()?;
-    Some(
-        match last {
-            Argument::Q => "q in rad or m.",
-            Argument::Qd => "q in rad or m, q̇ in rad/s or m/s.",
-            Argument::Qdd => "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s².",
-            Argument::Tau => "q in rad or m, q̇ in rad/s or m/s, τ in N m or N.",
-        }
-        .to_owned(),
-    )
+/// The arguments of all functions, with their units.
+fn arguments(functions: &[Function]) -> String {
+    let units = |argument| match argument {
+        Argument::Q => "q in rad or m",
+        Argument::Qd => "q̇ in rad/s or m/s",
+        Argument::Qdd => "q̈ in rad/s² or m/s²",
+        Argument::Tau => "τ in N m or N",
+    };
+    let all = method::arguments(functions).into_iter().map(units);
+    format!("{}.", all.collect::<Vec<_>>().join(", "))
 }
 
 /// Robot, file and joints.
@@ -307,4 +312,20 @@ fn comment(lines: &[String]) -> TokenStream {
         line => format!(" {line}"),
     });
     quote! { #(#[doc = #lines])* }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::arguments;
+    use crate::function::Function;
+
+    #[test]
+    fn a_shared_function_tells_the_units_of_all_its_arguments() {
+        let functions = [Function::ForwardDynamics, Function::InverseDynamics];
+        assert_eq!(
+            arguments(&functions),
+            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N."
+        );
+        assert_eq!(arguments(&[Function::Gravity]), "q in rad or m.");
+    }
 }

@@ -8,7 +8,7 @@ use super::{
     About, ChainData, Item, Library, Listed, Listing, Source, Wanted, c_header, emit, header,
     standalone, stub,
 };
-use crate::accuracy::{Accuracy, Bound};
+use crate::accuracy::{Accuracy, Bound, Promise};
 use crate::description::Name;
 use crate::expression::Input;
 use crate::formulation::Sines;
@@ -61,14 +61,16 @@ fn listed(functions: &[Function], program: Program) -> Listed {
         frame: None,
         program,
         price,
-        accuracy: vec![Accuracy::Within {
+        accuracy: vec![Accuracy::Within(Promise {
             bounds: vec![Bound {
+                joint: None,
                 unit: "N m",
                 double: Some(3.4e-15),
                 single: Some(1.8e-6),
             }],
             range: "q within its limits".to_owned(),
-        }],
+            lacks: None,
+        })],
     }
 }
 
@@ -140,6 +142,7 @@ fn with_payload(mut listing: Listing) -> Listing {
     listing.parameters = vec![Parameter {
         field: format_ident!("payload"),
         target: Target::MassOf(name("rod-2")),
+        range: None,
     }];
     listing
 }

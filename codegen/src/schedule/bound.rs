@@ -1,19 +1,27 @@
 //! How far rounding can take the results of a program from those of exact arithmetic.
 //!
-//! In: a [`Program`], the range of its inputs and the type of number. Out: a bound for each result,
-//! by a running error analysis: every step carries the range of its exact value and the greatest
-//! error of the computed one. It holds whether products are fused with sums or not, for sines and
-//! cosines within one unit in the last place, and where nothing underflows. It never runs the
-//! program.
+//! In: a [`Program`] and the [`Conditions`] it runs under. Out: a bound for each result, by a running
+//! error analysis: every step carries the range of its exact value and the greatest error of the
+//! computed one. It holds whether products are fused with sums or not, for sines and cosines within
+//! one unit in the last place, and whether subnormal numbers are rounded or taken for zero; what may
+//! overflow has none. It never runs the program.
 
+mod combination;
 mod length;
+mod norm;
+mod term;
 #[cfg(test)]
 mod tests;
+mod turn;
 mod value;
 
-use self::length::{Form, Length, Lengths, Turn};
+use self::combination::{Follows, Kind, Names, is_sum};
+use self::length::{Form, Length, Lengths};
+pub(crate) use self::norm::root;
+use self::term::Term;
+use self::turn::{Place, Turn, Turns};
 pub use self::value::Value;
-use super::{Operand, Operation, Program};
+use super::{Operand, Operation, Program, Step};
 use crate::expression::Input;
 use crate::request::Real;
 
@@ -21,87 +29,209 @@ use crate::request::Real;
 /// some million operations of `f64` on positive numbers can lose.
 const SLACK: f64 = 1.0 + 1e-9;
 
-/// The range of each result, and its greatest error; infinite where none can be given.
+/// What a program runs under.
+pub struct Conditions<'c> {
+    /// The type of number; `f64` where any is meant.
+    pub scalar: Real,
+    /// The greatest magnitude \[rad\] of an angle whose sine and cosine are within one unit in the
+    /// last place.
+    pub angles: f64,
+    /// What each input can be.
+    pub range: &'c dyn Fn(Input) -> Value,
+}
+
+/// Why a result has no bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Its sines are not promised for every angle that may come.
+    Angle,
+    /// A number may become larger than the type has one.
+    Overflow,
+    /// What is divided by, or the root taken of, may be zero.
+    Divisor,
+}
+
+impl Reason {
+    /// In words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Angle => "angles leave the range of its sines",
+            Self::Overflow => "it overflows within its range",
+            Self::Divisor => "a divisor may be zero, as far as ranges tell",
+        }
+    }
+}
+
+/// A result: its range and its greatest error, infinite where none can be given, for a reason unless
+/// an input is not known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// Range and error.
+    pub value: Value,
+    /// Why there is no bound.
+    pub reason: Option<Reason>,
+}
+
+/// The range of each result, and its greatest error.
 #[must_use]
-pub fn results(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -> Vec<Value> {
+pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
     let mut known = Known {
         program,
-        scalar,
-        roundoff: scalar.roundoff(),
-        range,
-        turns: Vec::with_capacity(program.angles.len()),
+        conditions,
+        turns: Turns::default(),
         steps: Vec::with_capacity(program.steps.len()),
+        names: Names::default(),
     };
     let mut lengths = Lengths::default();
     for (k, step) in program.steps.iter().enumerate() {
         if k == program.before_angles {
             known.turn();
         }
-        let found = known.step(step.operation, &mut lengths);
-        known.steps.push(found);
+        known.take(step, &mut lengths);
     }
     if program.before_angles == program.steps.len() {
         known.turn();
     }
-    let results = program.results.iter().map(|&result| known.value(result));
-    results
-        .map(|value| Value {
-            error: value.error * SLACK,
-            ..value
+    let results = program.results.iter();
+    let found = results.map(|&result| Found {
+        // An argument that is a result is read by no operation.
+        value: match result {
+            Operand::Input(input) => (conditions.range)(input),
+            other => known.value(other),
+        },
+        reason: known.reason(result),
+    });
+    found
+        .map(|found| Found {
+            value: Value {
+                error: found.value.error * SLACK,
+                ..found.value
+            },
+            ..found
         })
         .collect()
-}
-
-/// The greatest error of each result; infinite where none can be given.
-#[must_use]
-pub fn errors(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -> Vec<f64> {
-    let results = results(program, scalar, range);
-    results.into_iter().map(|value| value.error).collect()
 }
 
 /// The values of a program so far.
 struct Known<'p> {
     program: &'p Program,
-    scalar: Real,
-    roundoff: f64,
-    range: &'p dyn Fn(Input) -> Value,
-    /// Sine and cosine of each angle.
-    turns: Vec<[Value; 2]>,
-    /// What each step computes, and how that came about.
-    steps: Vec<(Value, Form)>,
+    conditions: &'p Conditions<'p>,
+    /// Sines and cosines.
+    turns: Turns,
+    steps: Vec<Computed>,
+    names: Names<'p>,
 }
 
-/// A term of a sum.
+/// What a step computes, and how that came about.
 #[derive(Clone, Copy)]
-struct Term {
-    /// Whether a minus stands before it.
-    minus: bool,
-    /// The term, where it has a place of its own.
-    whole: Option<Operand>,
-    /// What it is the product of, if it is one.
-    factors: Option<[Operand; 2]>,
+struct Computed {
+    value: Value,
+    form: Form,
+    reason: Option<Reason>,
+    /// The turn that it is the sine or the cosine of, if it is one.
+    place: Option<Place>,
+    follows: Follows,
+    kind: Kind,
 }
 
-impl Known<'_> {
+impl<'p> Known<'p> {
+    const fn scalar(&self) -> Real {
+        self.conditions.scalar
+    }
+
+    /// What an operation reads.
     fn value(&self, operand: Operand) -> Value {
         match operand {
-            Operand::Literal(number) => literal(number, self.scalar),
-            Operand::Input(input) => (self.range)(input),
-            Operand::Sin(k) => self.turns[k as usize][0],
-            Operand::Cos(k) => self.turns[k as usize][1],
-            Operand::Step(k) => self.steps[k as usize].0,
+            Operand::Literal(_) | Operand::Input(_) => {
+                let value = self.given(operand);
+                if value.fits(self.scalar()) {
+                    value
+                } else {
+                    Value::UNKNOWN
+                }
+            }
+            Operand::Sin(k) => self.turns.sine(k),
+            Operand::Cos(k) => self.turns.cosine(k),
+            Operand::Step(k) => self.steps[k as usize].value,
+        }
+    }
+
+    /// A number or an argument.
+    fn given(&self, operand: Operand) -> Value {
+        match operand {
+            Operand::Literal(number) => literal(number, self.scalar()),
+            Operand::Input(input) => (self.conditions.range)(input).read(self.scalar()),
+            _ => Value::UNKNOWN,
+        }
+    }
+
+    fn reason(&self, operand: Operand) -> Option<Reason> {
+        match operand {
+            Operand::Literal(_) | Operand::Input(_) => {
+                let value = self.given(operand);
+                let known = value != Value::UNKNOWN;
+                (known && !value.fits(self.scalar())).then_some(Reason::Overflow)
+            }
+            Operand::Sin(k) | Operand::Cos(k) => self.turns.reason(k),
+            Operand::Step(k) => self.steps[k as usize].reason,
         }
     }
 
     /// Takes in the sines and cosines.
     fn turn(&mut self) {
-        let angles = self.program.angles.iter();
-        let angles: Vec<Value> = angles.map(|&angle| self.value(angle)).collect();
-        let both = |angle: Value| [angle.sine(self.roundoff), angle.cosine(self.roundoff)];
-        self.turns = angles.into_iter().map(both).collect();
+        for &angle in &self.program.angles {
+            let value = self.value(angle);
+            let reach = value.size() + value.error * SLACK;
+            let reason = if reach <= self.conditions.angles {
+                None
+            } else {
+                self.reason(angle).or(Some(Reason::Angle))
+            };
+            self.turns.push(value, reason, self.scalar());
+        }
     }
 
-    fn step(&self, operation: Operation, lengths: &mut Lengths) -> (Value, Form) {
+    /// Takes in a step.
+    fn take(&mut self, taken: &'p Step, lengths: &mut Lengths) {
+        let operation = taken.operation;
+        let step = u32::try_from(self.steps.len()).expect("fewer than 2³² steps");
+        let (value, form) = self.step(operation, lengths);
+        let place = match form {
+            Form::Turned(turn) => self.turns.place(step, &turn),
+            _ => None,
+        };
+        let value = value.unwrap_or(Value::UNKNOWN);
+        let fits = value.fits(self.scalar());
+        self.steps.push(Computed {
+            value: if fits { value } else { Value::UNKNOWN },
+            form,
+            reason: (!fits).then(|| self.why(operation)).flatten(),
+            place,
+            follows: Follows::of(taken, &form),
+            kind: (self.names).kind(Operand::Step(step), taken.label.as_deref(), &form, place),
+        });
+        if fits && is_sum(operation) {
+            let length = lengths.of(self, &[Operand::Step(step)]);
+            self.steps[step as usize].value = value.within(length.size, length.error);
+        }
+    }
+
+    /// Why an operation has no bound; none where an operand is not known.
+    fn why(&self, operation: Operation) -> Option<Reason> {
+        let operands = operation.operands();
+        if let Some(reason) = operands.iter().find_map(|&operand| self.reason(operand)) {
+            return Some(reason);
+        }
+        let known = |operand: &Operand| self.value(*operand) != Value::UNKNOWN;
+        operands.iter().all(known).then_some(match operation {
+            Operation::Div(..) | Operation::Sqrt(_) => Reason::Divisor,
+            _ => Reason::Overflow,
+        })
+    }
+
+    /// Range and error of what is computed; none where something on the way may overflow.
+    fn step(&self, operation: Operation, lengths: &mut Lengths) -> (Option<Value>, Form) {
         if let Some(terms) = self.terms(operation) {
             return self.sum(terms, lengths);
         }
@@ -110,10 +240,10 @@ impl Known<'_> {
             Operation::Div(a, b) => self.value(a).times(self.value(b).reciprocal()),
             Operation::Sqrt(a) => self.value(a).root(),
             // Only a result or an angle needs one: it is never part of a vector.
-            Operation::Neg(a) => return (self.value(a).opposite(), Form::Plain),
+            Operation::Neg(a) => return (Some(self.value(a).opposite()), Form::Plain),
             _ => unreachable!("a sum has terms"),
         };
-        (exact.rounded(self.roundoff), Form::Plain)
+        (Some(exact.rounded(self.scalar())), Form::Plain)
     }
 
     fn product(&self, [a, b]: [Operand; 2]) -> Value {
@@ -124,49 +254,19 @@ impl Known<'_> {
         }
     }
 
-    /// The terms of an operation that is a sum.
-    fn terms(&self, operation: Operation) -> Option<[Term; 2]> {
-        let single = |whole: Operand, minus| {
-            let factors = match whole {
-                Operand::Step(k) => match self.program.steps[k as usize].operation {
-                    Operation::Mul(a, b) => Some([a, b]),
-                    _ => None,
-                },
-                _ => None,
-            };
-            Term {
-                minus,
-                whole: Some(whole),
-                factors,
-            }
-        };
-        let product = |a, b, minus| Term {
-            minus,
-            whole: None,
-            factors: Some([a, b]),
-        };
-        Some(match operation {
-            Operation::Add(a, b) => [single(a, false), single(b, false)],
-            Operation::Sub(a, b) => [single(a, false), single(b, true)],
-            Operation::MulAdd(a, b, c) => [product(a, b, false), single(c, false)],
-            Operation::MulSub(a, b, c) => [product(a, b, false), single(c, true)],
-            Operation::NegMulAdd(a, b, c) => [product(a, b, true), single(c, false)],
-            Operation::Mul(..) | Operation::Div(..) | Operation::Sqrt(_) | Operation::Neg(_) => {
-                return None;
-            }
-        })
-    }
-
-    fn sum(&self, terms: [Term; 2], lengths: &mut Lengths) -> (Value, Form) {
+    fn sum(&self, terms: [Term; 2], lengths: &mut Lengths) -> (Option<Value>, Form) {
         // A product is rounded before it is added, or else the error is smaller.
         let [a, b] = terms.map(|term| match (term.whole, term.factors) {
             (Some(whole), _) => self.value(whole),
-            (None, Some(factors)) => self.product(factors).rounded(self.roundoff),
+            (None, Some(factors)) => self.product(factors).rounded(self.scalar()),
             (None, None) => Value::UNKNOWN,
         });
+        if !(a.fits(self.scalar()) && b.fits(self.scalar())) {
+            return (None, Form::Plain);
+        }
         let signed = |value: Value, minus| if minus { value.opposite() } else { value };
         let sum = signed(a, terms[0].minus).plus(signed(b, terms[1].minus));
-        let sum = sum.rounded(self.roundoff);
+        let sum = sum.rounded(self.scalar());
         let wholes = (terms[0].whole, terms[1].whole);
         let form = match wholes {
             (Some(a), Some(b)) => Form::Sum(a, b),
@@ -174,7 +274,7 @@ impl Known<'_> {
             (_, None) => Form::Plain,
         };
         let [Some([x, y]), Some([z, w])] = terms.map(|term| term.factors) else {
-            return (sum, form);
+            return (Some(sum), form);
         };
         // x y ± z w is the product of the vectors (x, z) and (y, ±w), and of (x, w) and (y, ±z).
         let sum =
@@ -185,30 +285,42 @@ impl Known<'_> {
                     let error = left.across(right) + self.roundings(left, right);
                     sum.within(left.size * right.size, error)
                 });
-        let turn = Turn::of([x, y], terms[0].minus, [z, w], terms[1].minus);
-        (sum, turn.map_or(form, Form::Turned))
+        let place = |operand| self.place(operand);
+        let turn = Turn::of(place, [x, y], terms[0].minus, [z, w], terms[1].minus);
+        (Some(sum), turn.map_or(form, Form::Turned))
     }
 
     /// What the roundings of two products and their sum amount to.
     fn roundings(&self, left: Length, right: Length) -> f64 {
         let size = (left.size + left.error) * (right.size + right.error);
-        (2.0 + self.roundoff) * self.roundoff * size
+        let roundoff = self.scalar().roundoff();
+        (2.0 + roundoff) * roundoff * size + 3.0 * self.scalar().smallest()
+    }
+
+    /// The turn that an operand is the sine or the cosine of.
+    fn place(&self, operand: Operand) -> Option<Place> {
+        match operand {
+            Operand::Sin(angle) => Some(Place { angle, sine: true }),
+            Operand::Cos(angle) => Some(Place { angle, sine: false }),
+            Operand::Step(k) => self.steps[k as usize].place,
+            Operand::Literal(_) | Operand::Input(_) => None,
+        }
     }
 }
 
-/// A number of the generated code: rounded to `f64` when it was printed, and to the type.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the rounding is what is asked for"
-)]
+/// A number of the generated code: rounded to `f64` when it was printed, and to the type, as if no
+/// number were one of the type already: so the error in one type is that in another times the ratio
+/// of their roundoffs, and so is every bound.
 fn literal(number: f64, scalar: Real) -> Value {
-    let printed = f64::EPSILON / 2.0 * number.abs();
+    let printed = f64::EPSILON / 2.0;
     let read = match scalar {
-        Real::F32 => (f64::from(number as f32) - number).abs(),
+        Real::F32 => scalar.roundoff(),
         Real::F64 | Real::Generic => 0.0,
     };
+    let subnormal = number != 0.0 && number.abs() < 2.0 * scalar.smallest();
+    let lost = if subnormal { scalar.smallest() } else { 0.0 };
     Value {
-        error: printed + read,
+        error: (printed + read) * number.abs() + lost,
         ..Value::between(number, number)
     }
 }

@@ -109,6 +109,7 @@ fn parameters(asked: &Asked) -> Vec<Parameter> {
             Field::Origin(id) => Target::OriginOf(format!("joint{id}").as_str().into()),
             Field::Gravity => Target::Gravity,
         },
+        range: None,
     };
     fields.map(parameter).collect()
 }

@@ -25,6 +25,10 @@ fn gives_every_price_by_name() {
     let errors = |name: &str| &functions[name]["errors"][0];
     let error = errors("gravity")["f64"]["N m"].as_f64();
     assert!(error.is_some_and(|error| (1e-17..1e-13).contains(&error)));
+    let joints = errors("gravity")["joints"].as_array().unwrap();
+    let worst = joints.iter().filter_map(|bound| bound["f64"].as_f64());
+    assert_eq!(worst.reduce(f64::max), error);
+    assert!(joints.iter().all(|bound| bound["joint"].is_string()));
     let of = |name: &str| errors(name)["of"].as_str();
     assert_eq!(of("gravity"), Some("results"));
     assert_eq!(of("forward_dynamics"), Some("tau"));

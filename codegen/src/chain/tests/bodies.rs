@@ -234,7 +234,11 @@ fn a_chain_of_thousands_of_which_one_joint_moves_is_a_chain() {
 fn with_field(text: &str, target: Target) -> Chain {
     let (description, mut request) = read(text);
     let field = quote::format_ident!("field");
-    request.parameters.push(Parameter { field, target });
+    request.parameters.push(Parameter {
+        field,
+        target,
+        range: None,
+    });
     build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
 }
 

@@ -234,7 +234,11 @@ fn a_tree_with_fields_has_the_same_torques_in_every_layout() {
         Target::Gravity,
     ] {
         let field = quote::format_ident!("field_{}", request.parameters.len());
-        request.parameters.push(Parameter { field, target });
+        request.parameters.push(Parameter {
+            field,
+            target,
+            range: None,
+        });
     }
     let chain = build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     agree("tree with fields", &chain);

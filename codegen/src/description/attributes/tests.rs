@@ -169,7 +169,7 @@ fn all_mistakes_are_reported_at_once() {
          inverse_dynamics, gravity, bias, mass_matrix, forward_dynamics and \
          mass_matrix_inverse\n\
          4:9: a field cannot stand for \"mass\"\n  \
-         hint: known keys: mass_of, com_of, gravity and origin_of\n\
+         hint: known keys: mass_of, com_of, gravity, origin_of and range\n\
          5:3: field `g` stands for two numbers\n"
     );
     // The functions that were understood stay, for the stub.
@@ -340,4 +340,56 @@ fn words_of_a_formulation_are_each_told() {
         "1:21: `formulation` needs a list in parentheses\n  \
          hint: write formulation(raw, refined = 1)\n"
     );
+}
+
+#[test]
+fn a_field_may_have_a_range() {
+    let text = r#"
+        #[robot(urdf = "arm.urdf")]
+        struct Arm {
+            #[robot(mass_of = "tool", range = 0.5..=3)]
+            tool: f64,
+            #[robot(gravity, range = 12.0)]
+            gravity: [f64; 3],
+            #[robot(range = 1.5, mass_of = "hand")]
+            hand: f64,
+            #[robot(com_of = "tool")]
+            com: [f64; 3],
+        }
+    "#;
+    let mut errors = Errors::new();
+    let item = read(text.parse().unwrap(), Path::new(""), &mut errors).unwrap();
+    let ranges = item.request.parameters.iter().map(|field| field.range);
+    assert_eq!(
+        ranges.collect::<Vec<_>>(),
+        [
+            Some([0.5, 3.0]),
+            Some([-12.0, 12.0]),
+            Some([0.0, 1.5]),
+            None
+        ]
+    );
+}
+
+#[test]
+fn a_range_that_no_field_can_have_is_refused_where_it_stands() {
+    let text = "#[robot(urdf = \"none.urdf\")] struct Arm {\n\
+                #[robot(mass_of = \"a\", range = -1.0..=3.0)] a: f64,\n\
+                #[robot(mass_of = \"b\", range = 3.0..=1.0)] b: f64,\n\
+                #[robot(gravity, range = -12.0)] g: [f64; 3],\n\
+                #[robot(range = 2.0)] c: f64,\n\
+                #[robot(mass_of = \"d\", range = 1.0, range = 2.0)] d: f64,\n\
+                #[robot(mass_of = \"e\", range = much)] e: f64 }";
+    let (_, found) = try_read(text);
+    let expected = [
+        "2:32: the range of field `a` has negative masses\n  hint: write range = 0.0..=3.0, or range = 3.0 for the same",
+        "3:32: the range of field `b` is empty",
+        "4:26: the range of field `g` is empty\n  hint: write range = 12.0, or range = -12.0..=12.0 for the same",
+        "5:17: field `c` has a range and stands for no number\n  hint: write what it stands for beside it",
+        "6:45: field `d` has two ranges",
+        "7:32: the range is not a number",
+    ];
+    for expected in expected {
+        assert!(found.contains(expected), "{expected}\nis not in\n{found}");
+    }
 }

@@ -48,6 +48,7 @@ fn long(item: Item, scalar: Real) -> Listing {
         .map(|field| Parameter {
             field: format_ident!("center_{field}"),
             target: Target::CenterOfMassOf(name("link")),
+            range: None,
         })
         .collect();
     listing.functions = vec![listed(&[Function::Gravity], program())];

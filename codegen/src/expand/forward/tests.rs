@@ -252,6 +252,7 @@ fn with_field(links: &[End], link: &str) -> Result<Chain, Errors> {
         parameters: vec![Parameter {
             field: Ident::new("payload", Span::call_site()),
             target: Target::MassOf(Name::from(link)),
+            range: None,
         }],
         ..Request::default()
     };

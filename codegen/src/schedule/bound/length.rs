@@ -7,11 +7,14 @@
 use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 
+use super::combination::{Combination, Kind, Of, ROWS};
+use super::norm::{both, norm, root};
+use super::turn::Turn;
 use super::{Known, Value};
 use crate::schedule::Operand;
 
 /// √(a² + b² + …) of exact values, and of their errors.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Length {
     /// Of the values.
     pub size: f64,
@@ -19,7 +22,7 @@ pub struct Length {
     pub error: f64,
 }
 
-/// How a value came about, as far as lengths are concerned.
+/// How a value came about, as far as turns are concerned.
 #[derive(Clone, Copy, Debug)]
 pub enum Form {
     /// An entry of a turned vector.
@@ -32,54 +35,6 @@ pub enum Form {
     Plain,
 }
 
-/// c x + s y, or c y − s x, of a vector (x, y) and an angle.
-#[derive(Clone, Copy, Debug)]
-pub struct Turn {
-    angle: u32,
-    /// What the cosine multiplies, and whether a minus stands before it.
-    by_cosine: (Operand, bool),
-    /// What the sine multiplies, and whether a minus stands before it.
-    by_sine: (Operand, bool),
-}
-
-impl Turn {
-    /// The sum of two products, where their factors are those of a turn.
-    pub fn of(
-        first: [Operand; 2],
-        first_minus: bool,
-        second: [Operand; 2],
-        second_minus: bool,
-    ) -> Option<Self> {
-        let ways = |pair: [Operand; 2]| [(pair[0], pair[1]), (pair[1], pair[0])];
-        ways(first).into_iter().find_map(|(of_first, x)| {
-            ways(second).into_iter().find_map(|(of_second, y)| {
-                let (x, y) = ((x, first_minus), (y, second_minus));
-                match (of_first, of_second) {
-                    (Operand::Cos(angle), Operand::Sin(other)) if angle == other => Some(Self {
-                        angle,
-                        by_cosine: x,
-                        by_sine: y,
-                    }),
-                    (Operand::Sin(angle), Operand::Cos(other)) if angle == other => Some(Self {
-                        angle,
-                        by_cosine: y,
-                        by_sine: x,
-                    }),
-                    _ => None,
-                }
-            })
-        })
-    }
-
-    /// Whether the other is the second entry of the same turned vector.
-    fn completes(&self, other: &Self) -> bool {
-        let ((x, x_minus), (y, y_minus)) = (self.by_cosine, self.by_sine);
-        let ((z, z_minus), (w, w_minus)) = (other.by_cosine, other.by_sine);
-        let opposed = (x_minus == z_minus) != (y_minus == w_minus);
-        self.angle == other.angle && (x, y) == (w, z) && opposed
-    }
-}
-
 impl Length {
     const UNKNOWN: Self = Self {
         size: f64::INFINITY,
@@ -88,7 +43,6 @@ impl Length {
 
     /// Of these entries and others.
     fn beside(self, other: Self) -> Self {
-        let both = |a: f64, b: f64| (a * a + b * b).sqrt();
         Self {
             size: both(self.size, other.size),
             error: both(self.error, other.error),
@@ -100,6 +54,22 @@ impl Length {
         Self {
             size: self.size.min(other.size),
             error: self.error.min(other.error),
+        }
+    }
+
+    /// Of the sum with another vector.
+    fn plus(self, other: Self) -> Self {
+        Self {
+            size: self.size + other.size,
+            error: self.error + other.error,
+        }
+    }
+
+    /// Of what a matrix of that norm makes of it.
+    fn times(self, norm: f64) -> Self {
+        Self {
+            size: self.size * norm,
+            error: self.error * norm,
         }
     }
 
@@ -119,68 +89,198 @@ impl From<Value> for Length {
 }
 
 /// The most entries of a vector.
-const ENTRIES: usize = 3;
+const ENTRIES: usize = ROWS;
 
 /// How far back a length is followed at once; what lies further back has been asked for before.
 const DEPTH: usize = 64;
 
 /// How many lengths are remembered for each step; beyond, none is followed any further.
-const MOST: usize = 64;
+const MOST: usize = 8;
+
+/// Columns that multiply the entries of one vector.
+#[derive(Clone)]
+struct Group {
+    kind: Kind,
+    members: Vec<Of>,
+    matrix: Vec<[f64; ROWS]>,
+}
+
+impl Group {
+    fn take(&mut self, member: Of, entries: [f64; ROWS]) {
+        self.members.push(member);
+        self.matrix.push(entries);
+    }
+}
 
 /// The lengths that were asked for, by the steps that are the entries.
 #[derive(Default)]
-pub struct Lengths(HashMap<Vec<u32>, Length>);
+pub struct Lengths(HashMap<[u32; ENTRIES], Length>);
+
+/// In the place of a step that a set lacks.
+const NOTHING: u32 = u32::MAX;
 
 impl Lengths {
     /// How long the values of some operands are together.
     pub fn of(&mut self, known: &Known<'_>, entries: &[Operand]) -> Length {
-        self.follow(known, entries, DEPTH)
+        self.follow(known, entries, true, DEPTH)
     }
 
-    fn follow(&mut self, known: &Known<'_>, entries: &[Operand], depth: usize) -> Length {
-        let (mut steps, mut leaves) = (Vec::new(), Vec::new());
+    /// `first` says whether nothing but this has been asked: on the way of a vector's entries, one
+    /// by one, only whole vectors are combined of others.
+    fn follow(
+        &mut self,
+        known: &Known<'_>,
+        entries: &[Operand],
+        first: bool,
+        depth: usize,
+    ) -> Length {
+        let (mut set, mut count, mut leaves) = ([NOTHING; ENTRIES], 0, Vec::new());
+        let mut length = Length::default();
         for &entry in entries {
-            match entry {
-                Operand::Step(step) => steps.push(step),
-                leaf => leaves.push(leaf),
+            if let Operand::Step(step) = entry {
+                length = length.beside(known.value(entry).into());
+                if let Some(place) = set.get_mut(count) {
+                    *place = step;
+                }
+                count += 1;
+            } else {
+                leaves.push(entry);
             }
         }
-        // The youngest first.
-        steps.sort_unstable_by(|a, b| b.cmp(a));
         let leaves = of_leaves(known, leaves);
-        if let Some(&length) = self.0.get(&steps) {
+        if !(1..=ENTRIES).contains(&count) || depth == 0 {
             return length.beside(leaves);
         }
-        let mut length = Length::default();
-        for &step in &steps {
-            length = length.beside(known.steps[step as usize].0.into());
+        // The youngest first.
+        let steps = &mut set[..count];
+        steps.sort_unstable_by(|a, b| b.cmp(a));
+        if let Some(&length) = self.0.get(&set) {
+            return length.beside(leaves);
         }
+        let steps = &set[..count];
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
-        let few = (2..=ENTRIES).contains(&steps.len()) && self.0.len() < MOST * known.steps.len();
-        if few && !twice && depth > 0 {
-            length = length.least(self.unfolded(known, &steps, depth - 1));
-            self.0.insert(steps, length);
+        if !twice && self.0.len() < MOST * known.steps.len() {
+            let turned = |step: &u32| matches!(known.steps[*step as usize].form, Form::Turned(_));
+            let turned = steps.iter().any(turned);
+            if count > 1 && (turned || first) {
+                length = length.least(self.unfolded(known, steps, depth - 1));
+            }
+            if first || !turned {
+                length = length.least(self.combined(known, steps, depth - 1));
+            }
+            self.0.insert(set, length);
         }
         length.beside(leaves)
     }
 
+    /// The length by what the entries are combined of.
+    fn combined(&mut self, known: &Known<'_>, steps: &[u32], depth: usize) -> Length {
+        let Some(combination) = Combination::of(known, steps) else {
+            return Length::UNKNOWN;
+        };
+        let mut groups: Vec<Group> = Vec::new();
+        for column in &combination.columns {
+            let kind = known.kind_of(column.of);
+            let found = groups.iter_mut().find(|group| group.kind == kind);
+            match found {
+                Some(group) => group.take(column.of, column.entries),
+                None => groups.push(Group {
+                    kind,
+                    members: vec![column.of],
+                    matrix: vec![column.entries],
+                }),
+            }
+        }
+        let mut length = self.of_groups(known, &groups, depth);
+        // The third entry of a vector that is turned about an axis has another name than the others.
+        let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]);
+        let turned =
+            |group: &Group| matches!((group.kind, &group.members[..]), (Kind::Turned(_), [_, _]));
+        if let Some(at) = groups.iter().position(turned) {
+            for third in 0..groups.len() {
+                if whole(&groups[third]) {
+                    let mut others = groups.clone();
+                    let Group {
+                        members, matrix, ..
+                    } = groups[third].clone();
+                    others[at].take(members[0], matrix[0]);
+                    others.remove(third);
+                    length = length.least(self.of_groups(known, &others, depth));
+                }
+            }
+        }
+        Length {
+            size: length.size,
+            error: length.error + root(combination.lost),
+        }
+    }
+
+    /// The sum of what groups of columns give, as a whole or row by row.
+    fn of_groups(&mut self, known: &Known<'_>, groups: &[Group], depth: usize) -> Length {
+        let mut whole = Length::default();
+        let mut rows = [Length::default(); ROWS];
+        for Group {
+            members, matrix, ..
+        } in groups
+        {
+            let length = self.of_group(known, members, depth);
+            whole = whole.plus(length.times(norm(matrix)));
+            for (row, sum) in rows.iter_mut().enumerate() {
+                let entries = matrix.iter().map(|column| column[row]);
+                *sum = sum.plus(length.times(root(entries)));
+            }
+        }
+        whole.least(rows.into_iter().fold(Length::default(), Length::beside))
+    }
+
+    /// How long some values are together; products by the factor that they share.
+    fn of_group(&mut self, known: &Known<'_>, members: &[Of], depth: usize) -> Length {
+        let [Of::Product(a, b), ..] = *members else {
+            let operands: Vec<Operand> = (members.iter())
+                .filter_map(|of| match *of {
+                    Of::Whole(operand) => Some(operand),
+                    Of::Product(..) => None,
+                })
+                .collect();
+            return self.follow(known, &operands, true, depth);
+        };
+        let shared = if matches!(b, Operand::Input(_)) { b } else { a };
+        let others: Vec<Operand> = (members.iter())
+            .filter_map(|of| match *of {
+                Of::Product(a, b) => Some(if b == shared { a } else { b }),
+                Of::Whole(_) => None,
+            })
+            .collect();
+        let factor = Length::from(known.value(shared));
+        let others = self.follow(known, &others, true, depth);
+        let together = Length {
+            size: factor.size * others.size,
+            error: factor.across(others),
+        };
+        match *members {
+            [Of::Product(a, b)] => together.least(known.product([a, b]).into()),
+            _ => together,
+        }
+    }
+
     /// The length by what the youngest entry came from.
     fn unfolded(&mut self, known: &Known<'_>, steps: &[u32], depth: usize) -> Length {
-        let (value, form) = known.steps[steps[0] as usize];
+        let youngest = &known.steps[steps[0] as usize];
         let mut rest: Vec<Operand> = steps[1..].iter().map(|&k| Operand::Step(k)).collect();
         let mut without = |gone: Operand, added: Length| {
             // An entry that is there already would be counted once instead of twice.
             if rest.contains(&gone) {
                 return Length::UNKNOWN;
             }
-            let length = self.follow(known, &[&rest[..], &[gone]].concat(), depth);
-            let rounding = known.roundoff * value.reach();
+            let length = self.follow(known, &[&rest[..], &[gone]].concat(), false, depth);
+            let rounding =
+                known.scalar().roundoff() * youngest.value.reach() + known.scalar().smallest();
             Length {
                 size: length.size + added.size,
                 error: length.error + added.error + rounding,
             }
         };
-        match form {
+        match youngest.form {
             Form::Plain => Length::UNKNOWN,
             Form::More(a, added) => without(a, added.into()),
             Form::Sum(a, b) => {
@@ -190,7 +290,7 @@ impl Lengths {
             Form::Turned(turn) => {
                 let second = rest.iter().position(|entry| match entry {
                     Operand::Step(k) => matches!(
-                        known.steps[*k as usize].1,
+                        known.steps[*k as usize].form,
                         Form::Turned(other) if turn.completes(&other)
                     ),
                     _ => false,
@@ -200,13 +300,15 @@ impl Lengths {
                 if before.iter().any(|entry| rest.contains(entry)) {
                     return Length::UNKNOWN;
                 }
-                let length = self.follow(known, &[&rest[..], &before].concat(), depth);
-                let turned = self.follow(known, &before, depth);
+                let length = self.follow(known, &[&rest[..], &before].concat(), true, depth);
+                let turned = self.follow(known, &before, true, depth);
                 let by = of_turn(known, turn.angle);
                 let roundings = known.roundings(by, turned) * if both { SQRT_2 } else { 1.0 };
                 Length {
-                    size: length.size,
-                    error: length.error + by.error * (turned.size + turned.error) + roundings,
+                    size: length.size * by.size.max(1.0),
+                    error: length.error * by.size.max(1.0)
+                        + by.error * (turned.size + turned.error)
+                        + roundings,
                 }
             }
         }
@@ -232,10 +334,12 @@ fn of_leaves(known: &Known<'_>, mut leaves: Vec<Operand>) -> Length {
     length
 }
 
+/// Of sine and cosine of a turn.
 fn of_turn(known: &Known<'_>, angle: u32) -> Length {
-    let [sine, cosine] = known.turns[angle as usize].map(Length::from);
+    let (pair, size) = known.turns.pair(angle);
+    let [sine, cosine] = pair.map(|operand| Length::from(known.value(operand)));
     Length {
-        size: 1.0,
+        size,
         ..sine.beside(cosine)
     }
 }

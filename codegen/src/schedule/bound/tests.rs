@@ -1,6 +1,9 @@
-//! Tiny programs whose bounds are worked by hand.
+//! Tiny programs whose bounds are worked by hand; and programs at random, whose values and errors are
+//! never beyond what is said of them.
 
-use super::{Value, errors};
+mod random;
+
+use super::{Conditions, Reason, Value, results};
 use crate::expression::Input;
 use crate::request::Real;
 use crate::schedule::{Operand, Operation, Program, Step};
@@ -31,7 +34,18 @@ fn bound(angles: &[Operand], operations: &[Operation]) -> f64 {
         Input::Q(0) => Value::between(-2.0, 3.0),
         _ => Value::between(1.0, 2.0),
     };
-    errors(&program(angles, operations), Real::F64, &range)[0] / U
+    found(&program(angles, operations), Real::F64, &range).0 / U
+}
+
+/// The bound of the first result, and why there is none.
+fn found(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -> (f64, Option<Reason>) {
+    let conditions = Conditions {
+        scalar,
+        angles: 1e5,
+        range,
+    };
+    let found = results(program, &conditions)[0];
+    (found.value.error, found.reason)
 }
 
 fn close(found: f64, expected: f64) {
@@ -98,12 +112,11 @@ fn numbers_are_rounded_when_they_are_printed_and_when_they_are_read() {
     close(bound(&[], &product(0.75)), 3.0);
     let single = |number: f64| {
         let program = program(&[], &product(number));
-        errors(&program, Real::F32, &|_| Value::between(1.0, 2.0))[0]
+        found(&program, Real::F32, &|_| Value::between(1.0, 2.0)).0
     };
     let u = Real::F32.roundoff();
-    close(single(0.75) / u, 1.5 + 1.5 * U / u);
-    let off = f64::from(0.1_f32) - 0.1 + 0.1 * U;
-    close(single(0.1), 2.0 * off + u * 2.0 * (0.1 + off));
+    let off = 0.75 * (u + U);
+    close(single(0.75), 2.0 * off + u * 2.0 * (0.75 + off));
 }
 
 #[test]
@@ -114,6 +127,80 @@ fn sines_and_cosines_are_within_a_unit_in_the_last_place() {
     close(bound(&[A], &twice(s)), 4.0);
     // The cosine of 1 to 2 rad is at most 0.54.
     close(bound(&[B], &twice(c)), 2.0 + 2.0 * 1.0_f64.cos());
+}
+
+/// In single precision, of the last step, with both inputs in a range.
+fn single(range: [f64; 2], angles: &[Operand], operations: &[Operation]) -> (f64, Option<Reason>) {
+    let [lo, hi] = range;
+    let program = program(angles, operations);
+    found(&program, Real::F32, &|_| Value::between(lo, hi))
+}
+
+#[test]
+fn what_may_overflow_has_no_bound() {
+    let square = [Operation::Mul(A, B)];
+    assert_eq!(
+        single([0.0, 1e20], &[], &square),
+        (f64::INFINITY, Some(Reason::Overflow))
+    );
+    assert!(single([0.0, 1e19], &[], &square).0.is_finite());
+    // What is cut by another bound has been computed all the same.
+    let product = [Operation::MulSub(A, B, A)];
+    assert_eq!(single([0.0, 1e20], &[], &product).1, Some(Reason::Overflow));
+    let number = [Operation::Mul(Operand::Literal(1e39), B)];
+    let reason = single([1e-10, 1e-9], &[], &number).1;
+    assert_eq!(reason, Some(Reason::Overflow));
+}
+
+#[test]
+fn underflow_is_within_the_bound() {
+    let least = f64::from(f32::MIN_POSITIVE);
+    // The product is subnormal: it may be taken for zero, and so may what is read.
+    let product = [Operation::Mul(A, B)];
+    let (bound, _) = single([1e-22, 1e-20], &[], &product);
+    assert!((least..2.0 * least).contains(&bound), "{bound:e}");
+    let large = [Operation::Mul(A, Operand::Literal(1e30))];
+    let (bound, _) = single([-1e-40, 1e-40], &[], &large);
+    assert!(bound >= 1e-40 * 1e30, "{bound:e}");
+}
+
+#[test]
+fn an_angle_beyond_its_sines_has_no_bound() {
+    let sine = [Operation::Mul(Operand::Sin(0), Operand::Literal(2.0))];
+    assert!(single([-1e5, 1e4], &[A], &sine).0.is_finite());
+    assert_eq!(
+        single([-1.1e5, 1e4], &[A], &sine),
+        (f64::INFINITY, Some(Reason::Angle))
+    );
+}
+
+#[test]
+fn an_angle_of_many_turns_has_any_sine() {
+    let sine = [Operation::Mul(Operand::Sin(0), Operand::Literal(2.0))];
+    let program = program(&[A], &sine);
+    let range = |_| Value::between(1e4, 1e4);
+    let conditions = Conditions {
+        scalar: Real::F64,
+        angles: 1e5,
+        range: &range,
+    };
+    let value = results(&program, &conditions)[0].value;
+    assert!(value.lo <= -2.0 && value.hi >= 2.0, "{value:?}");
+}
+
+#[test]
+fn what_is_not_known_of_an_input_is_no_reason() {
+    let program = program(&[], &[Operation::Mul(A, B)]);
+    let (bound, reason) = found(&program, Real::F64, &|_| Value::UNKNOWN);
+    assert_eq!((bound, reason), (f64::INFINITY, None));
+}
+
+#[test]
+fn a_divisor_that_may_be_zero_is_the_reason_of_all_that_follows() {
+    let quotient = [Operation::Div(B, A), Operation::Add(step(0), B)];
+    let program = program(&[], &quotient);
+    let range = |_| Value::between(-1.0, 1.0);
+    assert_eq!(found(&program, Real::F64, &range).1, Some(Reason::Divisor));
 }
 
 /// c x + s y and c y − s x, turn after turn about the same angle.
@@ -144,6 +231,62 @@ fn a_turn_does_not_lengthen_a_vector() {
     }
 }
 
+/// Rotations by numbers about two axes in turn, of (a, b, a).
+fn rotated(times: u32) -> Vec<Operation> {
+    let [c, s] = [0.8, 0.6].map(Operand::Literal);
+    let mut entries = [A, B, A];
+    let mut operations = Vec::new();
+    for k in 0..times {
+        let (x, y) = if k % 2 == 0 { (0, 1) } else { (1, 2) };
+        let at = 4 * k;
+        operations.extend([
+            Operation::Mul(s, entries[y]),
+            Operation::MulAdd(c, entries[x], step(at)),
+            Operation::Mul(s, entries[x]),
+            Operation::MulSub(c, entries[y], step(at + 2)),
+        ]);
+        (entries[x], entries[y]) = (step(at + 1), step(at + 3));
+    }
+    operations
+}
+
+#[test]
+fn a_constant_rotation_does_not_lengthen_a_vector() {
+    let length = 22.0_f64.sqrt();
+    for times in [1, 2, 10, 40] {
+        let found = bound(&[], &rotated(times));
+        // Numbers rounded, and three roundings in each of two entries, all of one sign.
+        let expected = 8.0 * length * f64::from(times);
+        assert!(found <= expected, "{times}: {found} u");
+    }
+}
+
+#[test]
+fn an_angle_that_is_shifted_turns_as_well() {
+    let (s, c) = (Operand::Sin(0), Operand::Cos(0));
+    let [p, r] = [0.8, 0.6].map(Operand::Literal);
+    // Cosine and sine of q + φ, and a vector that they turn again and again.
+    let mut operations = vec![
+        Operation::Mul(r, s),
+        Operation::MulSub(p, c, step(0)),
+        Operation::Mul(r, c),
+        Operation::MulAdd(p, s, step(2)),
+    ];
+    let (mut x, mut y) = (A, B);
+    for k in 0..40 {
+        let at = 4 + 4 * k;
+        operations.extend([
+            Operation::Mul(step(3), y),
+            Operation::MulAdd(step(1), x, step(at)),
+            Operation::Mul(step(3), x),
+            Operation::MulSub(step(1), y, step(at + 2)),
+        ]);
+        (x, y) = (step(at + 1), step(at + 3));
+    }
+    let found = bound(&[A], &operations);
+    assert!(found <= 40.0 * 12.0 * 13.0_f64.sqrt(), "{found} u");
+}
+
 #[test]
 fn what_looks_like_a_turn_and_is_none_may_lengthen() {
     let mut operations = spun(20);
@@ -156,4 +299,29 @@ fn what_looks_like_a_turn_and_is_none_may_lengthen() {
     let found = bound(&[A], &operations);
     // At an angle of π/4 the vector (1, 1) grows by √2 each time.
     assert!(found >= 2.0_f64.powi(10), "{found} u");
+}
+
+/// A computed angle that is off by more than a turn tells nothing of its sine, but something of what
+/// that is in double precision.
+#[test]
+fn an_angle_that_is_off_by_turns_scales_as_well() {
+    let mut program = program(
+        &[step(0)],
+        &[
+            Operation::Mul(A, B),
+            Operation::Mul(Operand::Sin(0), Operand::Literal(2.0)),
+        ],
+    );
+    program.before_angles = 1;
+    let range = |_| Value::between(-1e5, 1e5);
+    let of = |scalar: Real| {
+        let conditions = Conditions {
+            scalar,
+            angles: f64::INFINITY,
+            range: &range,
+        };
+        results(&program, &conditions)[0].value.error
+    };
+    let ratio = Real::F64.roundoff() / Real::F32.roundoff();
+    assert!(of(Real::F64) <= ratio * of(Real::F32) * (1.0 + 1e-9));
 }

@@ -6,7 +6,9 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::SLACK;
 use crate::expression::Double;
+use crate::request::Real;
 
 /// The exact value is within [`lo`, `hi`], and the computed one within `error` of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +30,8 @@ impl Value {
     };
 
     /// A number between two others, free of error.
-    pub(crate) const fn between(lo: f64, hi: f64) -> Self {
+    #[must_use]
+    pub const fn between(lo: f64, hi: f64) -> Self {
         Self { lo, hi, error: 0.0 }
     }
 
@@ -42,13 +45,28 @@ impl Value {
         self.size() + self.error
     }
 
-    /// After one more rounding.
-    pub(crate) fn rounded(self, roundoff: f64) -> Self {
+    /// After one more rounding. A result below the normal numbers is rounded to their spacing, or,
+    /// where a processor does not have such numbers, taken for zero: the loss is less than the
+    /// smallest normal number in both cases.
+    pub(crate) fn rounded(self, scalar: Real) -> Self {
         Self {
-            error: self.error + roundoff * self.reach(),
+            error: self.error + scalar.roundoff() * self.reach() + scalar.smallest(),
             ..self
         }
         .or_unknown()
+    }
+
+    /// As an operation reads it: where a processor does not have subnormal numbers, they are zero.
+    pub(super) fn read(self, scalar: Real) -> Self {
+        Self {
+            error: self.error + scalar.smallest(),
+            ..self
+        }
+    }
+
+    /// Whether the type has a number of that size.
+    pub(super) fn fits(self, scalar: Real) -> bool {
+        self.reach() * SLACK < scalar.largest()
     }
 
     /// With what is known from elsewhere.
@@ -133,7 +151,11 @@ impl Value {
     }
 
     /// sin a, within one unit in the last place.
-    pub(super) fn sine(self, roundoff: f64) -> Self {
+    pub(super) fn sine(self, scalar: Real) -> Self {
+        // What is lost in reducing an angle of many turns may be more than the margin.
+        if self.size() > REDUCED {
+            return Self::between(-1.0, 1.0).of_place(self.error, scalar);
+        }
         // One of these quarter turns, and then every whole one, leads to an end of the range.
         let passes = |quarter: f64| {
             let turns = ((self.lo - MARGIN) / TAU - quarter).ceil();
@@ -145,23 +167,29 @@ impl Value {
         let lo = if passes(0.75) { -1.0 } else { from.min(to) };
         let hi = if passes(0.25) { 1.0 } else { from.max(to) };
         let exact = Self::between((lo - MARGIN).max(-1.0), (hi + MARGIN).min(1.0));
-        // A unit in the last place is at most 2u of a number, and u below 1.
-        let place = roundoff * (2.0 * (exact.size() + self.error)).min(1.0);
+        exact.of_place(self.error, scalar)
+    }
+
+    /// A sine of an angle that is off by so much.
+    fn of_place(self, error: f64, scalar: Real) -> Self {
+        // A unit in the last place is at most 2u of a number, and u below 1. Of what is subnormal
+        // both the angle and its sine may be taken for zero.
+        let place = scalar.roundoff() * (2.0 * (self.size() + error)).min(1.0);
         Self {
-            error: self.error.min(2.0) + place,
-            ..exact
+            error: error + place + 2.0 * scalar.smallest(),
+            ..self
         }
         .or_unknown()
     }
 
     /// cos a, within one unit in the last place.
-    pub(super) fn cosine(self, roundoff: f64) -> Self {
+    pub(super) fn cosine(self, scalar: Real) -> Self {
         let turned = Self {
             lo: self.lo + FRAC_PI_2,
             hi: self.hi + FRAC_PI_2,
             ..self
         };
-        turned.sine(roundoff)
+        turned.sine(scalar)
     }
 
     fn around(ends: impl IntoIterator<Item = f64> + Copy) -> Self {
@@ -185,5 +213,8 @@ impl Value {
     }
 }
 
-/// More than what is lost in reducing an angle of some turns.
-const MARGIN: f64 = 1e-14;
+/// More than what is lost in reducing an angle of up to [`REDUCED`].
+const MARGIN: f64 = 1e-13;
+
+/// Beyond this angle \[rad\] sines are taken to be anything.
+const REDUCED: f64 = 100.0;

@@ -1,0 +1,227 @@
+//! Values that are sums of others with numbers as factors: what a constant rotation, a lever or an
+//! inertia makes of vectors.
+//!
+//! In: up to three steps. Out: the matrix A of y = A x, where x are values of vectors that have
+//! names, or that something else than numbers has made, and what rounding takes on the way from x to
+//! y. It never looks at how long x is.
+
+use std::collections::HashMap;
+
+use super::turn::{Place, Turn};
+use super::{Form, Known, Operand, Operation};
+use crate::schedule::Step;
+
+/// The most steps that are combined at once.
+pub const ROWS: usize = 3;
+
+/// The most columns that are looked at, and the most steps that are followed.
+const MOST: usize = 24;
+
+/// A column of A.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// What it multiplies.
+    pub of: Of,
+    /// Its entries.
+    pub entries: [f64; ROWS],
+}
+
+/// A value that no number has made of others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Of {
+    /// A value with a place of its own.
+    Whole(Operand),
+    /// A product within a fused operation, or a step that is one.
+    Product(Operand, Operand),
+}
+
+/// y = A x, and what is lost of y beside what x has lost.
+pub struct Combination {
+    /// The columns of A.
+    pub columns: Vec<Column>,
+    /// Of each entry of y.
+    pub lost: [f64; ROWS],
+}
+
+/// What columns have in common whose values are entries of one vector, as far as names and factors
+/// tell. A wrong guess costs sharpness, not truth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Entries of a matrix of the name with this number.
+    Named(u32),
+    /// Entries of a turned vector, or sine and cosine themselves.
+    Turned(u32),
+    /// Products with this.
+    Times(Operand),
+    /// By itself.
+    Alone(Operand),
+}
+
+/// Whether an operation is a sum.
+pub const fn is_sum(operation: Operation) -> bool {
+    operation.is_fused() || matches!(operation, Operation::Add(..) | Operation::Sub(..))
+}
+
+impl Combination {
+    /// What some steps are combined of; none where nothing has been combined.
+    pub fn of(known: &Known<'_>, steps: &[u32]) -> Option<Self> {
+        let mut found = Self {
+            columns: Vec::with_capacity(8),
+            lost: [0.0; ROWS],
+        };
+        for (row, &step) in steps.iter().enumerate() {
+            let mut entries = [0.0; ROWS];
+            entries[row] = 1.0;
+            found.add(Of::Whole(Operand::Step(step)), entries);
+        }
+        let mut followed = 0;
+        // The youngest first, so that whatever uses a step has been followed before it is.
+        while let Some((at, step)) = found.youngest(known, steps)
+            && found.columns.len() + followed < MOST
+        {
+            let column = found.columns.swap_remove(at);
+            found.follow(known, step, column.entries);
+            followed += 1;
+        }
+        (followed > 0).then_some(found)
+    }
+
+    /// The column of the youngest step that can be followed.
+    fn youngest(&self, known: &Known<'_>, asked: &[u32]) -> Option<(usize, u32)> {
+        let mut youngest: Option<(usize, u32)> = None;
+        for (at, column) in self.columns.iter().enumerate() {
+            if let Of::Whole(Operand::Step(k)) = column.of {
+                let follows = match known.steps[k as usize].follows {
+                    Follows::Always => true,
+                    Follows::First => asked.contains(&k),
+                    Follows::Never => false,
+                };
+                if follows && youngest.is_none_or(|(_, other)| k > other) {
+                    youngest = Some((at, k));
+                }
+            }
+        }
+        youngest
+    }
+
+    /// Puts what a step came from in its place.
+    fn follow(&mut self, known: &Known<'_>, step: u32, entries: [f64; ROWS]) {
+        let operation = known.program.steps[step as usize].operation;
+        let rounding = rounded(known, known.steps[step as usize].value.reach());
+        let (product, rest) = match operation {
+            Operation::Add(a, b) => (None, vec![(1.0, a), (1.0, b)]),
+            Operation::Sub(a, b) => (None, vec![(1.0, a), (-1.0, b)]),
+            Operation::Mul(a, b) => (Some((1.0, a, b)), Vec::new()),
+            Operation::MulAdd(a, b, c) => (Some((1.0, a, b)), vec![(1.0, c)]),
+            Operation::MulSub(a, b, c) => (Some((1.0, a, b)), vec![(-1.0, c)]),
+            Operation::NegMulAdd(a, b, c) => (Some((-1.0, a, b)), vec![(1.0, c)]),
+            Operation::Div(..) | Operation::Sqrt(_) | Operation::Neg(_) => {
+                unreachable!("only sums and products are followed")
+            }
+        };
+        // The rounding of a product by itself is that of the step.
+        let mut lost = if is_sum(operation) { rounding } else { 0.0 };
+        for (factor, operand) in rest {
+            self.add(Of::Whole(operand), entries.map(|entry| factor * entry));
+        }
+        if let Some((sign, a, b)) = product {
+            let number = match (a, b) {
+                (Operand::Literal(number), x) | (x, Operand::Literal(number)) => Some((number, x)),
+                _ => None,
+            };
+            if let Some((number, x)) = number {
+                let x_reach = known.value(x).reach();
+                let factor = known.value(Operand::Literal(number));
+                lost += factor.error * x_reach + rounded(known, factor.reach() * x_reach);
+                self.add(Of::Whole(x), entries.map(|entry| sign * number * entry));
+            } else {
+                lost += rounded(known, known.product([a, b]).reach());
+                self.add(Of::Product(a, b), entries.map(|entry| sign * entry));
+            }
+        }
+        for (sum, entry) in self.lost.iter_mut().zip(entries) {
+            *sum += entry.abs() * lost;
+        }
+    }
+
+    fn add(&mut self, of: Of, entries: [f64; ROWS]) {
+        match self.columns.iter_mut().find(|column| column.of == of) {
+            Some(column) => {
+                for (sum, entry) in column.entries.iter_mut().zip(entries) {
+                    *sum += entry;
+                }
+            }
+            None => self.columns.push(Column { of, entries }),
+        }
+    }
+}
+
+/// Whether what a step came from is put in its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Follows {
+    /// It has no name, so that it is nothing but a part.
+    Always,
+    /// Where it was asked for itself.
+    First,
+    /// It is no sum, or the entry of a turned vector.
+    Never,
+}
+
+impl Follows {
+    /// Of a step.
+    pub const fn of(step: &Step, form: &Form) -> Self {
+        let combines = is_sum(step.operation) || matches!(step.operation, Operation::Mul(..));
+        match (combines, form, &step.label) {
+            (false, ..) | (_, Form::Turned(_), _) => Self::Never,
+            (_, _, Some(_)) => Self::First,
+            (_, _, None) => Self::Always,
+        }
+    }
+}
+
+/// The names of matrices, as far as labels of entries tell.
+#[derive(Default)]
+pub struct Names<'p>(HashMap<&'p str, u32>);
+
+impl<'p> Names<'p> {
+    /// What a step has in common with others.
+    pub fn kind(
+        &mut self,
+        operand: Operand,
+        label: Option<&'p str>,
+        form: &Form,
+        place: Option<Place>,
+    ) -> Kind {
+        if let Some(label) = label {
+            let label = label.strip_prefix("minus_").unwrap_or(label);
+            // The last letter tells the entry.
+            let end = label.char_indices().next_back().map_or(0, |(at, _)| at);
+            let next = u32::try_from(self.0.len()).expect("fewer than steps");
+            return Kind::Named(*self.0.entry(&label[..end]).or_insert(next));
+        }
+        match (place, form) {
+            (Some(Place { angle, .. }), _) | (None, &Form::Turned(Turn { angle, .. })) => {
+                Kind::Turned(angle)
+            }
+            _ => Kind::Alone(operand),
+        }
+    }
+}
+
+impl Known<'_> {
+    /// What is to be taken together with a column.
+    pub fn kind_of(&self, column: Of) -> Kind {
+        match column {
+            Of::Product(_, b @ Operand::Input(_)) => Kind::Times(b),
+            Of::Product(a, _) => Kind::Times(a),
+            Of::Whole(Operand::Step(k)) => self.steps[k as usize].kind,
+            Of::Whole(Operand::Sin(angle) | Operand::Cos(angle)) => Kind::Turned(angle),
+            Of::Whole(operand) => Kind::Alone(operand),
+        }
+    }
+}
+
+/// What a rounding of such a result is at most.
+fn rounded(known: &Known<'_>, reach: f64) -> f64 {
+    known.scalar().roundoff() * reach + known.scalar().smallest()
+}

@@ -1,0 +1,269 @@
+//! Programs at random, full of what bounds look for: turns, shifted angles, constant rotations, levers.
+//!
+//! In: seeds. Out: that every value of every step is in its range and no error beyond its bound, in
+//! both types, whether products are fused or not. The reference runs the same program with 106 bits.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{A, B, Conditions, Value, program, results, step};
+use crate::expression::{Arithmetic, Double, Input};
+use crate::request::Real;
+use crate::schedule::{Operand, Operation, Program, run};
+
+/// SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        bits ^ (bits >> 31)
+    }
+
+    /// In [−1, 1), a multiple of 2⁻²³.
+    fn unit(&mut self) -> f64 {
+        let bits = u32::try_from(self.bits() >> 40).expect("24 bits");
+        f64::from(bits) / f64::from(1_u32 << 23) - 1.0
+    }
+
+    fn below(&mut self, end: usize) -> usize {
+        usize::try_from(self.bits() % 1_000_003).expect("it is small") % end
+    }
+}
+
+/// A program that is being written.
+struct Draft {
+    random: Random,
+    operations: Vec<Operation>,
+    /// What may be read.
+    values: Vec<Operand>,
+}
+
+impl Draft {
+    fn any(&mut self) -> Operand {
+        // Late ones more often.
+        let count = self.values.len();
+        let at = self.random.below(count).max(self.random.below(count));
+        self.values[at]
+    }
+
+    fn add(&mut self, operation: Operation) -> Operand {
+        self.operations.push(operation);
+        let last = u32::try_from(self.operations.len() - 1).expect("few");
+        step(last)
+    }
+
+    /// a x + b y.
+    fn sum(&mut self, [a, x]: [Operand; 2], [b, y]: [Operand; 2], minus: bool) -> Operand {
+        let product = self.add(Operation::Mul(b, y));
+        let sum = match (minus, self.random.below(2)) {
+            (false, _) => Operation::MulAdd(a, x, product),
+            (true, 0) => Operation::MulSub(a, x, product),
+            (true, _) => {
+                let first = self.add(Operation::Mul(a, x));
+                Operation::Sub(first, product)
+            }
+        };
+        self.add(sum)
+    }
+
+    /// Two entries, turned by what may be sine and cosine of one angle.
+    fn turned(&mut self, [c, s]: [Operand; 2], [x, y]: [Operand; 2]) -> [Operand; 2] {
+        let first = self.sum([c, x], [s, y], false);
+        let second = self.sum([c, y], [s, x], true);
+        [first, second]
+    }
+
+    fn grow(&mut self) {
+        let number = Operand::Literal(1.5 * self.random.unit());
+        let angle = self.random.unit() * 3.0;
+        let (s, c) = Double::from(angle).sin_cos();
+        let constant = [c, s].map(|entry| Operand::Literal(entry.to_f64()));
+        let given = [Operand::Cos(0), Operand::Sin(0)];
+        let [a, b, d] = [(); 3].map(|()| self.any());
+        let grown = match self.random.below(10) {
+            0 => self.turned(given, [a, b]).to_vec(),
+            1 => self.turned(constant, [a, b]).to_vec(),
+            2 => {
+                let shifted = self.turned(constant, given);
+                self.turned(shifted, [a, b]).to_vec()
+            }
+            // Three entries, about two axes.
+            3 => {
+                let [x, y] = self.turned(constant, [a, b]);
+                let [y, z] = self.turned(given, [y, d]);
+                let [x, z] = self.turned(constant, [x, z]);
+                vec![x, y, z]
+            }
+            4 => vec![self.add(Operation::Add(a, b))],
+            5 => vec![self.add(Operation::Sub(a, b))],
+            6 => vec![self.add(Operation::MulAdd(number, a, b))],
+            7 => vec![self.add(Operation::NegMulAdd(a, number, b))],
+            8 => {
+                let half = self.add(Operation::Mul(a, Operand::Literal(0.5)));
+                vec![self.add(Operation::Mul(half, b))]
+            }
+            _ => {
+                // Not at right angles, though it looks so.
+                let [x, _] = self.turned(given, [a, b]);
+                vec![self.sum([given[0], x], [given[1], b], false)]
+            }
+        };
+        self.values.extend(grown);
+    }
+}
+
+fn drawn(seed: u64) -> Program {
+    let mut draft = Draft {
+        random: Random(seed),
+        operations: Vec::new(),
+        values: vec![
+            A,
+            B,
+            Operand::Sin(0),
+            Operand::Cos(0),
+            Operand::Literal(0.3),
+        ],
+    };
+    for _ in 0..14 {
+        draft.grow();
+    }
+    let labels = ["w_0_1_in_1_x", "w_0_1_in_1_y", "minus_w_0_1_in_1_z"];
+    let mut program = program(&[A], &draft.operations);
+    let mut random = draft.random;
+    for step in &mut program.steps {
+        // Names that mean nothing may cost sharpness only.
+        step.label = (random.below(3) == 0).then(|| labels[random.below(3)].to_owned());
+    }
+    let count = u32::try_from(program.steps.len()).expect("few");
+    program.results = (0..count).map(step).collect();
+    program
+}
+
+/// Double precision that fuses products with sums.
+#[derive(Clone, Copy)]
+struct Fused(f64);
+
+macro_rules! by {
+    ($($of:ident $name:ident),*) => {$(
+        impl $of for Fused {
+            type Output = Self;
+
+            fn $name(self, other: Self) -> Self {
+                Self($of::$name(self.0, other.0))
+            }
+        }
+    )*};
+}
+
+by!(Add add, Sub sub, Mul mul, Div div);
+
+impl Neg for Fused {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Arithmetic for Fused {
+    fn literal(value: f64) -> Self {
+        Self(value)
+    }
+
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        Self(self.0.mul_add(factor.0, term.0))
+    }
+
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = Arithmetic::sin_cos(self.0);
+        (Self(sine), Self(cosine))
+    }
+}
+
+/// Runs a program in a type, and holds every step against its bound.
+fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl Fn(T) -> f64) {
+    let size = [3.0, 1e-20, 1e-3, 40.0][usize::try_from(seed % 4).expect("small")];
+    let range = |input| match input {
+        Input::Q(0) => Value::between(-3.0, 3.0),
+        _ => Value::between(-size, size),
+    };
+    let conditions = Conditions {
+        scalar,
+        angles: 1e3,
+        range: &range,
+    };
+    let found = results(program, &conditions);
+    let mut random = Random(seed);
+    for _ in 0..8 {
+        let [q, other] = [3.0, size].map(|most| match random.below(3) {
+            0 => most,
+            1 => -most,
+            _ => most * random.unit(),
+        });
+        let near = |x: f64| to_f64(T::literal(x));
+        let [q, other] = [q, other].map(|x| {
+            if near(x).abs() > x.abs() {
+                near(x / 2.0)
+            } else {
+                near(x)
+            }
+        });
+        let at = |input| match input {
+            Input::Q(0) => q,
+            _ => other,
+        };
+        let exact = run(program, |input| Double::from(at(input)));
+        let computed = run(program, |input| T::literal(at(input)));
+        for (k, ((exact, computed), found)) in exact.iter().zip(computed).zip(&found).enumerate() {
+            let (value, exact) = (found.value, *exact);
+            let slack = 1e-12 * value.lo.abs().max(value.hi.abs());
+            let inside = (value.lo - slack..=value.hi + slack).contains(&exact.to_f64());
+            assert!(inside, "seed {seed}, step {k}: {exact:?} of {value:?}");
+            let error = (Double::from(to_f64(computed)) - exact).to_f64().abs();
+            assert!(
+                error <= value.error,
+                "seed {seed}, step {k}: {error:e} of {value:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn no_value_is_beyond_what_is_said_of_it() {
+    for seed in 0..300 {
+        let program = drawn(seed);
+        check::<f64>(&program, Real::F64, seed, |x| x);
+        check::<Fused>(&program, Real::F64, seed, |x| x.0);
+        check::<f32>(&program, Real::F32, seed, f64::from);
+    }
+}
+
+#[test]
+fn a_bound_in_single_precision_tells_one_in_double() {
+    let ratio = Real::F64.roundoff() / Real::F32.roundoff();
+    for seed in 0..300 {
+        let program = drawn(seed);
+        // As far as angles of many turns, which are off by more than any sine can be.
+        let size = [3.0, 1e-20, 1e9][usize::try_from(seed % 3).expect("small")];
+        let range = |_| Value::between(-size, size);
+        let [single, double] = [Real::F32, Real::F64].map(|scalar| {
+            let conditions = Conditions {
+                scalar,
+                angles: f64::INFINITY,
+                range: &range,
+            };
+            results(&program, &conditions)
+        });
+        for (k, (single, double)) in single.iter().zip(&double).enumerate() {
+            let told = ratio * single.value.error * (1.0 + 1e-9);
+            assert!(double.value.error <= told, "seed {seed}, step {k}");
+        }
+    }
+}

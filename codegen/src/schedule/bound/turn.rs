@@ -1,0 +1,158 @@
+//! Sines and cosines, and vectors that are turned by them.
+//!
+//! In: angles, and sums of products. Out: which pairs of values are sine and cosine of one angle,
+//! given by the program or found on the way as cos(q + φ) = c cos q − s sin q, and which sums are
+//! entries of a vector that such a pair turns. It never looks at how long a vector is.
+
+use super::value::Value;
+use super::{Operand, Reason};
+use crate::request::Real;
+
+/// Sine or cosine of a turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The turn: an angle of the program, or one that was found.
+    pub angle: u32,
+    /// Whether it is the sine; of turns that were found either may be called so.
+    pub sine: bool,
+}
+
+/// c x + s y, or c y − s x, of a vector (x, y) and a turn.
+#[derive(Clone, Copy, Debug)]
+pub struct Turn {
+    /// The turn.
+    pub angle: u32,
+    /// What the cosine multiplies, and whether a minus stands before it.
+    pub by_cosine: (Operand, bool),
+    /// What the sine multiplies, and whether a minus stands before it.
+    pub by_sine: (Operand, bool),
+}
+
+impl Turn {
+    /// The sum of two products, where their factors are those of a turn.
+    pub fn of(
+        place: impl Fn(Operand) -> Option<Place>,
+        first: [Operand; 2],
+        first_minus: bool,
+        second: [Operand; 2],
+        second_minus: bool,
+    ) -> Option<Self> {
+        let ways = |pair: [Operand; 2]| [(pair[0], pair[1]), (pair[1], pair[0])];
+        ways(first).into_iter().find_map(|(of_first, x)| {
+            let one = place(of_first)?;
+            ways(second).into_iter().find_map(|(of_second, y)| {
+                let other = place(of_second)?;
+                let (x, y) = ((x, first_minus), (y, second_minus));
+                let (by_cosine, by_sine) = if one.sine { (y, x) } else { (x, y) };
+                (one.angle == other.angle && one.sine != other.sine).then_some(Self {
+                    angle: one.angle,
+                    by_cosine,
+                    by_sine,
+                })
+            })
+        })
+    }
+
+    /// Whether the other is the second entry of the same turned vector.
+    pub fn completes(&self, other: &Self) -> bool {
+        let ((x, x_minus), (y, y_minus)) = (self.by_cosine, self.by_sine);
+        let ((z, z_minus), (w, w_minus)) = (other.by_cosine, other.by_sine);
+        let opposed = (x_minus == z_minus) != (y_minus == w_minus);
+        self.angle == other.angle && (x, y) == (w, z) && opposed
+    }
+
+    /// What multiplies cosine and sine, where that is two numbers.
+    fn numbers(&self) -> Option<[f64; 2]> {
+        let number = |(operand, minus)| match operand {
+            Operand::Literal(number) => Some(if minus { -number } else { number }),
+            _ => None,
+        };
+        Some([number(self.by_cosine)?, number(self.by_sine)?])
+    }
+}
+
+/// The turns of a program so far.
+#[derive(Default)]
+pub struct Turns {
+    /// Sine and cosine of each angle of the program.
+    given: Vec<([Value; 2], Option<Reason>)>,
+    found: Vec<Shifted>,
+}
+
+/// A turn by an angle of the program and a constant one.
+struct Shifted {
+    angle: u32,
+    /// What multiplies cosine and sine of the angle to give this one's cosine.
+    cosine: [f64; 2],
+    /// The steps that are its sine, once that is known, and its cosine.
+    steps: [Option<u32>; 2],
+}
+
+impl Turns {
+    /// Takes in an angle of the program.
+    pub fn push(&mut self, angle: Value, reason: Option<Reason>, scalar: Real) {
+        let both = match reason {
+            None => [angle.sine(scalar), angle.cosine(scalar)],
+            Some(_) => [Value::UNKNOWN; 2],
+        };
+        self.given.push((both, reason));
+    }
+
+    /// The sine of an angle of the program.
+    pub fn sine(&self, angle: u32) -> Value {
+        self.given[angle as usize].0[0]
+    }
+
+    /// Its cosine.
+    pub fn cosine(&self, angle: u32) -> Value {
+        self.given[angle as usize].0[1]
+    }
+
+    /// Why they have no bound.
+    pub fn reason(&self, angle: u32) -> Option<Reason> {
+        self.given[angle as usize].1
+    }
+
+    /// The operands that are sine and cosine of a turn, and the length of the two together.
+    pub fn pair(&self, angle: u32) -> ([Operand; 2], f64) {
+        let given = u32::try_from(self.given.len()).expect("as many as joints");
+        let Some(found) = angle.checked_sub(given) else {
+            return ([Operand::Sin(angle), Operand::Cos(angle)], 1.0);
+        };
+        let found = &self.found[found as usize];
+        let step = |k: Option<u32>| k.map_or(Operand::Literal(f64::INFINITY), Operand::Step);
+        let [c, s] = found.cosine;
+        (found.steps.map(step), (c * c + s * s).sqrt())
+    }
+
+    /// What a step is that turns two numbers: sine or cosine of the sum of the angle and a constant
+    /// one, where they are those of one.
+    pub fn place(&mut self, step: u32, turn: &Turn) -> Option<Place> {
+        /// Further from one than digits that were rounded leave a sum of squares.
+        const NEARLY: f64 = 1e-9;
+        let [c, s] = turn.numbers()?;
+        if (c * c + s * s - 1.0).abs() > NEARLY {
+            return None;
+        }
+        let given = self.given.len();
+        let angle = |at: usize| u32::try_from(given + at).expect("fewer than steps");
+        // At right angles to one that lacks its sine.
+        let lacking = self.found.iter().position(|other| {
+            let [p, r] = other.cosine;
+            let across = [-r, p] == [c, s] || [r, -p] == [c, s];
+            other.angle == turn.angle && other.steps[0].is_none() && across
+        });
+        if let Some(at) = lacking {
+            self.found[at].steps[0] = Some(step);
+            let angle = angle(at);
+            return Some(Place { angle, sine: true });
+        }
+        self.found.push(Shifted {
+            angle: turn.angle,
+            cosine: [c, s],
+            steps: [None, Some(step)],
+        });
+        let angle = angle(self.found.len() - 1);
+        Some(Place { angle, sine: false })
+    }
+}

@@ -1,0 +1,132 @@
+//! Trees with the build of humanoids, for what is hard about many joints.
+//!
+//! In: how many joints. Out: a description: a waist of three joints on the fixed pelvis, two legs of
+//! six, two arms of seven, a head of two, and fingers of two joints on both hands for all that are
+//! left. Sizes, inertias and speeds are those of robots that are built; no number is round, and axes
+//! stand at right angles but for some that do not.
+
+use homogen_codegen::description::{
+    Axis, Description, Inertial, Joint, JointKind, Limits, Link, Name, Number, Source, Step,
+};
+use homogen_codegen::error::Place;
+
+use crate::states::Random;
+
+/// A limb: the joint that carries it, its joints, their length, mass and speed.
+struct Limb {
+    on: Option<usize>,
+    joints: usize,
+    length: f64,
+    mass: f64,
+    speed: f64,
+}
+
+/// A humanoid with so many joints, 29 at least.
+#[must_use]
+pub fn humanoid(joints: usize) -> Description {
+    let mut random = Random::new(29);
+    let limb = |on, joints, length, mass, speed| Limb {
+        on,
+        joints,
+        length,
+        mass,
+        speed,
+    };
+    let waist = Some(2);
+    let mut limbs = vec![
+        limb(None, 3, 0.11, 3.0, 5.0),
+        limb(None, 6, 0.21, 2.1, 12.0),
+        limb(None, 6, 0.21, 2.1, 12.0),
+        limb(waist, 7, 0.14, 0.9, 15.0),
+        limb(waist, 7, 0.14, 0.9, 15.0),
+    ];
+    let hands = [21, 28];
+    let mut left = joints - 29;
+    if left >= 2 {
+        limbs.push(limb(waist, 2, 0.07, 0.6, 8.0));
+        left -= 2;
+    }
+    while left > 0 {
+        let joints = left.min(2);
+        let hand = hands[(left / 2) % 2];
+        limbs.push(limb(Some(hand), joints, 0.035, 0.03, 6.0));
+        left -= joints;
+    }
+
+    let mut description = Description {
+        name: "humanoid".into(),
+        source: Source::default(),
+        links: vec![Link {
+            name: "pelvis".into(),
+            inertial: None,
+        }],
+        joints: Vec::new(),
+        warnings: Vec::new(),
+    };
+    for limb in limbs {
+        let mut on = limb.on;
+        for _ in 0..limb.joints {
+            let k = description.joints.len();
+            let parent = on.map_or("pelvis".into(), |on| name("link", on));
+            description
+                .joints
+                .push(joint(k, parent, &limb, &mut random));
+            description.links.push(link(k, &limb, &mut random));
+            on = Some(k);
+        }
+    }
+    description
+}
+
+fn joint(k: usize, parent: Name, limb: &Limb, random: &mut Random) -> Joint {
+    let along = [0.2, 0.3, 1.0].map(|share| number(limb.length * share * random.unit()));
+    let quarter = *random.choose(&[-1.0, 1.0]) * std::f64::consts::FRAC_PI_2;
+    let turn = if random.chance(4) {
+        1.5 * random.unit()
+    } else {
+        quarter
+    };
+    let about = *random.choose(&[Axis::X, Axis::Y]);
+    Joint {
+        name: name("joint", k),
+        kind: JointKind::Revolute,
+        parent,
+        child: name("link", k),
+        origin: vec![Step::Translate(along), Step::Rotate(about, number(turn))],
+        axis: [0.0, 0.0, 1.0].map(number),
+        limits: Some(Limits {
+            lower: -1.0 + 0.5 * random.unit(),
+            upper: 1.5 + 0.5 * random.unit(),
+            velocity: limb.speed,
+        }),
+        place: Place::Unknown,
+    }
+}
+
+fn link(k: usize, limb: &Limb, random: &mut Random) -> Link {
+    let mass = limb.mass * (1.0 + 0.3 * random.unit());
+    let size = limb.length * limb.length * mass / 8.0;
+    let [xx, yy, zz] = [0; 3].map(|_| size * (1.0 + 0.3 * random.unit()));
+    let [xy, xz, yz] = [0; 3].map(|_| 0.1 * size * random.unit());
+    let center = [0; 3].map(|_| number(0.4 * limb.length * random.unit()));
+    Link {
+        name: name("link", k),
+        inertial: Some(Inertial {
+            origin: vec![Step::Translate(center)],
+            mass: number(mass),
+            inertia: [xx, xy, xz, yy, yz, zz].map(number),
+            place: Place::Unknown,
+        }),
+    }
+}
+
+fn name(what: &str, k: usize) -> Name {
+    format!("{what}{k}").as_str().into()
+}
+
+fn number(value: f64) -> Number {
+    Number {
+        value,
+        ..Number::default()
+    }
+}

@@ -1,0 +1,358 @@
+//! Attacks on the errors that are printed: what has once been found to break a bound, by the name of
+//! what it is.
+//!
+//! In: descriptions, and what is printed of them. Out: that what is printed is true, or that it says
+//! why nothing is promised.
+
+use homogen_codegen::accuracy::Accuracy;
+use homogen_codegen::description::{Description, read_text};
+use homogen_codegen::emit::Listed;
+use homogen_codegen::error::Errors;
+use homogen_codegen::formulation::{Formulation, Forward};
+use homogen_codegen::request::{Parameter, Request, Target};
+use homogen_codegen::{Builder, Function, Real};
+use homogen_tests::climb::{Climb, bounds, listed};
+use homogen_tests::tested::{F32, F64, Flushed, Fused32, Tested};
+use quote::format_ident;
+
+/// A link of a serial arm: its joint as URDF has it, its mass, and ixx = iyy = izz.
+struct Segment<'s> {
+    joint: &'s str,
+    mass: f64,
+    inertia: f64,
+}
+
+/// Links in a row, 0.4 m apart.
+fn row(segments: &[Segment<'_>]) -> Description {
+    let mut text = r#"<robot name="row"><link name="l0"/>"#.to_owned();
+    for (k, segment) in segments.iter().enumerate() {
+        let Segment {
+            joint,
+            mass,
+            inertia,
+        } = segment;
+        let next = k + 1;
+        let piece = format!(
+            r#"<joint name="j{next}" {joint}<parent link="l{k}"/><child link="l{next}"/></joint>
+            <link name="l{next}"><inertial><origin xyz="0.2 0.03 -0.02"/><mass value="{mass}"/>
+            <inertia ixx="{inertia}" iyy="{inertia}" izz="{inertia}" ixy="0" ixz="0" iyz="0"/>
+            </inertial></link>"#
+        );
+        text.push_str(&piece);
+    }
+    text.push_str("</robot>");
+    let mut errors = Errors::new();
+    let description = read_text(&text, "row.urdf", None, &mut errors);
+    assert!(errors.is_empty(), "{errors}");
+    description.expect("no mistakes, so a description")
+}
+
+/// A joint about or along an axis, with these limits.
+fn joint(kind: &str, axis: &str, limit: &str) -> String {
+    format!(r#"type="{kind}"><origin xyz="0.4 0 0.1"/><axis xyz="{axis}"/><limit {limit}/>"#)
+}
+
+/// Why a function has no bound.
+fn refusal(listed: &Listed) -> &'static str {
+    match *listed.accuracy {
+        [Accuracy::Unknown(reason)] => reason,
+        ref other => panic!("{other:?}"),
+    }
+}
+
+/// Holds all results of a function against their bounds; the worst share of one.
+fn holds<T: Tested>(description: &Description, request: &Request, function: Function) -> f64 {
+    let climb = Climb::<T>::new(description, request, function);
+    climb.holds(&format!("{function:?}"), 200, 100)
+}
+
+const TORQUES: [Function; 3] = [Function::InverseDynamics, Function::Bias, Function::Gravity];
+
+/// Two links whose joints have these limits.
+fn two(limit: &str) -> Description {
+    let (first, second) = (
+        joint("revolute", "0 1 0", limit),
+        joint("revolute", "0 0 1", limit),
+    );
+    row(&[
+        Segment {
+            joint: &first,
+            mass: 2.0,
+            inertia: 0.03,
+        },
+        Segment {
+            joint: &second,
+            mass: 1.0,
+            inertia: 0.01,
+        },
+    ])
+}
+
+#[test]
+fn angles_that_leave_the_sines_of_a_file_for_core_alone() {
+    let text = |most: f64, scalar: Real| {
+        let limits = format!(r#"lower="-{most}" upper="{most}" velocity="2""#);
+        let builder = Builder::from_description(two(&limits));
+        let builder = builder.scalar(scalar).generate([Function::InverseDynamics]);
+        builder
+            .to_source()
+            .unwrap_or_else(|errors| panic!("{errors}"))
+            .to_string()
+    };
+    let refused = "Error: no bound: angles leave the range of its sines.";
+    assert!(text(1e5, Real::F32).contains(refused));
+    assert!(text(3300.0, Real::F32).contains(refused));
+    assert!(!text(3200.0, Real::F32).contains(refused));
+    assert!(text(2.1e5, Real::F64).contains(refused));
+    assert!(!text(2e5, Real::F64).contains(refused));
+}
+
+/// At the edge of the range of those sines the bound holds.
+#[test]
+fn angles_at_the_edge_of_the_range_of_sines() {
+    let description = two(r#"lower="-3200" upper="3200" velocity="2""#);
+    let request = Request::default();
+    for function in TORQUES {
+        holds::<F32>(&description, &request, function);
+        holds::<Fused32>(&description, &request, function);
+    }
+    let description = two(r#"lower="-2e5" upper="2e5" velocity="2""#);
+    holds::<F64>(&description, &request, Function::Gravity);
+}
+
+#[test]
+fn sines_that_a_user_names_are_said_to_be_assumed() {
+    let builder = Builder::from_description(two(r#"lower="-1" upper="1" velocity="2""#));
+    let builder = builder.sin_cos("crate::sines::table");
+    let source = builder.generate([Function::Gravity]).to_source();
+    let source = source
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .to_string();
+    assert!(
+        source.contains("q within its limits, sines within 1 unit in the last place"),
+        "{source}"
+    );
+}
+
+/// A field for the acceleration of gravity.
+fn gravity(range: Option<[f64; 2]>) -> Request {
+    Request {
+        parameters: vec![Parameter {
+            field: format_ident!("gravity"),
+            target: Target::Gravity,
+            range,
+        }],
+        ..Request::default()
+    }
+}
+
+/// On vertical axes, where the described gravity is felt by no joint.
+#[test]
+fn gravity_that_a_field_turns_to_where_it_is_felt() {
+    let vertical = joint("continuous", "0 0 1", "effort=\"1\" velocity=\"2\"");
+    let segment = || Segment {
+        joint: &vertical,
+        mass: 2.0,
+        inertia: 0.03,
+    };
+    let description = row(&[segment(), segment()]);
+    for range in [None, Some([-100.0, 100.0])] {
+        let request = gravity(range);
+        let worst = holds::<F32>(&description, &request, Function::Gravity);
+        assert!(worst > 1e-2, "{worst}");
+        let listed = listed(&description, request, Function::Gravity, Real::F32);
+        let Accuracy::Within(promise) = &listed.accuracy[0] else {
+            panic!("{:?}", listed.accuracy);
+        };
+        let most = range.map_or(2.0 * 9.81, |[_, most]| most);
+        let said = format!("entries of `gravity` ≤ {most} m/s²");
+        assert!(promise.range.contains(&said), "{}", promise.range);
+    }
+}
+
+#[test]
+fn a_mass_in_a_field_from_zero_to_twice_what_is_described() {
+    let description = two(r#"lower="-1" upper="1" velocity="2""#);
+    for range in [None, Some([0.5, 40.0])] {
+        let request = Request {
+            parameters: vec![Parameter {
+                field: format_ident!("load"),
+                target: Target::MassOf("l2".into()),
+                range,
+            }],
+            ..Request::default()
+        };
+        for function in TORQUES {
+            holds::<F32>(&description, &request, function);
+            holds::<F64>(&description, &request, function);
+        }
+        // Without the load its inertia is left, and M regular.
+        let listed = listed(&description, request, Function::ForwardDynamics, Real::F64);
+        assert!(
+            bounds(&listed)
+                .iter()
+                .all(|bound| bound.double < Some(1e-11))
+        );
+    }
+}
+
+/// Limits that are one point: a slide that is held at 50 m.
+#[test]
+fn a_slide_held_at_50_m() {
+    let turn = joint("revolute", "0 1 0", r#"lower="-1" upper="1" velocity="2""#);
+    let slide = joint(
+        "prismatic",
+        "1 0 0",
+        r#"lower="50" upper="50" velocity="1""#,
+    );
+    let segments = [&turn, &slide].map(|joint| Segment {
+        joint,
+        mass: 1.0,
+        inertia: 0.01,
+    });
+    let (description, request) = (row(&segments), Request::default());
+    for function in TORQUES {
+        holds::<F32>(&description, &request, function);
+        holds::<F64>(&description, &request, function);
+    }
+}
+
+#[test]
+fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
+    let (description, request) = (
+        two(r#"lower="-1" upper="1" velocity="1e20""#),
+        Request::default(),
+    );
+    let of = |scalar| listed(&description, request.clone(), Function::Bias, scalar);
+    assert_eq!(refusal(&of(Real::F32)), "it overflows within its range");
+    holds::<F64>(&description, &request, Function::Bias);
+    // Where any type is meant, one line tells both.
+    let Accuracy::Within(promise) = &of(Real::Generic).accuracy[0] else {
+        panic!("f64 has a bound");
+    };
+    assert_eq!(promise.lacks, Some("it overflows within its range"));
+    assert!(
+        promise
+            .bounds
+            .iter()
+            .all(|bound| bound.single == Some(f64::INFINITY))
+    );
+    let huge = two(r#"lower="-1" upper="1" velocity="1e200""#);
+    let listed = listed(&huge, request, Function::Bias, Real::F64);
+    assert_eq!(refusal(&listed), "it overflows within its range");
+}
+
+/// Infinite limits are as good as none, which the range says.
+#[test]
+fn limits_without_end() {
+    let description = two(r#"lower="-inf" upper="inf" velocity="inf""#);
+    let listed = listed(&description, Request::default(), Function::Bias, Real::F32);
+    let Accuracy::Within(promise) = &listed.accuracy[0] else {
+        panic!("{:?}", listed.accuracy);
+    };
+    assert_eq!(promise.range, "|q| ≤ π rad, |q̇| ≤ 10 rad/s");
+}
+
+/// Results, arguments and all between are subnormal, and may be taken for zero.
+#[test]
+fn arguments_that_are_subnormal() {
+    let light = joint(
+        "revolute",
+        "0 1 0",
+        r#"lower="-1e-40" upper="1e-39" velocity="1e-39""#,
+    );
+    let segments = [&light, &light].map(|joint| Segment {
+        joint,
+        mass: 1e-20,
+        inertia: 1e-22,
+    });
+    let (description, request) = (row(&segments), Request::default());
+    for function in [
+        Function::InverseDynamics,
+        Function::Bias,
+        Function::MassMatrix,
+    ] {
+        holds::<F32>(&description, &request, function);
+        holds::<Flushed>(&description, &request, function);
+    }
+}
+
+#[test]
+fn an_inertia_that_no_body_has() {
+    let turn = joint("revolute", "0 1 0", r#"lower="-1" upper="1" velocity="2""#);
+    let segments = [0.03, -0.01].map(|inertia| Segment {
+        joint: &turn,
+        mass: 1.0,
+        inertia,
+    });
+    let description = row(&segments);
+    for function in [Function::ForwardDynamics, Function::MassMatrixInverse] {
+        let request = Request {
+            formulation: Formulation {
+                forward: Some(Forward::UNREFINED),
+                ..Formulation::default()
+            },
+            ..Request::default()
+        };
+        let listed = listed(&description, request, function, Real::F64);
+        let reason = refusal(&listed);
+        assert_eq!(
+            reason,
+            "an inertia is none that a body has, as far as its digits tell"
+        );
+    }
+}
+
+/// Two joints about one line, with nothing but rounding between them and a singular mass matrix.
+#[test]
+fn a_coaxial_pair_whose_first_body_weighs_next_to_nothing() {
+    let first = joint("continuous", "0 0 1", "effort=\"1\" velocity=\"2\"");
+    let second = first.replace("0.4 0 0.1", "0 0 0.1");
+    let description = row(&[
+        Segment {
+            joint: &first,
+            mass: 1e-12,
+            inertia: 1e-14,
+        },
+        Segment {
+            joint: &second,
+            mass: 1.0,
+            inertia: 0.01,
+        },
+    ]);
+    let request = Request {
+        formulation: Formulation {
+            forward: Some(Forward::UNREFINED),
+            ..Formulation::default()
+        },
+        ..Request::default()
+    };
+    let listed = listed(
+        &description,
+        request,
+        Function::ForwardDynamics,
+        Real::Generic,
+    );
+    match &listed.accuracy[0] {
+        Accuracy::Unknown(_) => {}
+        Accuracy::Backward(_, promise) => {
+            let single = promise.bounds.iter().map(|bound| bound.single);
+            assert!(single.into_iter().all(|bound| bound == Some(f64::INFINITY)));
+            assert!(promise.lacks.is_some());
+        }
+        Accuracy::Within(_) => panic!("accelerations are not bounded themselves"),
+    }
+}
+
+#[test]
+fn the_sentence_of_the_inverse_says_that_each_column_is_exact() {
+    let builder = Builder::from_description(two(r#"lower="-1" upper="1" velocity="2""#));
+    let source = builder.generate([Function::MassMatrixInverse]).to_source();
+    let source = source
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .to_string();
+    assert!(
+        source.contains("each column is exact for an M of its own, off by at most"),
+        "{source}"
+    );
+}

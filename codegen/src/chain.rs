@@ -43,8 +43,6 @@ pub struct Chain {
     pub nominal: Vec<Vec<f64>>,
     /// The struct fields, in the order of the request.
     pub parameters: Vec<Parameter>,
-    /// The names of those fields.
-    pub fields: Vec<String>,
     /// What became of the description on the way.
     pub report: Report,
     /// Where the description came from.

@@ -72,13 +72,9 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let Reader {
         nominal, report, ..
     } = reader;
-    let fields = request.parameters.iter();
     Chain {
         nominal,
         parameters: request.parameters.clone(),
-        fields: fields
-            .map(|parameter| parameter.field.to_string())
-            .collect(),
         joints,
         frames,
         has_tip: tree.tip.is_some(),

@@ -124,7 +124,13 @@ pub(super) fn cheapest(
     // None is accurate enough: what costs least of those that lose little more than the best.
     let least = (tried.iter()).fold(f64::INFINITY, |least, (_, found)| least.min(found.error));
     if !forward::keeps_half(least, scalar) {
-        return Err(forward::hopeless(chain, worst, least, functions, scalar));
+        return Err(forward::hopeless(
+            chain,
+            worst,
+            least,
+            functions,
+            (scalar, formulation.frame),
+        ));
     }
     let near = tried
         .into_iter()

@@ -78,13 +78,14 @@ pub(super) fn keeps_half(error: f64, scalar: Real) -> bool {
     error <= scalar.roundoff().sqrt().recip()
 }
 
-/// What is to be said of functions that no form leaves half of the digits.
+/// What is to be said of functions that no form leaves half of the digits, in the frame that was asked
+/// for.
 pub(super) fn hopeless(
     chain: &Chain,
     worst: Worst,
     error: f64,
     functions: &[Function],
-    scalar: Real,
+    (scalar, frame): (Real, Frame),
 ) -> Errors {
     let mut errors = chain.source.errors();
     let complaint = complaint(
@@ -96,9 +97,10 @@ pub(super) fn hopeless(
     errors.push_with_hint(
         complaint.place,
         complaint.message,
-        match scalar {
-            Real::F32 => "generate it for f64, or model a robot whose masses differ less",
-            Real::F64 | Real::Generic => "model a robot whose masses and lengths differ less",
+        match (frame, scalar) {
+            (Frame::Base, _) => "leave frame_0 out: link frames keep the digits that it loses",
+            (_, Real::F32) => "generate it for f64, or model a robot whose masses differ less",
+            (_, Real::F64 | Real::Generic) => "model a robot whose masses and lengths differ less",
         },
     );
     errors

@@ -114,7 +114,7 @@ fn is_zero(nominal: &[f64]) -> bool {
 }
 
 /// The fields in whose place nothing but zeros are described, of those that enter the mass matrix.
-fn undescribed(chain: &Chain) -> Vec<&str> {
+fn undescribed(chain: &Chain) -> Vec<String> {
     let graph = chain.graph.clone();
     let (needed, _) = graph.needed(&pivots(&graph, chain));
     let entering: BTreeSet<usize> = needed
@@ -127,11 +127,13 @@ fn undescribed(chain: &Chain) -> Vec<&str> {
     let zeros = entering
         .into_iter()
         .filter(|&field| is_zero(&chain.nominal[field]));
-    zeros.map(|field| chain.fields[field].as_str()).collect()
+    zeros
+        .map(|field| chain.parameters[field].field.to_string())
+        .collect()
 }
 
 /// `field "payload" is` or `fields "a" and "b" are`.
-fn are(fields: &[&str]) -> String {
+fn are(fields: &[String]) -> String {
     let names: Vec<String> = fields.iter().map(|name| quoted(name)).collect();
     let names = list(names.iter().map(String::as_str));
     match fields {

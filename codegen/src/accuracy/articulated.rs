@@ -282,7 +282,8 @@ fn felt(
         let seen = Pair::new(whole.turning + link.reach * whole.sliding, whole.sliding);
         let [turns, slides] = mobility.bodies[parent].map(f64::sqrt);
         let moving = Pair::new(turns, slides);
-        let summed = seen.dot(moving).powi(2) * (3.0 + children[parent]) * roundoff;
+        let felt = seen.dot(moving);
+        let summed = felt * felt * (3.0 + children[parent]) * roundoff;
         spoilt += inertia_of(&found, moving).dot(moving) + summed;
         lost[parent] = lost[parent]
             .plus(lost[k].at_distance(link.reach))

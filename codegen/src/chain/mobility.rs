@@ -190,7 +190,8 @@ impl Solid {
             _ if axis == [0.0; 3] => 0.0,
             Spin::Still => 0.0,
             Spin::About(direction) => {
-                let share = dot(axis, direction).powi(2);
+                let along = dot(axis, direction);
+                let share = along * along;
                 let resists = if self.parent.is_none() {
                     self.on_the_base.recip()
                 } else {

@@ -19,8 +19,9 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
         copy.outside_tags(at, start);
         let rest = &text[start..];
         let end = |word: &str| rest.find(word).map(|offset| start + offset + word.len());
-        let next = if rest.starts_with("<!--") {
-            let end = end("-->");
+        let next = if let Some(inside) = rest.strip_prefix("<!--") {
+            // Its dashes are its own: `<!-->` does not end.
+            let end = inside.find("-->").map(|offset| start + 4 + offset + 3);
             if end.is_some_and(|end| text[start + 4..end - 3].contains("--")) {
                 copy.blank(start, end);
             }
@@ -184,6 +185,9 @@ mod tests {
             "<a b='<'/>",
             "<a><![CDATA[ & : <!-- ]]></a>",
             "<!-- open",
+            "<!-->",
+            "<!--->",
+            "<?>",
             "<a b=\"open",
             "",
         ] {

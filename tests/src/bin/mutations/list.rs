@@ -85,8 +85,8 @@ const MUTATIONS: [Mutation; 32] = [
     Mutation {
         name: "forward dynamics: a refinement left out",
         file: "codegen/src/model/forward_dynamics.rs",
-        from: "0..=refinements",
-        to: "0..refinements.max(1)",
+        from: "parents.len()];\n    for _ in 0..=refinements",
+        to: "parents.len()];\n    for _ in 0..refinements.max(1)",
         noticed_by: engine(
             "expand::forward::tests::a_refinement_brings_back_the_digits_that_the_mass_matrix_lost",
         ),

@@ -2,9 +2,9 @@
 //! against dense matrices of 256 bits that share nothing with it.
 //!
 //! In: a seed. Out: what was found, or the smallest robot that fails. [`grow`] draws a [`robot`] number
-//! by number; [`text`] writes it and has it read; [`reference`] puts it into matrices; [`cases`] says
-//! what is run, [`prepared`] runs it, [`measure`] how wrong it is, and [`examine`] what that amounts to;
-//! [`shrink`] takes away what a failure does not need; [`features`] says what a robot has.
+//! by number; [`text`] writes it and has it read; [`mod@reference`] puts it into matrices; [`cases`] says
+//! what is run, [`prepared`] runs it, [`measure`] how wrong it is, and [`mod@examine`] what that amounts to;
+//! [`mod@shrink`] takes away what a failure does not need; [`features`] says what a robot has.
 
 pub mod cases;
 pub mod examine;

@@ -161,7 +161,7 @@ fn no_operation_of_a_program_can_be_another() {
 /// feel, and a base that is not the root.
 const ODD: &str = "
     struct Odd {
-        base: frame, lock(spare = 0.4), drop(cover), gravity: [0.3, -0.2, -9.7]
+        base: frame, frames(slide, hand), lock(spare = 0.4), drop(cover), gravity: [0.3, -0.2, -9.7]
     }
     link floor; link frame { mass: 3.0, com: [0.1, 0.0, 0.2], inertia: [0.1, 0.2, 0.15] }
     joint feet: fixed { from: floor, to: frame, at: xyz(0.0, 0.0, 1.0) }

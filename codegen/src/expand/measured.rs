@@ -136,8 +136,13 @@ impl<'c> Measure<'c> {
             let errors =
                 errors.map(|(found, exact)| (Double::from(found.to_f64()) - *exact).to_f64());
             let error = largest(errors);
-            // Where all are zero, so is what is found.
-            worst.max(if error == 0.0 { 0.0 } else { error / size })
+            worst.max(match size {
+                // Nothing is near what is infinite.
+                f64::INFINITY => f64::INFINITY,
+                // Where all are zero, so is what is found.
+                _ if error == 0.0 => 0.0,
+                _ => error / size,
+            })
         })
     }
 }

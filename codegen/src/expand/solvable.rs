@@ -10,9 +10,8 @@ use crate::chain::frames::{Layout, arrange};
 use crate::chain::range::Range;
 use crate::chain::{Chain, Joint, physical};
 use crate::error::{Complaint, Errors};
-use crate::expression::{Double, Expr, Graph, Input, Node, Term};
+use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
 use crate::model;
-use crate::schedule::{run, schedule};
 use crate::wording::{list, quoted};
 
 /// How many postures are looked at.
@@ -144,7 +143,9 @@ fn are(fields: &[String]) -> String {
 
 fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     let graph = chain.graph.clone();
-    let program = schedule(&graph, &pivots(&graph, chain));
+    // Of the graph, whose numbers have all their digits: where a pivot cancels, those of literals would
+    // be left.
+    let pivots = Evaluation::of(&graph, &pivots(&graph, chain));
     let range = Range::of(chain);
     let mut worst = Worst {
         loss: 1.0,
@@ -156,7 +157,7 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     let mut least = vec![f64::INFINITY; count];
     let mut always = vec![true; count];
     for posture in 0..POSTURES {
-        let values = run::<Double>(&program, |input| {
+        let values = pivots.at(|input| {
             Double::from(match input {
                 Input::Q(k) => coordinate(&range, k, posture),
                 _ => field(input),

@@ -226,6 +226,30 @@ fn a_massless_end_is_refused_by_the_name_of_its_joint() {
 }
 
 /// Of a moment that is negative about the shoulder's axis, and of one about the elbow's.
+/// The pivot cancels but for what is lost of literals: what is found is infinite at some angles, and
+/// so is what is exact.
+#[test]
+fn two_joints_on_one_axis_with_nothing_between_are_refused_whatever_is_left_of_literals() {
+    let text = r#"<robot name="arm"><link name="base"/>
+        <joint name="inner" type="continuous"><parent link="base"/><child link="ring"/>
+        <axis xyz="0 -1 0"/></joint><link name="ring"/>
+        <joint name="outer" type="continuous"><parent link="ring"/><child link="rod"/>
+        <axis xyz="0 -1 0"/></joint>
+        <link name="rod"><inertial><origin xyz="0 0 0.00726413727"/><mass value="2.416"/>
+        <inertia ixx="0" ixy="0" ixz="0" iyy="0.147165418" iyz="0" izz="0"/></inertial></link>
+        </robot>"#;
+    let mut errors = Errors::new();
+    let description = read_text(text, "arm.urdf", None, &mut errors).expect("a robot");
+    let chain = chain::build(&description, &Request::default()).expect("a tree");
+    for function in SOLVED {
+        let refusal = refusal(&chain, function, Real::F64);
+        assert!(
+            refusal.contains("joint \"inner\" can accelerate without any force"),
+            "{refusal}"
+        );
+    }
+}
+
 #[test]
 fn an_inertia_that_no_body_has_is_not_called_singular() {
     for (links, carrier, joint) in [

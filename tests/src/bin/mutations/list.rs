@@ -39,7 +39,7 @@ pub fn all() -> impl Iterator<Item = &'static Mutation> {
 }
 
 /// Those of the engine and of geometry, grouped by the crate that is built again.
-const MUTATIONS: [Mutation; 32] = [
+const MUTATIONS: [Mutation; 34] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
@@ -122,10 +122,24 @@ const MUTATIONS: [Mutation; 32] = [
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "layout: a further frame left behind",
+        name: "layout: a body's inertia moved the wrong way",
         file: "codegen/src/chain/frames.rs",
-        from: "*placement = from * *placement;",
-        to: "*placement = to * *placement;",
+        from: "body.inertia = body.inertia.change_frame(from);",
+        to: "body.inertia = body.inertia.change_frame(to);",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "jacobian of the body: from the wrong side of the end",
+        file: "codegen/src/model/jacobian.rs",
+        from: "let mut pose = path.end.inverse();",
+        to: "let mut pose = path.end;",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "pose: the third column against the other two",
+        file: "codegen/src/model/pose.rs",
+        from: "columns[(k + 1) % 3].cross(columns[(k + 2) % 3])",
+        to: "columns[(k + 2) % 3].cross(columns[(k + 1) % 3])",
         noticed_by: engine(CHECKED),
     },
     Mutation {

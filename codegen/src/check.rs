@@ -256,11 +256,8 @@ impl Judge {
     }
 
     fn expected(&self, function: Function, frame: usize) -> Vec<Approximate> {
-        let exactly = |numbers: &[f64]| -> Vec<Approximate> {
-            numbers.iter().copied().map(Approximate::exact).collect()
-        };
-        let nothing = exactly(&vec![0.0; self.state.q.len()]);
-        let (qd, qdd) = (exactly(&self.state.qd), exactly(&self.state.qdd));
+        let nothing = Approximate::exactly(&vec![0.0; self.state.q.len()]);
+        let [qd, qdd] = [&self.state.qd, &self.state.qdd].map(|of| Approximate::exactly(of));
         let posture = &self.posture;
         let pose = || posture.pose(frame);
         let columns = |seen: &dyn Fn(&Matrix<Approximate>) -> Matrix<Approximate>| {
@@ -304,18 +301,8 @@ impl Judge {
 
     /// The first joint that needs another torque for these accelerations than the one given.
     fn first_unsolved(&self, found: &[Approximate]) -> Option<Wrong> {
-        let exact = |number: &Approximate| Approximate {
-            error: 0.0,
-            ..*number
-        };
-        let qd: Vec<Approximate> = self
-            .state
-            .qd
-            .iter()
-            .copied()
-            .map(Approximate::exact)
-            .collect();
-        let qdd: Vec<Approximate> = found.iter().map(exact).collect();
+        let qd = Approximate::exactly(&self.state.qd);
+        let qdd: Vec<Approximate> = found.iter().copied().map(Approximate::as_found).collect();
         let torques = self.posture.torques(self.rates(&qd, &qdd));
         let mut pairs = torques.iter().zip(&self.state.tau).enumerate();
         pairs.find_map(|(row, (torque, tau))| {
@@ -334,11 +321,9 @@ impl Judge {
             let solution: Vec<Approximate> =
                 (0..count).map(|k| found[k * count + column]).collect();
             let terms = matrix[row].iter().zip(&solution);
-            let exact = |number: &Approximate| Approximate {
-                error: 0.0,
-                ..*number
-            };
-            let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| sum + *m * exact(x));
+            let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
+                sum + *m * x.as_found()
+            });
             let unit = if row == column { 1.0 } else { 0.0 };
             let distance = (product.to_f64() - unit).abs();
             let most = self.most_unsolved(row, product, &solution);

@@ -26,6 +26,16 @@ impl Approximate {
         }
     }
 
+    /// Numbers that are meant as they stand.
+    pub(super) fn exactly(values: &[f64]) -> Vec<Self> {
+        values.iter().copied().map(Self::exact).collect()
+    }
+
+    /// What was found, taken as it stands.
+    pub(super) const fn as_found(self) -> Self {
+        Self { error: 0.0, ..self }
+    }
+
     pub(super) const fn to_f64(self) -> f64 {
         self.value.to_f64()
     }

@@ -102,19 +102,32 @@ pub(super) fn cheapest(
         return Ok(search.best(asked).1);
     }
     let mut measure = Measure::of(chain, functions, worst.loss);
-    let mut tried: Vec<(usize, Found)> = Vec::new();
+    let mut measured = |mut found: Found| {
+        found.error = measure.error(&found.program, scalar);
+        found
+    };
+    let mut tried: Vec<Found> = Vec::new();
     for forms in forward::rounds(chain, functions, formulation) {
         let mut best: Option<(usize, Found)> = None;
         for form in forms {
-            let (weight, mut found) = search.best(form);
+            // Of a form that is far from accurate in one layout, no other need be looked at.
+            if let Some(before) = tried.first() {
+                let (_, glimpse) = search.within(form, &[before.layout], &[before.way]);
+                let glimpse = measured(glimpse);
+                if glimpse.error > FAR * forward::ENOUGH {
+                    tried.push(glimpse);
+                    continue;
+                }
+            }
+            let (weight, found) = search.best(form);
             if best.as_ref().is_some_and(|(least, _)| *least <= weight) {
                 continue;
             }
-            found.error = measure.error(&found.program, scalar);
+            let found = measured(found);
             if found.error <= forward::ENOUGH {
                 best = Some((weight, found));
             } else {
-                tried.push((weight, found));
+                tried.push(found);
             }
         }
         if let Some((_, found)) = best {
@@ -122,7 +135,7 @@ pub(super) fn cheapest(
         }
     }
     // None is accurate enough: what costs least of those that lose little more than the best.
-    let least = (tried.iter()).fold(f64::INFINITY, |least, (_, found)| least.min(found.error));
+    let least = (tried.iter()).fold(f64::INFINITY, |least, found| least.min(found.error));
     if !forward::keeps_half(least, scalar) {
         return Err(forward::hopeless(
             chain,
@@ -132,12 +145,14 @@ pub(super) fn cheapest(
             (scalar, formulation.frame),
         ));
     }
-    let near = tried
-        .into_iter()
-        .filter(|(_, found)| found.error <= 2.0 * least);
-    let best = near.min_by_key(|(weight, _)| *weight);
-    Ok(best.expect("the least is among them").1)
+    let near = tried.iter().filter(|found| found.error <= 2.0 * least);
+    let best = near.map(|found| search.best(found.way.forward));
+    let best = best.min_by_key(|(weight, _)| *weight);
+    Ok(measured(best.expect("the least is among them").1))
 }
+
+/// How many times the error that is enough is far from it.
+const FAR: f64 = 16.0;
 
 /// Where the program of least weight is looked for.
 struct Search<'a> {
@@ -180,6 +195,11 @@ impl<'a> Search<'a> {
     /// The program of least weight in a form of forward dynamics, of all layouts and ways; its error has
     /// not been measured.
     fn best(&self, forward: Forward) -> (usize, Found) {
+        self.within(forward, &self.layouts, &self.ways)
+    }
+
+    /// The same, of some layouts and ways.
+    fn within(&self, forward: Forward, layouts: &[Layout], ways: &[Way]) -> (usize, Found) {
         let schedule = match self.formulation.products {
             Products::Fused if self.processor.fuses(self.scalar) => schedule,
             Products::Fused | Products::Unfused => schedule_unfused,
@@ -190,10 +210,10 @@ impl<'a> Search<'a> {
         let physical =
             forward != Forward::UNREFINED || self.formulation.parameters == Parameters::Raw;
         let mut best: Option<(usize, Found)> = None;
-        for &layout in &self.layouts {
+        for &layout in layouts {
             let regroup = layout.regroup && !physical;
             let layout = Layout { regroup, ..layout };
-            for &way in &self.ways {
+            for &way in ways {
                 let way = Way { forward, ..way };
                 let (chain, functions) = (self.chain, self.functions);
                 let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);

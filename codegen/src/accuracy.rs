@@ -6,13 +6,15 @@
 //! reason.
 
 mod articulated;
+pub mod mobility;
+pub mod range;
 mod solved;
 
 use std::collections::BTreeMap;
 
 pub use self::articulated::of_articulated;
+use self::range::Range;
 pub use self::solved::{of_accelerations, of_inverse};
-use crate::chain::range::{self, Range};
 use crate::chain::{Chain, Motion};
 use crate::expression::Input;
 use crate::function::{Argument, Function, Shape};

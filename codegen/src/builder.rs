@@ -23,8 +23,8 @@ use crate::error::{Errors, Place};
 use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
+use crate::processor::Processor;
 use crate::request::{Parameter, Real, Request, Target};
-use crate::target::Processor;
 
 /// Reads a robot and writes its functions.
 ///

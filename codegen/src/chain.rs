@@ -2,22 +2,18 @@
 //!
 //! In: a [`Description`] and a [`Request`]. Out: a [`Chain`] of the moving joints, parents before
 //! children, in which everything that is held still is part of the body that carries it; every
-//! mistake that takes two items to see is found here. It never chooses what is cheap: that is for
-//! [`frames`] and [`regroup`], which a model asks for when it wants them.
+//! mistake that takes two items to see is found here. It never chooses what is cheap: where frames go
+//! and mass sits is for [`layout`](crate::layout).
 
 mod angle;
 mod check;
-pub mod frames;
 mod merge;
-pub mod mobility;
 mod names;
 mod numbers;
 pub mod physical;
-pub mod range;
-pub mod regroup;
 mod shape;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use crate::description::{Description, Limits, Source};
 use crate::error::{Complaint, Errors, Place};

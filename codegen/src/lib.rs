@@ -1,10 +1,11 @@
 //! Expands the 4×4 matrices of a robot into straight-line Rust.
 //!
 //! ```text
-//! description ──► chain ──► model ──► simplify ──► schedule ──► emit
-//!  what the        what it    4×4       fewer         order,      tokens
-//!  user wrote      means      matrices  operations    live ranges
-//!                             of Expr
+//! description ──► chain ──► layout ──► model ──► simplify ──► schedule ──► emit
+//!  what the        what it    which     4×4       fewer         order,      tokens
+//!  user wrote      means      frames    matrices  operations    live ranges
+//!                             and       of Expr
+//!                             numbers
 //! ```
 
 pub mod accuracy;
@@ -21,16 +22,17 @@ pub mod expand;
 pub mod expression;
 pub mod formulation;
 pub mod function;
+pub mod layout;
 pub mod matrix;
 pub mod model;
+pub mod processor;
 pub mod request;
 pub mod schedule;
 pub mod simplify;
-pub mod target;
 mod wording;
 
 pub use builder::Builder;
 pub use formulation::Formulation;
 pub use function::Function;
+pub use processor::Processor;
 pub use request::{Real, Target};
-pub use target::Processor;

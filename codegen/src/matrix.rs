@@ -1,6 +1,6 @@
 //! The 4×4 matrices of Legnani et al. 1996 over scalars that are not known yet.
 //!
-//! In: [`Term`](crate::expression::Term)s. Out: the paper's M, L, W, H, J, Γ and Φ, each kept as its blocks, with
+//! In: [`Term`](crate::expression::Term)s. Out: the paper's M, L, W, H, J and Φ, each kept as its blocks, with
 //! the operations that mean something for it. What is zero or one in a block costs nothing, because
 //! the graph folds it away. It never decides in which frame or order anything is computed.
 //!
@@ -11,13 +11,11 @@
 //! | W | [`Velocity`] | ω, v₀ |
 //! | H | [`Acceleration`] | ω, ω̇, a₀, with G = ω̲̇ + ω̲² rebuilt on demand |
 //! | J | [`Inertia`] | ∫PPᵗ, q, m |
-//! | Γ | [`Momentum`] | γ, ρ |
 //! | Φ | [`Action`] | c, f |
 
 mod acceleration;
 mod action;
 mod inertia;
-mod momentum;
 mod pose;
 mod screw;
 mod vector;
@@ -26,7 +24,6 @@ mod velocity;
 pub use acceleration::Acceleration;
 pub use action::Action;
 pub use inertia::{Inertia, Symmetric};
-pub use momentum::Momentum;
 pub use pose::{Pose, Rotation};
 pub use screw::Screw;
 pub use vector::Vector;

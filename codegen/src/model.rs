@@ -22,9 +22,9 @@ pub(crate) use self::articulated::{MOTION as ARTICULATED_MOTION, STEP as ARTICUL
 pub use crate::formulation::{Angles, Forward, Frame};
 pub use dense::dense;
 
-use crate::chain::frames::Bodies;
 use crate::expression::{Graph, Input, Term};
 use crate::function::{Argument, Function};
+use crate::layout::Bodies;
 use crate::matrix::Vector;
 
 /// One of several ways to compute the same.

@@ -11,7 +11,7 @@ use crate::description::{Name, Number};
 use crate::error::{Complaint, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
-use crate::target::Processor;
+use crate::processor::Processor;
 use crate::wording::quoted;
 
 /// Everything that is asked for.

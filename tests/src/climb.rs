@@ -7,14 +7,14 @@
 
 use std::marker::PhantomData;
 
+use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{Accuracy, Bound};
-use homogen_codegen::chain::frames::{Layout, arrange};
-use homogen_codegen::chain::range::Range;
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::Description;
 use homogen_codegen::emit::{Item, Listed};
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
+use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::{self, Way};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;

@@ -7,10 +7,9 @@
 
 use std::fmt::Write;
 
+use homogen_codegen::accuracy::mobility::mobility;
+use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{self, Accuracy, Bound, Means};
-use homogen_codegen::chain::frames::{Layout, arrange};
-use homogen_codegen::chain::mobility::mobility;
-use homogen_codegen::chain::range::Range;
 use homogen_codegen::chain::{self, Chain, Motion};
 use homogen_codegen::description::{Description, Name, read_file};
 use homogen_codegen::emit::Item;
@@ -19,6 +18,7 @@ use homogen_codegen::expand::{expand, program_as};
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::formulation::{Angles, Formulation, Forward, Frame, Parameters};
 use homogen_codegen::function::Shape;
+use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::{self, Way};
 use homogen_codegen::request::{Parameter, Request, Target};
 use homogen_codegen::schedule::{Operand, Program, run};

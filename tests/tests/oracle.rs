@@ -8,11 +8,11 @@
 use std::path::Path;
 
 use homogen_codegen::Function;
-use homogen_codegen::chain::frames::{Layout, Sliding};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{self, Description, Number, inline};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::program_by;
+use homogen_codegen::layout::{Layout, Sliding};
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_tests::arguments::Arguments;

@@ -7,12 +7,12 @@
 
 use std::fmt::Write;
 
-use homogen_codegen::chain::frames::Layout;
 use homogen_codegen::check::Check;
 use homogen_codegen::description::{Description, Number, read_text};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{program, program_by, understand};
 use homogen_codegen::formulation::Angles;
+use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};

@@ -16,11 +16,11 @@ use std::{cmp, ops};
 
 use super::solved::{DOUBTFUL, caused, stays, tried, widened};
 use super::{Accuracy, Given, Means, Worst, backward, computed, error, value};
-use crate::chain::frames::{Body, Layout, arrange};
-use crate::chain::mobility::{Mobility, mobility};
-use crate::chain::range::Range;
+use crate::accuracy::mobility::{Mobility, mobility};
+use crate::accuracy::range::Range;
 use crate::chain::{Chain, Motion};
 use crate::expression::{Double, Expr, Graph, Input, Term};
+use crate::layout::{Body, Layout, arrange};
 use crate::model::{self, ARTICULATED_MOTION, ARTICULATED_STEP, Way};
 use crate::request::Real;
 use crate::schedule::bound::{self, Conditions, Value};

@@ -10,10 +10,10 @@
 //! with a bound S of |ΔM|, and xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
 use super::{Accuracy, Given, Means, Worst, backward, computed, error};
+use crate::accuracy::mobility::{Mobility, mobility};
+use crate::accuracy::range::Range;
 use crate::chain::Chain;
-use crate::chain::frames::Layout;
-use crate::chain::mobility::{Mobility, mobility};
-use crate::chain::range::Range;
+use crate::layout::Layout;
 use crate::request::Real;
 use crate::schedule::Program;
 use crate::schedule::bound::{Reason, Value};

@@ -9,8 +9,8 @@ use std::{env, fs};
 use super::{Builder, Origin};
 use crate::emit::{self, Listing};
 use crate::error::{Errors, Place};
+use crate::processor::Processor;
 use crate::request::Real;
-use crate::target::Processor;
 
 impl Builder {
     /// The same as [`Builder::to_tokens`], formatted, under a head that tells origin, options and

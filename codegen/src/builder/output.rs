@@ -10,8 +10,8 @@ use crate::description::{self, Description};
 use crate::emit::{self, Item, Library, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Products, Sines};
+use crate::processor::Processor;
 use crate::request::{Real, Trigonometry};
-use crate::target::Processor;
 
 impl Builder {
     /// The struct and its methods.

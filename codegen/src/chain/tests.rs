@@ -3,7 +3,6 @@
 //! What can be seen in one item alone is refused by the readers and tested there.
 
 mod bodies;
-mod torques;
 
 use std::path::Path;
 
@@ -13,7 +12,7 @@ use crate::error::Errors;
 use crate::request::{Parameter, Request, Target};
 
 /// A description and a request in the grammar of `chain!`.
-fn read(text: &str) -> (Description, Request) {
+pub(crate) fn read(text: &str) -> (Description, Request) {
     let mut errors = Errors::new();
     let tokens = text.parse().expect("tokens");
     let item = inline::read(tokens, Path::new("nowhere"), &mut errors);
@@ -22,7 +21,7 @@ fn read(text: &str) -> (Description, Request) {
     (item.description.expect("a description"), item.request)
 }
 
-fn fine(text: &str) -> Chain {
+pub(crate) fn fine(text: &str) -> Chain {
     let (description, request) = read(text);
     build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
 }
@@ -38,7 +37,7 @@ fn lines(lines: &[&str]) -> String {
     lines.join("\n") + "\n"
 }
 
-fn named(text: &str) -> Name {
+pub(crate) fn named(text: &str) -> Name {
     Name {
         text: text.to_owned(),
         ..Name::default()

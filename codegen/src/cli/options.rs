@@ -16,8 +16,8 @@ use crate::description::{self, Description, Name, Number};
 use crate::emit::{Item, type_name};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
+use crate::processor::Processor;
 use crate::request::{Real, Request};
-use crate::target::Processor;
 use crate::wording::visible;
 
 /// Which robot, and which part of it.

@@ -13,8 +13,8 @@ use super::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::error::{Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
+use crate::processor::Processor;
 use crate::request::{Real, Request};
-use crate::target::Processor;
 use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and

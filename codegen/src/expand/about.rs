@@ -5,13 +5,13 @@
 //! price and its accuracy.
 
 use crate::chain::Chain;
-use crate::chain::frames::{Layout, arrange};
 use crate::description::Description;
 use crate::emit::About;
 use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, Node, Term};
 use crate::formulation::{Formulation, Parameters};
 use crate::function::Function;
+use crate::layout::{Layout, arrange};
 use crate::model::{self, Way};
 
 /// What they say.

@@ -10,16 +10,16 @@ use super::forward;
 use super::measured::Measure;
 use super::solvable::solvable;
 use crate::chain::Chain;
-use crate::chain::frames::{Layout, arrange};
 use crate::error::Errors;
 use crate::expression::{Expr, Graph, Term};
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
+use crate::layout::{Layout, arrange};
 use crate::model::{self, Way};
+use crate::processor::Processor;
 use crate::request::Real;
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
 use crate::simplify::simplify;
-use crate::target::Processor;
 
 /// The cheapest program found for some functions together, of a frame of the chain.
 ///

@@ -7,12 +7,12 @@
 
 use super::choice::expressions_by;
 use super::solvable::field;
+use crate::accuracy::range::Range;
 use crate::chain::Chain;
-use crate::chain::frames::Layout;
-use crate::chain::range::Range;
 use crate::expression::{Arithmetic, Double, Evaluation, Input};
 use crate::formulation::Forward;
 use crate::function::Function;
+use crate::layout::Layout;
 use crate::model::Way;
 use crate::request::Real;
 use crate::schedule::{Program, run};

@@ -6,11 +6,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::chain::frames::{Layout, arrange};
-use crate::chain::range::Range;
+use crate::accuracy::range::Range;
 use crate::chain::{Chain, Joint, physical};
 use crate::error::{Complaint, Errors};
 use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
+use crate::layout::{Layout, arrange};
 use crate::model;
 use crate::wording::{list, quoted};
 

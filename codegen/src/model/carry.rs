@@ -8,9 +8,9 @@
 use super::State;
 use super::turn::{self, Turn};
 use crate::chain::Motion;
-use crate::chain::frames::{Bodies, Body};
 use crate::expression::Term;
 use crate::formulation::Angles;
+use crate::layout::{Bodies, Body};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
 
 /// The displacement of a joint: a turn about z and a slide along it.

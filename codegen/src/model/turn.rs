@@ -7,9 +7,9 @@
 
 use super::State;
 use crate::chain::Motion;
-use crate::chain::frames::{Bodies, Body};
 use crate::expression::{Graph, Term};
 use crate::formulation::Angles;
+use crate::layout::{Bodies, Body};
 
 /// A turn about z.
 #[derive(Clone, Copy, Default)]

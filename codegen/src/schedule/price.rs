@@ -8,8 +8,8 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use super::{Operand, Operation, Program};
+use crate::processor::Processor;
 use crate::request::Real;
-use crate::target::Processor;
 
 /// How many operations of each kind a program runs.
 ///

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::{fs, io};
 
 use homogen_codegen::Function;
-use homogen_codegen::chain::frames::{Layout, arrange};
+use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};

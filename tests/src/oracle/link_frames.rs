@@ -5,9 +5,9 @@
 
 use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::chain::frames::Layout;
 use homogen_codegen::expand::expressions_by;
 use homogen_codegen::expression::Evaluation;
+use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 
 use crate::arguments::Arguments;

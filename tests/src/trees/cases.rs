@@ -7,8 +7,8 @@ use std::fmt;
 
 use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::chain::frames::Layout;
 use homogen_codegen::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
+use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 
 use crate::states::Random;

@@ -2,8 +2,8 @@
 
 use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::chain::frames::Layout;
 use homogen_codegen::expand::program_by;
+use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::Program;
 use homogen_tests::arguments::Arguments;

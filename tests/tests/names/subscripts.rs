@@ -8,11 +8,11 @@ use std::collections::BTreeSet;
 
 use homogen::Direction;
 use homogen_codegen::Function;
-use homogen_codegen::chain::frames::Layout;
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::read_text;
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::program_by;
+use homogen_codegen::layout::Layout;
 use homogen_codegen::model::{Carried, Way};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Operand, Program, run};

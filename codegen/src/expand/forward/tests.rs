@@ -4,17 +4,17 @@ use proc_macro2::{Ident, Span};
 
 use super::super::choice::{cheapest, program_by};
 use super::super::understand;
-use crate::chain::frames::Layout;
 use crate::chain::{self, Chain};
 use crate::description::{Description, Name, read_text};
 use crate::error::Errors;
 use crate::expression::{Double, Input};
 use crate::formulation::{Formulation, Forward};
 use crate::function::Function::{self, ForwardDynamics, MassMatrixInverse};
+use crate::layout::Layout;
 use crate::model::Way;
+use crate::processor::Processor;
 use crate::request::{Parameter, Real, Request, Target};
 use crate::schedule::run;
-use crate::target::Processor;
 
 const SOLVED: [Function; 2] = [ForwardDynamics, MassMatrixInverse];
 

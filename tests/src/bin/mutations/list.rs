@@ -70,7 +70,7 @@ const MUTATIONS: [Mutation; 34] = [
     },
     Mutation {
         name: "regrouping: what passes the joint is kept as well",
-        file: "codegen/src/chain/regroup.rs",
+        file: "codegen/src/layout/regroup.rs",
         from: "body.inertia - passes",
         to: "body.inertia + passes",
         noticed_by: engine(OBLIQUE),
@@ -102,28 +102,28 @@ const MUTATIONS: [Mutation; 34] = [
     },
     Mutation {
         name: "layout: a child's placement moved the wrong way",
-        file: "codegen/src/chain/frames.rs",
+        file: "codegen/src/layout/bodies.rs",
         from: "child.placement = from * child.placement",
         to: "child.placement = to * child.placement",
         noticed_by: engine(CHECKED),
     },
     Mutation {
         name: "layout: an offset of the angle not taken off the placement",
-        file: "codegen/src/chain/frames.rs",
+        file: "codegen/src/layout/frames.rs",
         from: "rotation * Rotation::about_z((-sine, cosine))",
         to: "rotation * Rotation::about_z((sine, cosine))",
         noticed_by: engine(CHECKED),
     },
     Mutation {
         name: "layout: the axis of a joint against itself",
-        file: "codegen/src/chain/frames.rs",
+        file: "codegen/src/layout/frames.rs",
         from: "let last = if size(k) > 0.0 { last } else { -last };",
         to: "let last = if size(k) > 0.0 { -last } else { last };",
         noticed_by: engine(CHECKED),
     },
     Mutation {
         name: "layout: a body's inertia moved the wrong way",
-        file: "codegen/src/chain/frames.rs",
+        file: "codegen/src/layout/bodies.rs",
         from: "body.inertia = body.inertia.change_frame(from);",
         to: "body.inertia = body.inertia.change_frame(to);",
         noticed_by: engine(CHECKED),
@@ -144,7 +144,7 @@ const MUTATIONS: [Mutation; 34] = [
     },
     Mutation {
         name: "regrouping: mass beside the axis passed on",
-        file: "codegen/src/chain/regroup.rs",
+        file: "codegen/src/layout/regroup.rs",
         from: "Symmetric([zero, zero, zz, zero, zero, zero])",
         to: "Symmetric([zz, zero, zero, zero, zero, zero])",
         noticed_by: engine(CHECKED),
@@ -297,8 +297,7 @@ const MUTATIONS: [Mutation; 34] = [
 /// What makes expansion itself fail, whatever else would notice.
 const CHECKED: &str = "check::tests::every_function_of_many_robots_is_what_the_description_says";
 
-const OBLIQUE: &str =
-    "chain::tests::torques::a_tree_of_oblique_axes_has_the_same_torques_in_every_layout";
+const OBLIQUE: &str = "layout::tests::a_tree_of_oblique_axes_has_the_same_torques_in_every_layout";
 
 const fn engine(name: &'static str) -> Test {
     Test {

@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Chain, Joint, Motion};
+use crate::chain::{Chain, Joint, Motion};
 use crate::expression::Input;
 use crate::function::Argument;
 use crate::request::Parameter;

@@ -6,10 +6,10 @@
 //! do about its axis, or along it, and their share of the kinetic energy is there whatever the
 //! others do. A mass in a field is taken at its least: more of it only adds energy.
 
-use super::frames::{Body, Layout, arrange};
 use super::range::Range;
-use super::{Chain, Motion};
+use crate::chain::{Chain, Motion};
 use crate::expression::{Double, Expr, Input, Term, evaluate};
+use crate::layout::{Body, Layout, arrange};
 use crate::request::Target;
 
 /// Bounds of the squares of rates by twice the kinetic energy; infinite where a body has no inertia of

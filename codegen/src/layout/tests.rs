@@ -1,13 +1,17 @@
 //! The same results from every choice of frames and every formulation, to the last digits of
 //! 106 bits; and from a joint that is locked as from one that stands still there.
 
-use super::*;
-use crate::chain::Motion;
-use crate::chain::frames::{Layout, Sliding, arrange};
+use std::path::Path;
+
+use super::{Layout, Sliding, arrange};
+use crate::chain::tests::{fine, named, read};
+use crate::chain::{Chain, Motion, build};
+use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, evaluate};
 use crate::formulation::{Angles, Forward};
 use crate::function::Function;
 use crate::model::{self, Way};
+use crate::request::{Parameter, Request, Target};
 
 /// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
 const TOLERANCE: f64 = 1e-28;

@@ -5,8 +5,8 @@
 //! are rounded once, when they become literals. The result is not a physical inertia: a function
 //! that needs one takes the bodies as they were before.
 
-use super::Motion;
-use super::frames::Body;
+use super::Body;
+use crate::chain::Motion;
 use crate::expression::Term;
 use crate::matrix::{Inertia, Symmetric};
 

@@ -255,13 +255,6 @@ impl Builder {
         self
     }
 
-    /// The path of a function from a number to its square root; `::libm::sqrt` or `::libm::sqrtf`
-    /// where none is given. No function of a robot takes a root as yet.
-    pub fn sqrt(mut self, path: &str) -> Self {
-        self.library.sqrt = self.path(path);
-        self
-    }
-
     /// Functions for C beside the methods, whose names are this and the method's: `arm_gravity`.
     ///
     /// [`Builder::write_c_header`] writes the header that declares them. They are `#[no_mangle]`,

@@ -83,10 +83,10 @@ pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> 
                 let found = found.map(|found| error(found).map(|_| found.value));
                 found.collect::<Result<Vec<Value>, _>>()
             };
-            let felt = felt(&links, &motions, &wider, &mobility, scalar, step)?;
-            let off = caused(&mobility.joints, &felt);
+            let errors = torque_errors(&links, &motions, &wider, &mobility, scalar, step)?;
+            let off = caused(&mobility.joints, &errors);
             if stays(&range, margin, &off) {
-                Ok(felt)
+                Ok(errors)
             } else {
                 Err(DOUBTFUL)
             }
@@ -220,12 +220,12 @@ impl Moving {
     }
 }
 
-/// What each joint feels of all roundings; `step` computes what a joint passes on, with its errors.
+/// How far off the torque or force is that each joint feels, by all roundings; `step` computes what a joint passes on, with its errors.
 ///
 /// Roundings are counted where they are not followed step by step. A product with the reciprocal of a
 /// pivot D has three; and since U = (c, f) of a unit acceleration of the joint has entries of at most
 /// γ√D and s√D, D cancels wherever it divides.
-fn felt(
+fn torque_errors(
     links: &[Link],
     motions: &[Moving],
     range: &Range,
@@ -282,8 +282,8 @@ fn felt(
         let seen = Pair::new(whole.turning + link.reach * whole.sliding, whole.sliding);
         let [turns, slides] = mobility.bodies[parent].map(f64::sqrt);
         let moving = Pair::new(turns, slides);
-        let felt = seen.dot(moving);
-        let summed = felt * felt * (3.0 + children[parent]) * roundoff;
+        let speed = seen.dot(moving);
+        let summed = speed * speed * (3.0 + children[parent]) * roundoff;
         spoilt += inertia_of(&found, moving).dot(moving) + summed;
         lost[parent] = lost[parent]
             .plus(lost[k].at_distance(link.reach))
@@ -296,8 +296,8 @@ fn felt(
     if spoilt.partial_cmp(&SPOILT).is_none_or(cmp::Ordering::is_gt) {
         return Err(DOUBTFUL);
     }
-    let felt = links.iter().zip(lost);
-    Ok(felt.map(|(link, lost)| TRUST * link.along(lost)).collect())
+    let links = links.iter().zip(lost);
+    Ok(links.map(|(link, lost)| TRUST * link.along(lost)).collect())
 }
 
 /// What a step takes: what the joint leaves of the articulated inertia of γ and s, by four roundings,

@@ -32,9 +32,6 @@ pub(super) struct Generate {
     /// [default: the file brings its own]
     #[arg(long, value_name = "PATH")]
     sin_cos: Option<String>,
-    /// The path of a function from a number to its square root [default: that of libm]
-    #[arg(long, value_name = "PATH")]
-    sqrt: Option<String>,
     /// Functions for C as well, whose names begin with this
     #[arg(long, value_name = "PREFIX")]
     extern_c: Option<String>,
@@ -62,9 +59,6 @@ impl Generate {
         }
         if let Some(path) = &self.sin_cos {
             builder = builder.sin_cos(path);
-        }
-        if let Some(path) = &self.sqrt {
-            builder = builder.sqrt(path);
         }
         if let Some(prefix) = &self.extern_c {
             builder = builder.extern_c(prefix);

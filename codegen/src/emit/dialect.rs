@@ -20,8 +20,6 @@ pub struct Library {
     /// A function from an angle to its sine and cosine, as a pair; where none is named, the struct
     /// gets one of its own.
     pub sin_cos: Option<TokenStream>,
-    /// A function from a number to its square root; that of the crate `libm` where none is named.
-    pub sqrt: Option<TokenStream>,
     /// How the names of functions for C begin; there are none where this is not given.
     pub c_prefix: Option<String>,
 }
@@ -184,9 +182,6 @@ impl Dialect {
     pub fn sqrt(&self, a: &TokenStream) -> TokenStream {
         match &self.world {
             World::Runtime(runtime) => quote! { #runtime::Scalar::sqrt(#a) },
-            World::Core(Library {
-                sqrt: Some(sqrt), ..
-            }) => quote! { #sqrt(#a) },
             World::Core(_) if self.real == Real::F32 => quote! { ::libm::sqrtf(#a) },
             World::Core(_) => quote! { ::libm::sqrt(#a) },
         }

@@ -5,7 +5,7 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use syn::{DeriveInput, GenericParam, Generics, Visibility, parse_quote};
+use syn::{GenericParam, Generics, Visibility, parse_quote};
 
 use super::Listing;
 use super::dialect::{Dialect, World};
@@ -38,8 +38,8 @@ pub enum Declaration {
 
 impl Item {
     /// The struct under a derive.
-    #[must_use]
-    pub fn derived(input: &DeriveInput) -> Self {
+    #[cfg(test)]
+    pub(super) fn derived(input: &syn::DeriveInput) -> Self {
         Self {
             visibility: input.vis.clone(),
             ident: input.ident.clone(),

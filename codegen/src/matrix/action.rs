@@ -3,7 +3,7 @@
 use std::ops::Add;
 
 use super::{Acceleration, Inertia, Pose, Screw, Vector};
-use crate::expression::{Graph, Term};
+use crate::expression::Term;
 
 /// An action Φ: c̲, f; −fᵗ, 0.
 #[derive(Clone, Copy, Debug)]
@@ -15,14 +15,6 @@ pub struct Action<E> {
 }
 
 impl<'g> Action<Term<'g>> {
-    /// None.
-    pub fn zero(graph: &'g Graph) -> Self {
-        Self {
-            c: Vector::zero(graph),
-            f: Vector::zero(graph),
-        }
-    }
-
     /// What gives a body of inertia J the acceleration H: Φ = skew\[H J\] (eqs. 18 and 25).
     #[must_use]
     pub fn of(h: Acceleration<Term<'g>>, j: Inertia<Term<'g>>) -> Self {

@@ -44,7 +44,7 @@ impl<'g> Joint<'g> {
         let outer = body.parent.and_then(|parent| left[parent]);
         let angle = match left[k] {
             Some(_) => (zero, one),
-            None => turn::of(body, k, state, outer).sine_and_cosine(graph),
+            None => turn::of_body(body, k, state, outer).sine_and_cosine(graph),
         };
         let (slide, u, b) = match body.motion {
             Motion::Revolute => (zero, one, zero),
@@ -139,7 +139,7 @@ impl<'g> Joint<'g> {
 
 /// All joints, in the order of q.
 pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Joint<'g>> {
-    let left = turn::left(bodies, state, angles, |k| {
+    let left = turn::left_to_carried(bodies, state, angles, |k| {
         let mut carried = bodies
             .bodies
             .iter()
@@ -179,7 +179,7 @@ impl<'g> Path<'g> {
 pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, angles: Angles) -> Path<'g> {
     let (last, end) = bodies.frames[frame];
     let inwards = || std::iter::successors(last, |&k| bodies.bodies[k].parent);
-    let left = turn::left(bodies, state, angles, |k| {
+    let left = turn::left_to_carried(bodies, state, angles, |k| {
         let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
         next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))
     });

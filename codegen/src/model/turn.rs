@@ -64,7 +64,12 @@ impl<'g> Turn<'g> {
 }
 
 /// How far body `k` has turned, beyond the frame of the body it hangs on where that left a turn.
-pub fn of<'g>(body: &Body<'g>, k: usize, state: &State<'g>, outer: Option<Turn<'g>>) -> Turn<'g> {
+pub fn of_body<'g>(
+    body: &Body<'g>,
+    k: usize,
+    state: &State<'g>,
+    outer: Option<Turn<'g>>,
+) -> Turn<'g> {
     let own = match body.motion {
         Motion::Revolute | Motion::Screw(_) => Turn::by(state.q(k), body.offset),
         Motion::Prismatic => Turn::default(),
@@ -81,7 +86,7 @@ pub fn of<'g>(body: &Body<'g>, k: usize, state: &State<'g>, outer: Option<Turn<'
 }
 
 /// What each body's frame leaves of its turn to the bodies it carries, if it does.
-pub fn left<'g>(
+pub fn left_to_carried<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
     angles: Angles,
@@ -91,7 +96,7 @@ pub fn left<'g>(
     if angles == Angles::Merged {
         for (k, body) in bodies.bodies.iter().enumerate().filter(|&(k, _)| leaves(k)) {
             let outer = body.parent.and_then(|parent| left[parent]);
-            left[k] = Some(of(body, k, state, outer));
+            left[k] = Some(of_body(body, k, state, outer));
         }
     }
     left

@@ -18,7 +18,7 @@ pub use self::solved::{of_accelerations, of_inverse};
 use crate::chain::{Chain, Motion};
 use crate::expression::Input;
 use crate::function::{Argument, Function, Shape};
-use crate::request::{Real, Trigonometry};
+use crate::real::{Real, Trigonometry};
 use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
 

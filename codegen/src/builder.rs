@@ -24,7 +24,8 @@ use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::processor::Processor;
-use crate::request::{Parameter, Real, Request, Target};
+use crate::real::Real;
+use crate::request::{Parameter, Request, Target};
 
 /// Reads a robot and writes its functions.
 ///

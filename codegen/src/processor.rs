@@ -1,11 +1,9 @@
 //! Processors, and what their operations cost.
 //!
-//! In: a name, a type of number, a price. Out: whether a product and a sum are fused, a weight to
-//! choose frames and forms by, and the cycles of the arithmetic. A shared noun: it never looks at a
-//! program.
+//! In: a name, a type of number. Out: whether a product and a sum are fused, and for how many cycles each
+//! operation keeps a unit busy. A shared noun: it never looks at a program or its price.
 
-use crate::request::Real;
-use crate::schedule::Price;
+use crate::real::Real;
 use crate::wording::known;
 
 /// What code is generated for.
@@ -35,18 +33,18 @@ pub enum Processor {
 
 /// For how many cycles an operation keeps an arithmetic unit busy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Costs {
+pub(crate) struct Costs {
     /// A sum, a difference or a change of sign.
-    add: usize,
-    mul: usize,
+    pub(crate) add: usize,
+    pub(crate) mul: usize,
     /// A product and a sum at once; none where that cannot be had.
-    fused: Option<usize>,
-    div: usize,
-    sqrt: usize,
+    pub(crate) fused: Option<usize>,
+    pub(crate) div: usize,
+    pub(crate) sqrt: usize,
     /// A sine or a cosine, one half of what computes both.
-    turn: usize,
+    pub(crate) turn: usize,
     /// How many units work side by side.
-    units: usize,
+    pub(crate) units: usize,
 }
 
 impl Processor {
@@ -98,28 +96,13 @@ impl Processor {
             .is_some_and(|fused| fused <= costs.mul + costs.add)
     }
 
-    /// One number to compare two programs for the same function by; only the order is meaningful.
-    #[must_use]
-    pub fn weight(self, scalar: Real, price: &Price) -> usize {
-        let costs = self.costs(scalar);
-        costs.arithmetic(price) + costs.turn * (price.sin + price.cos)
-    }
-
-    /// For how many cycles a program keeps the arithmetic units busy, sines and cosines apart. Loads,
-    /// stores and waiting for results come on top.
-    #[must_use]
-    pub fn cycles(self, scalar: Real, price: &Price) -> usize {
-        let costs = self.costs(scalar);
-        costs.arithmetic(price).div_ceil(costs.units)
-    }
-
     /// Sources: the Technical Reference Manual of the Cortex-M4 (Arm DDI 0439, timing of
     /// floating-point instructions); the pipeline of the Cortex-M7 in GCC (`cortex-m7.md`); Skylake
     /// in Agner Fog's instruction tables; the Neoverse N1 in LLVM (`AArch64SchedNeoverseN1.td`). A
     /// sine on the M4F and the M7 is half of the instructions counted in `examples/cortex_m`;
     /// elsewhere it is the share of one in a vector, measured on x86-64.
     #[rustfmt::skip]
-    const fn costs(self, scalar: Real) -> Costs {
+    pub(crate) const fn costs(self, scalar: Real) -> Costs {
         let single = matches!(scalar, Real::F32);
         match self {
             Self::Portable => Costs { add: 1, mul: 1, fused: Some(2), div: 15, sqrt: 15, turn: 10, units: 1 },
@@ -134,41 +117,10 @@ impl Processor {
     }
 }
 
-impl Costs {
-    const fn arithmetic(&self, price: &Price) -> usize {
-        let fused = match self.fused {
-            Some(fused) => fused,
-            None => self.mul + self.add,
-        };
-        self.mul * (price.mul - price.fused)
-            + self.add * (price.add - price.fused + price.neg)
-            + fused * price.fused
-            + self.div * price.div
-            + self.sqrt * price.sqrt
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::Processor;
-    use crate::request::Real;
-    use crate::schedule::Price;
-
-    const PRICE: Price = Price {
-        mul: 30,
-        add: 20,
-        div: 2,
-        sqrt: 0,
-        neg: 1,
-        sin: 4,
-        cos: 3,
-        fused: 10,
-        depth: 9,
-        literals: 5,
-        naive_mul: 0,
-        naive_add: 0,
-        cycles: None,
-    };
+    use crate::real::Real;
 
     #[test]
     fn names_are_read_back() {
@@ -183,33 +135,6 @@ mod tests {
                     .to_owned()
             )
         );
-    }
-
-    #[test]
-    fn cycles_are_those_of_the_units_that_are_busy() {
-        for (processor, scalar, cycles) in [
-            (Processor::CortexM4, Real::F32, 30 + 21 + 2 * 14),
-            (Processor::CortexM7, Real::F32, 30 + 21 + 2 * 16),
-            (Processor::CortexM7, Real::F64, 3 * 30 + 21 + 2 * 31),
-            // Two units, and ten products that a sum takes with it where it can.
-            (
-                Processor::X86_64,
-                Real::F64,
-                (30 + 21 + 2 * 4_usize).div_ceil(2),
-            ),
-            (
-                Processor::X86_64V3,
-                Real::F64,
-                (20 + 11 + 10 + 2 * 4_usize).div_ceil(2),
-            ),
-            (
-                Processor::AArch64,
-                Real::F64,
-                (20 + 11 + 10 + 2 * 7_usize).div_ceil(2),
-            ),
-        ] {
-            assert_eq!(processor.cycles(scalar, &PRICE), cycles, "{processor:?}");
-        }
     }
 
     /// The model stage divides once by each pivot and multiplies by the reciprocal afterwards.

@@ -12,6 +12,7 @@ use crate::error::{Complaint, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::processor::Processor;
+use crate::real::{Real, Trigonometry};
 use crate::wording::quoted;
 
 /// Everything that is asked for.
@@ -50,72 +51,6 @@ pub struct Request {
     pub parameters: Vec<Parameter>,
     /// The path under which the generated code finds the runtime crate; `::homogen` where none.
     pub runtime: Option<TokenStream>,
-}
-
-/// The type of number in generated code.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Real {
-    /// Every type that implements the runtime's `Scalar`.
-    #[default]
-    Generic,
-    /// Single precision.
-    F32,
-    /// Double precision.
-    F64,
-}
-
-impl Real {
-    /// Half the distance from 1 to the next larger number; of `f64` where any type is meant.
-    #[must_use]
-    pub const fn roundoff(self) -> f64 {
-        match self {
-            Self::F32 => f32::EPSILON as f64 / 2.0,
-            Self::F64 | Self::Generic => f64::EPSILON / 2.0,
-        }
-    }
-
-    /// The smallest positive number of full precision; of `f64` where any type is meant.
-    #[must_use]
-    pub const fn smallest(self) -> f64 {
-        match self {
-            Self::F32 => f32::MIN_POSITIVE as f64,
-            Self::F64 | Self::Generic => f64::MIN_POSITIVE,
-        }
-    }
-
-    /// The largest number; of `f64` where any type is meant.
-    #[must_use]
-    pub const fn largest(self) -> f64 {
-        match self {
-            Self::F32 => f32::MAX as f64,
-            Self::F64 | Self::Generic => f64::MAX,
-        }
-    }
-}
-
-/// Which sines and cosines generated code calls: how exact they are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Trigonometry {
-    /// The runtime's: within one unit in the last place at every angle.
-    #[default]
-    Runtime,
-    /// Those that a file for `core` alone brings along: the same up to an angle.
-    Own,
-    /// The platform's, or a function that the user names: taken to be as exact.
-    Other,
-}
-
-impl Trigonometry {
-    /// The greatest magnitude of an angle \[rad\] whose sine and cosine are within one unit in the last
-    /// place, in the type.
-    #[must_use]
-    pub const fn reach(self, scalar: Real) -> f64 {
-        match (self, scalar) {
-            (Self::Own, Real::F32) => 3200.0,
-            (Self::Own, Real::F64 | Real::Generic) => 2e5,
-            (Self::Runtime | Self::Other, _) => f64::INFINITY,
-        }
-    }
 }
 
 /// A struct field that takes the place of a number of the description at run time.

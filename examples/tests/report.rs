@@ -19,7 +19,8 @@ use homogen_codegen::description::Description;
 use homogen_codegen::emit::Item;
 use homogen_codegen::expand::expand;
 use homogen_codegen::formulation::Angles;
-use homogen_codegen::request::{Real, Request};
+use homogen_codegen::real::Real;
+use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use scene::{Scene, Variant};
 

@@ -22,7 +22,7 @@ use crate::chain::{Chain, Motion};
 use crate::expression::{Double, Expr, Graph, Input, Term};
 use crate::layout::{Body, Layout, arrange};
 use crate::model::{self, ARTICULATED_MOTION, ARTICULATED_STEP, Way};
-use crate::request::Real;
+use crate::real::Real;
 use crate::schedule::bound::{self, Conditions, Value};
 use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;

@@ -14,7 +14,7 @@ use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::range::Range;
 use crate::chain::Chain;
 use crate::layout::Layout;
-use crate::request::Real;
+use crate::real::Real;
 use crate::schedule::Program;
 use crate::schedule::bound::{Reason, Value};
 

@@ -10,7 +10,7 @@ use super::{Builder, Origin};
 use crate::emit::{self, Listing};
 use crate::error::{Errors, Place};
 use crate::processor::Processor;
-use crate::request::Real;
+use crate::real::Real;
 
 impl Builder {
     /// The same as [`Builder::to_tokens`], formatted, under a head that tells origin, options and

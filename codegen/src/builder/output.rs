@@ -11,7 +11,7 @@ use crate::emit::{self, Item, Library, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Products, Sines};
 use crate::processor::Processor;
-use crate::request::{Real, Trigonometry};
+use crate::real::{Real, Trigonometry};
 
 impl Builder {
     /// The struct and its methods.

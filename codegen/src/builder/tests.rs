@@ -7,7 +7,8 @@ use crate::emit::{Item, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Formulation, Products, Sines};
 use crate::function::Function;
-use crate::request::{Real, Request, Target};
+use crate::real::Real;
+use crate::request::{Request, Target};
 
 const URDF: &str = r#"<robot name="double pendulum"><link name="world"/></robot>"#;
 

@@ -17,7 +17,8 @@ use crate::emit::{Item, type_name};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::processor::Processor;
-use crate::request::{Real, Request};
+use crate::real::Real;
+use crate::request::Request;
 use crate::wording::visible;
 
 /// Which robot, and which part of it.

@@ -14,7 +14,8 @@ use crate::error::{Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
 use crate::processor::Processor;
-use crate::request::{Real, Request};
+use crate::real::Real;
+use crate::request::Request;
 use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and

@@ -20,7 +20,7 @@ use super::names::{Names, is_keyword};
 use super::results::type_of;
 use super::{Library, Listed, Listing};
 use crate::function::{Function, Shape};
-use crate::request::Real;
+use crate::real::Real;
 use crate::wording::visible;
 
 /// The functions, one for each method.

@@ -11,7 +11,7 @@ use super::literals::Numerals;
 use super::names::Names;
 use super::{Listing, sines};
 use crate::formulation::Sines;
-use crate::request::Real;
+use crate::real::Real;
 use crate::schedule::LONGEST_SCOPE;
 
 /// What code without the runtime finds and leaves around it.

@@ -14,7 +14,8 @@ use quote::quote;
 use super::dialect::{Dialect, Library, World};
 use super::{About, LeftOut, Listed, Listing, method, sines};
 use crate::function::{Argument, Function, Shape};
-use crate::request::{Real, Target};
+use crate::real::Real;
+use crate::request::Target;
 use crate::wording::{list, visible};
 
 /// The doc comment of a generated method.

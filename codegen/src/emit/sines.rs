@@ -9,7 +9,7 @@ use std::str::FromStr;
 
 use proc_macro2::TokenStream;
 
-use crate::request::Real;
+use crate::real::Real;
 
 /// The name of the function.
 pub(super) const NAME: &str = "sin_cos";

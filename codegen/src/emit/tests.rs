@@ -13,7 +13,8 @@ use crate::description::Name;
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
-use crate::request::{Parameter, Real, Request, Target};
+use crate::real::Real;
+use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Operand, Operation, Price, Program, Step};
 
 mod long;

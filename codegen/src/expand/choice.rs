@@ -17,7 +17,7 @@ use crate::function::Function;
 use crate::layout::{Layout, arrange};
 use crate::model::{self, Way};
 use crate::processor::Processor;
-use crate::request::Real;
+use crate::real::Real;
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
 use crate::simplify::simplify;
 
@@ -218,7 +218,7 @@ impl<'a> Search<'a> {
                 let (chain, functions) = (self.chain, self.functions);
                 let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);
                 let program = schedule(&graph, &results);
-                let weight = self.processor.weight(self.scalar, &Price::of(&program));
+                let weight = Price::of(&program).weight(self.processor, self.scalar);
                 if best.as_ref().is_none_or(|(least, _)| weight < *least) {
                     let found = Found {
                         program,

@@ -13,7 +13,8 @@ use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::model::Way;
-use crate::request::{Real, Request};
+use crate::real::Real;
+use crate::request::Request;
 use crate::wording::list;
 
 /// The error that must not be exceeded, beside the largest result and in a thousand states \[u\].

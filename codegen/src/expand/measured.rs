@@ -14,7 +14,7 @@ use crate::formulation::Forward;
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::model::Way;
-use crate::request::Real;
+use crate::real::Real;
 use crate::schedule::{Program, run};
 
 /// How many states are looked at.

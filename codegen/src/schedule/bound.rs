@@ -23,7 +23,7 @@ use self::turn::{Place, Turn, Turns};
 pub use self::value::Value;
 use super::{Operand, Operation, Program, Step};
 use crate::expression::Input;
-use crate::request::Real;
+use crate::real::Real;
 
 /// What the bounds are multiplied by for their own rounding, which they do not follow: more than
 /// some million operations of `f64` on positive numbers can lose.

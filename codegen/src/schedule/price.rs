@@ -1,15 +1,14 @@
 //! What a program costs.
 //!
 //! In: a [`Program`]. Out: its [`Price`], the numbers that stand above a generated function and in
-//! the tables of `homogen count`. It never weighs them against each other; what is cheaper on
-//! which processor is the cost model's business.
+//! the tables of `homogen count`, and what they weigh on a [`Processor`]. It never chooses a program.
 
 use std::collections::BTreeSet;
 use std::fmt;
 
 use super::{Operand, Operation, Program};
-use crate::processor::Processor;
-use crate::request::Real;
+use crate::processor::{Costs, Processor};
+use crate::real::Real;
 
 /// How many operations of each kind a program runs.
 ///
@@ -95,8 +94,34 @@ impl Price {
     #[must_use]
     pub fn on(self, processor: Processor, scalar: Real) -> Self {
         let chosen = processor != Processor::Portable;
-        let cycles = chosen.then(|| (processor, processor.cycles(scalar, &self)));
+        let cycles = chosen.then(|| (processor, self.cycles_on(processor, scalar)));
         Self { cycles, ..self }
+    }
+
+    /// One number to compare two programs for the same function by; only the order is meaningful.
+    #[must_use]
+    pub const fn weight(&self, processor: Processor, scalar: Real) -> usize {
+        let costs = processor.costs(scalar);
+        self.arithmetic(&costs) + costs.turn * (self.sin + self.cos)
+    }
+
+    /// For how many cycles the arithmetic units of a processor are busy, sines and cosines apart.
+    /// Loads, stores and waiting for results come on top.
+    const fn cycles_on(&self, processor: Processor, scalar: Real) -> usize {
+        let costs = processor.costs(scalar);
+        self.arithmetic(&costs).div_ceil(costs.units)
+    }
+
+    const fn arithmetic(&self, costs: &Costs) -> usize {
+        let fused = match costs.fused {
+            Some(fused) => fused,
+            None => costs.mul + costs.add,
+        };
+        costs.mul * (self.mul - self.fused)
+            + costs.add * (self.add - self.fused + self.neg)
+            + fused * self.fused
+            + costs.div * self.div
+            + costs.sqrt * self.sqrt
     }
 
     const fn charge(&mut self, operation: Operation) {
@@ -196,6 +221,8 @@ impl Depths {
 mod tests {
     use super::Price;
     use crate::expression::Input;
+    use crate::processor::Processor;
+    use crate::real::Real;
     use crate::schedule::{Operand, Operation, Program, Step};
 
     fn program(operations: Vec<Operation>, results: Vec<Operand>) -> Program {
@@ -249,5 +276,48 @@ mod tests {
             price.to_string(),
             "0 mul, 0 add, 0 div, 1 sin and cos; depth 1; dense 4×4 products: 64 mul, 48 add"
         );
+    }
+
+    const PRICE: Price = Price {
+        mul: 30,
+        add: 20,
+        div: 2,
+        sqrt: 0,
+        neg: 1,
+        sin: 4,
+        cos: 3,
+        fused: 10,
+        depth: 9,
+        literals: 5,
+        naive_mul: 0,
+        naive_add: 0,
+        cycles: None,
+    };
+
+    #[test]
+    fn cycles_are_those_of_the_units_that_are_busy() {
+        for (processor, scalar, cycles) in [
+            (Processor::CortexM4, Real::F32, 30 + 21 + 2 * 14),
+            (Processor::CortexM7, Real::F32, 30 + 21 + 2 * 16),
+            (Processor::CortexM7, Real::F64, 3 * 30 + 21 + 2 * 31),
+            // Two units, and ten products that a sum takes with it where it can.
+            (
+                Processor::X86_64,
+                Real::F64,
+                (30 + 21 + 2 * 4_usize).div_ceil(2),
+            ),
+            (
+                Processor::X86_64V3,
+                Real::F64,
+                (20 + 11 + 10 + 2 * 4_usize).div_ceil(2),
+            ),
+            (
+                Processor::AArch64,
+                Real::F64,
+                (20 + 11 + 10 + 2 * 7_usize).div_ceil(2),
+            ),
+        ] {
+            assert_eq!(PRICE.cycles_on(processor, scalar), cycles, "{processor:?}");
+        }
     }
 }

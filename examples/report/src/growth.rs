@@ -16,7 +16,8 @@ use homogen_codegen::Function::{
 use homogen_codegen::description::Description;
 use homogen_codegen::emit::{self, Item, Library};
 use homogen_codegen::expand::expand;
-use homogen_codegen::request::{Real, Request};
+use homogen_codegen::real::Real;
+use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use proc_macro2::{Ident, Span};
 use quote::quote;

@@ -3,7 +3,7 @@
 use super::*;
 use crate::description::tokens::show;
 use crate::function::Function;
-use crate::request::Real;
+use crate::real::Real;
 
 const ARM: &str = r#"<robot name="arm"><link name="base"/><link name="tool"/>
 <joint name="j" type="revolute"><parent link="base"/><child link="tool"/>

@@ -8,7 +8,8 @@ use crate::emit::{Item, Library, Listing, emit, standalone};
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
-use crate::request::{Parameter, Real, Target};
+use crate::real::Real;
+use crate::request::{Parameter, Target};
 use crate::schedule::{LONGEST_SCOPE, Operand, Operation, Program, Step};
 
 const JOINTS: u16 = 160;

@@ -13,7 +13,8 @@ use crate::function::Function::{self, ForwardDynamics, MassMatrixInverse};
 use crate::layout::Layout;
 use crate::model::Way;
 use crate::processor::Processor;
-use crate::request::{Parameter, Real, Request, Target};
+use crate::real::Real;
+use crate::request::{Parameter, Request, Target};
 use crate::schedule::run;
 
 const SOLVED: [Function; 2] = [ForwardDynamics, MassMatrixInverse];

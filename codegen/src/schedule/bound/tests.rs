@@ -5,7 +5,7 @@ mod random;
 
 use super::{Conditions, Reason, Value, results};
 use crate::expression::Input;
-use crate::request::Real;
+use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program, Step};
 
 /// The unit roundoff of `f64`.

@@ -6,7 +6,7 @@
 
 use super::value::Value;
 use super::{Operand, Reason};
-use crate::request::Real;
+use crate::real::Real;
 
 /// Sine or cosine of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

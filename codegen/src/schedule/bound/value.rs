@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::SLACK;
 use crate::expression::Double;
-use crate::request::Real;
+use crate::real::Real;
 
 /// The exact value is within [`lo`, `hi`], and the computed one within `error` of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

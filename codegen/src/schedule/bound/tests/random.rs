@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{A, B, Conditions, Value, program, results, step};
 use crate::expression::{Arithmetic, Double, Input};
-use crate::request::Real;
+use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program, run};
 
 /// SplitMix64.

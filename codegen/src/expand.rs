@@ -21,7 +21,6 @@ use crate::emit::{About, Item, LeftOut, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
 use crate::function::Function;
-use crate::model;
 use crate::real::{Real, Trigonometry};
 use crate::request::Request;
 use crate::schedule::Price;
@@ -207,8 +206,7 @@ fn list(
     let program = found.program;
     let (mut mul, mut add) = (0, 0);
     for &function in &functions {
-        let (more_mul, more_add) =
-            model::dense(function, chain.joints.len(), chain.joints_to(frame));
+        let (more_mul, more_add) = function.dense(chain.joints.len(), chain.joints_to(frame));
         mul += more_mul;
         add += more_add;
     }

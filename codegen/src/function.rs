@@ -1,7 +1,23 @@
-//! The functions that can be generated: names, arguments, results.
+//! The functions that can be generated.
 //!
-//! A shared noun: one table that every stage and every door reads, so that a function is added in
-//! one place and in its own file of the model stage. It never computes anything.
+//! A shared noun: which there are, what their arguments and results can be. What is known of one
+//! function stands in its own file, and `table` tells it to every stage and every door.
+
+mod acceleration;
+mod bias;
+mod body_jacobian;
+mod dense;
+mod forward_dynamics;
+mod forward_kinematics;
+mod geometric_jacobian;
+mod gravity;
+mod inverse_dynamics;
+mod mass_matrix;
+mod mass_matrix_inverse;
+mod spatial_jacobian;
+mod table;
+mod units;
+mod velocity;
 
 /// A function of the state of a robot with N joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -78,117 +94,6 @@ impl Function {
         Self::ForwardDynamics,
         Self::MassMatrixInverse,
     ];
-
-    /// The name in generated code, in attributes and on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::ForwardKinematics => "forward_kinematics",
-            Self::SpatialJacobian => "spatial_jacobian",
-            Self::BodyJacobian => "body_jacobian",
-            Self::GeometricJacobian => "geometric_jacobian",
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-            Self::InverseDynamics => "inverse_dynamics",
-            Self::Gravity => "gravity",
-            Self::Bias => "bias",
-            Self::MassMatrix => "mass_matrix",
-            Self::ForwardDynamics => "forward_dynamics",
-            Self::MassMatrixInverse => "mass_matrix_inverse",
-        }
-    }
-
-    /// The function of that name.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|function| function.name() == name)
-    }
-
-    /// What it is a function of, in the order of its parameters.
-    #[must_use]
-    pub const fn arguments(self) -> &'static [Argument] {
-        match self {
-            Self::ForwardKinematics
-            | Self::SpatialJacobian
-            | Self::BodyJacobian
-            | Self::GeometricJacobian
-            | Self::Gravity
-            | Self::MassMatrix
-            | Self::MassMatrixInverse => &[Argument::Q],
-            Self::Velocity | Self::Bias => &[Argument::Q, Argument::Qd],
-            Self::ForwardDynamics => &[Argument::Q, Argument::Qd, Argument::Tau],
-            Self::Acceleration | Self::InverseDynamics => {
-                &[Argument::Q, Argument::Qd, Argument::Qdd]
-            }
-        }
-    }
-
-    /// The shape of its result.
-    #[must_use]
-    pub const fn shape(self) -> Shape {
-        match self {
-            Self::ForwardKinematics => Shape::Pose,
-            Self::SpatialJacobian | Self::BodyJacobian | Self::GeometricJacobian => Shape::Screws,
-            Self::Velocity => Shape::Velocity,
-            Self::Acceleration => Shape::Acceleration,
-            Self::InverseDynamics | Self::Gravity | Self::Bias | Self::ForwardDynamics => {
-                Shape::Vector
-            }
-            Self::MassMatrix | Self::MassMatrixInverse => Shape::Matrix,
-        }
-    }
-
-    /// The unit of each number of its result, 1 where it has none; `slides` says of each joint whether
-    /// it is prismatic.
-    #[must_use]
-    pub fn units(self, slides: &[bool]) -> Vec<&'static str> {
-        let by_joint =
-            |turning, sliding| move |&slides: &bool| if slides { sliding } else { turning };
-        let rows = |rotation: &'static str, translation: &'static str| {
-            [rotation, rotation, rotation, translation].repeat(3)
-        };
-        let by_pair = |[both, one, none]: [&'static str; 3]| {
-            let pairs = slides
-                .iter()
-                .flat_map(|a| slides.iter().map(move |b| (*a, *b)));
-            pairs
-                .map(|pair| match pair {
-                    (false, false) => both,
-                    (true, true) => none,
-                    _ => one,
-                })
-                .collect()
-        };
-        match self {
-            Self::ForwardKinematics => rows("1", "m"),
-            Self::Acceleration => rows("1/s²", "m/s²"),
-            Self::Velocity => ["rad/s", "m/s"].map(|unit| [unit; 3]).concat(),
-            Self::SpatialJacobian | Self::BodyJacobian | Self::GeometricJacobian => {
-                let b = slides.iter().map(by_joint("m", "1"));
-                b.flat_map(|b| ["1", "1", "1", b, b, b]).collect()
-            }
-            Self::InverseDynamics | Self::Gravity | Self::Bias => {
-                slides.iter().map(by_joint("N m", "N")).collect()
-            }
-            Self::ForwardDynamics => slides.iter().map(by_joint("rad/s²", "m/s²")).collect(),
-            Self::MassMatrix => by_pair(["kg m²", "kg m", "kg"]),
-            Self::MassMatrixInverse => by_pair(["1/(kg m²)", "1/(kg m)", "1/kg"]),
-        }
-    }
-
-    /// Whether it solves for what forces do to accelerations.
-    #[must_use]
-    pub const fn solves(self) -> bool {
-        matches!(self, Self::ForwardDynamics | Self::MassMatrixInverse)
-    }
-
-    /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
-    #[must_use]
-    pub const fn of_a_frame(self) -> bool {
-        !matches!(self.shape(), Shape::Vector | Shape::Matrix)
-    }
 }
 
 impl Argument {

@@ -1,29 +1,26 @@
-//! The functions, as matrices of expressions.
+//! The recursions that functions share, as matrices of expressions.
 //!
-//! In: the bodies of a chain with their frames. Out: the scalars that a function returns. One file
-//! a function or family, whose recursions run in the frames of the links (structure rules 1 to 3),
-//! and one for all of them in frame 0. It never counts, orders or prints.
+//! In: the bodies of a chain with their frames, in a [`Scene`]. Out: scalars. Recursions run in the
+//! frames of the links (structure rules 1 to 3), and in one file all of them in frame 0. It knows no
+//! function, and never counts, orders or prints.
 
-mod articulated;
-mod base_frame;
+pub(crate) mod articulated;
+pub(crate) mod base_frame;
 mod carry;
 mod composite;
-mod dense;
 mod factor;
-mod forward_dynamics;
-mod gravity;
-mod jacobian;
+pub(crate) mod forward_dynamics;
+pub(crate) mod gravity;
+pub(crate) mod jacobian;
 mod newton_euler;
-mod pose;
+pub(crate) mod pose;
 mod turn;
-mod twist;
+pub(crate) mod twist;
 
 pub(crate) use self::articulated::{MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP};
 pub use crate::formulation::{Angles, Forward, Frame};
-pub use dense::dense;
 
 use crate::expression::{Graph, Input, Term};
-use crate::function::{Argument, Function};
 use crate::layout::Bodies;
 use crate::matrix::Vector;
 
@@ -67,93 +64,87 @@ impl Way {
         pose: Carried::Outwards,
         ..Self::PLAIN
     };
-
-    /// The ways of a function between which only the count decides.
-    #[must_use]
-    pub fn all(function: Function) -> Vec<Self> {
-        let mut ways = vec![Self::PLAIN];
-        if function == Function::ForwardKinematics {
-            let carried = (0..3).map(|column| Carried::Inwards {
-                by_product: Some(column),
-            });
-            ways.extend(carried.chain([Carried::Outwards]).map(|pose| Self {
-                pose,
-                ..Self::PLAIN
-            }));
-        }
-        ways
-    }
 }
 
-/// The results of a function in the order of its shape; of the frame of that index where it is of
-/// one.
-#[must_use]
-pub fn build<'g>(
+/// What a function is built from: bodies with their frames, a state, and the way.
+pub struct Scene<'s, 'g> {
     graph: &'g Graph,
-    bodies: &Bodies<'g>,
-    function: Function,
     frame: usize,
-    way: Way,
-) -> Vec<Term<'g>> {
-    let state = State::of(graph);
-    let path = || carry::path(bodies, frame, &state, way.angles);
-    let joints = || carry::joints(bodies, &state, way.angles);
-    let gravity = bodies.gravity;
-    let needed = |gravity: Vector<Term<'g>>, state: &State<'g>, qdd: &[Term<'g>]| match way.frame {
-        Frame::Link => newton_euler::inverse_dynamics(&joints(), gravity, state, qdd),
-        Frame::Base => base_frame::inverse_dynamics(&joints(), gravity, state, qdd),
-    };
-    let torques = |qdd: &[Term<'g>]| needed(gravity, &state, qdd);
-    let inertial = |qdd: &[Term<'g>]| {
-        needed(
-            Vector::zero(graph),
-            &State {
-                rest: true,
-                ..state
-            },
-            qdd,
-        )
-    };
-    let mass_matrix = || match way.frame {
-        Frame::Link => composite::mass_matrix(&joints(), &state),
-        Frame::Base => base_frame::mass_matrix(&joints(), &state),
-    };
-    let parents = || parents(bodies);
-    let count = bodies.bodies.len();
-    match (function, way.frame) {
-        (Function::ForwardKinematics, _) => pose::forward_kinematics(&path(), way.pose),
-        (Function::SpatialJacobian, _) => jacobian::spatial(&path()),
-        (Function::GeometricJacobian, _) => jacobian::geometric(&path()),
-        (Function::BodyJacobian, Frame::Link) => jacobian::body(&path()),
-        (Function::BodyJacobian, Frame::Base) => base_frame::body_jacobian(&path()),
-        (Function::Velocity, Frame::Link) => twist::velocity(&path(), &state),
-        (Function::Velocity, Frame::Base) => base_frame::velocity(&path(), &state),
-        (Function::Acceleration, Frame::Link) => twist::acceleration(&path(), &state),
-        (Function::Acceleration, Frame::Base) => base_frame::acceleration(&path(), &state),
-        (Function::InverseDynamics, _) => torques(&state.qdds(count)),
-        (Function::Bias, _) => torques(&vec![state.zero(); count]),
-        (Function::Gravity, Frame::Link) => gravity::gravity(&joints(), gravity, &state),
-        (Function::Gravity, Frame::Base) => base_frame::gravity(&joints(), gravity, &state),
-        (Function::MassMatrix, _) => mass_matrix(),
-        (Function::MassMatrixInverse, _) => match way.forward {
-            Forward::MassMatrix { refinements } => forward_dynamics::mass_matrix_inverse(
-                &mass_matrix(),
-                &parents(),
-                inertial,
-                refinements,
-            ),
-            Forward::Articulated => articulated::mass_matrix_inverse(&joints(), &state),
-        },
-        (Function::ForwardDynamics, _) => match way.forward {
-            Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
-                &mass_matrix(),
-                &parents(),
-                |k| state.tau(k),
-                torques,
-                refinements,
-            ),
-            Forward::Articulated => articulated::forward_dynamics(&joints(), gravity, &state),
-        },
+    pub(crate) bodies: &'s Bodies<'g>,
+    pub(crate) way: Way,
+    pub(crate) state: State<'g>,
+}
+
+impl<'s, 'g> Scene<'s, 'g> {
+    /// Of the frame of that index, where a function is of one.
+    pub(crate) const fn new(
+        graph: &'g Graph,
+        bodies: &'s Bodies<'g>,
+        frame: usize,
+        way: Way,
+    ) -> Self {
+        Self {
+            graph,
+            frame,
+            bodies,
+            way,
+            state: State::of(graph),
+        }
+    }
+
+    /// How many joints there are.
+    pub(crate) const fn count(&self) -> usize {
+        self.bodies.bodies.len()
+    }
+
+    /// For each joint the one that carries the body it hangs on.
+    pub(crate) fn parents(&self) -> Vec<Option<usize>> {
+        parents(self.bodies)
+    }
+
+    /// The way to the frame.
+    pub(crate) fn path(&self) -> carry::Path<'g> {
+        carry::path(self.bodies, self.frame, &self.state, self.way.angles)
+    }
+
+    /// The joints at work.
+    pub(crate) fn joints(&self) -> Vec<carry::Joint<'g>> {
+        carry::joints(self.bodies, &self.state, self.way.angles)
+    }
+
+    /// τ of a motion with the given q̈.
+    pub(crate) fn torques(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
+        self.needed(self.bodies.gravity, &self.state, qdd)
+    }
+
+    /// M q̈: τ at rest and without gravity.
+    pub(crate) fn inertial(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
+        let state = State {
+            graph: self.graph,
+            rest: true,
+        };
+        self.needed(Vector::zero(self.graph), &state, qdd)
+    }
+
+    fn needed(
+        &self,
+        gravity: Vector<Term<'g>>,
+        state: &State<'g>,
+        qdd: &[Term<'g>],
+    ) -> Vec<Term<'g>> {
+        let joints = self.joints();
+        match self.way.frame {
+            Frame::Link => newton_euler::inverse_dynamics(&joints, gravity, state, qdd),
+            Frame::Base => base_frame::inverse_dynamics(&joints, gravity, state, qdd),
+        }
+    }
+
+    /// M, row by row.
+    pub(crate) fn mass_matrix(&self) -> Vec<Term<'g>> {
+        match self.way.frame {
+            Frame::Link => composite::mass_matrix(&self.joints(), &self.state),
+            Frame::Base => base_frame::mass_matrix(&self.joints(), &self.state),
+        }
     }
 }
 
@@ -193,7 +184,7 @@ pub(crate) fn articulated_steps<'g>(
 }
 
 /// The arguments of the generated functions.
-struct State<'g> {
+pub(crate) struct State<'g> {
     graph: &'g Graph,
     /// Whether all rates are zero, whatever the arguments.
     rest: bool,
@@ -205,41 +196,36 @@ impl<'g> State<'g> {
     }
 
     /// Entry `k` of an argument.
-    fn entry(&self, argument: Argument, k: usize) -> Term<'g> {
+    fn entry(&self, input: fn(u16) -> Input, k: usize) -> Term<'g> {
         let k = u16::try_from(k).expect("fewer than 65536 joints");
-        self.graph.input(match argument {
-            Argument::Q => Input::Q(k),
-            Argument::Qd => Input::Qd(k),
-            Argument::Qdd => Input::Qdd(k),
-            Argument::Tau => Input::Tau(k),
-        })
+        self.graph.input(input(k))
     }
 
     fn q(&self, k: usize) -> Term<'g> {
-        self.entry(Argument::Q, k)
+        self.entry(Input::Q, k)
     }
 
     fn qd(&self, k: usize) -> Term<'g> {
         if self.rest {
             self.zero()
         } else {
-            self.entry(Argument::Qd, k)
+            self.entry(Input::Qd, k)
         }
     }
 
     fn qdd(&self, k: usize) -> Term<'g> {
-        self.entry(Argument::Qdd, k)
+        self.entry(Input::Qdd, k)
     }
 
-    fn tau(&self, k: usize) -> Term<'g> {
-        self.entry(Argument::Tau, k)
+    pub(crate) fn tau(&self, k: usize) -> Term<'g> {
+        self.entry(Input::Tau, k)
     }
 
-    fn qdds(&self, count: usize) -> Vec<Term<'g>> {
+    pub(crate) fn qdds(&self, count: usize) -> Vec<Term<'g>> {
         (0..count).map(|k| self.qdd(k)).collect()
     }
 
-    fn zero(&self) -> Term<'g> {
+    pub(crate) fn zero(&self) -> Term<'g> {
         self.graph.constant(0.0)
     }
 }

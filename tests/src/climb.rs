@@ -15,7 +15,7 @@ use homogen_codegen::emit::{Item, Listed};
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::model::{self, Way};
+use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::{Function, Real};
@@ -208,7 +208,7 @@ pub fn any<T: Tested>([lo, hi]: [f64; 2], random: &mut Random) -> f64 {
 pub fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-    let results = model::build(&graph, &bodies, function, 0, Way::PLAIN).into_iter();
+    let results = function.build(&graph, &bodies, 0, Way::PLAIN).into_iter();
     let results: Vec<Expr> = results.map(Term::expr).collect();
     Evaluation::of(&graph, &results)
 }

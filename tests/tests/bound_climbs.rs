@@ -12,7 +12,7 @@ use homogen_codegen::description::Description;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::formulation::{Formulation, Forward};
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::model::{self, Way};
+use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_tests::climb::{Climb, any, exactly, listed};
@@ -56,7 +56,7 @@ fn nothing_moves_more_than_its_energy_allows() {
         let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
         let moving: Vec<Expr> = (0..chain.frames.len())
             .flat_map(|frame| {
-                let of = |function| model::build(&graph, &bodies, function, frame, Way::PLAIN);
+                let of = |function: Function| function.build(&graph, &bodies, frame, Way::PLAIN);
                 [of(Function::Velocity), of(Function::ForwardKinematics)].concat()
             })
             .map(Term::expr)

@@ -19,7 +19,7 @@ use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::formulation::{Angles, Formulation, Forward, Frame, Parameters};
 use homogen_codegen::function::Shape;
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::model::{self, Way};
+use homogen_codegen::model::Way;
 use homogen_codegen::request::{Parameter, Request, Target};
 use homogen_codegen::schedule::{Operand, Program, run};
 use homogen_codegen::{Function, Real};
@@ -245,7 +245,7 @@ fn check<T: Tested>(asked: Asked) {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
     let exact: Vec<Expr> = (FUNCTIONS.iter())
-        .flat_map(|&function| model::build(&graph, &bodies, function, 0, Way::PLAIN))
+        .flat_map(|&function| function.build(&graph, &bodies, 0, Way::PLAIN))
         .map(Term::expr)
         .collect();
     let exact = Evaluation::of(&graph, &exact);
@@ -304,7 +304,7 @@ fn solved(asked: Asked, function: Function, scalar: Real) -> Option<(Program, Ve
 fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-    let results = model::build(&graph, &bodies, function, 0, Way::PLAIN).into_iter();
+    let results = function.build(&graph, &bodies, 0, Way::PLAIN).into_iter();
     let results: Vec<Expr> = results.map(Term::expr).collect();
     Evaluation::of(&graph, &results)
 }

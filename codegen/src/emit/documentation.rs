@@ -26,16 +26,17 @@ pub(super) fn of_method(listing: &Listing, listed: &Listed, dialect: &Dialect) -
 /// What is said of a generated method, a line each.
 pub(super) fn lines(listing: &Listing, listed: &Listed, dialect: &Dialect) -> Vec<String> {
     let about = &listing.about;
+    let base = code(&about.base);
     let frame = listed.frame.as_deref().unwrap_or(&about.tip);
     let mut lines = Vec::new();
     match &*listed.functions {
-        [function] => lines.push(sentence(*function, &code(frame), about)),
+        [function] => lines.push(function.sentence(&base, &code(frame))),
         several => {
             lines.push("Several functions that share their work, in this order:".to_owned());
             lines.push(String::new());
             let sentences = several.iter().zip(1..);
             lines.extend(sentences.map(|(function, number)| {
-                format!("{number}. {}", sentence(*function, &code(frame), about))
+                format!("{number}. {}", function.sentence(&base, &code(frame)))
             }));
         }
     }
@@ -162,58 +163,6 @@ fn needs(listing: &Listing, library: Option<&Library>) -> String {
     }
     needs.push('.');
     needs
-}
-
-/// What a function computes, with the letters of the paper.
-fn sentence(function: Function, frame: &str, about: &About) -> String {
-    let base = code(&about.base);
-    match function {
-        Function::ForwardKinematics => {
-            format!("Pose M₀,ₜ of the frame of {frame} in that of {base} (frame 0); lengths in m.")
-        }
-        Function::SpatialJacobian => format!(
-            "Spatial Jacobian of {frame}: screws L of the joints in the axes of {base} (frame 0), \
-             pole at its origin."
-        ),
-        Function::BodyJacobian => format!(
-            "Body Jacobian of {frame}: screws L of the joints in the axes of {frame}, pole at its \
-             origin."
-        ),
-        Function::GeometricJacobian => format!(
-            "Geometric Jacobian of {frame}: screws L of the joints in the axes of {base} (frame 0), \
-             pole at the origin of {frame}."
-        ),
-        Function::Velocity => format!(
-            "Velocity matrix W₀,ₜ₍₀₎ of {frame} in the axes of {base} (frame 0), pole at its \
-             origin; rad/s, m/s."
-        ),
-        Function::Acceleration => format!(
-            "Acceleration matrix H₀,ₜ₍₀₎ of {frame} in the axes of {base} (frame 0), pole at its \
-             origin, without gravity; 1/s², m/s²."
-        ),
-        Function::InverseDynamics => {
-            "Joint torques and forces τ that produce q̈ against gravity; N m, N.".to_owned()
-        }
-        Function::Gravity => {
-            "Joint torques and forces τ that hold the robot at rest against gravity; N m, N."
-                .to_owned()
-        }
-        Function::Bias => {
-            "Joint torques and forces τ at q̈ = 0: Coriolis, centrifugal and gravity terms; N m, N."
-                .to_owned()
-        }
-        Function::MassMatrix => {
-            "Joint-space inertia matrix M(q) of τ = M q̈ + bias, by rows; kg m², kg m, kg."
-                .to_owned()
-        }
-        Function::ForwardDynamics => {
-            "Joint accelerations q̈ that τ produces against gravity; rad/s², m/s².".to_owned()
-        }
-        Function::MassMatrixInverse => {
-            "Inverse of the joint-space inertia matrix M(q), by rows; 1/(kg m²), 1/(kg m), 1/kg."
-                .to_owned()
-        }
-    }
 }
 
 /// How an array holds what the runtime has a type for.

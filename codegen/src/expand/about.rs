@@ -12,7 +12,7 @@ use crate::expression::{Double, Expr, Input, Node, Term};
 use crate::formulation::{Formulation, Parameters};
 use crate::function::Function;
 use crate::layout::{Layout, arrange};
-use crate::model::{self, Way};
+use crate::model::Way;
 
 /// What they say.
 pub(super) fn about(description: &Description, chain: &Chain, formulation: Formulation) -> About {
@@ -130,7 +130,7 @@ fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
             _ => entry,
         });
     }
-    let torques = model::build(&graph, &bodies, Function::InverseDynamics, 0, Way::PLAIN);
+    let torques = Function::InverseDynamics.build(&graph, &bodies, 0, Way::PLAIN);
     let torques: Vec<Expr> = torques.into_iter().map(Term::expr).collect();
     let (needed, _) = graph.needed(&torques);
     let is_read = |expr: &Expr| match graph.node(*expr) {

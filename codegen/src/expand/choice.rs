@@ -15,7 +15,7 @@ use crate::expression::{Expr, Graph, Term};
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::layout::{Layout, arrange};
-use crate::model::{self, Way};
+use crate::model::Way;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
@@ -239,7 +239,7 @@ fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
     let apart = match formulation.frame {
         Frame::Link => functions
             .iter()
-            .map(|&function| Way::all(function))
+            .map(|&function| function.ways())
             .max_by_key(Vec::len)
             .unwrap_or_default(),
         Frame::Base => vec![Way::IN_FRAME_0],
@@ -281,7 +281,7 @@ pub fn expressions_by(
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
     let results: Vec<Expr> = (functions.iter())
-        .flat_map(|&function| model::build(&graph, &bodies, function, frame, way))
+        .flat_map(|&function| function.build(&graph, &bodies, frame, way))
         .map(Term::expr)
         .collect();
     simplify(&graph, &results)

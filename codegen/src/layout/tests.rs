@@ -10,7 +10,7 @@ use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, evaluate};
 use crate::formulation::{Angles, Forward};
 use crate::function::Function;
-use crate::model::{self, Way};
+use crate::model::Way;
 use crate::request::{Parameter, Request, Target};
 
 /// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
@@ -31,7 +31,7 @@ fn state(input: Input) -> Double {
 fn results(chain: &Chain, function: Function, layout: Layout, way: Way) -> Vec<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
-    let terms = model::build(&graph, &bodies, function, 0, way);
+    let terms = function.build(&graph, &bodies, 0, way);
     let results: Vec<Expr> = terms
         .into_iter()
         .map(crate::expression::Term::expr)
@@ -88,7 +88,7 @@ fn ways(function: Function) -> Vec<Way> {
                 ..Way::PLAIN
             })
             .to_vec(),
-        _ => Way::all(function),
+        _ => function.ways(),
     }
 }
 
@@ -267,7 +267,7 @@ fn a_locked_joint_is_one_that_stands_still() {
             Input::Qdd(of) => shift(of).map_or(Double::ZERO, |of| state(Input::Qdd(of))),
             Input::Tau(_) | Input::Parameter(..) => state(input),
         };
-        let terms = model::build(&graph, &bodies, Function::InverseDynamics, 0, way);
+        let terms = Function::InverseDynamics.build(&graph, &bodies, 0, way);
         let all: Vec<Expr> = terms
             .into_iter()
             .map(crate::expression::Term::expr)

@@ -10,7 +10,7 @@ use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::expand::program_as;
 use homogen_codegen::expression::{Arithmetic, Evaluation, Expr, Input, Term};
 use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
-use homogen_codegen::model::{self, Way};
+use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::{Function, Real};
 use homogen_examples::plot::heat::Map;
@@ -183,7 +183,7 @@ fn single(number: f64) -> f64 {
 fn truth(chain: &Chain, function: Function, states: &[Vec<f64>]) -> Vec<Vec<[f64; 3]>> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-    let results = model::build(&graph, &bodies, function, 0, Way::PLAIN);
+    let results = function.build(&graph, &bodies, 0, Way::PLAIN);
     let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
     let evaluation: Evaluation<Exact> = Evaluation::of(&graph, &results);
     let states = states.iter();

@@ -13,7 +13,7 @@ use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
-use homogen_codegen::model::{self, Way};
+use homogen_codegen::model::Way;
 use homogen_tests::metrics::magnitude::{Magnitude, Measure};
 
 use crate::scene::Scene;
@@ -47,7 +47,7 @@ pub fn write(scene: &Scene, folder: &Path) -> Result<(), Box<dyn std::error::Err
         let mut numbers = Vec::new();
         let graph = chain.graph.clone();
         let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
-        let results = model::build(&graph, &bodies, function, 0, Way::PLAIN);
+        let results = function.build(&graph, &bodies, 0, Way::PLAIN);
         let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
         let evaluation = Evaluation::of(&graph, &results);
         for state in scene.states.chunks_exact(4 * scene.joints) {

@@ -113,7 +113,7 @@ fn by(chain: &Chain, function: Function, random: &mut Random) -> Choice {
     let mut way = Way {
         frame: *random.choose(&[Frame::Link, Frame::Base]),
         angles: *random.choose(&[Angles::Apart, Angles::Merged]),
-        ..*random.choose(&Way::all(function))
+        ..*random.choose(&function.ways())
     };
     if function == Function::ForwardDynamics {
         way.forward = forward(random);

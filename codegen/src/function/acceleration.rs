@@ -1,0 +1,38 @@
+//! H₀,tip₍₀₎, the acceleration matrix of a frame, without gravity.
+
+use super::dense::{MOVING, Size, Tally};
+use super::table::Definition;
+use super::{Argument, Shape, units};
+use crate::expression::Term;
+use crate::formulation::Frame;
+use crate::model::{Scene, base_frame, twist};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "acceleration",
+    sentence,
+    arguments: &[Argument::Q, Argument::Qd, Argument::Qdd],
+    shape: Shape::Acceleration,
+    units: units::acceleration,
+    solves: false,
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(base: &str, frame: &str) -> String {
+    format!(
+        "Acceleration matrix H₀,ₜ₍₀₎ of {frame} in the axes of {base} (frame 0), pole at its \
+         origin, without gravity; 1/s², m/s²."
+    )
+}
+
+fn dense(size: Size) -> Tally {
+    MOVING.times(size.path)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    match scene.way.frame {
+        Frame::Link => twist::acceleration(&scene.path(), &scene.state),
+        Frame::Base => base_frame::acceleration(&scene.path(), &scene.state),
+    }
+}

@@ -1,0 +1,65 @@
+//! What a function costs when it is computed as the paper writes it: dense 4×4 matrices in frame 0,
+//! every product multiplied out, nothing known to be zero.
+//!
+//! In: products of matrices, and how many joints a function is about. Out: multiplications and additions. It is the
+//! yardstick printed beside a price, and takes the sines and cosines and all constant matrices as
+//! given.
+
+/// Operations of dense matrices.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Tally {
+    pub(super) mul: usize,
+    pub(super) add: usize,
+}
+
+impl Tally {
+    /// Products, products with a number, and sums of 4×4 matrices.
+    pub(super) const fn of(products: usize, scalings: usize, sums: usize) -> Self {
+        Self {
+            mul: 64 * products + 16 * scalings,
+            add: 48 * products + 16 * sums,
+        }
+    }
+
+    pub(super) const fn and(self, mul: usize, add: usize) -> Self {
+        Self {
+            mul: self.mul + mul,
+            add: self.add + add,
+        }
+    }
+
+    pub(super) const fn plus(self, other: Self) -> Self {
+        self.and(other.mul, other.add)
+    }
+
+    pub(super) const fn times(self, count: usize) -> Self {
+        Self {
+            mul: self.mul * count,
+            add: self.add * count,
+        }
+    }
+}
+
+/// M₀ᵢ = M₀,ᵢ₋₁ · placement · (1 + L sin q + L² (1 − cos q)).
+pub(super) const POSE: Tally = Tally::of(2, 2, 2);
+/// L₍₀₎ = M L M⁻¹.
+pub(super) const SCREW: Tally = Tally::of(2, 0, 0);
+/// W₀ᵢ = W₀,ᵢ₋₁ + L q̇.
+pub(super) const VELOCITY: Tally = Tally::of(0, 1, 1);
+/// H₀ᵢ = H₀,ᵢ₋₁ + L q̈ + L² q̇² + 2 W₀,ᵢ₋₁ L q̇.
+pub(super) const ACCELERATION: Tally = Tally::of(2, 3, 3);
+/// J₍₀₎ = M J Mᵗ.
+pub(super) const INERTIA: Tally = Tally::of(2, 0, 0);
+/// Φ = skew\[(H − H_g) J\] added to what is outboard, and L ⊗ Φ.
+pub(super) const ACTION: Tally = Tally::of(1, 0, 3).and(6, 5);
+/// A pose and its screw.
+pub(super) const KINEMATIC: Tally = POSE.plus(SCREW);
+/// What moves: with its velocity and acceleration.
+pub(super) const MOVING: Tally = KINEMATIC.plus(VELOCITY).plus(ACCELERATION);
+
+/// How many joints a function is about, and how many of them lead to the frame that it is of.
+#[derive(Clone, Copy)]
+pub(super) struct Size {
+    pub(super) joints: usize,
+    pub(super) path: usize,
+}

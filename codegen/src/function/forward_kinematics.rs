@@ -1,0 +1,41 @@
+//! M₀,tip, the pose of a frame.
+
+use super::dense::{POSE, Size, Tally};
+use super::table::Definition;
+use super::{Argument, Shape, units};
+use crate::expression::Term;
+use crate::model::{Carried, Scene, Way, pose};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "forward_kinematics",
+    sentence,
+    arguments: &[Argument::Q],
+    shape: Shape::Pose,
+    units: units::pose,
+    solves: false,
+    ways,
+    dense,
+    build,
+};
+
+fn sentence(base: &str, frame: &str) -> String {
+    format!("Pose M₀,ₜ of the frame of {frame} in that of {base} (frame 0); lengths in m.")
+}
+
+fn dense(size: Size) -> Tally {
+    POSE.times(size.path).plus(Tally::of(1, 0, 0))
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    pose::forward_kinematics(&scene.path(), scene.way.pose)
+}
+
+/// Two columns make the third, whichever it is; and carried outwards a pose shares the work of Jacobians.
+fn ways() -> Vec<Way> {
+    let carried = (0..3).map(|column| Carried::Inwards {
+        by_product: Some(column),
+    });
+    let carried = carried.chain([Carried::Outwards]);
+    let others = carried.map(|pose| Way { pose, ..Way::PLAIN });
+    [Way::PLAIN].into_iter().chain(others).collect()
+}

@@ -1,0 +1,36 @@
+//! Inverse dynamics at rest.
+
+use super::dense::{ACTION, INERTIA, KINEMATIC, Size, Tally};
+use super::table::Definition;
+use super::{Argument, Shape, units};
+use crate::expression::Term;
+use crate::formulation::Frame;
+use crate::model::{Scene, base_frame, gravity};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "gravity",
+    sentence,
+    arguments: &[Argument::Q],
+    shape: Shape::Vector,
+    units: units::forces,
+    solves: false,
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Joint torques and forces τ that hold the robot at rest against gravity; N m, N.".to_owned()
+}
+
+fn dense(size: Size) -> Tally {
+    KINEMATIC.plus(INERTIA).plus(ACTION).times(size.joints)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let (joints, gravity) = (scene.joints(), scene.bodies.gravity);
+    match scene.way.frame {
+        Frame::Link => gravity::gravity(&joints, gravity, &scene.state),
+        Frame::Base => base_frame::gravity(&joints, gravity, &scene.state),
+    }
+}

@@ -1,0 +1,35 @@
+//! The joint-space inertia matrix.
+
+use super::dense::{INERTIA, KINEMATIC, Size, Tally};
+use super::table::Definition;
+use super::{Argument, Shape, units};
+use crate::expression::Term;
+use crate::model::Scene;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "mass_matrix",
+    sentence,
+    arguments: &[Argument::Q],
+    shape: Shape::Matrix,
+    units: units::inertias,
+    solves: false,
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Joint-space inertia matrix M(q) of τ = M q̈ + bias, by rows; kg m², kg m, kg.".to_owned()
+}
+
+pub(super) fn dense(size: Size) -> Tally {
+    // A composite J and L J a column, and Tr(Lᵢ J Lₘᵗ) an entry.
+    let column = KINEMATIC.plus(INERTIA).plus(Tally::of(1, 0, 1));
+    let entry = Tally::default().and(16, 15);
+    let entries = entry.times(size.joints * (size.joints + 1) / 2);
+    column.times(size.joints).plus(entries)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    scene.mass_matrix()
+}

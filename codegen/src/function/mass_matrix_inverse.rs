@@ -1,0 +1,42 @@
+//! The inverse of the joint-space inertia matrix.
+
+use super::dense::{Size, Tally};
+use super::mass_matrix;
+use super::table::Definition;
+use super::{Argument, Shape, units};
+use crate::expression::Term;
+use crate::formulation::Forward;
+use crate::model::{Scene, articulated, forward_dynamics};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "mass_matrix_inverse",
+    sentence,
+    arguments: &[Argument::Q],
+    shape: Shape::Matrix,
+    units: units::inverse_inertias,
+    solves: true,
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Inverse of the joint-space inertia matrix M(q), by rows; 1/(kg m²), 1/(kg m), 1/kg.".to_owned()
+}
+
+fn dense(size: Size) -> Tally {
+    let cubes = size.joints.pow(3);
+    mass_matrix::dense(size).and(cubes, cubes)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    match scene.way.forward {
+        Forward::MassMatrix { refinements } => forward_dynamics::mass_matrix_inverse(
+            &scene.mass_matrix(),
+            &scene.parents(),
+            |qdd| scene.inertial(qdd),
+            refinements,
+        ),
+        Forward::Articulated => articulated::mass_matrix_inverse(&scene.joints(), &scene.state),
+    }
+}

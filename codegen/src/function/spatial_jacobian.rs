@@ -1,0 +1,34 @@
+//! The Jacobian in frame 0: columns L₁ … L_N, pole at its origin.
+
+use super::dense::{KINEMATIC, Size, Tally};
+use super::table::Definition;
+use super::{Argument, Shape, units};
+use crate::expression::Term;
+use crate::model::{Scene, jacobian};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "spatial_jacobian",
+    sentence,
+    arguments: &[Argument::Q],
+    shape: Shape::Screws,
+    units: units::screws,
+    solves: false,
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(base: &str, frame: &str) -> String {
+    format!(
+        "Spatial Jacobian of {frame}: screws L of the joints in the axes of {base} (frame 0), \
+         pole at its origin."
+    )
+}
+
+fn dense(size: Size) -> Tally {
+    KINEMATIC.times(size.path)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    jacobian::spatial(&scene.path())
+}

@@ -1,0 +1,38 @@
+//! W₀,tip₍₀₎, the velocity matrix of a frame.
+
+use super::dense::{KINEMATIC, Size, Tally, VELOCITY};
+use super::table::Definition;
+use super::{Argument, Shape, units};
+use crate::expression::Term;
+use crate::formulation::Frame;
+use crate::model::{Scene, base_frame, twist};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "velocity",
+    sentence,
+    arguments: &[Argument::Q, Argument::Qd],
+    shape: Shape::Velocity,
+    units: units::velocity,
+    solves: false,
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(base: &str, frame: &str) -> String {
+    format!(
+        "Velocity matrix W₀,ₜ₍₀₎ of {frame} in the axes of {base} (frame 0), pole at its \
+         origin; rad/s, m/s."
+    )
+}
+
+fn dense(size: Size) -> Tally {
+    KINEMATIC.plus(VELOCITY).times(size.path)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    match scene.way.frame {
+        Frame::Link => twist::velocity(&scene.path(), &scene.state),
+        Frame::Base => base_frame::velocity(&scene.path(), &scene.state),
+    }
+}

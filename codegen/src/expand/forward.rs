@@ -4,7 +4,7 @@
 //! be tried, in rounds; a doubt about the form that was asked for, or about a robot for which none is
 //! as good as it should be; or the mistake that no form helps. It never measures or counts.
 
-use super::choice::{cheapest, program_by};
+use super::choice::program_by;
 use super::measured::Measure;
 use super::solvable::{self, Worst, solvable};
 use crate::chain::Chain;
@@ -165,21 +165,11 @@ fn doubt(
         let by = format!("{name} with {}", form.words().concat());
         (error, LIMIT, by, "leave the form to the engine")
     } else if !harmless {
-        let found = cheapest(
-            request.processor,
-            request.formulation,
-            chain,
-            functions,
-            0,
-            scalar,
-        );
+        let error = least_error(chain, worst, functions, request);
         let hint = "generate it for f64, or model a robot whose masses and lengths differ less";
-        (
-            found.ok()?.error,
-            DOUBTFUL,
-            format!("{name} in any form"),
-            hint,
-        )
+        // What no form helps is refused, function by function.
+        let error = Some(error).filter(|&error| keeps_half(error, scalar))?;
+        (error, DOUBTFUL, format!("{name} in any form"), hint)
     } else {
         return None;
     };
@@ -192,6 +182,28 @@ fn doubt(
             &format!("{by} loses {}", lost(error, scalar)),
         )
     })
+}
+
+/// The error that the first form leaves that is accurate enough, or else the best one: in the frames of
+/// the description, for it is the form that decides.
+fn least_error(chain: &Chain, worst: Worst, functions: &[Function], request: &Request) -> f64 {
+    let formulation = request.formulation;
+    let plain = match formulation.frame {
+        Frame::Link => Way::PLAIN,
+        Frame::Base => Way::IN_FRAME_0,
+    };
+    let mut measure = Measure::of(chain, functions, worst.loss);
+    let forms = rounds(chain, functions, formulation).into_iter().flatten();
+    let mut least = f64::INFINITY;
+    for forward in forms {
+        let way = Way { forward, ..plain };
+        let program = program_by(chain, functions, 0, Layout::DESCRIBED, way);
+        least = least.min(measure.error(&program, request.scalar));
+        if least <= ENOUGH {
+            break;
+        }
+    }
+    least
 }
 
 /// What functions lose, with the joint where the mass matrix does.

@@ -106,16 +106,17 @@ pub(super) fn cheapest(
         found.error = measure.error(&found.program, scalar);
         found
     };
-    let mut tried: Vec<Found> = Vec::new();
+    // With its weight, where all layouts have been looked at.
+    let mut tried: Vec<(Option<usize>, Found)> = Vec::new();
     for forms in forward::rounds(chain, functions, formulation) {
         let mut best: Option<(usize, Found)> = None;
         for form in forms {
             // Of a form that is far from accurate in one layout, no other need be looked at.
-            if let Some(before) = tried.first() {
+            if let Some((_, before)) = tried.first() {
                 let (_, glimpse) = search.within(form, &[before.layout], &[before.way]);
                 let glimpse = measured(glimpse);
                 if glimpse.error > FAR * forward::ENOUGH {
-                    tried.push(glimpse);
+                    tried.push((None, glimpse));
                     continue;
                 }
             }
@@ -127,7 +128,7 @@ pub(super) fn cheapest(
             if found.error <= forward::ENOUGH {
                 best = Some((weight, found));
             } else {
-                tried.push(found);
+                tried.push((Some(weight), found));
             }
         }
         if let Some((_, found)) = best {
@@ -135,7 +136,7 @@ pub(super) fn cheapest(
         }
     }
     // None is accurate enough: what costs least of those that lose little more than the best.
-    let least = (tried.iter()).fold(f64::INFINITY, |least, found| least.min(found.error));
+    let least = (tried.iter()).fold(f64::INFINITY, |least, (_, found)| least.min(found.error));
     if !forward::keeps_half(least, scalar) {
         return Err(forward::hopeless(
             chain,
@@ -145,10 +146,16 @@ pub(super) fn cheapest(
             (scalar, formulation.frame),
         ));
     }
-    let near = tried.iter().filter(|found| found.error <= 2.0 * least);
-    let best = near.map(|found| search.best(found.way.forward));
-    let best = best.min_by_key(|(weight, _)| *weight);
-    Ok(measured(best.expect("the least is among them").1))
+    let near = (tried.into_iter()).filter(|(_, found)| found.error <= 2.0 * least);
+    let searched = near.map(|(weight, found)| {
+        if let Some(weight) = weight {
+            return (weight, found);
+        }
+        let (weight, found) = search.best(found.way.forward);
+        (weight, measured(found))
+    });
+    let best = searched.min_by_key(|(weight, _)| *weight);
+    Ok(best.expect("the least is among them").1)
 }
 
 /// How many times the error that is enough is far from it.

@@ -156,8 +156,7 @@ fn doubt(
             forward,
             ..Way::PLAIN
         };
-        let program = program_by(chain, functions, 0, Layout::DESCRIBED, way);
-        let error = Measure::of(chain, functions, worst.loss).error(&program, scalar);
+        let error = least_error(chain, worst, functions, scalar, [way]);
         let form = Formulation {
             forward: Some(forward),
             ..Formulation::default()
@@ -165,7 +164,13 @@ fn doubt(
         let by = format!("{name} with {}", form.words().concat());
         (error, LIMIT, by, "leave the form to the engine")
     } else if !harmless {
-        let error = least_error(chain, worst, functions, request);
+        let plain = match request.formulation.frame {
+            Frame::Link => Way::PLAIN,
+            Frame::Base => Way::IN_FRAME_0,
+        };
+        let forms = rounds(chain, functions, request.formulation).into_iter();
+        let ways = forms.flatten().map(|forward| Way { forward, ..plain });
+        let error = least_error(chain, worst, functions, scalar, ways);
         let hint = "generate it for f64, or model a robot whose masses and lengths differ less";
         // What no form helps is refused, function by function.
         let error = Some(error).filter(|&error| keeps_half(error, scalar))?;
@@ -184,21 +189,20 @@ fn doubt(
     })
 }
 
-/// The error that the first form leaves that is accurate enough, or else the best one: in the frames of
+/// The error that the first way leaves that is accurate enough, or else the best one: in the frames of
 /// the description, for it is the form that decides.
-fn least_error(chain: &Chain, worst: Worst, functions: &[Function], request: &Request) -> f64 {
-    let formulation = request.formulation;
-    let plain = match formulation.frame {
-        Frame::Link => Way::PLAIN,
-        Frame::Base => Way::IN_FRAME_0,
-    };
+fn least_error(
+    chain: &Chain,
+    worst: Worst,
+    functions: &[Function],
+    scalar: Real,
+    ways: impl IntoIterator<Item = Way>,
+) -> f64 {
     let mut measure = Measure::of(chain, functions, worst.loss);
-    let forms = rounds(chain, functions, formulation).into_iter().flatten();
     let mut least = f64::INFINITY;
-    for forward in forms {
-        let way = Way { forward, ..plain };
+    for way in ways {
         let program = program_by(chain, functions, 0, Layout::DESCRIBED, way);
-        least = least.min(measure.error(&program, request.scalar));
+        least = least.min(measure.error(&program, scalar));
         if least <= ENOUGH {
             break;
         }

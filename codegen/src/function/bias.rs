@@ -1,6 +1,6 @@
 //! Inverse dynamics at q̈ = 0: Coriolis, centrifugal and gravity terms.
 
-use super::dense::{ACTION, INERTIA, MOVING, Size, Tally};
+use super::dense;
 use super::table::Definition;
 use super::{Argument, Shape, units};
 use crate::expression::Term;
@@ -14,17 +14,13 @@ pub(super) const DEFINITION: Definition = Definition {
     units: units::forces,
     solves: false,
     ways: Definition::one_way,
-    dense,
+    dense: dense::torques,
     build,
 };
 
 fn sentence(_: &str, _: &str) -> String {
     "Joint torques and forces τ at q̈ = 0: Coriolis, centrifugal and gravity terms; N m, N."
         .to_owned()
-}
-
-pub(super) fn dense(size: Size) -> Tally {
-    MOVING.plus(INERTIA).plus(ACTION).times(size.joints)
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {

@@ -1,6 +1,6 @@
 //! The Jacobian in the frame of the tip: columns L₁ … L_N, pole at its origin.
 
-use super::dense::{KINEMATIC, SCREW, Size, Tally};
+use super::dense;
 use super::table::Definition;
 use super::{Argument, Shape, units};
 use crate::expression::Term;
@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     units: units::screws,
     solves: false,
     ways: Definition::one_way,
-    dense,
+    dense: dense::screws_elsewhere,
     build,
 };
 
@@ -24,12 +24,6 @@ fn sentence(_: &str, frame: &str) -> String {
         "Body Jacobian of {frame}: screws L of the joints in the axes of {frame}, pole at its \
          origin."
     )
-}
-
-fn dense(size: Size) -> Tally {
-    // And back to the frame.
-    let column = KINEMATIC.plus(SCREW);
-    column.times(size.path).plus(Tally::of(1, 0, 0))
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {

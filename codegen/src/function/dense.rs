@@ -1,9 +1,9 @@
 //! What a function costs when it is computed as the paper writes it: dense 4×4 matrices in frame 0,
 //! every product multiplied out, nothing known to be zero.
 //!
-//! In: products of matrices, and how many joints a function is about. Out: multiplications and additions. It is the
-//! yardstick printed beside a price, and takes the sines and cosines and all constant matrices as
-//! given.
+//! In: products of matrices, and how many joints a function is about. Out: multiplications and
+//! additions. It is the yardstick printed beside a price, and takes the sines and cosines and all
+//! constant matrices as given.
 
 /// Operations of dense matrices.
 #[derive(Clone, Copy, Default)]
@@ -62,4 +62,15 @@ pub(super) const MOVING: Tally = KINEMATIC.plus(VELOCITY).plus(ACCELERATION);
 pub(super) struct Size {
     pub(super) joints: usize,
     pub(super) path: usize,
+}
+
+/// Screws of frame 0, taken to another frame or pole.
+pub(super) fn screws_elsewhere(size: Size) -> Tally {
+    let column = KINEMATIC.plus(SCREW);
+    column.times(size.path).plus(Tally::of(1, 0, 0))
+}
+
+/// The torques and forces of a motion.
+pub(super) fn torques(size: Size) -> Tally {
+    MOVING.plus(INERTIA).plus(ACTION).times(size.joints)
 }

@@ -1,9 +1,8 @@
 //! Joint accelerations that forces and torques produce.
 
-use super::dense::{Size, Tally};
+use super::dense::{self, Size, Tally};
 use super::table::Definition;
-use super::{Argument, Shape, units};
-use super::{bias, mass_matrix};
+use super::{Argument, Shape, mass_matrix, units};
 use crate::expression::Term;
 use crate::formulation::Forward;
 use crate::model::{Scene, articulated, forward_dynamics};
@@ -27,7 +26,7 @@ fn sentence(_: &str, _: &str) -> String {
 fn dense(size: Size) -> Tally {
     // M, the bias, a dense factorisation and one solve.
     let (cubes, squares) = (size.joints.pow(3) / 6, size.joints.pow(2));
-    let parts = mass_matrix::dense(size).plus(bias::dense(size));
+    let parts = mass_matrix::dense(size).plus(dense::torques(size));
     parts.and(cubes + squares, cubes + squares)
 }
 

@@ -1,6 +1,6 @@
 //! The Jacobian in the axes of frame 0: columns L₁ … L_N, pole at the origin of the tip.
 
-use super::dense::{KINEMATIC, SCREW, Size, Tally};
+use super::dense;
 use super::table::Definition;
 use super::{Argument, Shape, units};
 use crate::expression::Term;
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     units: units::screws,
     solves: false,
     ways: Definition::one_way,
-    dense,
+    dense: dense::screws_elsewhere,
     build,
 };
 
@@ -23,12 +23,6 @@ fn sentence(base: &str, frame: &str) -> String {
         "Geometric Jacobian of {frame}: screws L of the joints in the axes of {base} (frame 0), \
          pole at the origin of {frame}."
     )
-}
-
-fn dense(size: Size) -> Tally {
-    // And the pole to the origin of the frame.
-    let column = KINEMATIC.plus(SCREW);
-    column.times(size.path).plus(Tally::of(1, 0, 0))
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {

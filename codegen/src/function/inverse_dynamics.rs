@@ -1,6 +1,6 @@
 //! Joint torques and forces that produce q̈.
 
-use super::dense::{ACTION, INERTIA, MOVING, Size, Tally};
+use super::dense;
 use super::table::Definition;
 use super::{Argument, Shape, units};
 use crate::expression::Term;
@@ -14,16 +14,12 @@ pub(super) const DEFINITION: Definition = Definition {
     units: units::forces,
     solves: false,
     ways: Definition::one_way,
-    dense,
+    dense: dense::torques,
     build,
 };
 
 fn sentence(_: &str, _: &str) -> String {
     "Joint torques and forces τ that produce q̈ against gravity; N m, N.".to_owned()
-}
-
-fn dense(size: Size) -> Tally {
-    MOVING.plus(INERTIA).plus(ACTION).times(size.joints)
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {

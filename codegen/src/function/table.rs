@@ -1,7 +1,7 @@
 //! The table of functions: what is known of each stands in its own file.
 //!
 //! In: a [`Function`]. Out: its name, what it is said to compute, arguments, result, price of dense
-//! matrices, and its expressions. It never lists a function twice.
+//! matrices, and its expressions. It knows none of it itself.
 
 use super::dense::{Size, Tally};
 use super::{

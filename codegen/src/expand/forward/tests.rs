@@ -226,7 +226,6 @@ fn a_massless_end_is_refused_by_the_name_of_its_joint() {
     }
 }
 
-/// Of a moment that is negative about the shoulder's axis, and of one about the elbow's.
 /// The pivot cancels but for what is lost of literals: what is found is infinite at some angles, and
 /// so is what is exact.
 #[test]
@@ -251,6 +250,7 @@ fn two_joints_on_one_axis_with_nothing_between_are_refused_whatever_is_left_of_l
     }
 }
 
+/// Of a moment that is negative about the shoulder's axis, and of one about the elbow's.
 #[test]
 fn an_inertia_that_no_body_has_is_not_called_singular() {
     for (links, carrier, joint) in [

@@ -20,7 +20,6 @@ use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use proc_macro2::{Ident, Span};
-use quote::quote;
 
 use crate::chain::chain;
 use crate::progress::Progress;
@@ -94,11 +93,7 @@ fn one(
     let item = Item::made(Ident::new("Chain", Span::call_site()));
     let listing = expand(description, &request, item).map_err(told)?;
     // The file brings its own sines.
-    let library = Library {
-        sqrt: Some(quote! { f64::sqrt }),
-        ..Library::default()
-    };
-    let tokens = emit::standalone(&listing, &library).to_string();
+    let tokens = emit::standalone(&listing, &Library::default()).to_string();
     let expansion = start.elapsed().as_secs_f64();
     let price = listing.functions[0].price;
     let mut grown = Grown {

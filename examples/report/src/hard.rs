@@ -5,11 +5,11 @@
 //! run as they stand, in `f64` or `f32`, without fusing; the tests hold the same cases to limits against
 //! 256 bits.
 
-use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::expand::program_as;
 use homogen_codegen::expression::{Arithmetic, Evaluation, Expr, Input, Term};
 use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
+use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::{Function, Real};

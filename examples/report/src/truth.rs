@@ -9,10 +9,10 @@ use std::path::Path;
 use std::{fs, io};
 
 use homogen_codegen::Function;
-use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
+use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_tests::metrics::magnitude::{Magnitude, Measure};
 

@@ -95,14 +95,15 @@ pub(super) fn hopeless(
         scalar,
         &format!("{} would lose {}", named(functions), lost(error, scalar)),
     );
+    let hint = match (frame, scalar) {
+        (Frame::Base, _) => "leave frame_0 out: link frames keep the digits that it loses",
+        (_, Real::F32) => "generate it for f64, or model a robot whose masses differ less",
+        (_, Real::F64 | Real::Generic) => "model a robot whose masses and lengths differ less",
+    };
     errors.push_with_hint(
         complaint.place,
         complaint.message,
-        match (frame, scalar) {
-            (Frame::Base, _) => "leave frame_0 out: link frames keep the digits that it loses",
-            (_, Real::F32) => "generate it for f64, or model a robot whose masses differ less",
-            (_, Real::F64 | Real::Generic) => "model a robot whose masses and lengths differ less",
-        },
+        format!("{hint}{}", solvable::at_the_end(chain)),
     );
     errors
 }

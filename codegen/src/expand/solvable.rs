@@ -131,6 +131,19 @@ fn undescribed(chain: &Chain) -> Vec<String> {
         .collect()
 }
 
+/// What a hint adds where fields are taken at the end of their range, for nothing but zeros are described
+/// in their place.
+pub(super) fn at_the_end(chain: &Chain) -> String {
+    let zeros = undescribed(chain);
+    if zeros.is_empty() {
+        return String::new();
+    }
+    format!(
+        "; {} described as zero and taken at the end of what it may be: declare its range",
+        are(&zeros)
+    )
+}
+
 /// `field "payload" is` or `fields "a" and "b" are`.
 fn are(fields: &[String]) -> String {
     let names: Vec<String> = fields.iter().map(|name| quoted(name)).collect();

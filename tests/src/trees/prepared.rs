@@ -23,7 +23,7 @@ use super::cases::{Case, Choice};
 use super::measure::Measure;
 use super::reference::Reference;
 use super::regular::pivot;
-use super::robot::{Asked, Robot};
+use super::robot::{Asked, Field, Robot};
 use super::text;
 
 /// What every function is right to, beside the sizes that [`measure`](super::measure) tells.
@@ -208,18 +208,30 @@ impl<'r> Prepared<'r> {
     }
 
     /// Whether accelerations may be refused, or be none: where the mass matrix is singular or nearly,
-    /// with what is in the fields or with what is described in their place.
+    /// with what is in the fields, with what is described in their place, or with what the engine takes
+    /// for a field in whose place nothing but zeros are described: the end of its range.
     fn is_singular(&self, state: usize) -> bool {
+        const END: f64 = 1.0; // 1 kg, 1 m or 1 m/s²
         let pivots = self.pivots.get_or_init(|| {
-            let described = Robot {
-                asked: Asked {
-                    fields: Vec::new(),
+            let with = |fields: Vec<(Field, [f64; 3])>| {
+                let asked = Asked {
+                    fields,
                     ..self.robot.asked.clone()
-                },
-                ..self.robot.clone()
+                };
+                Reference::of(&Robot {
+                    asked,
+                    ..self.robot.clone()
+                })
             };
-            let described = Reference::of(&described);
-            let least = |state| pivot(&self.reference, state).min(pivot(&described, state));
+            let fields = self.robot.asked.fields.iter().zip(&self.chain.nominal);
+            let undescribed =
+                fields.filter(|(_, nominal)| nominal.iter().all(|&entry| entry == 0.0));
+            let at_the_end = undescribed.map(|((field, _), _)| (*field, [END; 3]));
+            let others = [with(Vec::new()), with(at_the_end.collect())];
+            let least = |state| {
+                let others = others.iter().map(|other| pivot(other, state));
+                others.fold(pivot(&self.reference, state), f64::min)
+            };
             self.states.iter().map(least).collect()
         });
         pivots[state] < REGULAR

@@ -285,6 +285,16 @@ fn with_field(links: &[End], link: &str) -> Result<Chain, Errors> {
 }
 
 #[test]
+fn a_field_that_spoils_the_digits_at_the_end_of_its_range_is_named() {
+    let chain = with_field(&[(0.0, 0.0), (0.0, 0.0), (0.0, 1e-18)], "hand").expect("a tree");
+    let refusal = refusal(&chain, ForwardDynamics, Real::F64);
+    assert!(refusal.contains(" would lose every digit"), "{refusal}");
+    let hint = "field \"payload\" is described as zero and taken at the end of what it may be: \
+                declare its range";
+    assert!(refusal.contains(hint), "{refusal}");
+}
+
+#[test]
 fn a_field_that_does_not_help_is_named() {
     let chain = with_field(&[(0.0, 0.0); 2], "upper").expect("a tree");
     let refusal = refusal(&chain, ForwardDynamics, Real::F64);

@@ -15,12 +15,13 @@ use std::collections::BTreeMap;
 pub use self::articulated::of_articulated;
 use self::range::Range;
 pub use self::solved::{of_accelerations, of_inverse};
-use crate::chain::{Chain, Motion};
+use crate::chain::Chain;
 use crate::expression::Input;
-use crate::function::{Argument, Function, Shape};
+use crate::function::Function;
 use crate::real::{Real, Trigonometry};
 use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
+use crate::space::Variable;
 
 /// What is promised of the results of a function.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,15 +91,10 @@ pub fn of(
     program: &Program,
     means: Means,
 ) -> Option<Accuracy> {
-    let evaluated = |function: &Function| {
-        !matches!(
-            function,
-            Function::ForwardDynamics | Function::MassMatrixInverse
-        )
-    };
+    let evaluated = |function: &&Function| !function.solves();
     let results = functions.iter().flat_map(|function| {
         let owners = owners(chain, *function).into_iter();
-        owners.map(|owner| evaluated(function).then_some(owner))
+        owners.map(move |owner| evaluated(&function).then_some(owner))
     });
     let (kept, owners): (Vec<usize>, Vec<Owner>) = results
         .enumerate()
@@ -113,13 +109,8 @@ pub fn of(
         let found = kept.iter().map(|&k| found[k]);
         found.map(error).collect()
     };
-    let mut arguments: Vec<Argument> = (functions.iter().copied())
-        .filter(evaluated)
-        .flat_map(Function::arguments)
-        .copied()
-        .collect();
-    arguments.sort_unstable();
-    arguments.dedup();
+    let evaluated = functions.iter().filter(|function| evaluated(function));
+    let arguments = Variable::together(evaluated.map(|function| function.arguments()));
     let promise = promise(chain, means, &owners, worst);
     Some(match promise {
         Ok(promise) => Accuracy::Within(promise.within(chain, &arguments, &[program], means)),
@@ -132,17 +123,10 @@ type Owner = (Option<usize>, &'static str);
 
 /// Those of all results of a function.
 fn owners(chain: &Chain, function: Function) -> Vec<Owner> {
-    let units = function.units(&slides(chain)).into_iter();
-    let count = chain.joints.len();
-    let joint = |k: usize| match function.shape() {
-        Shape::Pose | Shape::Acceleration | Shape::Velocity => None,
-        Shape::Screws => Some(k / 6),
-        Shape::Vector => Some(k),
-        Shape::Matrix => Some(k / count),
-    };
+    let (quantity, spaces) = (function.result(), chain.spaces());
+    let units = quantity.units(&spaces).into_iter().enumerate();
     units
-        .enumerate()
-        .map(|(k, unit)| (joint(k), unit))
+        .map(|(k, unit)| (quantity.owner(&spaces, k), unit))
         .collect()
 }
 
@@ -235,7 +219,7 @@ impl Promise {
     fn within(
         self,
         chain: &Chain,
-        arguments: &[Argument],
+        arguments: &[Variable],
         programs: &[&Program],
         means: Means,
     ) -> Self {
@@ -265,25 +249,17 @@ fn backward(
     means: Means,
     worst: impl Fn(Real) -> Worst,
 ) -> Accuracy {
-    let (of, arguments): (Function, &[Argument]) = match given {
+    let (of, arguments): (Function, &[Variable]) = match given {
         Given::Torques => {
-            let arguments = &[Argument::Q, Argument::Qd, Argument::Qdd];
+            let arguments = &[Variable::Q, Variable::Qd, Variable::Qdd];
             (Function::InverseDynamics, arguments)
         }
-        Given::MassMatrix => (Function::MassMatrix, &[Argument::Q]),
+        Given::MassMatrix => (Function::MassMatrix, &[Variable::Q]),
     };
     match promise(chain, means, &owners(chain, of), worst) {
         Ok(promise) => Accuracy::Backward(given, promise.within(chain, arguments, programs, means)),
         Err(reason) => Accuracy::Unknown(reason),
     }
-}
-
-/// Which joints slide.
-fn slides(chain: &Chain) -> Vec<bool> {
-    let joints = chain.joints.iter();
-    joints
-        .map(|joint| matches!(joint.motion, Motion::Prismatic))
-        .collect()
 }
 
 /// What a program computes in a range.

@@ -20,6 +20,7 @@ use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
 use crate::matrix::{Inertia, Pose, Screw, Vector};
 use crate::request::{Parameter, Request};
+use crate::space::{Entry, Kind, Spaces};
 
 /// The moving joints of a robot and the bodies they carry.
 #[derive(Clone, Debug)]
@@ -130,7 +131,45 @@ impl Report {
     }
 }
 
+impl Joint {
+    /// The range of the coordinate: one point where both limits are equal, but for two zeros, which in a
+    /// URDF stand for limits that were not written.
+    fn reach(&self) -> Option<[f64; 2]> {
+        let limits = self.limits?;
+        let [lower, upper] = [limits.lower, limits.upper];
+        let finite = lower.is_finite() && upper.is_finite() && (upper - lower).is_finite();
+        let written = lower != 0.0 || upper != 0.0;
+        (finite && written && lower <= upper).then_some([lower, upper])
+    }
+
+    /// The range of its rate.
+    fn rates(&self) -> Option<[f64; 2]> {
+        let rate = self.limits?.velocity;
+        (rate > 0.0 && rate.is_finite()).then_some([-rate, rate])
+    }
+}
+
 impl Chain {
+    /// The lists that arguments and results are over.
+    #[must_use]
+    pub fn spaces(&self) -> Spaces {
+        let list = |range: fn(&Joint) -> Option<[f64; 2]>| {
+            let entries = self.joints.iter().map(|joint| Entry {
+                name: joint.name.clone(),
+                kind: match joint.motion {
+                    Motion::Prismatic => Kind::Slide,
+                    Motion::Revolute | Motion::Screw(_) => Kind::Turn,
+                },
+                range: range(joint),
+            });
+            entries.collect()
+        };
+        Spaces {
+            coordinates: list(Joint::reach),
+            velocities: list(Joint::rates),
+        }
+    }
+
     /// L of a joint in its body's frame: u, b.
     #[must_use]
     pub fn screw(&self, joint: &Joint) -> [Term<'_>; 6] {

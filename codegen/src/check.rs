@@ -22,10 +22,11 @@ use crate::description::{Description, Source};
 use crate::emit::ChainData;
 use crate::error::{Errors, Place};
 use crate::expression::Arithmetic;
-use crate::function::{Function, Shape};
+use crate::function::Function;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
+use crate::space::{Entity, Spaces};
 use crate::wording::quoted;
 use approximate::Approximate;
 use dense::{Posture, Rates};
@@ -37,7 +38,7 @@ use states::State;
 pub struct Check {
     source: Source,
     place: Place,
-    joints: Vec<String>,
+    spaces: Spaces,
     states: Vec<Judge>,
 }
 
@@ -70,11 +71,7 @@ impl Check {
             Ok(states) => Ok(Self {
                 source: chain.source.clone(),
                 place,
-                joints: chain
-                    .joints
-                    .iter()
-                    .map(|joint| joint.name.clone())
-                    .collect(),
+                spaces: chain.spaces(),
                 states,
             }),
             Err(Contradiction(what)) => {
@@ -108,7 +105,7 @@ impl Check {
             let found = run(program, |input| Approximate::exact(judge.state.get(input)));
             let mut found = found.as_slice();
             for &function in functions {
-                let (these, rest) = found.split_at(function.shape().len(self.joints.len()));
+                let (these, rest) = found.split_at(function.result().size(&self.spaces));
                 found = rest;
                 let Some(wrong) = judge.first_wrong(function, frame, these) else {
                     continue;
@@ -159,8 +156,12 @@ impl Check {
             expected,
         } = wrong;
         let name = function.name();
-        let whose = match function.shape() {
-            Shape::Vector => format!(" (joint {})", quoted(&self.joints[*entry])),
+        let result = function.result();
+        let whose = match (result.over, result.entity) {
+            (&[space], Entity::Number) => {
+                let entry = &self.spaces.entries(space)[*entry];
+                format!(" (joint {})", quoted(&entry.name))
+            }
             _ => String::new(),
         };
         format!(

@@ -10,6 +10,7 @@ mod chain;
 mod dialect;
 mod documentation;
 mod item;
+mod lengths;
 mod literals;
 mod method;
 mod names;
@@ -31,6 +32,7 @@ use crate::function::Function;
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::schedule::{Price, Program};
+use crate::space::Spaces;
 use dialect::Dialect;
 use names::Names;
 
@@ -50,6 +52,8 @@ pub struct Listing {
     pub item: Item,
     /// What the doc comments say.
     pub about: About,
+    /// What arguments and results are over.
+    pub spaces: Spaces,
     /// The functions, in the order of the request.
     pub functions: Vec<Listed>,
     /// The robot as data.
@@ -79,8 +83,6 @@ pub struct About {
     pub base: String,
     /// The link whose frame poses and Jacobians are of.
     pub tip: String,
-    /// The joints in the order of q.
-    pub joints: Vec<String>,
     /// What is modelled and what is not: `2 links merged`, `gravity only along −z`.
     pub facts: Vec<String>,
     /// The words of the formulation that was asked for, where it is not the default.

@@ -67,6 +67,7 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
     errors.into_result(Listing {
         item,
         about,
+        spaces: chain.spaces(),
         functions,
         data,
         scalar: request.scalar,

@@ -30,6 +30,7 @@ pub mod real;
 pub mod request;
 pub mod schedule;
 pub mod simplify;
+pub mod space;
 mod wording;
 
 pub use builder::Builder;

@@ -23,6 +23,7 @@ pub use crate::formulation::{Angles, Forward, Frame};
 use crate::expression::{Graph, Input, Term};
 use crate::layout::Bodies;
 use crate::matrix::Vector;
+use crate::space::Variable;
 
 /// One of several ways to compute the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -196,29 +197,29 @@ impl<'g> State<'g> {
     }
 
     /// Entry `k` of an argument.
-    fn entry(&self, input: fn(u16) -> Input, k: usize) -> Term<'g> {
+    fn entry(&self, variable: Variable, k: usize) -> Term<'g> {
         let k = u16::try_from(k).expect("fewer than 65536 joints");
-        self.graph.input(input(k))
+        self.graph.input(Input::Variable(variable, k))
     }
 
     fn q(&self, k: usize) -> Term<'g> {
-        self.entry(Input::Q, k)
+        self.entry(Variable::Q, k)
     }
 
     fn qd(&self, k: usize) -> Term<'g> {
         if self.rest {
             self.zero()
         } else {
-            self.entry(Input::Qd, k)
+            self.entry(Variable::Qd, k)
         }
     }
 
     fn qdd(&self, k: usize) -> Term<'g> {
-        self.entry(Input::Qdd, k)
+        self.entry(Variable::Qdd, k)
     }
 
     pub(crate) fn tau(&self, k: usize) -> Term<'g> {
-        self.entry(Input::Tau, k)
+        self.entry(Variable::Tau, k)
     }
 
     pub(crate) fn qdds(&self, count: usize) -> Vec<Term<'g>> {

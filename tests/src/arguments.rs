@@ -10,6 +10,7 @@ use homogen_codegen::expression::Input;
 
 use crate::hexadecimal;
 use crate::states::Random;
+use homogen_codegen::space::Variable;
 
 /// One value of every argument; a function reads those that it has.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -43,10 +44,10 @@ impl Arguments {
     #[must_use]
     pub fn at(&self, input: Input) -> f64 {
         match input {
-            Input::Q(k) => self.q[usize::from(k)],
-            Input::Qd(k) => self.qd[usize::from(k)],
-            Input::Qdd(k) => self.qdd[usize::from(k)],
-            Input::Tau(k) => self.tau[usize::from(k)],
+            Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
+            Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
+            Input::Variable(Variable::Qdd, k) => self.qdd[usize::from(k)],
+            Input::Variable(Variable::Tau, k) => self.tau[usize::from(k)],
             Input::Parameter(..) => panic!("robots with struct fields have more arguments"),
         }
     }

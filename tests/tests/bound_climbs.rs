@@ -15,6 +15,7 @@ use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
+use homogen_codegen::space::Variable;
 use homogen_tests::climb::{Climb, any, exactly, listed};
 use homogen_tests::humanoid::humanoid;
 use homogen_tests::states::Random;
@@ -73,8 +74,8 @@ fn nothing_moves_more_than_its_energy_allows() {
             let qd: Vec<f64> = (0..count).map(|_| random.unit()).collect();
             let at = |input: Input| {
                 Double::from(match input {
-                    Input::Q(k) => q[usize::from(k)],
-                    Input::Qd(k) => qd[usize::from(k)],
+                    Input::Variable(Variable::Q, k) => q[usize::from(k)],
+                    Input::Variable(Variable::Qd, k) => qd[usize::from(k)],
                     _ => unreachable!("nothing else is read"),
                 })
             };
@@ -139,9 +140,9 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
         let torques = |qdd: &[f64]| {
             needed.at(|input| {
                 Double::from(match input {
-                    Input::Q(k) => q[usize::from(k)],
-                    Input::Qd(k) => qd[usize::from(k)],
-                    Input::Qdd(k) => qdd[usize::from(k)],
+                    Input::Variable(Variable::Q, k) => q[usize::from(k)],
+                    Input::Variable(Variable::Qd, k) => qd[usize::from(k)],
+                    Input::Variable(Variable::Qdd, k) => qdd[usize::from(k)],
                     _ => unreachable!("nothing else is read"),
                 })
             })
@@ -151,9 +152,9 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
             .map(|tau| T::literal(tau.to_f64()))
             .collect();
         let found = run(&listed.program, |input| match input {
-            Input::Q(k) => T::literal(q[usize::from(k)]),
-            Input::Qd(k) => T::literal(qd[usize::from(k)]),
-            Input::Tau(k) => tau[usize::from(k)],
+            Input::Variable(Variable::Q, k) => T::literal(q[usize::from(k)]),
+            Input::Variable(Variable::Qd, k) => T::literal(qd[usize::from(k)]),
+            Input::Variable(Variable::Tau, k) => tau[usize::from(k)],
             _ => unreachable!("nothing else is read"),
         });
         let found: Vec<f64> = found.into_iter().map(T::to_f64).collect();

@@ -22,6 +22,7 @@ use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::request::{Parameter, Request, Target};
 use homogen_codegen::schedule::{Operand, Program, run};
+use homogen_codegen::space::Variable;
 use homogen_codegen::{Function, Real};
 use homogen_tests::states::Random;
 use homogen_tests::subjects::{Subject, subject};
@@ -144,11 +145,11 @@ fn state<T: Tested>(range: &Range, random: &mut Random) -> impl Fn(Input) -> f64
         .map(|field| field.iter().map(|&range| any(range)).collect())
         .collect();
     move |input| match input {
-        Input::Q(k) => q[usize::from(k)],
-        Input::Qd(k) => qd[usize::from(k)],
-        Input::Qdd(k) => qdd[usize::from(k)],
+        Input::Variable(Variable::Q, k) => q[usize::from(k)],
+        Input::Variable(Variable::Qd, k) => qd[usize::from(k)],
+        Input::Variable(Variable::Qdd, k) => qdd[usize::from(k)],
         Input::Parameter(field, k) => fields[usize::from(field)][usize::from(k)],
-        Input::Tau(_) => unreachable!("no function here reads it"),
+        Input::Variable(Variable::Tau, _) => unreachable!("no function here reads it"),
     }
 }
 
@@ -325,16 +326,16 @@ fn check_accelerations<T: Tested>(asked: Asked) -> bool {
         let state = state::<T>(&range, &mut random);
         let needs = |qdd: &dyn Fn(u16) -> f64| {
             needed.at(|input| match input {
-                Input::Qdd(k) => Double::from(qdd(k)),
+                Input::Variable(Variable::Qdd, k) => Double::from(qdd(k)),
                 _ => Double::from(state(input)),
             })
         };
         // What is found may be somewhat larger, and is to be within the range.
-        let tau: Vec<T> = (needs(&|k| 0.9 * state(Input::Qdd(k))).into_iter())
+        let tau: Vec<T> = (needs(&|k| 0.9 * state(Input::Variable(Variable::Qdd, k))).into_iter())
             .map(|tau| T::literal(tau.to_f64()))
             .collect();
         let found = run(&program, |input| match input {
-            Input::Tau(k) => tau[usize::from(k)],
+            Input::Variable(Variable::Tau, k) => tau[usize::from(k)],
             _ => T::literal(state(input)),
         });
         let needed = needs(&|k| found[usize::from(k)].to_f64());

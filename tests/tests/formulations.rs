@@ -13,6 +13,7 @@ use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Price, run};
+use homogen_codegen::space::Variable;
 use homogen_codegen::{Function, Real};
 use homogen_tests::functions::{EveryFunction, evaluate};
 use homogen_tests::rounding::{DOUBLE, Worst};
@@ -166,9 +167,9 @@ fn interpreted(formulation: Formulation, state: &State<f64, 7>) -> Vec<f64> {
     let program = program_as(formulation, &chain, &functions, 0, Real::F64);
     let program = program.unwrap_or_else(|errors| panic!("{errors}"));
     run(&program, |input| match input {
-        Input::Q(k) => state.q[usize::from(k)],
-        Input::Qd(k) => state.qd[usize::from(k)],
-        Input::Qdd(k) => state.qdd[usize::from(k)],
+        Input::Variable(Variable::Q, k) => state.q[usize::from(k)],
+        Input::Variable(Variable::Qd, k) => state.qd[usize::from(k)],
+        Input::Variable(Variable::Qdd, k) => state.qdd[usize::from(k)],
         other => panic!("inverse dynamics reads {other:?}"),
     })
 }

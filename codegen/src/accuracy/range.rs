@@ -5,10 +5,10 @@
 
 use std::f64::consts::PI;
 
-use crate::chain::{Chain, Joint, Motion};
+use crate::chain::Chain;
 use crate::expression::Input;
-use crate::function::Argument;
 use crate::request::Parameter;
+use crate::space::{Entry, Kind, Spaces, Variable};
 
 /// The least and the greatest that each argument of a function can be.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,14 +23,34 @@ pub struct Range {
     pub fields: Vec<Vec<[f64; 2]>>,
 }
 
-/// How far a joint without limits goes to both sides: π rad, or 1 m.
-const REACH: [f64; 2] = [PI, 1.0];
+/// How large an entry is of which no description tells: coordinates go π rad or 1 m to both sides, with
+/// 10 rad/s or 1 m/s, and 10 rad/s² or 10 m/s². Nothing is said of forces.
+const fn default(variable: Variable, kind: Kind) -> Option<f64> {
+    match (variable, kind) {
+        (Variable::Q, Kind::Turn) => Some(PI),
+        (Variable::Q | Variable::Qd, Kind::Slide) => Some(1.0),
+        (Variable::Qd, Kind::Turn) | (Variable::Qdd, _) => Some(10.0),
+        (Variable::Tau, _) => None,
+    }
+}
 
-/// How fast a joint without a limit of its rate moves: 10 rad/s, or 1 m/s.
-const RATE: [f64; 2] = [10.0, 1.0];
+/// What the entry of a variable is described to stay in; accelerations never are.
+const fn described(variable: Variable, entry: &Entry) -> Option<[f64; 2]> {
+    match variable {
+        Variable::Q | Variable::Qd => entry.range,
+        Variable::Qdd | Variable::Tau => None,
+    }
+}
 
-/// How much joints are accelerated, of which no description tells: 10 rad/s², or 10 m/s².
-const SECOND_RATE: [f64; 2] = [10.0, 10.0];
+/// The range of each entry of a variable; of none where nothing is said.
+fn ranges(spaces: &Spaces, variable: Variable) -> Vec<[f64; 2]> {
+    let entries = spaces.entries(variable.space()).iter();
+    let ranges = entries.filter_map(|entry| {
+        let otherwise = || default(variable, entry.kind).map(|size| [-size, size]);
+        described(variable, entry).or_else(otherwise)
+    });
+    ranges.collect()
+}
 
 /// How large the entries of a field are in whose place nothing but zeros are described: 1 kg, 1 m or
 /// 1 m/s².
@@ -45,18 +65,11 @@ impl Range {
     /// that has this size.
     #[must_use]
     pub fn of(chain: &Chain) -> Self {
-        let both = |size: f64| [-size, size];
-        let joints = || chain.joints.iter();
+        let spaces = chain.spaces();
         Self {
-            q: joints()
-                .map(|joint| reach(joint).unwrap_or_else(|| both(REACH[slides(joint)])))
-                .collect(),
-            qd: joints()
-                .map(|joint| both(rate(joint).unwrap_or(RATE[slides(joint)])))
-                .collect(),
-            qdd: joints()
-                .map(|joint| both(SECOND_RATE[slides(joint)]))
-                .collect(),
+            q: ranges(&spaces, Variable::Q),
+            qd: ranges(&spaces, Variable::Qd),
+            qdd: ranges(&spaces, Variable::Qdd),
             fields: (chain.parameters.iter().zip(&chain.nominal))
                 .map(|(field, nominal)| vec![within(field, nominal); nominal.len()])
                 .collect(),
@@ -68,10 +81,12 @@ impl Range {
     pub fn get(&self, input: Input) -> Option<[f64; 2]> {
         let at = |ranges: &[[f64; 2]], k: u16| ranges.get(usize::from(k)).copied();
         match input {
-            Input::Q(k) => at(&self.q, k),
-            Input::Qd(k) => at(&self.qd, k),
-            Input::Qdd(k) => at(&self.qdd, k),
-            Input::Tau(_) => None,
+            Input::Variable(variable, k) => match variable {
+                Variable::Q => at(&self.q, k),
+                Variable::Qd => at(&self.qd, k),
+                Variable::Qdd => at(&self.qdd, k),
+                Variable::Tau => None,
+            },
             Input::Parameter(field, k) => self
                 .fields
                 .get(usize::from(field))
@@ -83,26 +98,25 @@ impl Range {
 /// The range of some arguments, and of the fields that are read, in words:
 /// ``q and q̇ within their limits, |q̈| ≤ 10 rad/s², `payload` from 0 to 3 kg``.
 #[must_use]
-pub fn words(chain: &Chain, arguments: &[Argument], reads: impl Fn(usize) -> bool) -> String {
+pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(usize) -> bool) -> String {
     let mut within_limits = Vec::new();
     let mut sizes = Vec::new();
-    for argument in arguments {
-        let (letter, defaults, units, limited): (_, _, _, fn(&Joint) -> bool) = match argument {
-            Argument::Q => ("q", REACH, ["rad", "m"], |joint| reach(joint).is_some()),
-            Argument::Qd => ("q̇", RATE, ["rad/s", "m/s"], |joint| rate(joint).is_some()),
-            Argument::Qdd => ("q̈", SECOND_RATE, ["rad/s²", "m/s²"], |_| false),
-            Argument::Tau => continue,
-        };
-        let (has, lacks): (Vec<&Joint>, Vec<&Joint>) =
-            chain.joints.iter().partition(|joint| limited(joint));
+    let spaces = chain.spaces();
+    for &argument in arguments {
+        let letter = argument.letter();
+        let entries = spaces.entries(argument.space()).iter();
+        let (has, lacks): (Vec<&Entry>, Vec<&Entry>) =
+            entries.partition(|entry| described(argument, entry).is_some());
         if !has.is_empty() {
             within_limits.push(letter);
         }
-        let kinds = [0, 1].into_iter();
-        let kinds = kinds.filter(|&kind| lacks.iter().any(|joint| slides(joint) == kind));
-        let kinds: Vec<String> = kinds
-            .map(|kind| format!("{} {}", number(defaults[kind]), units[kind]))
-            .collect();
+        let kinds = [Kind::Turn, Kind::Slide].into_iter();
+        let kinds = kinds.filter(|&kind| lacks.iter().any(|entry| entry.kind == kind));
+        let kinds = kinds.filter_map(|kind| {
+            let size = number(default(argument, kind)?);
+            Some(format!("{size} {}", argument.unit(kind)))
+        });
+        let kinds: Vec<String> = kinds.collect();
         if !kinds.is_empty() {
             let or = if has.is_empty() { "" } else { "else " };
             sizes.push(format!("{or}|{letter}| ≤ {}", kinds.join(", ")));
@@ -152,26 +166,6 @@ fn number(size: f64) -> String {
     }
 }
 
-/// 0 for a joint that turns, 1 for one that slides.
-const fn slides(joint: &Joint) -> usize {
-    matches!(joint.motion, Motion::Prismatic) as usize
-}
-
-/// The limits of a coordinate: one point where they are equal, but for two zeros, which in a URDF
-/// stand for limits that were not written.
-fn reach(joint: &Joint) -> Option<[f64; 2]> {
-    let limits = joint.limits?;
-    let [lower, upper] = [limits.lower, limits.upper];
-    let finite = lower.is_finite() && upper.is_finite() && (upper - lower).is_finite();
-    let written = lower != 0.0 || upper != 0.0;
-    (finite && written && lower <= upper).then_some([lower, upper])
-}
-
-fn rate(joint: &Joint) -> Option<f64> {
-    let rate = joint.limits?.velocity;
-    (rate > 0.0 && rate.is_finite()).then_some(rate)
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Range, words};
@@ -179,10 +173,10 @@ mod tests {
     use crate::description::read_text;
     use crate::error::Errors;
     use crate::expression::Input;
-    use crate::function::Argument;
     use crate::request::Request;
+    use crate::space::Variable;
 
-    const ALL: [Argument; 3] = [Argument::Q, Argument::Qd, Argument::Qdd];
+    const ALL: [Variable; 3] = [Variable::Q, Variable::Qd, Variable::Qdd];
 
     /// A joint that turns and one that slides on it.
     fn arm(turning: &str, sliding: &str) -> Chain {
@@ -210,10 +204,19 @@ mod tests {
         let limit = r#"<limit lower="-1" upper="2" velocity="3" effort="4"/>"#;
         let chain = arm(limit, limit);
         let range = Range::of(&chain);
-        assert_eq!(range.get(Input::Q(0)), Some([-1.0, 2.0]));
-        assert_eq!(range.get(Input::Qd(1)), Some([-3.0, 3.0]));
-        assert_eq!(range.get(Input::Qdd(0)), Some([-10.0, 10.0]));
-        assert_eq!(range.get(Input::Tau(0)), None);
+        assert_eq!(
+            range.get(Input::Variable(Variable::Q, 0)),
+            Some([-1.0, 2.0])
+        );
+        assert_eq!(
+            range.get(Input::Variable(Variable::Qd, 1)),
+            Some([-3.0, 3.0])
+        );
+        assert_eq!(
+            range.get(Input::Variable(Variable::Qdd, 0)),
+            Some([-10.0, 10.0])
+        );
+        assert_eq!(range.get(Input::Variable(Variable::Tau, 0)), None);
         assert_eq!(words(&chain, &ALL[..1], |_| true), "q within its limits");
         assert_eq!(
             words(&chain, &ALL, |_| true),
@@ -229,7 +232,10 @@ mod tests {
             nothing,
         );
         let range = Range::of(&chain);
-        assert_eq!(range.get(Input::Q(1)), Some([-1.0, 1.0]));
+        assert_eq!(
+            range.get(Input::Variable(Variable::Q, 1)),
+            Some([-1.0, 1.0])
+        );
         assert_eq!(
             words(&chain, &ALL, |_| true),
             "q within its limits, else |q| ≤ 1 m, |q̇| ≤ 10 rad/s, 1 m/s, |q̈| ≤ 10 rad/s², 10 m/s²"

@@ -7,6 +7,7 @@ use crate::chain::{Chain, Motion};
 use crate::description::Limits;
 use crate::expression::Input;
 use crate::request::{Request, Target};
+use crate::space::Variable;
 
 /// What a program reads.
 #[derive(Clone, Debug, Default)]
@@ -21,10 +22,10 @@ pub(super) struct State {
 impl State {
     pub(super) fn get(&self, input: Input) -> f64 {
         match input {
-            Input::Q(k) => self.q[usize::from(k)],
-            Input::Qd(k) => self.qd[usize::from(k)],
-            Input::Qdd(k) => self.qdd[usize::from(k)],
-            Input::Tau(k) => self.tau[usize::from(k)],
+            Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
+            Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
+            Input::Variable(Variable::Qdd, k) => self.qdd[usize::from(k)],
+            Input::Variable(Variable::Tau, k) => self.tau[usize::from(k)],
             Input::Parameter(field, k) => self.fields[usize::from(field)][usize::from(k)],
         }
     }

@@ -20,8 +20,9 @@ use crate::check::Check;
 use crate::error::{Errors, Place};
 use crate::expand;
 use crate::expression::Input;
-use crate::function::{Argument, Function, Shape};
+use crate::function::Function;
 use crate::schedule::{Arithmetic, Program, run};
+use crate::space::{Entity, Quantity, Spaces, Variable};
 use crate::wording::visible;
 
 /// Compute a function at given states, without a compiler
@@ -66,7 +67,7 @@ impl Eval {
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
         let (text, file) = self.text(input)?;
-        let states = states::read(&text, &file, function.arguments(), chain.joints.len())?;
+        let states = states::read(&text, &file, function.arguments(), &chain.spaces())?;
 
         // Further frames come after the tip's.
         let frame = chain.frames.len().saturating_sub(1);
@@ -139,8 +140,8 @@ impl Eval {
     }
 
     fn in_json(&self, chain: &Chain, frame: usize, results: &[Vec<f64>]) -> Value {
-        let joints = chain.joints.len();
-        let shape = self.function.shape();
+        let spaces = chain.spaces();
+        let quantity = self.function.result();
         let names = chain.joints.iter().map(|joint| joint.name.as_str());
         let names: Value = names.collect();
         let mut answer = Map::new();
@@ -153,14 +154,14 @@ impl Eval {
             answer.insert("base".into(), json!(chain.report.base));
             answer.insert("frame".into(), json!(chain.frames[frame].name));
         }
-        answer.insert("shape".into(), json!(dimensions(shape, joints)));
-        if shape == Shape::Screws {
+        answer.insert("shape".into(), json!(dimensions(&quantity, &spaces)));
+        if quantity.entity == Entity::Screw {
             answer.insert("rows".into(), json!(SCREW));
         }
         answer.insert("warnings".into(), json::warnings(&chain.report.warnings));
         let results = results
             .iter()
-            .map(|numbers| match rows(shape, joints, numbers) {
+            .map(|numbers| match rows(&quantity, &spaces, numbers) {
                 Some(rows) => json!(rows),
                 None => json!(numbers),
             });
@@ -182,19 +183,15 @@ const SCREW: [&str; 6] = [
 /// The results as the `f64`s that print like them.
 fn numbers<T: Arithmetic + Display>(
     program: &Program,
-    arguments: &[Argument],
+    arguments: &[Variable],
     state: &State,
 ) -> Vec<f64> {
-    let value = |wanted: Argument, k: u16| {
-        let index = arguments.iter().position(|&argument| argument == wanted);
-        let index = index.expect("a program reads the arguments of its function");
-        T::literal(state[index][usize::from(k)])
-    };
     let results = run(program, |input| match input {
-        Input::Q(k) => value(Argument::Q, k),
-        Input::Qd(k) => value(Argument::Qd, k),
-        Input::Qdd(k) => value(Argument::Qdd, k),
-        Input::Tau(k) => value(Argument::Tau, k),
+        Input::Variable(wanted, k) => {
+            let index = arguments.iter().position(|&argument| argument == wanted);
+            let index = index.expect("a program reads the arguments of its function");
+            T::literal(state[index][usize::from(k)])
+        }
         Input::Parameter(..) => unreachable!("the command line has no run-time parameters"),
     });
     // By way of the shortest digits: 0.1 in f32 is to be printed as 0.1, and not as all the digits
@@ -203,27 +200,36 @@ fn numbers<T: Arithmetic + Display>(
     results.into_iter().map(shortest).collect()
 }
 
-fn dimensions(shape: Shape, joints: usize) -> Vec<usize> {
-    match shape {
-        Shape::Pose | Shape::Velocity | Shape::Acceleration => vec![4, 4],
-        Shape::Screws => vec![6, joints],
-        Shape::Vector => vec![joints],
-        Shape::Matrix => vec![joints, joints],
+/// The rows and columns of a result: matrices of four rows whole, screws as columns.
+fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
+    let mut lengths = quantity.lengths(spaces);
+    match quantity.entity {
+        Entity::Number => {}
+        Entity::Pose | Entity::Velocity | Entity::Acceleration => lengths.extend([4, 4]),
+        Entity::Screw => lengths.insert(0, 6),
     }
+    lengths
 }
 
 /// The rows of a matrix, whole; none of a vector.
-fn rows(shape: Shape, joints: usize, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
+fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
     let under = |last: [f64; 4]| {
         let rows = numbers.chunks(4).map(<[f64]>::to_vec);
         rows.chain([last.to_vec()]).collect()
     };
-    Some(match shape {
-        Shape::Vector => return None,
-        Shape::Matrix => numbers.chunks(joints.max(1)).map(<[f64]>::to_vec).collect(),
-        Shape::Pose => under([0.0, 0.0, 0.0, 1.0]),
-        Shape::Acceleration => under([0.0; 4]),
-        Shape::Velocity => {
+    Some(match quantity.entity {
+        Entity::Number => {
+            let &[_, columns] = &*quantity.lengths(spaces) else {
+                return None;
+            };
+            numbers
+                .chunks(columns.max(1))
+                .map(<[f64]>::to_vec)
+                .collect()
+        }
+        Entity::Pose => under([0.0, 0.0, 0.0, 1.0]),
+        Entity::Acceleration => under([0.0; 4]),
+        Entity::Velocity => {
             let (w, v) = (&numbers[..3], &numbers[3..]);
             vec![
                 vec![0.0, -w[2], w[1], v[0]],
@@ -232,7 +238,7 @@ fn rows(shape: Shape, joints: usize, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
                 vec![0.0; 4],
             ]
         }
-        Shape::Screws => {
+        Entity::Screw => {
             let row = |row: usize| numbers.iter().skip(row).step_by(6).copied().collect();
             (0..6).map(row).collect()
         }
@@ -240,23 +246,25 @@ fn rows(shape: Shape, joints: usize, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
 }
 
 fn in_text(chain: &Chain, function: Function, results: &[Vec<f64>]) -> String {
-    let joints = chain.joints.len();
+    let spaces = chain.spaces();
+    let quantity = function.result();
     let mut text = String::new();
     for (index, numbers) in results.iter().enumerate() {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{} of state {index}", function.name());
-        match rows(function.shape(), joints, numbers) {
-            Some(rows) => rows.iter().for_each(|row| {
+        if let Some(rows) = rows(&quantity, &spaces, numbers) {
+            for row in rows {
                 let row: Vec<String> = row.iter().map(|number| format!("{number:>24?}")).collect();
                 let _ = writeln!(text, "{}", row.concat());
-            }),
-            None => chain
-                .joints
+            }
+        } else {
+            let entries = quantity
+                .over
                 .iter()
-                .zip(numbers)
-                .for_each(|(joint, number)| {
-                    let _ = writeln!(text, "{number:>24?}  {}", visible(&joint.name));
-                }),
+                .flat_map(|&space| spaces.entries(space));
+            for (entry, number) in entries.zip(numbers) {
+                let _ = writeln!(text, "{number:>24?}  {}", visible(&entry.name));
+            }
         }
     }
     text

@@ -1,13 +1,13 @@
 //! States of a robot, read from JSON.
 //!
 //! In: `{"states":[{"q":[…],"qd":[…],"qdd":[…],"tau":[…]}]}`, what a function is a function of,
-//! how many joints there are. Out: the numbers it needs, all finite and as many as joints; or every
+//! the lists that those are over. Out: the numbers it needs, all finite and as many as entries; or every
 //! mistake with the number of its state. It never looks at a key that the function does not need.
 
 use serde_json::{Map, Value};
 
 use crate::error::{Errors, Place};
-use crate::function::Argument;
+use crate::space::{Spaces, Variable};
 
 /// The values of a function's arguments, in the order of its parameters.
 pub(super) type State = Vec<Vec<f64>>;
@@ -16,19 +16,19 @@ pub(super) type State = Vec<Vec<f64>>;
 pub(super) fn read(
     text: &str,
     file: &str,
-    arguments: &[Argument],
-    joints: usize,
+    arguments: &[Variable],
+    spaces: &Spaces,
 ) -> Result<Vec<State>, Errors> {
     let mut errors = Errors::new();
     match serde_json::from_str(text) {
         Ok(value) => {
-            let states = states(&value, file, arguments, joints, &mut errors);
+            let states = states(&value, file, arguments, spaces, &mut errors);
             errors.into_result(states)
         }
         Err(reason) => {
             // Some programs write NaN as if it were JSON: that state and key can still be named.
             if let Ok(value) = serde_json::from_str(&without_nan(text)) {
-                states(&value, file, arguments, joints, &mut errors);
+                states(&value, file, arguments, spaces, &mut errors);
             }
             if errors.is_empty() {
                 refuse_syntax(&reason, file, &mut errors);
@@ -41,8 +41,8 @@ pub(super) fn read(
 fn states(
     value: &Value,
     file: &str,
-    arguments: &[Argument],
-    joints: usize,
+    arguments: &[Variable],
+    spaces: &Spaces,
     errors: &mut Errors,
 ) -> Vec<State> {
     let Some(states) = value.get("states").and_then(Value::as_array) else {
@@ -62,7 +62,7 @@ fn states(
         };
         let mut values = State::new();
         for &argument in arguments {
-            match values_of(state, argument, joints) {
+            match values_of(state, argument, spaces.len(argument.space())) {
                 Ok(numbers) => values.push(numbers),
                 Err(what) => complain(what),
             }
@@ -75,8 +75,8 @@ fn states(
 /// The numbers of one key, or the end of a sentence that begins with the state.
 fn values_of(
     state: &Map<String, Value>,
-    argument: Argument,
-    joints: usize,
+    argument: Variable,
+    length: usize,
 ) -> Result<Vec<f64>, String> {
     let key = argument.name();
     let Some(values) = state.get(key) else {
@@ -85,10 +85,10 @@ fn values_of(
     let Some(values) = values.as_array() else {
         return Err(format!("has a \"{key}\" that is not a list"));
     };
-    if values.len() != joints {
+    if values.len() != length {
         let found = values.len();
         return Err(format!(
-            "has {found} numbers in \"{key}\" for {joints} joints"
+            "has {found} numbers in \"{key}\" for {length} joints"
         ));
     }
     let number = |(entry, value): (usize, &Value)| match value.as_f64() {

@@ -15,12 +15,14 @@ use syn::ext::IdentExt;
 use super::dialect::Dialect;
 use super::documentation;
 use super::item::is_array;
-use super::method::{arguments, count, names};
+use super::lengths::Lengths;
+use super::method::{arguments, names};
 use super::names::{Names, is_keyword};
 use super::results::type_of;
 use super::{Library, Listed, Listing};
-use crate::function::{Function, Shape};
+use crate::function::Function;
 use crate::real::Real;
+use crate::space::Spaces;
 use crate::wording::visible;
 
 /// The functions, one for each method.
@@ -41,8 +43,12 @@ fn function(
 ) -> TokenStream {
     let robot = &listing.item.ident;
     let number = &dialect.number;
-    let joints = count(listing.about.joints.len());
+    let lengths = Lengths::of_spaces(&listing.spaces);
     let arguments = arguments(&listed.functions);
+    let each = arguments
+        .iter()
+        .map(|argument| lengths.of(argument.space()));
+    let each: Vec<_> = each.collect();
     let arguments = arguments
         .iter()
         .map(|argument| format_ident!("{}", argument.name()));
@@ -52,7 +58,7 @@ fn function(
         .map(|function| format_ident!("{}", function.name()))
         .collect();
     let types = listed.functions.iter();
-    let types = types.map(|function| type_of(function.shape(), &joints, dialect));
+    let types = types.map(|function| type_of(&function.result(), &lengths, dialect));
 
     let (receiver, value) = if listing.parameters.is_empty() {
         (TokenStream::new(), quote! { #robot })
@@ -80,7 +86,7 @@ fn function(
         #[unsafe(no_mangle)]
         pub extern "C" fn #name(
             #receiver
-            #(#arguments: &[#number; #joints],)*
+            #(#arguments: &[#number; #each],)*
             #(#results: &mut ::core::mem::MaybeUninit<#types>,)*
         ) {
             #body
@@ -187,27 +193,25 @@ const KEYWORDS: [&str; 78] = [
 
 /// `const float q[6], float gravity[6]`.
 fn parameters(listing: &Listing, listed: &Listed, prefix: &str, number: &str) -> String {
-    let joints = listing.about.joints.len();
+    let spaces = &listing.spaces;
     let robot = (!listing.parameters.is_empty()).then(|| format!("const {prefix}robot *robot"));
     let arguments = arguments(&listed.functions);
     let arguments = arguments
         .iter()
-        .map(|argument| format!("const {number} {}[{joints}]", argument.name()));
+        .map(|argument| (argument.name(), spaces.len(argument.space())))
+        .map(|(name, length)| format!("const {number} {name}[{length}]"));
     let results = listed.functions.iter();
-    let results = results.map(|function| format!("{number} {}", declarator(*function, joints)));
+    let results = results.map(|function| format!("{number} {}", declarator(*function, spaces)));
     let all: Vec<_> = robot.into_iter().chain(arguments).chain(results).collect();
     all.join(", ")
 }
 
 /// `forward_kinematics[3][4]`.
-fn declarator(function: Function, joints: usize) -> String {
-    let size = match function.shape() {
-        Shape::Pose | Shape::Acceleration => "[3][4]".to_owned(),
-        Shape::Velocity => "[6]".to_owned(),
-        Shape::Screws => format!("[{joints}][6]"),
-        Shape::Vector => format!("[{joints}]"),
-        Shape::Matrix => format!("[{joints}][{joints}]"),
-    };
+fn declarator(function: Function, spaces: &Spaces) -> String {
+    let quantity = function.result();
+    let lengths = quantity.lengths(spaces).into_iter();
+    let lengths = lengths.chain(quantity.entity.dimensions().iter().copied());
+    let size: String = lengths.map(|length| format!("[{length}]")).collect();
     format!("{}{size}", function.name())
 }
 

@@ -9,7 +9,7 @@ use quote::quote;
 
 use super::body::{Body, body};
 use super::dialect::{Dialect, World};
-use super::method::count;
+use super::lengths::number;
 use super::names::Names;
 use super::results::{square_and_column, two_vectors};
 use super::scope::Readable;
@@ -28,7 +28,7 @@ pub(super) fn chain(listing: &Listing, dialect: &Dialect) -> TokenStream {
     let data = &listing.data;
     let readable = Readable {
         arguments: &[],
-        joints: data.names.len(),
+        spaces: &listing.spaces,
         parameters: &listing.parameters,
     };
     let names = Names::beside(&listing.item);
@@ -38,11 +38,11 @@ pub(super) fn chain(listing: &Listing, dialect: &Dialect) -> TokenStream {
     } = body(&data.program, &readable, &dialect.of_data(), names);
     let value = value(data, &results, runtime);
 
-    let about = documentation::of_chain(&listing.about);
+    let about = documentation::of_chain(listing);
     let visibility = &listing.item.visibility;
     let signature = signature(
-        &count(data.names.len()),
-        &count(data.frames.len()),
+        &number(data.names.len()),
+        &number(data.frames.len()),
         None,
         !listing.parameters.is_empty(),
         runtime,
@@ -108,7 +108,7 @@ fn joint(
 
 fn index(joint: Option<u16>) -> TokenStream {
     if let Some(joint) = joint {
-        let joint = count(joint.into());
+        let joint = number(joint.into());
         quote! { ::core::option::Option::Some(#joint) }
     } else {
         quote! { ::core::option::Option::None }

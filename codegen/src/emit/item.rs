@@ -73,7 +73,7 @@ fn made(listing: &Listing, dialect: &Dialect) -> TokenStream {
     let Item {
         visibility, ident, ..
     } = &listing.item;
-    let about = documentation::of_robot(&listing.about);
+    let about = documentation::of_robot(listing);
     let derive = match dialect.world {
         World::Runtime(_) => quote! {
             #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]

@@ -3,17 +3,19 @@
 //! In: a [`Listed`] of a [`Listing`]. Out: an inherent method, and the implementation of a trait
 //! that calls it. It never prints an operation itself.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::{GenericParam, parse_quote};
 
 use super::body::{Body, body};
 use super::dialect::{Dialect, World};
+use super::lengths::Lengths;
 use super::names::Names;
 use super::results::{result_type, result_value};
 use super::scope::Readable;
 use super::{Item, Listed, Listing, documentation, item, sines};
-use crate::function::{Argument, Function};
+use crate::function::Function;
+use crate::space::{Space, Variable};
 
 /// The method that computes `listed`.
 pub(super) fn method(
@@ -22,11 +24,10 @@ pub(super) fn method(
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
-    let joints = listing.about.joints.len();
     let arguments = arguments(&listed.functions);
     let readable = Readable {
         arguments: &arguments,
-        joints,
+        spaces: &listing.spaces,
         parameters: &listing.parameters,
     };
     let names = Names::beside(&listing.item);
@@ -34,11 +35,12 @@ pub(super) fn method(
         statements,
         results,
     } = body(&listed.program, &readable, dialect, names);
-    let result = result_value(&listed.functions, joints, &results, dialect);
+    let result = result_value(&listed.functions, &listing.spaces, &results, dialect);
 
     let about = documentation::of_method(listing, listed, dialect);
     let visibility = &listing.item.visibility;
-    let signature = signature(name, &listed.functions, &count(joints), None, dialect);
+    let lengths = Lengths::of_spaces(&listing.spaces);
+    let signature = signature(name, &listed.functions, &lengths, None, dialect);
     quote! {
         #about
         #[must_use]
@@ -53,26 +55,25 @@ pub(super) fn in_trait(
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
-    let joints = listing.about.joints.len();
     let arguments = function.arguments().iter();
     let arguments = arguments.map(|argument| format_ident!("{}", argument.name()));
     let call = quote! { Self::#name(self, #(#arguments),*) };
     implementation(
         &listing.item,
         function,
-        &count(joints),
+        &Lengths::of_spaces(&listing.spaces),
         None,
         &call,
         dialect,
     )
 }
 
-/// The implementation of a function's trait, with `count` joints (a number, or the parameter
-/// `unknown`) and the given body.
+/// The implementation of a function's trait, for arrays of the given lengths (which may be the
+/// parameter `unknown`) and with the given body.
 pub(super) fn implementation(
     item: &Item,
     function: Function,
-    count: &TokenStream,
+    lengths: &Lengths,
     unknown: Option<GenericParam>,
     call: &TokenStream,
     dialect: &Dialect,
@@ -88,11 +89,12 @@ pub(super) fn implementation(
     let more: Vec<_> = unknown.into_iter().chain(generic).collect();
     // The traits are called as the functions are, in the case of types.
     let name = format_ident!("{function:?}");
+    let count = lengths.of(Space::Velocities);
     let of = quote! { #runtime::robot::#name<#count, #number> };
     let head = item::implementation(item, &of, &more);
     let method = format_ident!("{}", function.name());
-    let result = result_type(&[function], count, dialect);
-    let parameters = parameters(function.arguments(), count, dialect);
+    let result = result_type(&[function], lengths, dialect);
+    let parameters = parameters(function.arguments(), lengths, dialect);
     quote! {
         #head {
             #[inline]
@@ -106,7 +108,7 @@ pub(super) fn implementation(
 pub(super) fn signature(
     name: &Ident,
     functions: &[Function],
-    count: &TokenStream,
+    lengths: &Lengths,
     unknown: Option<&TokenStream>,
     dialect: &Dialect,
 ) -> TokenStream {
@@ -121,23 +123,19 @@ pub(super) fn signature(
         (None, None) => TokenStream::new(),
         (generic, unknown) => quote! { <#generic #unknown> },
     };
-    let parameters = parameters(&arguments(functions), count, dialect);
-    let result = result_type(functions, count, dialect);
+    let parameters = parameters(&arguments(functions), lengths, dialect);
+    let result = result_type(functions, lengths, dialect);
     quote! { fn #name #generics(&self, #parameters) -> #result }
 }
 
-fn parameters(arguments: &[Argument], count: &TokenStream, dialect: &Dialect) -> TokenStream {
+fn parameters(arguments: &[Variable], lengths: &Lengths, dialect: &Dialect) -> TokenStream {
     let number = &dialect.number;
-    let names = arguments
-        .iter()
-        .map(|argument| format_ident!("{}", argument.name()));
-    quote! { #(#names: &[#number; #count]),* }
-}
-
-/// A number of joints, as types have it.
-pub(super) fn count(joints: usize) -> TokenStream {
-    let joints = Literal::usize_unsuffixed(joints);
-    quote! { #joints }
+    let parameters = arguments.iter().map(|argument| {
+        let name = format_ident!("{}", argument.name());
+        let length = lengths.of(argument.space());
+        quote! { #name: &[#number; #length] }
+    });
+    quote! { #(#parameters),* }
 }
 
 /// The names of all methods, in the order of the listing; none is that of a function that a struct
@@ -151,12 +149,8 @@ pub(super) fn names(listing: &Listing) -> Vec<Ident> {
 }
 
 /// What several functions together are functions of.
-pub(super) fn arguments(functions: &[Function]) -> Vec<Argument> {
-    let all = functions.iter().flat_map(|function| function.arguments());
-    let mut all: Vec<_> = all.copied().collect();
-    all.sort_unstable();
-    all.dedup();
-    all
+pub(super) fn arguments(functions: &[Function]) -> Vec<Variable> {
+    Variable::together(functions.iter().map(|function| function.arguments()))
 }
 
 /// `mass_matrix_and_bias`, `forward_kinematics_of_camera`.

@@ -1,89 +1,106 @@
 //! The types of results, and the expressions that make them.
 //!
-//! In: a shape and its numbers. Out: the runtime's typed matrices, or arrays where there is no
-//! runtime. It never reorders the numbers of a program.
+//! In: a quantity and its numbers. Out: the runtime's typed matrices, or arrays where there is no
+//! runtime, in arrays by the spaces that they are over. It never reorders the numbers of a program.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::dialect::{Dialect, World};
-use crate::function::{Function, Shape};
+use super::lengths::{Lengths, number};
+use crate::function::Function;
+use crate::space::{Entity, Quantity, Spaces};
 
-/// The type of what `functions` return together, for `joints` joints.
+/// The type of what `functions` return together.
 pub(super) fn result_type(
     functions: &[Function],
-    joints: &TokenStream,
+    lengths: &Lengths,
     dialect: &Dialect,
 ) -> TokenStream {
     let types = functions
         .iter()
-        .map(|function| type_of(function.shape(), joints, dialect));
+        .map(|function| type_of(&function.result(), lengths, dialect));
     one_or_tuple(types.collect())
 }
 
 /// The type of one result.
-pub(super) fn type_of(shape: Shape, n: &TokenStream, dialect: &Dialect) -> TokenStream {
-    let number = &dialect.number;
-    match (shape, &dialect.world) {
-        (Shape::Vector, _) => quote! { [#number; #n] },
-        (Shape::Matrix, _) => quote! { [[#number; #n]; #n] },
-        (Shape::Pose, World::Runtime(runtime)) => quote! { #runtime::Pose<#number> },
-        (Shape::Velocity, World::Runtime(runtime)) => quote! { #runtime::Velocity<#number> },
-        (Shape::Acceleration, World::Runtime(runtime)) => {
-            quote! { #runtime::Acceleration<#number> }
+pub(super) fn type_of(quantity: &Quantity, lengths: &Lengths, dialect: &Dialect) -> TokenStream {
+    let number_type = &dialect.number;
+    let one = match named(quantity.entity, dialect) {
+        Some(path) => quote! { #path<#number_type> },
+        None => (quantity.entity.dimensions().iter().rev())
+            .map(|&length| number(length))
+            .fold(quote! { #number_type }, array),
+    };
+    let over = quantity.over.iter().rev();
+    over.map(|&space| lengths.of(space)).fold(one, array)
+}
+
+fn array(inner: TokenStream, length: TokenStream) -> TokenStream {
+    quote! { [#inner; #length] }
+}
+
+/// The runtime's type of an entity, where it has one.
+fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
+    match (entity, &dialect.world) {
+        (Entity::Number, _) | (_, World::Core(_)) => None,
+        (entity, World::Runtime(runtime)) => {
+            // They are called as the entities are.
+            let name = format_ident!("{entity:?}");
+            Some(quote! { #runtime::#name })
         }
-        (Shape::Screws, World::Runtime(runtime)) => quote! { [#runtime::Screw<#number>; #n] },
-        (Shape::Pose | Shape::Acceleration, World::Core(_)) => quote! { [[#number; 4]; 3] },
-        (Shape::Velocity, World::Core(_)) => quote! { [#number; 6] },
-        (Shape::Screws, World::Core(_)) => quote! { [[#number; 6]; #n] },
     }
 }
 
 /// The value of what `functions` return together: their numbers stand one after the other.
 pub(super) fn result_value(
     functions: &[Function],
-    joints: usize,
+    spaces: &Spaces,
     numbers: &[TokenStream],
     dialect: &Dialect,
 ) -> TokenStream {
     let mut rest = numbers;
     let values = functions.iter().map(|function| {
-        let shape = function.shape();
-        let (own, others) = rest.split_at(shape.len(joints).min(rest.len()));
+        let quantity = function.result();
+        let (own, others) = rest.split_at(quantity.size(spaces).min(rest.len()));
         rest = others;
-        value_of(shape, joints, own, dialect)
+        value_of(&quantity, spaces, own, dialect)
     });
     one_or_tuple(values.collect())
 }
 
 fn value_of(
-    shape: Shape,
-    joints: usize,
+    quantity: &Quantity,
+    spaces: &Spaces,
     numbers: &[TokenStream],
     dialect: &Dialect,
 ) -> TokenStream {
-    match (shape, &dialect.world) {
-        (Shape::Vector, _) | (Shape::Velocity, World::Core(_)) => quote! { [#(#numbers),*] },
-        (Shape::Matrix, _) => rows(numbers, joints),
-        (Shape::Pose, World::Runtime(runtime)) => {
-            let blocks = square_and_column(numbers);
-            quote! { #runtime::Pose::new(#blocks) }
+    let entity = quantity.entity;
+    let lengths = quantity.lengths(spaces);
+    match named(entity, dialect) {
+        Some(path) => {
+            let whole = numbers.chunks(entity.size()).map(|numbers| {
+                let blocks = match entity.dimensions() {
+                    [3, 4] => square_and_column(numbers),
+                    _ => two_vectors(numbers),
+                };
+                quote! { #path::new(#blocks) }
+            });
+            nested(&lengths, &whole.collect::<Vec<_>>())
         }
-        (Shape::Acceleration, World::Runtime(runtime)) => {
-            let blocks = square_and_column(numbers);
-            quote! { #runtime::Acceleration::new(#blocks) }
-        }
-        (Shape::Velocity, World::Runtime(runtime)) => {
-            let blocks = two_vectors(numbers);
-            quote! { #runtime::Velocity::new(#blocks) }
-        }
-        (Shape::Screws, World::Runtime(runtime)) => {
-            let columns = numbers.chunks(6).map(two_vectors);
-            quote! { [#(#runtime::Screw::new(#columns)),*] }
-        }
-        (Shape::Pose | Shape::Acceleration, World::Core(_)) => rows(numbers, 4),
-        (Shape::Screws, World::Core(_)) => rows(numbers, 6),
+        None => nested(&[&lengths, entity.dimensions()].concat(), numbers),
     }
+}
+
+/// Values in arrays within arrays of the given lengths, the outermost first.
+fn nested(lengths: &[usize], values: &[TokenStream]) -> TokenStream {
+    let Some((_, inner)) = lengths.split_first() else {
+        return quote! { #(#values)* };
+    };
+    // `chunks` wants a length even of a robot without joints.
+    let each = inner.iter().product::<usize>().max(1);
+    let rows = values.chunks(each).map(|values| nested(inner, values));
+    quote! { [#(#rows),*] }
 }
 
 /// The rows of an upper 3×4 block as `[[…]; 3], […]`.
@@ -100,14 +117,6 @@ pub(super) fn square_and_column(numbers: &[TokenStream]) -> TokenStream {
 pub(super) fn two_vectors(numbers: &[TokenStream]) -> TokenStream {
     let (first, second) = numbers.split_at(3.min(numbers.len()));
     quote! { [#(#first),*], [#(#second),*] }
-}
-
-fn rows(numbers: &[TokenStream], width: usize) -> TokenStream {
-    // `chunks` wants a width even of a robot without joints.
-    let rows = numbers
-        .chunks(width.max(1))
-        .map(|row| quote! { [#(#row),*] });
-    quote! { [#(#rows),*] }
 }
 
 fn one_or_tuple(mut items: Vec<TokenStream>) -> TokenStream {

@@ -13,16 +13,16 @@ use super::dialect::Dialect;
 use super::literals::Numerals;
 use super::names::Names;
 use crate::expression::Input;
-use crate::function::Argument;
 use crate::request::Parameter;
 use crate::schedule::{LONGEST_SCOPE, Operand, Operation, Program, Step};
+use crate::space::{Spaces, Variable};
 
 /// What a function can read.
 pub(super) struct Readable<'a> {
-    /// Its arguments, each an array of as many numbers as there are joints.
-    pub arguments: &'a [Argument],
-    /// The number of joints.
-    pub joints: usize,
+    /// Its arguments.
+    pub arguments: &'a [Variable],
+    /// What they are over.
+    pub spaces: &'a Spaces,
     /// The fields of `self`.
     pub parameters: &'a [Parameter],
 }
@@ -92,7 +92,7 @@ impl Scope {
             statements.extend(mul_add);
         }
         for argument in readable.arguments {
-            statements.extend(scope.unpack(*argument, readable.joints, &used));
+            statements.extend(scope.unpack(*argument, readable.spaces, &used));
         }
         let parameters = (0_u16..).zip(readable.parameters);
         let loads = parameters.map(|(index, field)| scope.load(index, field, &used, dialect));
@@ -214,18 +214,24 @@ impl Scope {
 
     fn joints_of(&self, operand: Operand) -> Option<Vec<u16>> {
         match operand {
-            Operand::Input(Input::Q(joint)) => Some(vec![joint]),
+            Operand::Input(Input::Variable(Variable::Q, joint)) => Some(vec![joint]),
             Operand::Step(step) => self.sums.get(step as usize)?.clone(),
             _ => None,
         }
     }
 
     /// `let [q_1, _, q_3] = *q;`, or `let _ = q;` where no entry is read.
-    fn unpack(&mut self, argument: Argument, joints: usize, used: &BTreeSet<Input>) -> TokenStream {
+    fn unpack(
+        &mut self,
+        argument: Variable,
+        spaces: &Spaces,
+        used: &BTreeSet<Input>,
+    ) -> TokenStream {
         let array = format_ident!("{}", argument.name());
-        let entries = (0_u16..).take(joints).map(|joint| {
-            let wish = format!("{}_{}", argument.name(), joint + 1);
-            self.bind_input(entry(argument, joint), &wish, used)
+        let entries = (0_u16..).zip(spaces.entries(argument.space()));
+        let entries = entries.map(|(k, _)| {
+            let wish = format!("{}_{}", argument.name(), k + 1);
+            self.bind_input(Input::Variable(argument, k), &wish, used)
         });
         let entries: Vec<_> = entries.collect();
         if entries.iter().all(Option::is_none) {
@@ -291,15 +297,6 @@ pub(super) fn block(
 ) -> TokenStream {
     let names: Vec<_> = names.collect();
     quote! { let [#(#names),*] = { #inside [#(#names),*] }; }
-}
-
-fn entry(argument: Argument, joint: u16) -> Input {
-    match argument {
-        Argument::Q => Input::Q(joint),
-        Argument::Qd => Input::Qd(joint),
-        Argument::Qdd => Input::Qdd(joint),
-        Argument::Tau => Input::Tau(joint),
-    }
 }
 
 fn input(operand: Operand) -> Option<Input> {

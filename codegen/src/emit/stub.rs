@@ -4,12 +4,13 @@
 //! bodies that type-check and never run. It never says what the mistake was; that is in
 //! [`Errors`](crate::error::Errors).
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{GenericParam, parse_quote};
 
 use super::dialect::{Dialect, World};
 use super::item::{Declaration, Item};
+use super::lengths::{Lengths, number};
 use super::names::Names;
 use super::{chain, item, method};
 use crate::request::Request;
@@ -36,12 +37,10 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
     let dialect = Dialect::runtime(request.scalar, request.runtime.clone(), &mut names);
     let unknown = wanted.joints.is_none().then(|| names.fresh_type("N"));
     let count = match (&unknown, wanted.joints) {
-        (None, Some(joints)) => {
-            let joints = Literal::usize_unsuffixed(joints);
-            quote! { #joints }
-        }
+        (None, Some(joints)) => number(joints),
         (name, _) => quote! { #name },
     };
+    let lengths = Lengths::all(&count);
     let parameter = unknown.map(|name| quote! { const #name: ::core::primitive::usize });
 
     let mut methods = TokenStream::new();
@@ -56,7 +55,7 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
             }
             let name = names.fresh(&method::name(functions, frame));
             let signature =
-                method::signature(&name, functions, &count, parameter.as_ref(), &dialect);
+                method::signature(&name, functions, &lengths, parameter.as_ref(), &dialect);
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
@@ -65,15 +64,14 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
                     .map(|parameter| parse_quote! { #parameter });
                 let call = quote! { ::core::unreachable!() };
                 traits.extend(method::implementation(
-                    item, *function, &count, parameter, &call, &dialect,
+                    item, *function, &lengths, parameter, &call, &dialect,
                 ));
             }
         }
     }
     if let World::Runtime(runtime) = &dialect.world {
         let reads_fields = !request.parameters.is_empty();
-        let frames = Literal::usize_unsuffixed(request.frames.len() + 1);
-        let frames = quote! { #frames };
+        let frames = number(request.frames.len() + 1);
         let signature =
             chain::signature(&count, &frames, parameter.as_ref(), reads_fields, runtime);
         // What may be called in constants must still be after a mistake.

@@ -16,10 +16,14 @@ use crate::function::Function;
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Operand, Operation, Price, Program, Step};
+use crate::space::{Entry, Kind, Spaces, Variable};
 
 mod long;
 
-const Q: [Operand; 2] = [Operand::Input(Input::Q(0)), Operand::Input(Input::Q(1))];
+const Q: [Operand; 2] = [
+    Operand::Input(Input::Variable(Variable::Q, 0)),
+    Operand::Input(Input::Variable(Variable::Q, 1)),
+];
 
 fn step(label: &str, operation: Operation) -> Step {
     let label = (!label.is_empty()).then(|| label.to_owned());
@@ -84,6 +88,20 @@ fn constant(results: &[f64]) -> Program {
     }
 }
 
+/// The spaces of joints of those names, all of which turn.
+fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
+    let entry = |name| Entry {
+        name,
+        kind: Kind::Turn,
+        range: None,
+    };
+    let entries: Vec<Entry> = names.into_iter().map(entry).collect();
+    Spaces {
+        coordinates: entries.clone(),
+        velocities: entries,
+    }
+}
+
 /// The arm, its gravity torques, and its data.
 pub(crate) fn listing(item: Item, scalar: Real) -> Listing {
     let identity = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
@@ -99,12 +117,12 @@ pub(crate) fn listing(item: Item, scalar: Real) -> Listing {
     .concat();
     Listing {
         item,
+        spaces: turning(["shoulder", "elbow"].map(str::to_owned)),
         about: About {
             robot: "double pendulum".to_owned(),
             source: Some(("pendulum.urdf".to_owned(), 0x00c0_ffee)),
             base: "world".to_owned(),
             tip: "rod-2".to_owned(),
-            joints: vec!["shoulder".to_owned(), "elbow".to_owned()],
             facts: vec![
                 "1 link merged".to_owned(),
                 "gravity only along −y".to_owned(),

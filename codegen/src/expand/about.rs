@@ -26,11 +26,6 @@ pub(super) fn about(description: &Description, chain: &Chain, formulation: Formu
             Some(tip) if chain.has_tip => tip.name.clone(),
             _ => String::new(),
         },
-        joints: chain
-            .joints
-            .iter()
-            .map(|joint| joint.name.clone())
-            .collect(),
         facts: facts(chain, formulation.parameters),
         formulation: formulation.words(),
         warnings: warnings(description, chain),

@@ -16,6 +16,7 @@ use crate::layout::Layout;
 use crate::model::Way;
 use crate::real::Real;
 use crate::schedule::{Program, run};
+use crate::space::Variable;
 
 /// How many states are looked at.
 const STATES: u32 = 64;
@@ -73,7 +74,7 @@ impl<'c> Measure<'c> {
         let mut end = 0;
         for &function in functions {
             let start = end;
-            end += function.shape().len(chain.joints.len());
+            end += function.result().size(&chain.spaces());
             if function.solves() {
                 let (graph, results) =
                     expressions_by(chain, &[function], 0, Layout::DESCRIBED, way);
@@ -177,11 +178,11 @@ impl Arguments {
 
     fn at(&self, chain: &Chain, range: &Range, input: Input) -> f64 {
         match input {
-            Input::Q(k) => self.q[usize::from(k)],
-            Input::Qd(k) => self.qd[usize::from(k)],
-            Input::Tau(k) => self.tau[usize::from(k)],
+            Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
+            Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
+            Input::Variable(Variable::Tau, k) => self.tau[usize::from(k)],
             // No function that solves something reads accelerations; one beside it may.
-            Input::Qdd(_) => 1.0,
+            Input::Variable(Variable::Qdd, _) => 1.0,
             Input::Parameter(..) => single(field(chain, range, input)),
         }
     }

@@ -12,6 +12,7 @@ use crate::error::{Complaint, Errors};
 use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
 use crate::layout::{Layout, arrange};
 use crate::model;
+use crate::space::Variable;
 use crate::wording::{list, quoted};
 
 /// How many postures are looked at.
@@ -172,7 +173,7 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     for posture in 0..POSTURES {
         let values = pivots.at(|input| {
             Double::from(match input {
-                Input::Q(k) => coordinate(&range, k, posture),
+                Input::Variable(Variable::Q, k) => coordinate(&range, k, posture),
                 _ => field(input),
             })
         });

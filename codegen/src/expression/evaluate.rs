@@ -179,12 +179,13 @@ impl Arithmetic for Double {
 mod tests {
     use super::{Evaluation, evaluate};
     use crate::expression::{Double, Graph, Input};
+    use crate::space::Variable;
 
     #[test]
     fn constants_are_computed_in_the_arithmetic_and_not_taken_from_the_graph() {
         let graph = Graph::new();
         let [one, three] = [1.0, 3.0].map(|x| graph.constant(x));
-        let x = graph.input(Input::Q(0));
+        let x = graph.input(Input::Variable(Variable::Q, 0));
         let result = (one / three) * x - (one / three).sqrt();
         // Of single precision, with one rounding an operation.
         let third = 1.0_f32 / 3.0;
@@ -195,7 +196,7 @@ mod tests {
     #[test]
     fn one_evaluation_serves_many_inputs() {
         let graph = Graph::new();
-        let x = graph.input(Input::Q(0));
+        let x = graph.input(Input::Variable(Variable::Q, 0));
         let (sine, cosine) = x.sin_cos();
         let tenth = graph.constant(0.1).sin_cos().0;
         let results = [

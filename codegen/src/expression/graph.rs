@@ -14,6 +14,7 @@ use std::collections::HashMap;
 
 use super::double::Double;
 use super::term::Term;
+use crate::space::Variable;
 
 /// A node of a graph.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -28,14 +29,8 @@ impl std::fmt::Debug for Expr {
 /// What is known only when the generated code runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Input {
-    /// A joint's coordinate [rad or m].
-    Q(u16),
-    /// Its rate.
-    Qd(u16),
-    /// Its second rate.
-    Qdd(u16),
-    /// Its force or torque \[N or N m\].
-    Tau(u16),
+    /// An entry of an argument.
+    Variable(Variable, u16),
     /// An entry of a struct field: index of the field among the parameters, index within it.
     Parameter(u16, u16),
 }

@@ -1,18 +1,19 @@
 //! H₀,tip₍₀₎, the acceleration matrix of a frame, without gravity.
 
-use super::dense::{MOVING, Size, Tally};
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally::{MOVING, Size, Tally};
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::model::{Scene, base_frame, twist};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "acceleration",
     sentence,
-    arguments: &[Argument::Q, Argument::Qd, Argument::Qdd],
-    shape: Shape::Acceleration,
-    units: units::acceleration,
+    arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
+    result: quantities::ACCELERATION,
+    of_a_frame: true,
     solves: false,
     ways: Definition::one_way,
     dense,

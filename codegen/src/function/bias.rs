@@ -1,20 +1,21 @@
 //! Inverse dynamics at q̈ = 0: Coriolis, centrifugal and gravity terms.
 
-use super::dense;
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally;
 use crate::expression::Term;
 use crate::model::Scene;
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "bias",
     sentence,
-    arguments: &[Argument::Q, Argument::Qd],
-    shape: Shape::Vector,
-    units: units::forces,
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::FORCES,
+    of_a_frame: false,
     solves: false,
     ways: Definition::one_way,
-    dense: dense::torques,
+    dense: tally::torques,
     build,
 };
 

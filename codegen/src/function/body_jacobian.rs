@@ -1,21 +1,22 @@
 //! The Jacobian in the frame of the tip: columns L₁ … L_N, pole at its origin.
 
-use super::dense;
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally;
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::model::{Scene, base_frame, jacobian};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "body_jacobian",
     sentence,
-    arguments: &[Argument::Q],
-    shape: Shape::Screws,
-    units: units::screws,
+    arguments: &[Variable::Q],
+    result: quantities::SCREWS,
+    of_a_frame: true,
     solves: false,
     ways: Definition::one_way,
-    dense: dense::screws_elsewhere,
+    dense: tally::screws_elsewhere,
     build,
 };
 

@@ -1,18 +1,19 @@
 //! Joint accelerations that forces and torques produce.
 
-use super::dense::{self, Size, Tally};
-use super::table::Definition;
-use super::{Argument, Shape, mass_matrix, units};
+use super::definition::Definition;
+use super::tally::{self, Size, Tally};
+use super::{mass_matrix, quantities};
 use crate::expression::Term;
 use crate::formulation::Forward;
 use crate::model::{Scene, articulated, forward_dynamics};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "forward_dynamics",
     sentence,
-    arguments: &[Argument::Q, Argument::Qd, Argument::Tau],
-    shape: Shape::Vector,
-    units: units::accelerations,
+    arguments: &[Variable::Q, Variable::Qd, Variable::Tau],
+    result: quantities::SECOND_RATES,
+    of_a_frame: false,
     solves: true,
     ways: Definition::one_way,
     dense,
@@ -26,7 +27,7 @@ fn sentence(_: &str, _: &str) -> String {
 fn dense(size: Size) -> Tally {
     // M, the bias, a dense factorisation and one solve.
     let (cubes, squares) = (size.joints.pow(3) / 6, size.joints.pow(2));
-    let parts = mass_matrix::dense(size).plus(dense::torques(size));
+    let parts = mass_matrix::dense(size).plus(tally::torques(size));
     parts.and(cubes + squares, cubes + squares)
 }
 

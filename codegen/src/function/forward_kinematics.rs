@@ -1,17 +1,18 @@
 //! M₀,tip, the pose of a frame.
 
-use super::dense::{POSE, Size, Tally};
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally::{POSE, Size, Tally};
 use crate::expression::Term;
 use crate::model::{Carried, Scene, Way, pose};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "forward_kinematics",
     sentence,
-    arguments: &[Argument::Q],
-    shape: Shape::Pose,
-    units: units::pose,
+    arguments: &[Variable::Q],
+    result: quantities::POSE,
+    of_a_frame: true,
     solves: false,
     ways,
     dense,

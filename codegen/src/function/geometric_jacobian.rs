@@ -1,20 +1,21 @@
 //! The Jacobian in the axes of frame 0: columns L₁ … L_N, pole at the origin of the tip.
 
-use super::dense;
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally;
 use crate::expression::Term;
 use crate::model::{Scene, jacobian};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "geometric_jacobian",
     sentence,
-    arguments: &[Argument::Q],
-    shape: Shape::Screws,
-    units: units::screws,
+    arguments: &[Variable::Q],
+    result: quantities::SCREWS,
+    of_a_frame: true,
     solves: false,
     ways: Definition::one_way,
-    dense: dense::screws_elsewhere,
+    dense: tally::screws_elsewhere,
     build,
 };
 

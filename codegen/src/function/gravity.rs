@@ -1,18 +1,19 @@
 //! Inverse dynamics at rest.
 
-use super::dense::{ACTION, INERTIA, KINEMATIC, Size, Tally};
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally::{ACTION, INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::model::{Scene, base_frame, gravity};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "gravity",
     sentence,
-    arguments: &[Argument::Q],
-    shape: Shape::Vector,
-    units: units::forces,
+    arguments: &[Variable::Q],
+    result: quantities::FORCES,
+    of_a_frame: false,
     solves: false,
     ways: Definition::one_way,
     dense,

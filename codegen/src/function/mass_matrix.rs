@@ -1,17 +1,18 @@
 //! The joint-space inertia matrix.
 
-use super::dense::{INERTIA, KINEMATIC, Size, Tally};
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
 use crate::model::Scene;
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "mass_matrix",
     sentence,
-    arguments: &[Argument::Q],
-    shape: Shape::Matrix,
-    units: units::inertias,
+    arguments: &[Variable::Q],
+    result: quantities::INERTIAS,
+    of_a_frame: false,
     solves: false,
     ways: Definition::one_way,
     dense,

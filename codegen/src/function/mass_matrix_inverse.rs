@@ -1,19 +1,20 @@
 //! The inverse of the joint-space inertia matrix.
 
-use super::dense::{Size, Tally};
+use super::definition::Definition;
 use super::mass_matrix;
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::quantities;
+use super::tally::{Size, Tally};
 use crate::expression::Term;
 use crate::formulation::Forward;
 use crate::model::{Scene, articulated, forward_dynamics};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "mass_matrix_inverse",
     sentence,
-    arguments: &[Argument::Q],
-    shape: Shape::Matrix,
-    units: units::inverse_inertias,
+    arguments: &[Variable::Q],
+    result: quantities::INVERSE_INERTIAS,
+    of_a_frame: false,
     solves: true,
     ways: Definition::one_way,
     dense,

@@ -1,17 +1,18 @@
 //! The Jacobian in frame 0: columns L₁ … L_N, pole at its origin.
 
-use super::dense::{KINEMATIC, Size, Tally};
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally::{KINEMATIC, Size, Tally};
 use crate::expression::Term;
 use crate::model::{Scene, jacobian};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "spatial_jacobian",
     sentence,
-    arguments: &[Argument::Q],
-    shape: Shape::Screws,
-    units: units::screws,
+    arguments: &[Variable::Q],
+    result: quantities::SCREWS,
+    of_a_frame: true,
     solves: false,
     ways: Definition::one_way,
     dense,

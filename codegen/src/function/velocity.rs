@@ -1,18 +1,19 @@
 //! W₀,tip₍₀₎, the velocity matrix of a frame.
 
-use super::dense::{KINEMATIC, Size, Tally, VELOCITY};
-use super::table::Definition;
-use super::{Argument, Shape, units};
+use super::definition::Definition;
+use super::quantities;
+use super::tally::{KINEMATIC, Size, Tally, VELOCITY};
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::model::{Scene, base_frame, twist};
+use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "velocity",
     sentence,
-    arguments: &[Argument::Q, Argument::Qd],
-    shape: Shape::Velocity,
-    units: units::velocity,
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::VELOCITY,
+    of_a_frame: true,
     solves: false,
     ways: Definition::one_way,
     dense,

@@ -12,6 +12,7 @@ use crate::formulation::{Angles, Forward};
 use crate::function::Function;
 use crate::model::Way;
 use crate::request::{Parameter, Request, Target};
+use crate::space::Variable;
 
 /// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
 const TOLERANCE: f64 = 1e-28;
@@ -20,10 +21,10 @@ const TOLERANCE: f64 = 1e-28;
 fn state(input: Input) -> Double {
     let entry = |k: u16, step: f64| Double::from((f64::from(k) + 1.0) * step) / Double::from(3.0);
     match input {
-        Input::Q(k) => entry(k, 1.1),
-        Input::Qd(k) => entry(k, -0.7),
-        Input::Qdd(k) => entry(k, 1.9),
-        Input::Tau(k) => entry(k, 2.3),
+        Input::Variable(Variable::Q, k) => entry(k, 1.1),
+        Input::Variable(Variable::Qd, k) => entry(k, -0.7),
+        Input::Variable(Variable::Qdd, k) => entry(k, 1.9),
+        Input::Variable(Variable::Tau, k) => entry(k, 2.3),
         Input::Parameter(field, k) => entry(3 * field + k, 0.31),
     }
 }
@@ -262,10 +263,16 @@ fn a_locked_joint_is_one_that_stands_still() {
         let held = u16::try_from(k).expect("few joints");
         let shift = |of: u16| (of != held).then(|| of - u16::from(of > held));
         let still = |input| match input {
-            Input::Q(of) => shift(of).map_or(Double::from(0.3), |of| state(Input::Q(of))),
-            Input::Qd(of) => shift(of).map_or(Double::ZERO, |of| state(Input::Qd(of))),
-            Input::Qdd(of) => shift(of).map_or(Double::ZERO, |of| state(Input::Qdd(of))),
-            Input::Tau(_) | Input::Parameter(..) => state(input),
+            Input::Variable(Variable::Q, of) => shift(of).map_or(Double::from(0.3), |of| {
+                state(Input::Variable(Variable::Q, of))
+            }),
+            Input::Variable(Variable::Qd, of) => {
+                shift(of).map_or(Double::ZERO, |of| state(Input::Variable(Variable::Qd, of)))
+            }
+            Input::Variable(Variable::Qdd, of) => {
+                shift(of).map_or(Double::ZERO, |of| state(Input::Variable(Variable::Qdd, of)))
+            }
+            Input::Variable(Variable::Tau, _) | Input::Parameter(..) => state(input),
         };
         let terms = Function::InverseDynamics.build(&graph, &bodies, 0, way);
         let all: Vec<Expr> = terms

@@ -155,6 +155,7 @@ mod tests {
     use super::{Block, FLAT, LONGEST_SCOPE, Part, SHORTEST, nested};
     use crate::expression::Input;
     use crate::schedule::{Operand, Operation, Program, Step};
+    use crate::space::Variable;
 
     /// A program in which `read` says the two steps that each one reads; the first reads none.
     fn program(steps: usize, mut read: impl FnMut(u32) -> [u32; 2]) -> Program {
@@ -162,7 +163,7 @@ mod tests {
             let [a, b] = read(k).map(Operand::Step);
             Operation::Add(a, b)
         };
-        let first = Operation::Neg(Operand::Input(Input::Q(0)));
+        let first = Operation::Neg(Operand::Input(Input::Variable(Variable::Q, 0)));
         let operations = (1..).map(operation);
         let operations = std::iter::once(first).chain(operations).take(steps);
         let steps: Vec<_> = operations

@@ -93,11 +93,12 @@ fn can_cancel(graph: &Graph, a: Expr, b: Expr) -> bool {
 mod tests {
     use crate::expression::{Graph, Input, Term};
     use crate::schedule::{Operation, schedule};
+    use crate::space::Variable;
 
     /// The operations of a ○ b with products of four values that only the state decides.
     fn operations(combine: for<'g> fn(Term<'g>, Term<'g>) -> Term<'g>) -> Vec<Operation> {
         let graph = Graph::new();
-        let [a, b, c, d] = [0, 1, 2, 3].map(|k| graph.input(Input::Qd(k)));
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| graph.input(Input::Variable(Variable::Qd, k)));
         let program = schedule(&graph, &[combine(a * b, c * d).expr()]);
         program.steps.iter().map(|step| step.operation).collect()
     }

@@ -224,11 +224,12 @@ mod tests {
     use crate::processor::Processor;
     use crate::real::Real;
     use crate::schedule::{Operand, Operation, Program, Step};
+    use crate::space::Variable;
 
     fn program(operations: Vec<Operation>, results: Vec<Operand>) -> Program {
         let steps = operations.into_iter();
         Program {
-            angles: vec![Operand::Input(Input::Q(0))],
+            angles: vec![Operand::Input(Input::Variable(Variable::Q, 0))],
             before_angles: 0,
             steps: steps
                 .map(|operation| Step {

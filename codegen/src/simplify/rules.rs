@@ -167,14 +167,15 @@ mod tests {
     use crate::expression::{Double, Graph, Input, Term};
     use crate::schedule::{Price, Program, run, schedule};
     use crate::simplify::simplify;
+    use crate::space::Variable;
 
     fn input(graph: &Graph, k: u16) -> Term<'_> {
-        graph.input(Input::Q(k))
+        graph.input(Input::Variable(Variable::Q, k))
     }
 
     fn evaluate(program: &Program) -> Double {
         run(program, |input| match input {
-            Input::Q(k) => Double::from([0.3, -1.7, 2.9, 0.45][usize::from(k)]),
+            Input::Variable(Variable::Q, k) => Double::from([0.3, -1.7, 2.9, 0.45][usize::from(k)]),
             _ => unreachable!("only q is used"),
         })[0]
     }

@@ -17,6 +17,7 @@ use homogen_codegen::expand::{program, understand};
 use homogen_codegen::expression::Input;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
+use homogen_codegen::space::Variable;
 use homogen_codegen::{Function, Real};
 
 /// Equal steps from posture to posture.
@@ -120,10 +121,12 @@ impl Arm {
 impl State {
     fn input(&self, input: Input) -> f64 {
         match input {
-            Input::Q(k) => self.q[usize::from(k)],
-            Input::Qd(k) => self.qd[usize::from(k)],
-            Input::Qdd(k) => self.qdd[usize::from(k)],
-            Input::Tau(_) | Input::Parameter(..) => unreachable!("neither function reads it"),
+            Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
+            Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
+            Input::Variable(Variable::Qdd, k) => self.qdd[usize::from(k)],
+            Input::Variable(Variable::Tau, _) | Input::Parameter(..) => {
+                unreachable!("neither function reads it")
+            }
         }
     }
 }

@@ -25,6 +25,7 @@ use super::reference::Reference;
 use super::regular::pivot;
 use super::robot::{Asked, Field, Robot};
 use super::text;
+use homogen_codegen::space::Variable;
 
 /// What every function is right to, beside the sizes that [`measure`](super::measure) tells.
 pub const TOLERANCE: f64 = 1e-10;
@@ -240,10 +241,10 @@ impl<'r> Prepared<'r> {
     fn input(&self, input: Input, arguments: &Arguments) -> f64 {
         let at = |k: u16| self.coordinate(usize::from(k));
         match input {
-            Input::Q(k) => arguments.q[at(k)],
-            Input::Qd(k) => arguments.qd[at(k)],
-            Input::Qdd(k) => arguments.qdd[at(k)],
-            Input::Tau(k) => arguments.tau[at(k)],
+            Input::Variable(Variable::Q, k) => arguments.q[at(k)],
+            Input::Variable(Variable::Qd, k) => arguments.qd[at(k)],
+            Input::Variable(Variable::Qdd, k) => arguments.qdd[at(k)],
+            Input::Variable(Variable::Tau, k) => arguments.tau[at(k)],
             Input::Parameter(field, entry) => {
                 self.robot.asked.fields[usize::from(field)].1[usize::from(entry)]
             }

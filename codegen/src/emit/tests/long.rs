@@ -3,7 +3,7 @@
 use quote::format_ident;
 use syn::{Block, Expr, ImplItem, Item as SynItem, Stmt};
 
-use super::{listed, listing, name, pendulum, pretty};
+use super::{listed, listing, name, pendulum, pretty, turning};
 use crate::emit::{Item, Library, Listing, emit, standalone};
 use crate::expression::Input;
 use crate::formulation::Sines;
@@ -11,6 +11,7 @@ use crate::function::Function;
 use crate::real::Real;
 use crate::request::{Parameter, Target};
 use crate::schedule::{LONGEST_SCOPE, Operand, Operation, Program, Step};
+use crate::space::Variable;
 
 const JOINTS: u16 = 160;
 const FIELDS: u16 = 40;
@@ -18,7 +19,7 @@ const STEPS: u32 = 1000;
 
 /// Sums of every sine times every number of every field.
 fn program() -> Program {
-    let angles = (0..JOINTS).map(|joint| Operand::Input(Input::Q(joint)));
+    let angles = (0..JOINTS).map(|joint| Operand::Input(Input::Variable(Variable::Q, joint)));
     let steps = (0..STEPS).zip((0..FIELDS).cycle()).map(|(k, field)| {
         let entry = u16::try_from(k % 3).expect("an axis");
         let number = Operand::Input(Input::Parameter(field, entry));
@@ -44,7 +45,7 @@ fn program() -> Program {
 
 fn long(item: Item, scalar: Real) -> Listing {
     let mut listing = listing(item, scalar);
-    listing.about.joints = (0..JOINTS).map(|joint| format!("joint {joint}")).collect();
+    listing.spaces = turning((0..JOINTS).map(|joint| format!("joint {joint}")));
     listing.parameters = (0..FIELDS)
         .map(|field| Parameter {
             field: format_ident!("center_{field}"),

@@ -16,6 +16,7 @@ use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::run;
+use crate::space::Variable;
 
 const SOLVED: [Function; 2] = [ForwardDynamics, MassMatrixInverse];
 
@@ -161,8 +162,8 @@ fn error(chain: &Chain, refinements: usize) -> f64 {
     };
     let program = program_by(chain, &[ForwardDynamics], 0, Layout::DESCRIBED, way);
     let state = |input| match input {
-        Input::Q(_) => 1e-4,
-        Input::Qd(_) => 0.3,
+        Input::Variable(Variable::Q, _) => 1e-4,
+        Input::Variable(Variable::Qd, _) => 0.3,
         _ => 1.1,
     };
     let found = run::<f64>(&program, state);

@@ -7,12 +7,13 @@ use super::{Conditions, Reason, Value, results};
 use crate::expression::Input;
 use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program, Step};
+use crate::space::Variable;
 
 /// The unit roundoff of `f64`.
 const U: f64 = f64::EPSILON / 2.0;
 
-const A: Operand = Operand::Input(Input::Q(0));
-const B: Operand = Operand::Input(Input::Q(1));
+const A: Operand = Operand::Input(Input::Variable(Variable::Q, 0));
+const B: Operand = Operand::Input(Input::Variable(Variable::Q, 1));
 
 fn program(angles: &[Operand], operations: &[Operation]) -> Program {
     let steps = operations.iter().map(|&operation| Step {
@@ -31,7 +32,7 @@ fn program(angles: &[Operand], operations: &[Operation]) -> Program {
 /// The bound of the last step, in u, for a in [−2, 3] and b in [1, 2].
 fn bound(angles: &[Operand], operations: &[Operation]) -> f64 {
     let range = |input| match input {
-        Input::Q(0) => Value::between(-2.0, 3.0),
+        Input::Variable(Variable::Q, 0) => Value::between(-2.0, 3.0),
         _ => Value::between(1.0, 2.0),
     };
     found(&program(angles, operations), Real::F64, &range).0 / U
@@ -123,7 +124,12 @@ fn numbers_are_rounded_when_they_are_printed_and_when_they_are_read() {
 fn sines_and_cosines_are_within_a_unit_in_the_last_place() {
     let (s, c) = (Operand::Sin(0), Operand::Cos(0));
     // 2 s of the whole circle: an error of 1 u, times 2, and the rounding of 2.
-    let twice = |x| [Operation::Mul(Operand::Input(Input::Q(1)), x)];
+    let twice = |x| {
+        [Operation::Mul(
+            Operand::Input(Input::Variable(Variable::Q, 1)),
+            x,
+        )]
+    };
     close(bound(&[A], &twice(s)), 4.0);
     // The cosine of 1 to 2 rad is at most 0.54.
     close(bound(&[B], &twice(c)), 2.0 + 2.0 * 1.0_f64.cos());

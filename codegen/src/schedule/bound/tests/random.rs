@@ -9,6 +9,7 @@ use super::{A, B, Conditions, Value, program, results, step};
 use crate::expression::{Arithmetic, Double, Input};
 use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program, run};
+use crate::space::Variable;
 
 /// SplitMix64.
 struct Random(u64);
@@ -191,7 +192,7 @@ impl Arithmetic for Fused {
 fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl Fn(T) -> f64) {
     let size = [3.0, 1e-20, 1e-3, 40.0][usize::try_from(seed % 4).expect("small")];
     let range = |input| match input {
-        Input::Q(0) => Value::between(-3.0, 3.0),
+        Input::Variable(Variable::Q, 0) => Value::between(-3.0, 3.0),
         _ => Value::between(-size, size),
     };
     let conditions = Conditions {
@@ -216,7 +217,7 @@ fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl
             }
         });
         let at = |input| match input {
-            Input::Q(0) => q,
+            Input::Variable(Variable::Q, 0) => q,
             _ => other,
         };
         let exact = run(program, |input| Double::from(at(input)));

@@ -1,17 +1,14 @@
-//! The table of functions: what is known of each stands in its own file.
+//! What is known of a function, and how it is asked for.
 //!
 //! In: a [`Function`]. Out: its name, what it is said to compute, arguments, result, price of dense
-//! matrices, and its expressions. It knows none of it itself.
+//! matrices, and its expressions. It knows none of it itself: it stands in the function's own file.
 
-use super::dense::{Size, Tally};
-use super::{
-    Argument, Function, Shape, acceleration, bias, body_jacobian, forward_dynamics,
-    forward_kinematics, geometric_jacobian, gravity, inverse_dynamics, mass_matrix,
-    mass_matrix_inverse, spatial_jacobian, velocity,
-};
+use super::Function;
+use super::tally::{Size, Tally};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::model::{Scene, Way};
+use crate::space::{Quantity, Variable};
 
 /// Everything that is known of a function.
 pub(super) struct Definition {
@@ -21,18 +18,18 @@ pub(super) struct Definition {
     /// is of.
     pub(super) sentence: fn(&str, &str) -> String,
     /// What it is a function of, in the order of its parameters.
-    pub(super) arguments: &'static [Argument],
-    /// The shape of its result.
-    pub(super) shape: Shape,
-    /// The unit of each number of its result, by which joints slide.
-    pub(super) units: fn(&[bool]) -> Vec<&'static str>,
+    pub(super) arguments: &'static [Variable],
+    /// Its result.
+    pub(super) result: Quantity,
+    /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
+    pub(super) of_a_frame: bool,
     /// Whether it solves for what forces do to accelerations.
     pub(super) solves: bool,
     /// The ways to compute it between which only the count decides.
     pub(super) ways: fn() -> Vec<Way>,
     /// What it costs by dense 4×4 matrices.
     pub(super) dense: fn(Size) -> Tally,
-    /// Its results, in the order of its shape.
+    /// Its results, in the order of its quantity.
     pub(super) build: for<'g> fn(&Scene<'_, 'g>) -> Vec<Term<'g>>,
 }
 
@@ -44,23 +41,6 @@ impl Definition {
 }
 
 impl Function {
-    const fn definition(self) -> &'static Definition {
-        match self {
-            Self::ForwardKinematics => &forward_kinematics::DEFINITION,
-            Self::SpatialJacobian => &spatial_jacobian::DEFINITION,
-            Self::BodyJacobian => &body_jacobian::DEFINITION,
-            Self::GeometricJacobian => &geometric_jacobian::DEFINITION,
-            Self::Velocity => &velocity::DEFINITION,
-            Self::Acceleration => &acceleration::DEFINITION,
-            Self::InverseDynamics => &inverse_dynamics::DEFINITION,
-            Self::Gravity => &gravity::DEFINITION,
-            Self::Bias => &bias::DEFINITION,
-            Self::MassMatrix => &mass_matrix::DEFINITION,
-            Self::ForwardDynamics => &forward_dynamics::DEFINITION,
-            Self::MassMatrixInverse => &mass_matrix_inverse::DEFINITION,
-        }
-    }
-
     /// The name in generated code, in attributes and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -83,21 +63,14 @@ impl Function {
 
     /// What it is a function of, in the order of its parameters.
     #[must_use]
-    pub const fn arguments(self) -> &'static [Argument] {
+    pub const fn arguments(self) -> &'static [Variable] {
         self.definition().arguments
     }
 
-    /// The shape of its result.
+    /// Its result.
     #[must_use]
-    pub const fn shape(self) -> Shape {
-        self.definition().shape
-    }
-
-    /// The unit of each number of its result, 1 where it has none; `slides` says of each joint whether
-    /// it is prismatic.
-    #[must_use]
-    pub fn units(self, slides: &[bool]) -> Vec<&'static str> {
-        (self.definition().units)(slides)
+    pub const fn result(self) -> Quantity {
+        self.definition().result
     }
 
     /// Whether it solves for what forces do to accelerations.
@@ -109,7 +82,7 @@ impl Function {
     /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
     #[must_use]
     pub const fn of_a_frame(self) -> bool {
-        !matches!(self.shape(), Shape::Vector | Shape::Matrix)
+        self.definition().of_a_frame
     }
 
     /// The ways to compute it between which only the count decides.
@@ -126,7 +99,7 @@ impl Function {
         (mul, add)
     }
 
-    /// Its results in the order of its shape; of the frame of that index where it is of one.
+    /// Its results in the order of its quantity; of the frame of that index where it is of one.
     #[must_use]
     pub fn build<'g>(
         self,

@@ -1,0 +1,68 @@
+//! The signature as data: ordered lists of named entries, over which arguments and results are taken.
+//!
+//! A shared noun. A [`Space`] names one of a robot's lists, [`Spaces`] are the lists of one robot, a
+//! [`Variable`] is what an argument holds of a list, a [`Quantity`] what a result holds of several.
+//! It knows no function and no joint.
+
+mod quantity;
+mod variable;
+
+pub use quantity::{Entity, Quantity};
+pub use variable::Variable;
+
+/// One of the lists that every robot has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Space {
+    /// What says where it is: q.
+    Coordinates,
+    /// What says how it moves: q̇, and with other units q̈ and τ.
+    Velocities,
+}
+
+/// What an entry does to the body it moves, which decides its unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Kind {
+    /// It turns.
+    Turn,
+    /// It slides.
+    Slide,
+}
+
+/// An entry of a space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Its name; that of the joint, where the joint has no other of its kind.
+    pub name: String,
+    /// What it does.
+    pub kind: Kind,
+    /// What it is described to stay in, in its unit; none where nothing is said.
+    pub range: Option<[f64; 2]>,
+}
+
+/// The lists of a robot.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Spaces {
+    /// Those of q.
+    pub coordinates: Vec<Entry>,
+    /// Those of q̇, q̈ and τ.
+    pub velocities: Vec<Entry>,
+}
+
+impl Spaces {
+    /// The entries of one of them.
+    #[must_use]
+    pub fn entries(&self, space: Space) -> &[Entry] {
+        match space {
+            Space::Coordinates => &self.coordinates,
+            Space::Velocities => &self.velocities,
+        }
+    }
+
+    /// How many entries one of them has.
+    #[must_use]
+    pub fn len(&self, space: Space) -> usize {
+        self.entries(space).len()
+    }
+}

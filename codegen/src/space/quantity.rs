@@ -1,0 +1,102 @@
+//! What a function returns: an entity for each entry of some spaces.
+//!
+//! In: spaces of a robot. Out: how many numbers a result holds, in which arrays, in which units, and
+//! whose they are. It never says how a language writes it.
+
+use super::{Kind, Space, Spaces};
+
+/// One of the things that results are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Entity {
+    /// A number.
+    Number,
+    /// A pose: row by row of the upper 3×4 block (r_xx, r_xy, r_xz, t_x, …).
+    Pose,
+    /// A velocity matrix: ω_x, ω_y, ω_z, v_x, v_y, v_z.
+    Velocity,
+    /// An acceleration matrix: row by row of the upper 3×4 block (G, a).
+    Acceleration,
+    /// A screw: u_x, u_y, u_z, b_x, b_y, b_z.
+    Screw,
+}
+
+/// An entity for each entry of a product of spaces, the last space's entries next to each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Quantity {
+    /// The spaces.
+    pub over: &'static [Space],
+    /// What there is for each entry of each.
+    pub entity: Entity,
+    /// The units of one entity's numbers, 1 where there is none, by the kinds of the entries that it is
+    /// for.
+    pub units: fn(&[Kind]) -> Vec<&'static str>,
+}
+
+impl Entity {
+    /// The arrays within arrays that hold its numbers, the outermost first.
+    #[must_use]
+    pub const fn dimensions(self) -> &'static [usize] {
+        match self {
+            Self::Number => &[],
+            Self::Pose | Self::Acceleration => &[3, 4],
+            Self::Velocity | Self::Screw => &[6],
+        }
+    }
+
+    /// How many numbers it is.
+    #[must_use]
+    pub fn size(self) -> usize {
+        self.dimensions().iter().product()
+    }
+
+    /// What its numbers are where they stand in arrays, in a sentence.
+    #[must_use]
+    pub const fn layout(self) -> Option<&'static str> {
+        Some(match self {
+            Self::Number => return None,
+            Self::Pose => "Rows 1 to 3 of the 4×4 matrix: R, t; the fourth is 0, 0, 0, 1.",
+            Self::Acceleration => "Rows 1 to 3 of the 4×4 matrix: G, a; the fourth is 0.",
+            Self::Velocity => "Order: ω, v.",
+            Self::Screw => "One screw for each joint; order: u, b.",
+        })
+    }
+}
+
+impl Quantity {
+    /// How many entries each of its spaces has.
+    #[must_use]
+    pub fn lengths(&self, spaces: &Spaces) -> Vec<usize> {
+        self.over.iter().map(|&space| spaces.len(space)).collect()
+    }
+
+    /// How many numbers it is.
+    #[must_use]
+    pub fn size(&self, spaces: &Spaces) -> usize {
+        self.lengths(spaces).iter().product::<usize>() * self.entity.size()
+    }
+
+    /// The unit of each number.
+    #[must_use]
+    pub fn units(&self, spaces: &Spaces) -> Vec<&'static str> {
+        let mut kinds: Vec<Vec<Kind>> = vec![Vec::new()];
+        for &space in self.over {
+            let entries = spaces.entries(space);
+            let more = kinds.iter().flat_map(|before| {
+                let with = |kind| before.iter().copied().chain([kind]).collect();
+                entries.iter().map(move |entry| with(entry.kind))
+            });
+            kinds = more.collect();
+        }
+        let units = kinds.iter().flat_map(|kinds| (self.units)(kinds));
+        units.collect()
+    }
+
+    /// The entry of the first of its spaces that a number belongs to; none where it is over no space.
+    #[must_use]
+    pub fn owner(&self, spaces: &Spaces, number: usize) -> Option<usize> {
+        let first = self.over.first()?;
+        let each = self.size(spaces) / spaces.len(*first);
+        Some(number / each)
+    }
+}

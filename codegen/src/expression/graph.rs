@@ -7,7 +7,10 @@
 //! * a sum or product has its constant first, then the older operand; of a − b and b − a only the
 //!   one that starts with the older operand exists, the other is its `Neg`;
 //! * a product holds at most one constant factor, folded at 106 bits;
-//! * c x + c x is (2c) x.
+//! * k x ± l x is (k ± l) x, and so where one of k and l is 1.
+
+#[cfg(test)]
+mod tests;
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -313,12 +316,9 @@ impl Inner {
 
     fn sum(&mut self, a: Expr, b: Expr) -> Expr {
         let (a, b) = self.ordered(a, b);
-        if let Node::Mul(factor, rest) = self.nodes[a.index()]
-            && a == b
-            && self.value(factor).is_some()
-        {
-            let factor = self.sum(factor, factor);
-            return self.product(factor, rest);
+        if let Some((k, l, of)) = self.multiples(a, b) {
+            let factor = self.sum(k, l);
+            return self.product(factor, of);
         }
         let value = self.value(a).zip(self.value(b)).map(|(a, b)| a + b);
         self.intern(Node::Add(a, b), value)
@@ -330,6 +330,10 @@ impl Inner {
         if a == b || value.is_some_and(Double::is_zero) {
             return self.literal(0.0);
         }
+        if let Some((k, l, of)) = self.multiples(a, b) {
+            let factor = self.difference(k, l);
+            return self.mul(factor, of);
+        }
         let swapped = match value {
             Some(value) => value.to_f64() < 0.0,
             None => self.ordered(a, b) != (a, b),
@@ -340,6 +344,23 @@ impl Inner {
         } else {
             self.intern(Node::Sub(a, b), value)
         }
+    }
+
+    /// Two constants and what both are factors of, in a and in b, of which one may be 1: k x and l x.
+    /// Gathered before anything else uses them, constants keep digits that a sum of products loses.
+    fn multiples(&mut self, a: Expr, b: Expr) -> Option<(Expr, Expr, Expr)> {
+        let split = |inner: &Self, expr: Expr| match inner.nodes[expr.index()] {
+            _ if inner.value(expr).is_some() => None,
+            Node::Mul(factor, rest) if inner.value(factor).is_some() => Some((Some(factor), rest)),
+            _ => Some((None, expr)),
+        };
+        let ((k, x), (l, y)) = (split(self, a)?, split(self, b)?);
+        // x + x is cheaper than 2 x.
+        if x != y || k.or(l).is_none() {
+            return None;
+        }
+        let one = self.literal(1.0);
+        Some((k.unwrap_or(one), l.unwrap_or(one), x))
     }
 
     fn mul(&mut self, a: Expr, b: Expr) -> Expr {

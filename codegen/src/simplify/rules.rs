@@ -23,7 +23,6 @@ pub const RULES: &[Rule] = &[
     Rule { name: "cancel",            equation: "(a ± b) ∓ b = a",           apply: cancel },
     Rule { name: "gather_constants",  equation: "k ± (l ± x) = (k ± l) ± x", apply: gather_constants },
     Rule { name: "common_factor",     equation: "a b ± a c = a (b ± c)",     apply: common_factor },
-    Rule { name: "count_in",          equation: "k x ± x = (k ± 1) x",       apply: count_in },
 ];
 
 /// a + b, or a − b, of operands without sign.
@@ -148,19 +147,6 @@ fn common_factor<'g>(site: &Site<'g>, sum: &Sum<'g>) -> Option<Term<'g>> {
         .map(|(common, left, _, right)| common * sum.of(left, right))
 }
 
-fn count_in<'g>(site: &Site<'g>, sum: &Sum<'g>) -> Option<Term<'g>> {
-    let one = site.graph.constant(1.0);
-    let times = |product: Term<'g>, x: Term<'g>| {
-        factors(site, product)
-            .filter(|(k, of)| k.value().is_some() && of.expr() == x.expr() && site.once(product))
-            .map(|(k, _)| k)
-    };
-    if let Some(k) = times(sum.a, sum.b) {
-        return Some(sum.of(k, one) * sum.b);
-    }
-    times(sum.b, sum.a).map(|k| sum.of(one, k) * sum.a)
-}
-
 #[cfg(test)]
 mod tests {
     use super::RULES;
@@ -264,13 +250,6 @@ mod tests {
             (product - input(graph, 2) * input(graph, 0)) * product
         });
         assert_eq!((before, after), (4, 4));
-    }
-
-    #[test]
-    fn count_in() {
-        let (before, after) =
-            operations(|graph| graph.constant(2.5) * input(graph, 0) + input(graph, 0));
-        assert_eq!((before, after), (2, 1));
     }
 
     #[test]

@@ -220,12 +220,12 @@ const MUTATIONS: [Mutation; 34] = [
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "rule count_in: x − k x = (k − 1) x",
-        file: "codegen/src/simplify/rules.rs",
-        from: "sum.of(one, k) * sum.a",
-        to: "sum.of(k, one) * sum.a",
+        name: "multiples: k x − l x = (l − k) x",
+        file: "codegen/src/expression/graph.rs",
+        from: "let factor = self.difference(k, l);",
+        to: "let factor = self.difference(l, k);",
         noticed_by: engine(
-            "simplify::rules::tests::random_expressions_keep_their_value_and_never_become_dearer",
+            "expression::graph::tests::multiples_of_one_thing_are_gathered_whatever_else_uses_them",
         ),
     },
     Mutation {

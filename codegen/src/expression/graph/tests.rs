@@ -1,0 +1,48 @@
+//! Tests of what the graph makes of a sum before it stands.
+
+use super::{Graph, Input, Node};
+use crate::expression::Term;
+use crate::space::Variable;
+
+fn x(graph: &Graph) -> Term<'_> {
+    graph.input(Input::Variable(Variable::Q, 0))
+}
+
+/// The constant that an expression is x times of, to the last of 106 bits.
+fn times_x(graph: &Graph, term: Term<'_>) -> Option<f64> {
+    let (sign, expr) = match graph.node(term.expr()) {
+        Node::Neg(inner) => (-1.0, inner),
+        _ => (1.0, term.expr()),
+    };
+    match graph.node(expr) {
+        Node::Mul(k, of) if of == x(graph).expr() => Some(sign * graph.value(k)?.to_f64()),
+        _ => None,
+    }
+}
+
+#[test]
+fn multiples_of_one_thing_are_gathered_whatever_else_uses_them() {
+    let graph = Graph::new();
+    let x = x(&graph);
+    let [k, l] = [2.5, 0.75].map(|k| graph.constant(k));
+    assert_eq!(times_x(&graph, k * x + l * x), Some(3.25));
+    assert_eq!(times_x(&graph, k * x - l * x), Some(1.75));
+    assert_eq!(times_x(&graph, l * x - k * x), Some(-1.75));
+    assert_eq!(times_x(&graph, -(k * x) - l * x), Some(-3.25));
+    assert_eq!(times_x(&graph, x + k * x), Some(3.5));
+    assert_eq!(times_x(&graph, x - k * x), Some(-1.5));
+    assert!((k * x - k * x).is_zero());
+    // Two of a kind are a sum, which costs no more.
+    assert!(matches!(graph.node((x + x).expr()), Node::Add(..)));
+}
+
+#[test]
+fn what_cancels_in_constants_keeps_all_its_digits() {
+    let graph = Graph::new();
+    let x = x(&graph);
+    let third = graph.constant(1.0) / graph.constant(3.0);
+    let close = third + graph.constant(1e-12);
+    let found = times_x(&graph, close * x - third * x).expect("a multiple");
+    // Of the constants' roundings to 64 bits four digits would be left.
+    assert!((found / 1e-12 - 1.0).abs() < 1e-15, "{found:e}");
+}

@@ -18,6 +18,7 @@ pub use self::solved::{of_accelerations, of_inverse};
 use crate::chain::Chain;
 use crate::expression::Input;
 use crate::function::Function;
+pub use crate::function::Given;
 use crate::real::{Real, Trigonometry};
 use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
@@ -44,15 +45,6 @@ pub struct Promise {
     pub range: String,
     /// Why one of the types has no bound.
     pub lacks: Option<&'static str>,
-}
-
-/// What a solution is found for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Given {
-    /// τ, of which accelerations are the solution.
-    Torques,
-    /// M, of which each column of the inverse is one, from the diagonal up: each for another M.
-    MassMatrix,
 }
 
 /// The greatest error of the results of one joint and unit; infinite where there is no bound in the

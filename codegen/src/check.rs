@@ -6,40 +6,32 @@
 //! layout, no regrouping, no rules, no schedule. What they may differ by is what the rounding of their
 //! literals to `f64` explains. It never changes a program.
 
-mod approximate;
 mod data;
-mod dense;
-mod matrix;
 mod robot;
 mod states;
 #[cfg(test)]
 mod tests;
 
-use std::cell::OnceCell;
-
 use crate::chain::Chain;
+use crate::dense::{Approximate, Dense, State};
 use crate::description::{Description, Source};
 use crate::emit::ChainData;
 use crate::error::{Errors, Place};
 use crate::expression::Arithmetic;
-use crate::function::Function;
+use crate::function::{Function, Given, Truth};
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
 use crate::space::{Entity, Spaces};
 use crate::wording::quoted;
-use approximate::Approximate;
-use dense::{Posture, Rates};
-use matrix::Matrix;
 use robot::Contradiction;
-use states::State;
 
 /// A robot at a few states, by which programs are judged.
 pub struct Check {
     source: Source,
     place: Place,
     spaces: Spaces,
-    states: Vec<Judge>,
+    states: Vec<Dense>,
 }
 
 /// At how many states a robot of so many joints is looked at: beyond, one has to do, and takes as long.
@@ -59,14 +51,10 @@ impl Check {
         let count = if chain.joints.len() > SEVERAL { 1 } else { 2 };
         let judge = |state: State| {
             let robot = robot::robot(description, request, chain, &state.fields)?;
-            Ok(Judge {
-                posture: Posture::of(robot, &state.q),
-                state,
-                mass_matrix: OnceCell::new(),
-            })
+            Ok(Dense::of(robot, state))
         };
         let states = states::states(chain, request, count).into_iter().map(judge);
-        let states: Result<Vec<Judge>, Contradiction> = states.collect();
+        let states: Result<Vec<Dense>, Contradiction> = states.collect();
         match states {
             Ok(states) => Ok(Self {
                 source: chain.source.clone(),
@@ -101,13 +89,13 @@ impl Check {
             errors.push_with_hint(self.place, refusal.message, refusal.hint);
             return Err(errors);
         }
-        for judge in &self.states {
-            let found = run(program, |input| Approximate::exact(judge.state.get(input)));
+        for dense in &self.states {
+            let found = run(program, |input| Approximate::exact(dense.state.get(input)));
             let mut found = found.as_slice();
             for &function in functions {
                 let (these, rest) = found.split_at(function.result().size(&self.spaces));
                 found = rest;
-                let Some(wrong) = judge.first_wrong(function, frame, these) else {
+                let Some(wrong) = first_wrong(dense, function, frame, these) else {
                     continue;
                 };
                 errors.push_with_hint(self.place, self.words(function, &wrong), FAULT);
@@ -127,19 +115,18 @@ impl Check {
             errors.push_with_hint(self.place, refusal.message, refusal.hint);
             return Err(errors);
         }
-        for judge in &self.states {
+        for dense in &self.states {
             let numbers = run(&data.program, |input| {
-                Approximate::exact(judge.state.get(input))
+                Approximate::exact(dense.state.get(input))
             });
-            let same = Judge {
-                posture: Posture::of(data::robot(data, &numbers), &judge.state.q),
-                state: judge.state.clone(),
-                mass_matrix: OnceCell::new(),
-            };
+            let same = Dense::of(data::robot(data, &numbers), dense.state.clone());
             let frames = (0..data.frames.len()).map(|frame| (Function::ForwardKinematics, frame));
             for (function, frame) in frames.chain([(Function::InverseDynamics, 0)]) {
-                let found = same.expected(function, frame);
-                if let Some(wrong) = judge.first_wrong(function, frame, &found) {
+                let Truth::Value(value) = function.truth() else {
+                    continue;
+                };
+                let found = value(&same, frame);
+                if let Some(wrong) = first_wrong(dense, function, frame, &found) {
                     let message = format!("in the data, {}", self.words(function, &wrong));
                     errors.push_with_hint(self.place, message, FAULT);
                     return Err(errors);
@@ -208,146 +195,82 @@ struct Wrong {
     expected: f64,
 }
 
-/// A robot at one state.
-struct Judge {
-    state: State,
-    posture: Posture,
-    mass_matrix: OnceCell<Vec<Vec<Approximate>>>,
-}
-
 /// How many times as far a solution may be from solving its equation as roundings of the
 /// description's own numbers account for; and at most, where factors lose more than that.
 const SOLVED: f64 = 1e3;
 const HARDLY_SOLVED: f64 = 1e6;
 
-impl Judge {
-    fn first_wrong(
-        &self,
-        function: Function,
-        frame: usize,
-        found: &[Approximate],
-    ) -> Option<Wrong> {
-        match function {
-            Function::ForwardDynamics => self.first_unsolved(found),
-            Function::MassMatrixInverse => self.first_not_inverse(found),
-            _ => {
-                let expected = self.expected(function, frame);
-                debug_assert_eq!(expected.len(), found.len());
-                // Frames that are turned, and turned back, leave of a residue no more digits than 106
-                // bits have beside the whole.
-                let sizes = expected.iter().map(|expected| expected.size());
-                let whole = Approximate::literal(sizes.fold(0.0, f64::max)).noise();
-                let pairs = found.iter().zip(&expected).enumerate();
-                pairs.into_iter().find_map(|(entry, (found, expected))| {
-                    let distance = (found.value - expected.value).to_f64().abs();
-                    let most = found.error + found.noise() + expected.noise() + whole;
-                    wrong(
-                        entry,
-                        found.value.to_f64(),
-                        expected.value.to_f64(),
-                        distance <= most,
-                    )
-                })
-            }
-        }
-    }
+/// The first entry of a function that is not what the description says.
+fn first_wrong(
+    dense: &Dense,
+    function: Function,
+    frame: usize,
+    found: &[Approximate],
+) -> Option<Wrong> {
+    let value = match function.truth() {
+        Truth::Value(value) => value,
+        Truth::Solution(Given::Torques) => return first_unsolved(dense, found),
+        Truth::Solution(Given::MassMatrix) => return first_not_inverse(dense, found),
+    };
+    let expected = value(dense, frame);
+    debug_assert_eq!(expected.len(), found.len());
+    // Frames that are turned, and turned back, leave of a residue no more digits than 106 bits have
+    // beside the whole.
+    let sizes = expected.iter().map(|expected| expected.size());
+    let whole = Approximate::literal(sizes.fold(0.0, f64::max)).noise();
+    let mut pairs = found.iter().zip(&expected).enumerate();
+    pairs.find_map(|(entry, (found, expected))| {
+        let distance = (found.value - expected.value).to_f64().abs();
+        let most = found.error + found.noise() + expected.noise() + whole;
+        let (found, expected) = (found.to_f64(), expected.to_f64());
+        wrong(entry, found, expected, distance <= most)
+    })
+}
 
-    fn rates<'a>(&self, first: &'a [Approximate], second: &'a [Approximate]) -> Rates<'a> {
-        debug_assert_eq!(first.len(), self.state.q.len());
-        Rates { first, second }
-    }
+/// The first joint that needs another torque for these accelerations than the one given.
+fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
+    let qdd = found.iter().copied().map(Approximate::as_found);
+    let torques = dense.torques_of(qdd.collect());
+    let mut pairs = torques.iter().zip(&dense.state.tau).enumerate();
+    pairs.find_map(|(row, (torque, tau))| {
+        let distance = (torque.to_f64() - tau).abs();
+        let most = most_unsolved(dense, row, *torque, found);
+        wrong(row, torque.to_f64(), *tau, distance <= most)
+    })
+}
 
-    fn expected(&self, function: Function, frame: usize) -> Vec<Approximate> {
-        let nothing = Approximate::exactly(&vec![0.0; self.state.q.len()]);
-        let [qd, qdd] = [&self.state.qd, &self.state.qdd].map(|of| Approximate::exactly(of));
-        let posture = &self.posture;
-        let pose = || posture.pose(frame);
-        let columns = |seen: &dyn Fn(&Matrix<Approximate>) -> Matrix<Approximate>| {
-            let mut columns = vec![Approximate::exact(0.0); 6 * nothing.len()];
-            for (k, screw) in posture.moving(frame) {
-                columns[6 * k..6 * k + 6].copy_from_slice(&seen(screw).vectors());
-            }
-            columns
-        };
-        match function {
-            Function::ForwardKinematics => pose().upper(),
-            Function::SpatialJacobian => columns(&Matrix::clone),
-            Function::BodyJacobian => {
-                let back = pose().inverse();
-                columns(&|screw| back.carries(screw))
-            }
-            Function::GeometricJacobian => {
-                let pose = pose();
-                let back = Matrix::translation([0, 1, 2].map(|k| -pose.0[k][3]));
-                columns(&|screw| back.carries(screw))
-            }
-            Function::Velocity => {
-                let (w, _) = posture.motion(frame, self.rates(&qd, &nothing));
-                w.vectors().to_vec()
-            }
-            Function::Acceleration => {
-                let (_, h) = posture.motion(frame, self.rates(&qd, &qdd));
-                h.upper()
-            }
-            Function::InverseDynamics => posture.torques(self.rates(&qd, &qdd)),
-            Function::Gravity => posture.torques(self.rates(&nothing, &nothing)),
-            Function::Bias => posture.torques(self.rates(&qd, &nothing)),
-            Function::MassMatrix => self.mass_matrix().concat(),
-            Function::ForwardDynamics | Function::MassMatrixInverse => Vec::new(),
-        }
-    }
+/// The first entry of M M⁻¹ that is not of the identity.
+fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
+    let matrix = dense.mass_matrix();
+    let count = matrix.len();
+    (0..count * count).find_map(|entry| {
+        let (row, column) = (entry / count, entry % count);
+        let solution: Vec<Approximate> = (0..count).map(|k| found[k * count + column]).collect();
+        let terms = matrix[row].iter().zip(&solution);
+        let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
+            sum + *m * x.as_found()
+        });
+        let unit = if row == column { 1.0 } else { 0.0 };
+        let distance = (product.to_f64() - unit).abs();
+        let most = most_unsolved(dense, row, product, &solution);
+        wrong(entry, product.to_f64(), unit, distance <= most)
+    })
+}
 
-    fn mass_matrix(&self) -> &[Vec<Approximate>] {
-        self.mass_matrix.get_or_init(|| self.posture.mass_matrix())
+/// How far a row of M x may be from what it should be: what x may be off by times M, and what the
+/// roundings of the numbers in M, and of all that is solved for, amount to.
+fn most_unsolved(dense: &Dense, row: usize, found: Approximate, solution: &[Approximate]) -> f64 {
+    const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    let matrix = dense.mass_matrix();
+    let diagonal = |k: usize| matrix[k][k].size();
+    let mut most = SOLVED * found.error + found.noise();
+    for (k, x) in solution.iter().enumerate() {
+        let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
+        // Not more than that of M may be lost on the way, however x itself is conditioned.
+        let carried = (matrix[row][k].size() * x.error).min(HARDLY_SOLVED * lost);
+        most += SOLVED * lost + carried;
     }
-
-    /// The first joint that needs another torque for these accelerations than the one given.
-    fn first_unsolved(&self, found: &[Approximate]) -> Option<Wrong> {
-        let qd = Approximate::exactly(&self.state.qd);
-        let qdd: Vec<Approximate> = found.iter().copied().map(Approximate::as_found).collect();
-        let torques = self.posture.torques(self.rates(&qd, &qdd));
-        let mut pairs = torques.iter().zip(&self.state.tau).enumerate();
-        pairs.find_map(|(row, (torque, tau))| {
-            let distance = (torque.to_f64() - tau).abs();
-            let most = self.most_unsolved(row, *torque, found);
-            wrong(row, torque.to_f64(), *tau, distance <= most)
-        })
-    }
-
-    /// The first entry of M M⁻¹ that is not of the identity.
-    fn first_not_inverse(&self, found: &[Approximate]) -> Option<Wrong> {
-        let matrix = self.mass_matrix();
-        let count = matrix.len();
-        (0..count * count).find_map(|entry| {
-            let (row, column) = (entry / count, entry % count);
-            let solution: Vec<Approximate> =
-                (0..count).map(|k| found[k * count + column]).collect();
-            let terms = matrix[row].iter().zip(&solution);
-            let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
-                sum + *m * x.as_found()
-            });
-            let unit = if row == column { 1.0 } else { 0.0 };
-            let distance = (product.to_f64() - unit).abs();
-            let most = self.most_unsolved(row, product, &solution);
-            wrong(entry, product.to_f64(), unit, distance <= most)
-        })
-    }
-
-    /// How far a row of M x may be from what it should be: what x may be off by times M, and what the
-    /// roundings of the numbers in M, and of all that is solved for, amount to.
-    fn most_unsolved(&self, row: usize, found: Approximate, solution: &[Approximate]) -> f64 {
-        const ROUNDOFF: f64 = f64::EPSILON / 2.0;
-        let matrix = self.mass_matrix();
-        let diagonal = |k: usize| matrix[k][k].size();
-        let mut most = SOLVED * found.error + found.noise();
-        for (k, x) in solution.iter().enumerate() {
-            let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
-            // Not more than that of M may be lost on the way, however x itself is conditioned.
-            let carried = (matrix[row][k].size() * x.error).min(HARDLY_SOLVED * lost);
-            most += SOLVED * lost + carried;
-        }
-        most
-    }
+    most
 }
 
 fn wrong(entry: usize, found: f64, expected: f64, right: bool) -> Option<Wrong> {

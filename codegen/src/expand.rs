@@ -20,7 +20,7 @@ use crate::description::Description;
 use crate::emit::{About, Item, LeftOut, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
-use crate::function::Function;
+use crate::function::{Function, Given};
 use crate::real::{Real, Trigonometry};
 use crate::request::Request;
 use crate::schedule::Price;
@@ -249,16 +249,16 @@ fn accuracy_of(
     means: Means,
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
-    let solves = functions.iter().filter_map(|function| match function {
-        Function::MassMatrixInverse if found.way.forward == Forward::UNREFINED => {
-            let parts = parts(&[Function::MassMatrix]);
-            Some(accuracy::of_inverse(chain, &parts, means))
-        }
-        Function::MassMatrixInverse => Some(Accuracy::Unknown(
-            "none is derived of an inverse that is refined or made of articulated bodies",
-        )),
-        Function::ForwardDynamics => Some(match found.way.forward {
-            Forward::MassMatrix { refinements } => {
+    let solved = functions.iter().filter_map(|function| {
+        Some(match (function.given()?, found.way.forward) {
+            (Given::MassMatrix, Forward::UNREFINED) => {
+                let parts = parts(&[Function::MassMatrix]);
+                accuracy::of_inverse(chain, &parts, means)
+            }
+            (Given::MassMatrix, _) => Accuracy::Unknown(
+                "none is derived of an inverse that is refined or made of articulated bodies",
+            ),
+            (Given::Torques, Forward::MassMatrix { refinements }) => {
                 let all = [
                     Function::MassMatrix,
                     Function::Bias,
@@ -267,10 +267,11 @@ fn accuracy_of(
                 let parts = parts(&all[..if refinements == 0 { 2 } else { 3 }]);
                 accuracy::of_accelerations(chain, &parts, refinements, means)
             }
-            Forward::Articulated => accuracy::of_articulated(chain, found.layout, found.way, means),
-        }),
-        _ => None,
+            (Given::Torques, Forward::Articulated) => {
+                accuracy::of_articulated(chain, found.layout, found.way, means)
+            }
+        })
     });
     let evaluated = accuracy::of(chain, functions, &found.program, means);
-    evaluated.into_iter().chain(solves).collect()
+    evaluated.into_iter().chain(solved).collect()
 }

@@ -20,6 +20,8 @@ mod tally;
 mod velocity;
 
 use definition::Definition;
+pub use definition::Given;
+pub(crate) use definition::Truth;
 
 /// Makes the enum of a table, the list of its members, and the way to what is known of each.
 macro_rules! functions {

@@ -14,6 +14,7 @@ pub mod chain;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod dense;
 pub mod description;
 pub mod door;
 pub mod emit;

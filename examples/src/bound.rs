@@ -78,6 +78,9 @@ impl<T, const N: usize> Bound<'_, T, N> {
 }
 
 /// That function of that robot.
+///
+/// # Panics
+/// For a function that is not in the list below.
 pub fn bind<R: Complete<N, T>, T: Number, const N: usize>(
     robot: &R,
     function: Function,
@@ -100,6 +103,7 @@ pub fn bind<R: Complete<N, T>, T: Number, const N: usize>(
             bound(|s: &S<T, N>| robot.forward_dynamics(&s.q, &s.qd, &s.tau))
         }
         Function::MassMatrixInverse => bound(|s: &S<T, N>| robot.mass_matrix_inverse(&s.q)),
+        other => panic!("{} is not bound", other.name()),
     }
 }
 

@@ -7,10 +7,10 @@ use std::fmt;
 use std::str::FromStr;
 
 use homogen_codegen::expression::Input;
+use homogen_codegen::space::Variable;
 
 use crate::hexadecimal;
 use crate::states::Random;
-use homogen_codegen::space::Variable;
 
 /// One value of every argument; a function reads those that it has.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,11 +44,23 @@ impl Arguments {
     #[must_use]
     pub fn at(&self, input: Input) -> f64 {
         match input {
-            Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
-            Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
-            Input::Variable(Variable::Qdd, k) => self.qdd[usize::from(k)],
-            Input::Variable(Variable::Tau, k) => self.tau[usize::from(k)],
+            Input::Variable(variable, k) => self.of(variable)[usize::from(k)],
             Input::Parameter(..) => panic!("robots with struct fields have more arguments"),
+        }
+    }
+
+    /// The entries of one of them.
+    ///
+    /// # Panics
+    /// For an argument that no function here has.
+    #[must_use]
+    pub fn of(&self, variable: Variable) -> &[f64] {
+        match variable {
+            Variable::Q => &self.q,
+            Variable::Qd => &self.qd,
+            Variable::Qdd => &self.qdd,
+            Variable::Tau => &self.tau,
+            other => panic!("no function has {other:?}"),
         }
     }
 

@@ -23,6 +23,7 @@ use quote::format_ident;
 
 use crate::states::Random;
 use crate::tested::Tested;
+use homogen_codegen::space::Variable;
 
 /// One function of a robot, by itself.
 ///
@@ -97,13 +98,15 @@ impl<T: Tested> Climb<T> {
     /// The ranges of all inputs.
     fn ends(&self) -> Vec<(Input, [f64; 2])> {
         let index = |k: usize| u16::try_from(k).expect("few");
-        let all = |ranges: &[[f64; 2]], of: fn(u16) -> Input| -> Vec<(Input, [f64; 2])> {
+        let all = |ranges: &[[f64; 2]], of: Variable| -> Vec<(Input, [f64; 2])> {
             let ranges = ranges.iter().enumerate();
-            ranges.map(|(k, &range)| (of(index(k)), range)).collect()
+            ranges
+                .map(|(k, &range)| (Input::Variable(of, index(k)), range))
+                .collect()
         };
-        let mut ends = all(&self.range.q, Input::Q);
-        ends.extend(all(&self.range.qd, Input::Qd));
-        ends.extend(all(&self.range.qdd, Input::Qdd));
+        let mut ends = all(&self.range.q, Variable::Q);
+        ends.extend(all(&self.range.qd, Variable::Qd));
+        ends.extend(all(&self.range.qdd, Variable::Qdd));
         for (field, ranges) in self.range.fields.iter().enumerate() {
             for (k, &range) in ranges.iter().enumerate() {
                 ends.push((Input::Parameter(index(field), index(k)), range));

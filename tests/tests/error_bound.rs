@@ -17,7 +17,6 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{expand, program_as};
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::formulation::{Angles, Formulation, Forward, Frame, Parameters};
-use homogen_codegen::function::Shape;
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::request::{Parameter, Request, Target};
@@ -149,7 +148,7 @@ fn state<T: Tested>(range: &Range, random: &mut Random) -> impl Fn(Input) -> f64
         Input::Variable(Variable::Qd, k) => qd[usize::from(k)],
         Input::Variable(Variable::Qdd, k) => qdd[usize::from(k)],
         Input::Parameter(field, k) => fields[usize::from(field)][usize::from(k)],
-        Input::Variable(Variable::Tau, _) => unreachable!("no function here reads it"),
+        Input::Variable(..) => unreachable!("no function here reads it"),
     }
 }
 
@@ -179,26 +178,16 @@ fn measure<T: Tested>(
     worst
 }
 
-/// Which joints slide.
-fn slides(chain: &Chain) -> Vec<bool> {
-    let joints = chain.joints.iter();
-    joints
-        .map(|joint| matches!(joint.motion, Motion::Prismatic))
-        .collect()
-}
-
 /// The worst of the errors of a function's results that a bound is of.
 fn worst_of(chain: &Chain, function: Function, bound: &Bound, errors: &[f64]) -> f64 {
-    let count = chain.joints.len();
-    let joint = |k: usize| match function.shape() {
-        Shape::Pose | Shape::Acceleration | Shape::Velocity => None,
-        Shape::Screws => Some(&chain.joints[k / 6].name),
-        Shape::Vector => Some(&chain.joints[k].name),
-        Shape::Matrix => Some(&chain.joints[k / count].name),
+    let (result, spaces) = (function.result(), chain.spaces());
+    let name = |k: usize| {
+        let owner = result.owner(&spaces, k)?;
+        Some(&spaces.entries(result.over[0])[owner].name)
     };
-    let units = function.units(&slides(chain)).into_iter();
+    let units = result.units(&spaces).into_iter();
     let own = units.zip(errors).enumerate();
-    let own = own.filter(|(k, (unit, _))| *unit == bound.unit && joint(*k) == bound.joint.as_ref());
+    let own = own.filter(|(k, (unit, _))| *unit == bound.unit && name(*k) == bound.joint.as_ref());
     own.fold(0.0, |most, (_, (_, &error))| most.max(error))
 }
 
@@ -367,7 +356,10 @@ fn check_inverse<T: Tested>(asked: Asked) {
     let chain = chain_of(asked);
     let count = chain.joints.len();
     // Of each row, by unit.
-    let units = Function::MassMatrix.units(&slides(&chain)).into_iter();
+    let units = Function::MassMatrix
+        .result()
+        .units(&chain.spaces())
+        .into_iter();
     let lost: Vec<f64> = (units.enumerate())
         .map(|(k, unit)| {
             let joint = &chain.joints[k / count].name;

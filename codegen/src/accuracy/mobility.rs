@@ -46,7 +46,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     let numbers = evaluate(&graph, &numbers, |input| {
         let least = match input {
             Input::Parameter(..) => range.get(input).map(|[least, _]| least),
-            _ => None,
+            Input::Variable(..) => None,
         };
         Double::from(least.unwrap_or(f64::NAN))
     });

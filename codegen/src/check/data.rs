@@ -3,9 +3,7 @@
 //! In: the numbers that are printed for the generic recursions of the runtime. Out: a [`Robot`] of the
 //! moving joints alone, to be held against the one that was described.
 
-use super::approximate::Approximate;
-use super::matrix::Matrix;
-use super::robot::{Body, Moved, Robot};
+use crate::dense::{Approximate, Body, Matrix, Moved, Robot};
 use crate::emit::ChainData;
 
 /// How many numbers a joint has, and a frame.

@@ -9,46 +9,13 @@
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_2;
 
-use super::approximate::Approximate;
-use super::matrix::Matrix;
 use crate::chain::Chain;
+use crate::dense::{Approximate, Body, Matrix, Moved, Robot};
 use crate::description::{Axis, Description, Inertial, Joint, JointKind, Link, Name, Number, Step};
 use crate::expression::Arithmetic;
 use crate::request::{Request, Target};
 
 type Scalar = Approximate;
-
-/// What a link hangs on, and by which motion.
-pub(super) struct Body {
-    /// The body it hangs on; none of those that hang on the base.
-    pub(super) parent: Option<usize>,
-    /// M of the joint's frame in the parent link's, at q = 0.
-    pub(super) placement: Matrix<Scalar>,
-    /// u and b of the joint in the link's frame.
-    pub(super) screw: [[Scalar; 3]; 2],
-    /// Which coordinate moves it; or where it is held.
-    pub(super) moved: Moved,
-    /// J of the link in its frame.
-    pub(super) inertia: Matrix<Scalar>,
-}
-
-/// What gives a joint its coordinate.
-#[derive(Clone, Copy)]
-pub(super) enum Moved {
-    /// An entry of q.
-    By(usize),
-    /// Nothing: it stays where it is.
-    Held(f64),
-}
-
-/// A robot, link by link, parents before children.
-pub(super) struct Robot {
-    pub(super) bodies: Vec<Body>,
-    /// Acceleration of gravity in frame 0.
-    pub(super) gravity: [Scalar; 3],
-    /// The bodies whose frames are asked for; none for the base.
-    pub(super) frames: Vec<Option<usize>>,
-}
 
 /// What a robot cannot be made of.
 #[derive(Debug)]

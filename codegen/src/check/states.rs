@@ -4,32 +4,9 @@
 //! coordinates within their limits, fields near what is described in their place.
 
 use crate::chain::{Chain, Motion};
+use crate::dense::State;
 use crate::description::Limits;
-use crate::expression::Input;
 use crate::request::{Request, Target};
-use crate::space::Variable;
-
-/// What a program reads.
-#[derive(Clone, Debug, Default)]
-pub(super) struct State {
-    pub(super) q: Vec<f64>,
-    pub(super) qd: Vec<f64>,
-    pub(super) qdd: Vec<f64>,
-    pub(super) tau: Vec<f64>,
-    pub(super) fields: Vec<Vec<f64>>,
-}
-
-impl State {
-    pub(super) fn get(&self, input: Input) -> f64 {
-        match input {
-            Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
-            Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
-            Input::Variable(Variable::Qdd, k) => self.qdd[usize::from(k)],
-            Input::Variable(Variable::Tau, k) => self.tau[usize::from(k)],
-            Input::Parameter(field, k) => self.fields[usize::from(field)][usize::from(k)],
-        }
-    }
-}
 
 /// So many states.
 pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<State> {

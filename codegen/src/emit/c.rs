@@ -211,8 +211,8 @@ fn declarator(function: Function, spaces: &Spaces) -> String {
     let quantity = function.result();
     let lengths = quantity.lengths(spaces).into_iter();
     let lengths = lengths.chain(quantity.entity.dimensions().iter().copied());
-    let size: String = lengths.map(|length| format!("[{length}]")).collect();
-    format!("{}{size}", function.name())
+    let sizes: Vec<String> = lengths.map(|length| format!("[{length}]")).collect();
+    format!("{}{}", function.name(), sizes.concat())
 }
 
 fn comment(lines: &[String]) -> String {

@@ -26,6 +26,7 @@ pub(super) fn result_type(
 /// The type of one result.
 pub(super) fn type_of(quantity: &Quantity, lengths: &Lengths, dialect: &Dialect) -> TokenStream {
     let number_type = &dialect.number;
+    let array = |inner: TokenStream, length: TokenStream| quote! { [#inner; #length] };
     let one = match named(quantity.entity, dialect) {
         Some(path) => quote! { #path<#number_type> },
         None => (quantity.entity.dimensions().iter().rev())
@@ -34,10 +35,6 @@ pub(super) fn type_of(quantity: &Quantity, lengths: &Lengths, dialect: &Dialect)
     };
     let over = quantity.over.iter().rev();
     over.map(|&space| lengths.of(space)).fold(one, array)
-}
-
-fn array(inner: TokenStream, length: TokenStream) -> TokenStream {
-    quote! { [#inner; #length] }
 }
 
 /// The runtime's type of an entity, where it has one.

@@ -1,8 +1,9 @@
 //! H₀,tip₍₀₎, the acceleration matrix of a frame, without gravity.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{MOVING, Size, Tally};
+use crate::dense::Motion;
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::model::{Scene, base_frame, twist};
@@ -14,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::ACCELERATION,
     of_a_frame: true,
-    solves: false,
+    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Driven).1.upper()),
     ways: Definition::one_way,
     dense,
     build,

@@ -1,6 +1,6 @@
 //! The Jacobian in the frame of the tip: columns L₁ … L_N, pole at its origin.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally;
 use crate::expression::Term;
@@ -14,7 +14,10 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::SCREWS,
     of_a_frame: true,
-    solves: false,
+    truth: Truth::Value(|dense, frame| {
+        let back = dense.pose(frame).inverse();
+        dense.columns(frame, |screw| back.carries(screw))
+    }),
     ways: Definition::one_way,
     dense: tally::screws_elsewhere,
     build,

@@ -5,10 +5,29 @@
 
 use super::Function;
 use super::tally::{Size, Tally};
+use crate::dense::{Approximate, Dense};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::model::{Scene, Way};
 use crate::space::{Quantity, Variable};
+
+/// What the results of a function are held against, whatever way they were found.
+#[derive(Clone, Copy)]
+pub(crate) enum Truth {
+    /// What dense matrices make of a state; of the frame of that index where it is of one.
+    Value(fn(&Dense, usize) -> Vec<Approximate>),
+    /// An equation that they solve, in which that is given.
+    Solution(Given),
+}
+
+/// What a solution is found for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Given {
+    /// τ, of which accelerations are the solution.
+    Torques,
+    /// M, of which each column of the inverse is one, from the diagonal up: each for another M.
+    MassMatrix,
+}
 
 /// Everything that is known of a function.
 pub(super) struct Definition {
@@ -23,8 +42,8 @@ pub(super) struct Definition {
     pub(super) result: Quantity,
     /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
     pub(super) of_a_frame: bool,
-    /// Whether it solves for what forces do to accelerations.
-    pub(super) solves: bool,
+    /// What every expansion is held against.
+    pub(super) truth: Truth,
     /// The ways to compute it between which only the count decides.
     pub(super) ways: fn() -> Vec<Way>,
     /// What it costs by dense 4×4 matrices.
@@ -76,7 +95,21 @@ impl Function {
     /// Whether it solves for what forces do to accelerations.
     #[must_use]
     pub const fn solves(self) -> bool {
-        self.definition().solves
+        self.given().is_some()
+    }
+
+    /// What it is a solution for, if it is one.
+    #[must_use]
+    pub const fn given(self) -> Option<Given> {
+        match self.truth() {
+            Truth::Value(_) => None,
+            Truth::Solution(given) => Some(given),
+        }
+    }
+
+    /// What every expansion of it is held against.
+    pub(crate) const fn truth(self) -> Truth {
+        self.definition().truth
     }
 
     /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.

@@ -1,6 +1,6 @@
 //! M₀,tip, the pose of a frame.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{POSE, Size, Tally};
 use crate::expression::Term;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::POSE,
     of_a_frame: true,
-    solves: false,
+    truth: Truth::Value(|dense, frame| dense.pose(frame).upper()),
     ways,
     dense,
     build,

@@ -1,8 +1,9 @@
 //! The Jacobian in the axes of frame 0: columns L₁ … L_N, pole at the origin of the tip.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally;
+use crate::dense::Matrix;
 use crate::expression::Term;
 use crate::model::{Scene, jacobian};
 use crate::space::Variable;
@@ -13,7 +14,11 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::SCREWS,
     of_a_frame: true,
-    solves: false,
+    truth: Truth::Value(|dense, frame| {
+        let tip = dense.pose(frame).0.map(|row| -row[3]);
+        let back = Matrix::translation([tip[0], tip[1], tip[2]]);
+        dense.columns(frame, |screw| back.carries(screw))
+    }),
     ways: Definition::one_way,
     dense: tally::screws_elsewhere,
     build,

@@ -1,8 +1,9 @@
 //! Inverse dynamics at rest.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{ACTION, INERTIA, KINEMATIC, Size, Tally};
+use crate::dense::Motion;
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::model::{Scene, base_frame, gravity};
@@ -14,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::FORCES,
     of_a_frame: false,
-    solves: false,
+    truth: Truth::Value(|dense, _| dense.torques(Motion::Rest)),
     ways: Definition::one_way,
     dense,
     build,

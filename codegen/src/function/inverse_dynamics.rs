@@ -1,8 +1,9 @@
 //! Joint torques and forces that produce q̈.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally;
+use crate::dense::Motion;
 use crate::expression::Term;
 use crate::model::Scene;
 use crate::space::Variable;
@@ -13,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCES,
     of_a_frame: false,
-    solves: false,
+    truth: Truth::Value(|dense, _| dense.torques(Motion::Driven)),
     ways: Definition::one_way,
     dense: tally::torques,
     build,

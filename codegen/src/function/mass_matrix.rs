@@ -1,6 +1,6 @@
 //! The joint-space inertia matrix.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::INERTIAS,
     of_a_frame: false,
-    solves: false,
+    truth: Truth::Value(|dense, _| dense.mass_matrix().concat()),
     ways: Definition::one_way,
     dense,
     build,

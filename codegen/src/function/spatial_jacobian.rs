@@ -1,6 +1,6 @@
 //! The Jacobian in frame 0: columns L₁ … L_N, pole at its origin.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{KINEMATIC, Size, Tally};
 use crate::expression::Term;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::SCREWS,
     of_a_frame: true,
-    solves: false,
+    truth: Truth::Value(|dense, frame| dense.columns(frame, Clone::clone)),
     ways: Definition::one_way,
     dense,
     build,

@@ -1,8 +1,9 @@
 //! W₀,tip₍₀₎, the velocity matrix of a frame.
 
-use super::definition::Definition;
+use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{KINEMATIC, Size, Tally, VELOCITY};
+use crate::dense::Motion;
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::model::{Scene, base_frame, twist};
@@ -14,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::VELOCITY,
     of_a_frame: true,
-    solves: false,
+    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Coasting).0.vectors().to_vec()),
     ways: Definition::one_way,
     dense,
     build,

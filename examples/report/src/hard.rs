@@ -19,7 +19,6 @@ use homogen_tests::subjects::subject;
 
 use crate::truth::{Exact, exact};
 use Function::{ForwardDynamics, Gravity, InverseDynamics};
-use homogen_codegen::space::Variable;
 
 /// A robot, a function of it, and what is hard about its states.
 struct Case {
@@ -202,10 +201,10 @@ fn worst<T: Arithmetic + Into<f64>>(
         let joints = state.len() / 4;
         let found = run(program, |input| {
             T::literal(match input {
-                Input::Variable(Variable::Q, k) => state[usize::from(k)],
-                Input::Variable(Variable::Qd, k) => state[joints + usize::from(k)],
-                Input::Variable(Variable::Qdd, k) => state[2 * joints + usize::from(k)],
-                Input::Variable(Variable::Tau, k) => state[3 * joints + usize::from(k)],
+                // A state lists them in this order.
+                Input::Variable(variable, k) => {
+                    state[variable as usize * joints + usize::from(k)]
+                }
                 Input::Parameter(..) => unreachable!("no number was left open"),
             })
         });

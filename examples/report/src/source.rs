@@ -9,7 +9,7 @@ use std::fmt::Write;
 use homogen_codegen::Function;
 use homogen_codegen::emit::{self, Item};
 use homogen_codegen::expand::expand;
-use homogen_codegen::function::Argument;
+use homogen_codegen::space::Variable;
 use homogen_codegen::schedule::Price;
 use proc_macro2::{Ident, Span};
 
@@ -105,7 +105,7 @@ fn case(
     function: Function,
     scalar: Scalar,
 ) -> String {
-    let argument = |argument: &Argument| {
+    let argument = |argument: &Variable| {
         let name = argument.name();
         if variant.joints.is_empty() {
             return format!("&s.{name}");

@@ -17,7 +17,6 @@ use homogen_codegen::model::Way;
 use homogen_tests::metrics::magnitude::{Magnitude, Measure};
 
 use crate::scene::Scene;
-use homogen_codegen::space::Variable;
 
 /// A number of 106 bits, which keeps what it was summed from; for every type, and so without a floor.
 pub type Exact = Magnitude<OfEveryType>;
@@ -72,10 +71,8 @@ pub fn exact(evaluation: &Evaluation<Exact>, function: Function, state: &[f64]) 
     let joints = state.len() / 4;
     let results = evaluation.at(|input| {
         let (part, k) = match input {
-            Input::Variable(Variable::Q, k) => (0, k),
-            Input::Variable(Variable::Qd, k) => (1, k),
-            Input::Variable(Variable::Qdd, k) => (2, k),
-            Input::Variable(Variable::Tau, k) => (3, k),
+            // A state lists them in this order.
+            Input::Variable(variable, k) => (variable as usize, k),
             Input::Parameter(..) => unreachable!("no number was left open"),
         };
         Exact::given(state[part * joints + usize::from(k)])

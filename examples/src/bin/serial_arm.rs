@@ -124,7 +124,7 @@ impl State {
             Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
             Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
             Input::Variable(Variable::Qdd, k) => self.qdd[usize::from(k)],
-            Input::Variable(Variable::Tau, _) | Input::Parameter(..) => {
+            Input::Variable(..) | Input::Parameter(..) => {
                 unreachable!("neither function reads it")
             }
         }

@@ -65,6 +65,7 @@ pub fn evaluate(
             let identity = (0..rest.len()).map(|i| unit(i).collect()).collect();
             solve(mass_matrix(robot, &positions), identity).concat()
         }
+        other => panic!("{} has no oracle", other.name()),
     }
 }
 

@@ -92,6 +92,7 @@ impl Measure {
             Function::MassMatrixInverse => {
                 self.off_identity(found, count, &expected(Function::MassMatrix))
             }
+            other => panic!("{} has no measure", other.name()),
         }
     }
 

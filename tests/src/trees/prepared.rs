@@ -12,7 +12,6 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{program, program_as, program_by, understand};
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Formulation;
-use homogen_codegen::function::Shape;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::{Function, Real};
 
@@ -118,7 +117,7 @@ impl<'r> Prepared<'r> {
                 // A robot may pass through a posture without accelerations, but must have others.
                 let asked = case.choice != Choice::Default;
                 let passes = asked || (0..self.states.len()).any(|state| !self.is_singular(state));
-                if solves(case.function) && self.is_singular(state) && passes {
+                if case.function.solves() && self.is_singular(state) && passes {
                     continue;
                 }
                 return Err(format!("{bad} of a finite state"));
@@ -147,7 +146,7 @@ impl<'r> Prepared<'r> {
             let found = run::<f64>(&program, |input| self.input(input, arguments));
             let mut found = found.as_slice();
             for &function in functions {
-                let (these, rest) = found.split_at(function.shape().len(self.chain.joints.len()));
+                let (these, rest) = found.split_at(function.result().size(&self.chain.spaces()));
                 found = rest;
                 let case = Case {
                     function,
@@ -163,7 +162,7 @@ impl<'r> Prepared<'r> {
     /// The program of a case; none where it is refused by name, and may be.
     fn program(&self, case: Case, frame: usize) -> Result<Option<Program>, String> {
         let functions = [case.function];
-        let singular = |state: usize| solves(case.function) && self.is_singular(state);
+        let singular = |state: usize| case.function.solves() && self.is_singular(state);
         let program = match case.choice {
             Choice::By(layout, way) => {
                 // A form that nobody asked for may be one that this robot cannot bear.
@@ -241,10 +240,7 @@ impl<'r> Prepared<'r> {
     fn input(&self, input: Input, arguments: &Arguments) -> f64 {
         let at = |k: u16| self.coordinate(usize::from(k));
         match input {
-            Input::Variable(Variable::Q, k) => arguments.q[at(k)],
-            Input::Variable(Variable::Qd, k) => arguments.qd[at(k)],
-            Input::Variable(Variable::Qdd, k) => arguments.qdd[at(k)],
-            Input::Variable(Variable::Tau, k) => arguments.tau[at(k)],
+            Input::Variable(variable, k) => arguments.of(variable)[at(k)],
             Input::Parameter(field, entry) => {
                 self.robot.asked.fields[usize::from(field)].1[usize::from(entry)]
             }
@@ -274,29 +270,20 @@ impl<'r> Prepared<'r> {
         for joint in 0..joints.len() {
             joints[self.coordinate(joint)] = joint;
         }
-        let count = joints.len();
-        match function.shape() {
-            Shape::Pose | Shape::Velocity | Shape::Acceleration => found.to_vec(),
-            Shape::Vector => joints.iter().map(|&joint| found[joint]).collect(),
-            Shape::Screws => {
-                let columns = joints.iter().map(|joint| &found[6 * joint..6 * joint + 6]);
-                columns.flatten().copied().collect()
-            }
-            Shape::Matrix => {
-                let entry = |row: usize, column: usize| found[joints[row] * count + joints[column]];
-                let rows = (0..count).flat_map(|row| (0..count).map(move |column| (row, column)));
-                rows.map(|(row, column)| entry(row, column)).collect()
-            }
-        }
+        permuted(found, function.result().over.len(), &joints)
     }
 }
 
-/// Whether it solves with the mass matrix, which may be singular.
-fn solves(function: Function) -> bool {
-    matches!(
-        function,
-        Function::ForwardDynamics | Function::MassMatrixInverse
-    )
+/// The parts of nested arrays in another order, at as many levels as are over the joints.
+fn permuted(found: &[f64], levels: usize, order: &[usize]) -> Vec<f64> {
+    if levels == 0 {
+        return found.to_vec();
+    }
+    let each = found.len() / order.len();
+    let parts = order.iter().map(|&k| &found[k * each..][..each]);
+    parts
+        .flat_map(|part| permuted(part, levels - 1, order))
+        .collect()
 }
 
 /// One number in [−4, 4) for each joint, which depends on nothing but its number.

@@ -9,21 +9,21 @@ use crate::expression::Arithmetic;
 
 /// Rows of a 4×4 matrix.
 #[derive(Clone, Debug)]
-pub(super) struct Matrix<T>(pub(super) [[T; 4]; 4]);
+pub(crate) struct Matrix<T>(pub(crate) [[T; 4]; 4]);
 
 impl<T: Arithmetic> Matrix<T> {
-    pub(super) fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self(from_fn(|_| from_fn(|_| T::literal(0.0))))
     }
 
-    pub(super) fn identity() -> Self {
+    pub(crate) fn identity() -> Self {
         Self(from_fn(|row| {
             from_fn(|column| T::literal(if row == column { 1.0 } else { 0.0 }))
         }))
     }
 
     /// A rotation by sine and cosine, about the axis of that number.
-    pub(super) fn rotation(axis: usize, (sine, cosine): (T, T)) -> Self {
+    pub(crate) fn rotation(axis: usize, (sine, cosine): (T, T)) -> Self {
         let mut matrix = Self::identity();
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         matrix.0[next][next] = cosine.clone();
@@ -33,21 +33,21 @@ impl<T: Arithmetic> Matrix<T> {
         matrix
     }
 
-    pub(super) fn translation(offset: [T; 3]) -> Self {
+    pub(crate) fn translation(offset: [T; 3]) -> Self {
         let mut matrix = Self::identity();
         matrix.set_column(offset);
         matrix
     }
 
     /// Puts three numbers into the last column.
-    pub(super) fn set_column(&mut self, entries: [T; 3]) {
+    pub(crate) fn set_column(&mut self, entries: [T; 3]) {
         for (row, entry) in self.0.iter_mut().zip(entries) {
             row[3] = entry;
         }
     }
 
     /// L of u and b: u̲, b; 0, 0.
-    pub(super) fn screw([x, y, z]: [T; 3], b: [T; 3]) -> Self {
+    pub(crate) fn screw([x, y, z]: [T; 3], b: [T; 3]) -> Self {
         let mut matrix = Self::zero();
         matrix.0[2][1] = x.clone();
         matrix.0[1][2] = -x;
@@ -60,29 +60,29 @@ impl<T: Arithmetic> Matrix<T> {
     }
 
     /// u and b of a screw matrix, ω and v of a velocity, c and f of an action.
-    pub(super) fn vectors(&self) -> [T; 6] {
+    pub(crate) fn vectors(&self) -> [T; 6] {
         [(2, 1), (0, 2), (1, 0), (0, 3), (1, 3), (2, 3)]
             .map(|(row, column)| self.0[row][column].clone())
     }
 
     /// The upper three rows, one after the other.
-    pub(super) fn upper(&self) -> Vec<T> {
+    pub(crate) fn upper(&self) -> Vec<T> {
         self.0[..3].iter().flatten().cloned().collect()
     }
 
-    pub(super) fn transposed(&self) -> Self {
+    pub(crate) fn transposed(&self) -> Self {
         Self(from_fn(|row| from_fn(|column| self.0[column][row].clone())))
     }
 
     /// M⁻¹ of a position matrix: Rᵗ, −Rᵗt; 0, 1.
-    pub(super) fn inverse(&self) -> Self {
+    pub(crate) fn inverse(&self) -> Self {
         let mut rotation = self.transposed();
         rotation.0[3] = [0.0, 0.0, 0.0, 1.0].map(T::literal);
         let back: [T; 3] = from_fn(|k| -self.0[k][3].clone());
         rotation.times(&Self::translation(back))
     }
 
-    pub(super) fn times(&self, other: &Self) -> Self {
+    pub(crate) fn times(&self, other: &Self) -> Self {
         Self(from_fn(|row| {
             from_fn(|column| {
                 let term = |k: usize| self.0[row][k].clone() * other.0[k][column].clone();
@@ -91,13 +91,13 @@ impl<T: Arithmetic> Matrix<T> {
         }))
     }
 
-    pub(super) fn plus(&self, other: &Self) -> Self {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         Self(from_fn(|row| {
             from_fn(|column| self.0[row][column].clone() + other.0[row][column].clone())
         }))
     }
 
-    pub(super) fn scaled(&self, factor: &T) -> Self {
+    pub(crate) fn scaled(&self, factor: &T) -> Self {
         Self(
             self.0
                 .clone()
@@ -106,12 +106,12 @@ impl<T: Arithmetic> Matrix<T> {
     }
 
     /// A − Aᵗ.
-    pub(super) fn skew(&self) -> Self {
+    pub(crate) fn skew(&self) -> Self {
         self.plus(&self.transposed().scaled(&T::literal(-1.0)))
     }
 
     /// M A M⁻¹: a screw, velocity or acceleration of the frame at M.
-    pub(super) fn carries(&self, screw: &Self) -> Self {
+    pub(crate) fn carries(&self, screw: &Self) -> Self {
         self.times(screw).times(&self.inverse())
     }
 }

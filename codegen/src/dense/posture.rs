@@ -1,12 +1,9 @@
-//! The functions of a robot, by products of 4×4 matrices in frame 0, as the paper writes them.
+//! All matrices of a robot in a posture.
 //!
-//! In: a [`Robot`] and a state. Out: poses, screws, velocities, accelerations, actions, and what they
-//! add up to. It multiplies out every product and knows no recursion but that from parents to
-//! children.
+//! In: a [`Robot`] and q. Out: poses, screws and inertias in frame 0; of rates, velocities,
+//! accelerations and actions, and what they add up to.
 
-use super::approximate::Approximate;
-use super::matrix::Matrix;
-use super::robot::{Moved, Robot};
+use super::{Approximate, Matrix, Moved, Robot};
 use crate::expression::Arithmetic;
 
 type Scalar = Approximate;
@@ -23,10 +20,9 @@ pub(super) struct Posture {
 }
 
 /// What the joints do: q̇ and q̈.
-#[derive(Clone, Copy)]
-pub(super) struct Rates<'a> {
-    pub(super) first: &'a [Scalar],
-    pub(super) second: &'a [Scalar],
+pub(super) struct Rates {
+    pub(super) first: Vec<Scalar>,
+    pub(super) second: Vec<Scalar>,
 }
 
 impl Posture {
@@ -56,11 +52,12 @@ impl Posture {
         }
     }
 
+    /// M of a frame.
     pub(super) fn pose(&self, frame: usize) -> Matrix<Scalar> {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
     }
 
-    /// The screws of the joints that move a frame, by their place in q.
+    /// The screws of the joints that move a frame, by their place in q̇.
     pub(super) fn moving(&self, frame: usize) -> Vec<(usize, &Matrix<Scalar>)> {
         let mut moving = Vec::new();
         let mut at = self.robot.frames[frame];
@@ -74,7 +71,7 @@ impl Posture {
     }
 
     /// W and H of each link: W + L q̇, and H + L q̈ + L² q̇² + 2 W L q̇.
-    fn motions(&self, rates: Rates<'_>) -> Vec<(Matrix<Scalar>, Matrix<Scalar>)> {
+    pub(super) fn motions(&self, rates: &Rates) -> Vec<(Matrix<Scalar>, Matrix<Scalar>)> {
         let mut motions: Vec<(Matrix<Scalar>, Matrix<Scalar>)> = Vec::new();
         for (body, screw) in self.robot.bodies.iter().zip(&self.screws) {
             let (w, h) = match body.parent {
@@ -94,11 +91,7 @@ impl Posture {
     }
 
     /// W and H of a frame.
-    pub(super) fn motion(
-        &self,
-        frame: usize,
-        rates: Rates<'_>,
-    ) -> (Matrix<Scalar>, Matrix<Scalar>) {
+    pub(super) fn motion(&self, frame: usize, rates: &Rates) -> (Matrix<Scalar>, Matrix<Scalar>) {
         match self.robot.frames[frame] {
             Some(body) => self.motions(rates).swap_remove(body),
             None => (Matrix::zero(), Matrix::zero()),
@@ -132,7 +125,7 @@ impl Posture {
     }
 
     /// τ of a motion, against gravity.
-    pub(super) fn torques(&self, rates: Rates<'_>) -> Vec<Scalar> {
+    pub(super) fn torques(&self, rates: &Rates) -> Vec<Scalar> {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
         let motions = self.motions(rates);

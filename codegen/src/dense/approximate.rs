@@ -10,16 +10,16 @@ use crate::expression::{Arithmetic, Double};
 
 /// A number, and how far it may be from what was meant.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Approximate {
-    pub(super) value: Double,
-    pub(super) error: f64,
+pub(crate) struct Approximate {
+    pub(crate) value: Double,
+    pub(crate) error: f64,
 }
 
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 impl Approximate {
     /// What is meant as it stands.
-    pub(super) fn exact(value: f64) -> Self {
+    pub(crate) fn exact(value: f64) -> Self {
         Self {
             value: Double::from(value),
             error: 0.0,
@@ -27,26 +27,26 @@ impl Approximate {
     }
 
     /// Numbers that are meant as they stand.
-    pub(super) fn exactly(values: &[f64]) -> Vec<Self> {
+    pub(crate) fn exactly(values: &[f64]) -> Vec<Self> {
         values.iter().copied().map(Self::exact).collect()
     }
 
     /// What was found, taken as it stands.
-    pub(super) const fn as_found(self) -> Self {
+    pub(crate) const fn as_found(self) -> Self {
         Self { error: 0.0, ..self }
     }
 
-    pub(super) const fn to_f64(self) -> f64 {
+    pub(crate) const fn to_f64(self) -> f64 {
         self.value.to_f64()
     }
 
-    pub(super) fn size(self) -> f64 {
+    pub(crate) fn size(self) -> f64 {
         self.value.to_f64().abs()
     }
 
     /// What 106 bits lose on the way, and what underflows: 2⁻⁸³ of the terms, as far as literals are
     /// among them, and some more than the radius of the enclosure.
-    pub(super) fn noise(self) -> f64 {
+    pub(crate) fn noise(self) -> f64 {
         let radius = self.value.radius();
         let radius = if radius.is_finite() { radius } else { 0.0 };
         1e-9 * self.error + 16.0 * radius

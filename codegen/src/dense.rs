@@ -1,0 +1,156 @@
+//! The functions of a robot, by products of 4×4 matrices in frame 0, as the paper writes them.
+//!
+//! In: a [`Robot`], link by link, and a [`State`]. Out: a [`Dense`], which each function's own file
+//! asks for what it is. Every product is multiplied out, and no recursion is known but that from
+//! parents to children: nothing here is shared with the matrices that are expanded.
+
+mod approximate;
+mod matrix;
+mod posture;
+
+use std::cell::OnceCell;
+
+pub(crate) use approximate::Approximate;
+pub(crate) use matrix::Matrix;
+
+use crate::expression::Input;
+use crate::space::Variable;
+use posture::{Posture, Rates};
+
+/// What a link hangs on, and by which motion.
+pub(crate) struct Body {
+    /// The body it hangs on; none of those that hang on the base.
+    pub(crate) parent: Option<usize>,
+    /// M of the joint's frame in the parent link's, at q = 0.
+    pub(crate) placement: Matrix<Approximate>,
+    /// u and b of the joint in the link's frame.
+    pub(crate) screw: [[Approximate; 3]; 2],
+    /// Which coordinate moves it; or where it is held.
+    pub(crate) moved: Moved,
+    /// J of the link in its frame.
+    pub(crate) inertia: Matrix<Approximate>,
+}
+
+/// What gives a joint its coordinate.
+#[derive(Clone, Copy)]
+pub(crate) enum Moved {
+    /// An entry of q.
+    By(usize),
+    /// Nothing: it stays where it is.
+    Held(f64),
+}
+
+/// A robot, link by link, parents before children.
+pub(crate) struct Robot {
+    pub(crate) bodies: Vec<Body>,
+    /// Acceleration of gravity in frame 0.
+    pub(crate) gravity: [Approximate; 3],
+    /// The bodies whose frames are asked for; none for the base.
+    pub(crate) frames: Vec<Option<usize>>,
+}
+
+/// What a program reads.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct State {
+    pub(crate) q: Vec<f64>,
+    pub(crate) qd: Vec<f64>,
+    pub(crate) qdd: Vec<f64>,
+    pub(crate) tau: Vec<f64>,
+    pub(crate) fields: Vec<Vec<f64>>,
+}
+
+impl State {
+    pub(crate) fn get(&self, input: Input) -> f64 {
+        let (list, k) = match input {
+            Input::Variable(Variable::Q, k) => (&self.q, k),
+            Input::Variable(Variable::Qd, k) => (&self.qd, k),
+            Input::Variable(Variable::Qdd, k) => (&self.qdd, k),
+            Input::Variable(Variable::Tau, k) => (&self.tau, k),
+            Input::Parameter(field, k) => (&self.fields[usize::from(field)], k),
+        };
+        list[usize::from(k)]
+    }
+}
+
+/// How much of a state's motion is taken.
+#[derive(Clone, Copy)]
+pub(crate) enum Motion {
+    /// None: at rest.
+    Rest,
+    /// q̇ alone.
+    Coasting,
+    /// q̇ and q̈.
+    Driven,
+}
+
+/// A robot at a state.
+pub(crate) struct Dense {
+    pub(crate) state: State,
+    posture: Posture,
+    mass_matrix: OnceCell<Vec<Vec<Approximate>>>,
+}
+
+impl Dense {
+    pub(crate) fn of(robot: Robot, state: State) -> Self {
+        Self {
+            posture: Posture::of(robot, &state.q),
+            state,
+            mass_matrix: OnceCell::new(),
+        }
+    }
+
+    /// M of a frame.
+    pub(crate) fn pose(&self, frame: usize) -> Matrix<Approximate> {
+        self.posture.pose(frame)
+    }
+
+    /// The columns of a Jacobian: u and b of the joints that move a frame, each seen in some way, and
+    /// zeros for the others.
+    pub(crate) fn columns(
+        &self,
+        frame: usize,
+        seen: impl Fn(&Matrix<Approximate>) -> Matrix<Approximate>,
+    ) -> Vec<Approximate> {
+        let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
+        for (k, screw) in self.posture.moving(frame) {
+            columns[6 * k..6 * k + 6].copy_from_slice(&seen(screw).vectors());
+        }
+        columns
+    }
+
+    /// W and H of a frame.
+    pub(crate) fn motion(
+        &self,
+        frame: usize,
+        motion: Motion,
+    ) -> (Matrix<Approximate>, Matrix<Approximate>) {
+        self.posture.motion(frame, &self.rates(motion))
+    }
+
+    /// τ of a motion, against gravity.
+    pub(crate) fn torques(&self, motion: Motion) -> Vec<Approximate> {
+        self.posture.torques(&self.rates(motion))
+    }
+
+    /// τ of accelerations that were found.
+    pub(crate) fn torques_of(&self, qdd: Vec<Approximate>) -> Vec<Approximate> {
+        let first = Approximate::exactly(&self.state.qd);
+        self.posture.torques(&Rates { first, second: qdd })
+    }
+
+    /// M, row by row.
+    pub(crate) fn mass_matrix(&self) -> &[Vec<Approximate>] {
+        self.mass_matrix.get_or_init(|| self.posture.mass_matrix())
+    }
+
+    fn rates(&self, motion: Motion) -> Rates {
+        let nothing = || vec![Approximate::exact(0.0); self.state.qd.len()];
+        let [qd, qdd] = [&self.state.qd, &self.state.qdd].map(|of| Approximate::exactly(of));
+        let (first, second) = match motion {
+            Motion::Rest => (nothing(), nothing()),
+            Motion::Coasting => (qd, nothing()),
+            Motion::Driven => (qd, qdd),
+        };
+        Rates { first, second }
+    }
+}

@@ -9,12 +9,15 @@ use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand::expand;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
+use homogen_codegen::space::Spaces;
 use homogen_codegen::{Function, Real};
 
 /// What is modelled of a robot, and the price of every function of it.
 pub struct Prices {
     /// What the doc comments say of it.
     pub about: About,
+    /// What its arguments and results are over.
+    pub spaces: Spaces,
     functions: Vec<Listed>,
 }
 
@@ -57,6 +60,7 @@ pub fn count(file: &str, text: &str, tip: &str) -> Result<Prices, Errors> {
     let listing = expand(&description, &request, item)?;
     Ok(Prices {
         about: listing.about,
+        spaces: listing.spaces,
         functions: listing.functions,
     })
 }

@@ -18,12 +18,12 @@ use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
+use homogen_codegen::space::Variable;
 use homogen_codegen::{Function, Real};
 use quote::format_ident;
 
 use crate::states::Random;
 use crate::tested::Tested;
-use homogen_codegen::space::Variable;
 
 /// One function of a robot, by itself.
 ///

@@ -10,7 +10,7 @@ use std::fmt::Write;
 use homogen_codegen::accuracy::mobility::mobility;
 use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{self, Accuracy, Bound, Means};
-use homogen_codegen::chain::{self, Chain, Motion};
+use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{Description, Name, read_file};
 use homogen_codegen::emit::Item;
 use homogen_codegen::error::Errors;

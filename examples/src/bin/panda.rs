@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "{}: {} joints, frame 0 is {}, the tip {}\n  {}\n",
         about.robot,
-        about.joints.len(),
+        prices.spaces.coordinates.len(),
         about.base,
         about.tip,
         about.facts.join(" · ")

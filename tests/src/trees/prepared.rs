@@ -24,7 +24,6 @@ use super::reference::Reference;
 use super::regular::pivot;
 use super::robot::{Asked, Field, Robot};
 use super::text;
-use homogen_codegen::space::Variable;
 
 /// What every function is right to, beside the sizes that [`measure`](super::measure) tells.
 pub const TOLERANCE: f64 = 1e-10;

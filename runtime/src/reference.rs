@@ -5,4 +5,7 @@
 //! products are written once more, so that a mistake in them is not made on both sides. Nothing here
 //! is simplified or fast, and nothing else in the crate calls it.
 
+mod dense;
 pub mod generic;
+mod motion;
+mod traits;

@@ -8,7 +8,7 @@ use super::pose::Pose;
 use super::rotation;
 use super::screw::Screw;
 use super::symmetric::eigen;
-use super::vector::{determinant, negate, norm, transpose};
+use super::vector::{determinant, largest_magnitude, negate, norm, transpose};
 use crate::error::{Error, finite};
 use crate::scalar::Real;
 
@@ -77,14 +77,14 @@ impl<T: Real> Inertia<T> {
             });
         }
         let smallest = self.smallest_second_moment();
-        let offset = self.q().iter().fold(zero, |m, q| m.max(q.abs()));
+        let offset = largest_magnitude(&self.q());
         if self.mass() == zero && offset > zero {
             return Err(Error::NotPhysical {
                 quantity: "the product of zero mass and the centre's position",
                 value: offset.to_f64(),
             });
         }
-        if smallest < -(tolerance * self.size()) {
+        if smallest < -(tolerance * self.largest_second_moment()) {
             return Err(Error::NotPhysical {
                 quantity: "a principal second moment about the centre of mass",
                 value: smallest.to_f64(),
@@ -127,9 +127,7 @@ impl<T: Real> Inertia<T> {
     }
 
     /// What rounding of the second moments is relative to.
-    fn size(&self) -> T {
-        let rows = self.second_moments();
-        let zero = T::constant(0.0);
-        rows.iter().flatten().fold(zero, |m, x| m.max(x.abs()))
+    fn largest_second_moment(&self) -> T {
+        largest_magnitude(self.second_moments().as_flattened())
     }
 }

@@ -157,6 +157,13 @@ pub fn determinant<T: Scalar>(x: &[[T; 3]; 3]) -> T {
     dot(x[0], cross(x[1], x[2]))
 }
 
+/// The largest magnitude; zero where there is no number, for NaN is passed over.
+#[inline]
+pub(crate) fn largest_magnitude<'a, T: Real + 'a>(entries: impl IntoIterator<Item = &'a T>) -> T {
+    let entries = entries.into_iter();
+    entries.fold(T::constant(0.0), |largest, x| largest.max(x.abs()))
+}
+
 /// ‖v‖, without overflow or underflow on the way; NaN or infinity where an entry is.
 ///
 /// SPACELIB: `mod`.
@@ -168,7 +175,7 @@ pub fn norm<T: Real, const N: usize>(v: [T; N]) -> T {
     if let Some(x) = v.iter().find(|x| !x.is_finite()) {
         return x.abs();
     }
-    let largest = v.iter().fold(zero, |largest, x| largest.max(x.abs()));
+    let largest = largest_magnitude(&v);
     if largest == zero {
         return zero;
     }
@@ -189,7 +196,7 @@ pub fn norm<T: Real, const N: usize>(v: [T; N]) -> T {
 #[must_use]
 pub fn unit<T: Real, const N: usize>(v: [T; N]) -> Option<[T; N]> {
     let zero = T::constant(0.0);
-    let largest = v.iter().fold(zero, |largest, x| largest.max(x.abs()));
+    let largest = largest_magnitude(&v);
     let length = norm(v);
     if length < T::MIN_POSITIVE && length > zero {
         // A subnormal length has few digits; a larger multiple of the vector has them all.

@@ -17,7 +17,7 @@
 
 use crate::error::Error;
 use crate::matrix::rotation::from_axis_angle;
-use crate::matrix::vector::{add, cross, matrix_product, norm, product, scale, sub};
+use crate::matrix::vector::{add, cross, identity, matrix_product, norm, product, scale, sub};
 use crate::matrix::{Acceleration, Pose, Velocity};
 use crate::scalar::{Real, Scalar};
 
@@ -272,7 +272,7 @@ pub fn second_rates<T: Real>(
 /// The three rotations.
 #[inline]
 fn elementary<T: Scalar>(sequence: Sequence, angles: [T; 3]) -> [[[T; 3]; 3]; 3] {
-    let [i, j, k] = sequence.axes().map(unit_vector);
+    let [i, j, k] = unit_vectors(sequence);
     let [alpha, beta, gamma] = angles;
     [
         from_axis_angle(i, alpha),
@@ -281,19 +281,22 @@ fn elementary<T: Scalar>(sequence: Sequence, angles: [T; 3]) -> [[[T; 3]; 3]; 3]
     ]
 }
 
+/// The unit vectors of the three axes.
 #[inline]
-fn unit_vector<T: Scalar>(axis: usize) -> [T; 3] {
-    core::array::from_fn(|i| T::constant(if i == axis { 1.0 } else { 0.0 }))
+fn unit_vectors<T: Scalar>(sequence: Sequence) -> [[T; 3]; 3] {
+    let unit_vectors = identity();
+    sequence.axes().map(|axis| unit_vectors[axis])
 }
 
 /// The axes of the three rotations, each carried by those before it.
 #[inline]
 fn axes_in_space<T: Scalar>(sequence: Sequence, angles: [T; 3]) -> [[T; 3]; 3] {
-    let [i, j, k] = sequence.axes().map(unit_vector);
+    let [i, j, k] = unit_vectors(sequence);
     let [first, second, _] = elementary(sequence, angles);
     [i, product(&first, j), product(&first, product(&second, k))]
 }
 
+/// x₁ e₁ + x₂ e₂ + x₃ e₃.
 #[inline]
 fn combination<T: Scalar>(e: &[[T; 3]; 3], x: [T; 3]) -> [T; 3] {
     add(add(scale(x[0], e[0]), scale(x[1], e[1])), scale(x[2], e[2]))

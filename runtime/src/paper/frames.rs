@@ -4,10 +4,11 @@
 //! first direction exactly along its axis, the second in its half-plane. Data that determine no
 //! frame are refused.
 
+use super::geometry::refuse_parallel;
 use crate::error::{Error, finite};
 use crate::matrix::Pose;
-use crate::matrix::vector::{cross, negate, norm, sub, transpose, unit};
-use crate::scalar::Real;
+use crate::matrix::vector::{cross, dot, identity, negate, norm, scale, sub, transpose, unit};
+use crate::scalar::{Real, Scalar};
 
 /// A coordinate axis.
 ///
@@ -38,9 +39,8 @@ impl Axis {
     ///
     /// SPACELIB: `axis`.
     #[must_use]
-    pub fn unit_vector<T: Real>(self) -> [T; 3] {
-        let index = self.index();
-        core::array::from_fn(|i| T::constant(if i == index { 1.0 } else { 0.0 }))
+    pub fn unit_vector<T: Scalar>(self) -> [T; 3] {
+        identity()[self.index()]
     }
 }
 
@@ -80,13 +80,7 @@ pub fn rotation_from_vectors<T: Real>(
     let a = unit(v).ok_or(zero_length("the length of the first vector"))?;
     let b = unit(w).ok_or(zero_length("the length of the second vector"))?;
     let normal = cross(a, b);
-    let sine = norm(normal);
-    if sine <= T::constant(4.0) * T::EPSILON {
-        return Err(Error::Degenerate {
-            quantity: "the sine of the angle between the vectors",
-            value: sine.to_f64(),
-        });
-    }
+    refuse_parallel("the sine of the angle between the vectors", norm(normal))?;
     // The second product, and the normal again, are orthogonal to rounding even for a small sine.
     let normal = orthogonal_unit(normal, a);
     let b = cross(normal, a);
@@ -102,8 +96,8 @@ pub fn rotation_from_vectors<T: Real>(
 fn orthogonal_unit<T: Real>(x: [T; 3], a: [T; 3]) -> [T; 3] {
     let straight = |x: [T; 3]| {
         let x = unit(x).unwrap_or(x);
-        let along = crate::vector::dot(x, a);
-        sub(x, crate::vector::scale(along, a))
+        let along = dot(x, a);
+        sub(x, scale(along, a))
     };
     // Once more than once is enough (W. Kahan, in Parlett, The Symmetric Eigenvalue Problem, § 6-9).
     let x = straight(straight(x));

@@ -55,7 +55,7 @@ impl<T: Real> Line<T> {
         finite("a coordinate of the point", &point)?;
         Ok(Self {
             point,
-            direction: unit_of("the direction of the line", direction)?,
+            direction: unit_or_refuse("the direction of the line", direction)?,
         })
     }
 
@@ -115,12 +115,7 @@ impl<T: Real> Line<T> {
         let normal = cross(self.direction, other.direction);
         let square = dot(normal, normal);
         let sine = norm(normal);
-        if sine <= T::constant(4.0) * T::EPSILON {
-            return Err(Error::Degenerate {
-                quantity: "the sine of the angle between the lines",
-                value: sine.to_f64(),
-            });
-        }
+        refuse_parallel("the sine of the angle between the lines", sine)?;
         let between = sub(other.point, self.point);
         // n × d₂ is perpendicular to the second line and to the common normal.
         let along_first = dot(between, cross(other.direction, normal)) / square;
@@ -143,7 +138,7 @@ impl<T: Real> Plane<T> {
     /// [`Error::NotFinite`]; [`Error::Degenerate`] for the zero vector.
     pub fn from_point_and_normal(point: [T; 3], normal: [T; 3]) -> Result<Self, Error> {
         finite("a coordinate of the point", &point)?;
-        let normal = unit_of("the normal of the plane", normal)?;
+        let normal = unit_or_refuse("the normal of the plane", normal)?;
         Ok(Self {
             normal,
             offset: dot(normal, point),
@@ -158,16 +153,10 @@ impl<T: Real> Plane<T> {
     ///
     /// [`Error::NotFinite`]; [`Error::Degenerate`] for points that lie on one line to rounding.
     pub fn through(a: [T; 3], b: [T; 3], c: [T; 3]) -> Result<Self, Error> {
-        let first = unit_of("the distance of the first two points", sub(b, a))?;
-        let second = unit_of("the distance of the first and third points", sub(c, a))?;
+        let first = unit_or_refuse("the distance of the first two points", sub(b, a))?;
+        let second = unit_or_refuse("the distance of the first and third points", sub(c, a))?;
         let normal = cross(first, second);
-        let sine = norm(normal);
-        if sine <= T::constant(4.0) * T::EPSILON {
-            return Err(Error::Degenerate {
-                quantity: "the sine of the angle at the first point",
-                value: sine.to_f64(),
-            });
-        }
+        refuse_parallel("the sine of the angle at the first point", norm(normal))?;
         Self::from_point_and_normal(a, normal)
     }
 
@@ -212,13 +201,7 @@ impl<T: Real> Plane<T> {
     /// [`Error::Degenerate`] for planes that are parallel to rounding.
     pub fn intersection(&self, other: &Self) -> Result<Line<T>, Error> {
         let direction = cross(self.normal, other.normal);
-        let sine = norm(direction);
-        if sine <= T::constant(4.0) * T::EPSILON {
-            return Err(Error::Degenerate {
-                quantity: "the sine of the angle between the planes",
-                value: sine.to_f64(),
-            });
-        }
+        refuse_parallel("the sine of the angle between the planes", norm(direction))?;
         let weighted = sub(
             scale(self.offset, other.normal),
             scale(other.offset, self.normal),
@@ -236,12 +219,7 @@ impl<T: Real> Plane<T> {
     /// [`Error::Degenerate`] for a line that is parallel to the plane to rounding.
     pub fn intersection_with_line(&self, line: &Line<T>) -> Result<[T; 3], Error> {
         let sine = dot(self.normal, line.direction);
-        if sine.abs() <= T::constant(4.0) * T::EPSILON {
-            return Err(Error::Degenerate {
-                quantity: "the sine of the angle between line and plane",
-                value: sine.to_f64(),
-            });
-        }
+        refuse_parallel("the sine of the angle between line and plane", sine)?;
         let along = -self.distance(line.point) / sine;
         Ok(add(line.point, scale(along, line.direction)))
     }
@@ -288,10 +266,21 @@ pub fn middle<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
 }
 
 /// The unit vector along `v`, or what is wrong with it.
-fn unit_of<T: Real>(quantity: &'static str, v: [T; 3]) -> Result<[T; 3], Error> {
+fn unit_or_refuse<T: Real>(quantity: &'static str, v: [T; 3]) -> Result<[T; 3], Error> {
     finite(quantity, &v)?;
     unit(v).ok_or(Error::Degenerate {
         quantity,
         value: 0.0,
     })
+}
+
+/// Refuses the sine of an angle that is zero to rounding.
+pub(super) fn refuse_parallel<T: Real>(quantity: &'static str, sine: T) -> Result<(), Error> {
+    if sine.abs() <= T::constant(4.0) * T::EPSILON {
+        return Err(Error::Degenerate {
+            quantity,
+            value: sine.to_f64(),
+        });
+    }
+    Ok(())
 }

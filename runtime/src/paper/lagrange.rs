@@ -4,7 +4,7 @@
 //! coordinates, the mass matrix, the bias and the torques (Part II, Lagrange). It says the same as
 //! Newton–Euler in [`crate::open_chain`] by another way, and never calls it.
 
-use super::open_chain::{bias_accelerations, inertias, poses, screws};
+use super::open_chain::{bias_accelerations, inertias, poses, screws, sums_over_carried};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Screw};
 use crate::robot::chain::Chain;
 use crate::scalar::Scalar;
@@ -48,12 +48,7 @@ pub fn mass_matrix<T: Scalar, const N: usize, const F: usize>(
 ) -> [[T; N]; N] {
     let poses = poses(chain, q);
     let screws = screws(chain, &poses);
-    let mut carried = inertias(chain, &poses);
-    for i in (0..N).rev() {
-        if let Some(parent) = chain.parent(i) {
-            carried[parent] = carried[parent] + carried[i];
-        }
-    }
+    let carried = sums_over_carried(chain, inertias(chain, &poses), |sum, j| sum + j);
     from_fn(|i| {
         from_fn(|m| {
             let (inner, outer) = (i.min(m), i.max(m));
@@ -82,15 +77,10 @@ pub fn bias<T: Scalar, const N: usize, const F: usize>(
     let (screws, inertias) = (screws(chain, &poses), inertias(chain, &poses));
     let gravity = chain.gravity.map(T::constant);
     let h = bias_accelerations(chain, q, qd).map(|h: Acceleration<T>| h.less_gravity(gravity));
-    let mut forces: [[[T; 4]; 4]; N] =
+    let forces: [[[T; 4]; 4]; N] =
         from_fn(|i| product(&h[i].to_matrix(), &inertias[i].to_matrix()));
-    let mut actions = *external;
-    for i in (0..N).rev() {
-        if let Some(parent) = chain.parent(i) {
-            forces[parent] = sum(&forces[parent], &forces[i]);
-            actions[parent] = actions[parent] + actions[i];
-        }
-    }
+    let forces = sums_over_carried(chain, forces, |x, y| sum(&x, &y));
+    let actions = sums_over_carried(chain, *external, |sum, action| sum + action);
     from_fn(|m| {
         trace_with_transpose(&forces[m], &screws[m].to_matrix())
             - screws[m].pseudo_scalar_product(&actions[m])

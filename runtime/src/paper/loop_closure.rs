@@ -7,14 +7,20 @@
 //!
 //! Inverse kinematics is the same problem: the target is a frame of the base that the tip must meet.
 
-use super::open_chain::{Motion, commutator, motions, poses, rounded_pose, screws};
-use super::singular_values;
-use crate::matrix::vector::{norm, scale};
-use crate::matrix::{Acceleration, Displacement, Pose, Screw};
-use crate::robot::chain::{Chain, Frame};
+mod found;
+mod gap;
+mod linear;
+
+use super::open_chain::{Motion, motions, poses, rounded_pose, screws};
+use crate::matrix::Pose;
+use crate::matrix::vector::{largest_magnitude, norm};
+use crate::robot::chain::{Chain, Frame, UNMOVED};
 use crate::scalar::Real;
 use core::array::from_fn;
-use core::fmt::{self, Display, Formatter};
+use gap::{components, components_of_rate, missing_screw, relative_acceleration};
+use linear::{Linear, with_lengths_in_parts_of};
+
+pub use found::{NotClosed, Position, Rates};
 
 /// A chain whose frames are joined in `K` closed loops.
 ///
@@ -57,52 +63,6 @@ impl<const N: usize, const F: usize> ClosedChain<N, F, 1> {
     }
 }
 
-/// Coordinates at which the loops are closed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Position<T, const N: usize> {
-    /// q [rad, m].
-    pub q: [T; N],
-    /// How far the loops are from closed: the largest component of the screws that are missing, in
-    /// rad, or in parts of the size of the mechanism.
-    pub residual: T,
-    /// The steps that led to `q`.
-    pub iterations: usize,
-    /// Whether the joints that are not driven cannot be found to first order here: a dead centre.
-    pub is_singular: bool,
-}
-
-/// The loops do not close: out of reach, or too far from the start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NotClosed {
-    /// The smallest distance from closed that was met, as in [`Position::residual`].
-    pub residual: f64,
-    /// The steps taken.
-    pub iterations: usize,
-}
-
-/// Rates or second rates of all joints.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rates<T, const N: usize> {
-    /// q̇ [rad/s, m/s] or q̈ [rad/s², m/s²]; where they are not determined, those of least norm
-    /// among the ones that come closest.
-    pub values: [T; N],
-    /// The rank of the columns of A that belong to the joints sought.
-    pub rank: usize,
-    /// The number of joints sought.
-    pub sought: usize,
-    /// The largest row of what remains of A q̇ = 0 or A q̈ = b, lengths in parts of the size of the
-    /// mechanism: rounding, or more where the driving joints contradict the loops.
-    pub residual: T,
-}
-
-impl<T, const N: usize> Rates<T, N> {
-    /// Whether the driving joints leave some joint undetermined: a dead centre, or too few of them.
-    #[must_use]
-    pub fn is_singular(&self) -> bool {
-        self.rank < self.sought
-    }
-}
-
 /// The matrix A: of each loop six rows u_x … b_z, one column (u, b) a joint (Part II, closed loops).
 ///
 /// A column is L of the joint in the frame `right` of the loop, pole at its origin; negative for a
@@ -137,7 +97,7 @@ pub fn rank<T: Real, const N: usize, const F: usize, const K: usize>(
     q: &[T; N],
 ) -> usize {
     let nothing = [[T::constant(0.0); 6]; K];
-    Linear::at(closed, q, &[None; N]).solve(nothing).0
+    linear_at(closed, q, &[None; N]).solve(nothing).0
 }
 
 /// The mobility at `q`: the number of joints less the rank of A (Part II, closed loops).
@@ -172,16 +132,16 @@ pub fn position<T: Real, const N: usize, const F: usize, const K: usize>(
     });
     let size = size(closed);
     let mut q: [T; N] = from_fn(|i| driving[i].unwrap_or(start[i]));
-    let (mut screws, residual) = missing(closed, &q, size);
+    let (mut screws, residual) = gaps(closed, &q, size);
     let mut best = (residual, q, 0);
     let (mut iterations, mut in_vain) = (0, 0);
     while iterations < STEPS && (best.0 > tolerance || in_vain < 2) {
-        let linear = Linear::at(closed, &q, driving);
+        let linear = linear_at(closed, &q, driving);
         let (_, step) = linear.solve(screws.map(|screw| screw.map(|x| -x)));
-        let factor = limited(closed, &step, size);
+        let factor = step_factor(closed, &step, size);
         q = from_fn(|i| driving[i].unwrap_or(q[i] + factor * step[i]));
         let residual;
-        (screws, residual) = missing(closed, &q, size);
+        (screws, residual) = gaps(closed, &q, size);
         iterations += 1;
         // Rounding may make a residual a little smaller for a long time.
         let helps = residual + residual < best.0;
@@ -195,13 +155,13 @@ pub fn position<T: Real, const N: usize, const F: usize, const K: usize>(
     }
     let (residual, q, needed) = best;
     if residual <= tolerance {
-        let linear = Linear::at(closed, &q, driving);
+        let linear = linear_at(closed, &q, driving);
         let (rank, _) = linear.solve([[T::constant(0.0); 6]; K]);
         Ok(Position {
             q,
             residual,
             iterations: needed,
-            is_singular: rank < sought(driving),
+            is_singular: rank < linear.number_sought,
         })
     } else {
         Err(NotClosed {
@@ -219,7 +179,7 @@ pub fn velocity<T: Real, const N: usize, const F: usize, const K: usize>(
     q: &[T; N],
     driving: &[Option<T>; N],
 ) -> Rates<T, N> {
-    Linear::at(closed, q, driving).rates([[T::constant(0.0); 6]; K], driving)
+    linear_at(closed, q, driving).rates([[T::constant(0.0); 6]; K], driving)
 }
 
 /// The second rates of all joints at `q` and `qd`: A q̈ = b(H̃) with the `driving` second rates given,
@@ -234,121 +194,23 @@ pub fn acceleration<T: Real, const N: usize, const F: usize, const K: usize>(
     let motions = motions(&closed.chain, q, qd, &[T::constant(0.0); N]);
     let poses = motions.map(|motion| motion.pose);
     let b = closed.closures.map(|closure| {
-        let of = |frame: &Frame| {
+        let motion_of = |frame: &Frame| {
             let motion = frame.body.and_then(|i| motions.get(i));
             motion.copied().unwrap_or_else(Motion::identity)
         };
-        let (left, right) = (of(&closure.left), of(&closure.right));
+        let (left, right) = (motion_of(&closure.left), motion_of(&closure.right));
         let m_right_0 = pose_of(&closure.right, &poses).inverse();
-        let h = relative(&left, &right);
+        let h = relative_acceleration(&left, &right);
         components_of_rate(&m_right_0.change_frame(&h)).map(|x| -x)
     });
-    Linear::at(closed, q, driving).rates(b, driving)
+    linear_at(closed, q, driving).rates(b, driving)
 }
 
 /// Steps after which Newton–Raphson gives up; a dead centre takes about 30.
 const STEPS: usize = 100;
 
-/// The identity, as a constant.
-const UNMOVED: Pose<f64> = Pose::new(
-    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-    [0.0; 3],
-);
-
-/// A x = y with lengths in parts of the size of the mechanism.
-struct Linear<T, const N: usize, const K: usize> {
-    /// All columns of A.
-    all: [[[T; N]; 6]; K],
-    /// The columns of the joints sought; zero in the others.
-    sought: [[[T; N]; 6]; K],
-    size: T,
-}
-
-impl<T: Real, const N: usize, const K: usize> Linear<T, N, K> {
-    fn at<const F: usize>(
-        closed: &ClosedChain<N, F, K>,
-        q: &[T; N],
-        driving: &[Option<T>; N],
-    ) -> Self {
-        let size = size(closed);
-        let all = matrix(closed, q).map(|[ux, uy, uz, bx, by, bz]| {
-            let [bx, by, bz] = [bx, by, bz].map(|row| row.map(|x| x / size));
-            [ux, uy, uz, bx, by, bz]
-        });
-        let zero = T::constant(0.0);
-        let sought = all.map(|rows| {
-            rows.map(|row| from_fn(|i| if driving[i].is_some() { zero } else { row[i] }))
-        });
-        Self { all, sought, size }
-    }
-
-    /// Rank and least-squares solution of the columns sought, for a right-hand side in true lengths.
-    fn solve(&self, right: [[T; 6]; K]) -> (usize, [T; N]) {
-        let (mut a, mut y) = (self.sought, right.map(|y| scaled(y, self.size)));
-        singular_values::solve(a.as_flattened_mut(), y.as_flattened_mut())
-    }
-
-    /// The joints sought, such that A q̇ = `right` together with the `driving` ones.
-    fn rates(&self, right: [[T; 6]; K], driving: &[Option<T>; N]) -> Rates<T, N> {
-        let zero = T::constant(0.0);
-        let driven: [T; N] = from_fn(|i| driving[i].unwrap_or(zero));
-        let right = right.map(|y| scaled(y, self.size));
-        let mut y: [[T; 6]; K] =
-            from_fn(|k| from_fn(|row| right[k][row] - product(&self.all[k][row], &driven)));
-        let mut a = self.sought;
-        let (rank, x) = singular_values::solve(a.as_flattened_mut(), y.as_flattened_mut());
-        let values = from_fn(|i| driving[i].unwrap_or(x[i]));
-        let rows = self.all.as_flattened().iter().zip(right.as_flattened());
-        let residual = rows.fold(zero, |largest, (row, y)| {
-            largest.max((product(row, &values) - *y).abs())
-        });
-        Rates {
-            values,
-            rank,
-            sought: sought(driving),
-            residual,
-        }
-    }
-}
-
-/// The screws that are missing from closed loops, (φ u, φ b) of M_right,left = exp(L φ) in the frame
-/// `right`, and their largest component.
-fn missing<T: Real, const N: usize, const F: usize, const K: usize>(
-    closed: &ClosedChain<N, F, K>,
-    q: &[T; N],
-    size: T,
-) -> ([[T; 6]; K], T) {
-    let poses = poses(&closed.chain, q);
-    let gaps = closed
-        .closures
-        .map(|closure| pose_of(&closure.right, &poses).inverse() * pose_of(&closure.left, &poses));
-    let screws = gaps.map(|m_right_left| {
-        let (l, phi) = Displacement::from_relative_pose(m_right_left).log();
-        components(&Screw::new(scale(phi, l.u()), scale(phi, l.b())))
-    });
-    let all = screws.map(|screw| scaled(screw, size));
-    let largest = |largest: T, x: &T| largest.max(x.abs());
-    let largest = all.as_flattened().iter().fold(T::constant(0.0), largest);
-    // Neither the logarithm nor the maximum lets a NaN through; the sum of all entries does.
-    let sum = gaps.iter().fold(T::constant(0.0), |sum, m| {
-        let rows = m.to_matrix();
-        rows.as_flattened().iter().fold(sum, |sum, x| sum + x.abs())
-    });
-    (screws, if sum.is_finite() { largest } else { sum })
-}
-
-/// H of left relative to right at W = 0, from both relative to the base: Ẇ of the difference, with
-/// the part that is only due to the motion of `right` taken away (13).
-fn relative<T: Real>(left: &Motion<T>, right: &Motion<T>) -> Acceleration<T> {
-    let w = left.velocity - right.velocity;
-    let w_dot = left.acceleration.velocity_derivative(&left.velocity)
-        - right.acceleration.velocity_derivative(&right.velocity);
-    let carried = commutator(&right.velocity, &w);
-    Acceleration::from_velocity_derivative(&w, &(w_dot - carried))
-}
-
 /// The factor that keeps a step below 1 rad in every joint, or below the size of the mechanism.
-fn limited<T: Real, const N: usize, const F: usize, const K: usize>(
+fn step_factor<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
     step: &[T; N],
     size: T,
@@ -362,6 +224,37 @@ fn limited<T: Real, const N: usize, const F: usize, const K: usize>(
         }
     });
     one / turns.fold(one, T::max)
+}
+
+/// A at `q`, to be solved for the joints that are not driven.
+fn linear_at<T: Real, const N: usize, const F: usize, const K: usize>(
+    closed: &ClosedChain<N, F, K>,
+    q: &[T; N],
+    driving: &[Option<T>; N],
+) -> Linear<T, N, K> {
+    Linear::new(matrix(closed, q), size(closed), driving)
+}
+
+/// The screws that are missing from closed loops, (φ u, φ b) of M_right,left = exp(L φ) in the frame
+/// `right`, and their largest component.
+fn gaps<T: Real, const N: usize, const F: usize, const K: usize>(
+    closed: &ClosedChain<N, F, K>,
+    q: &[T; N],
+    size: T,
+) -> ([[T; 6]; K], T) {
+    let poses = poses(&closed.chain, q);
+    let gaps = closed
+        .closures
+        .map(|closure| pose_of(&closure.right, &poses).inverse() * pose_of(&closure.left, &poses));
+    let screws = gaps.map(missing_screw);
+    let all = screws.map(|screw| with_lengths_in_parts_of(size, screw));
+    let largest = largest_magnitude(all.as_flattened());
+    // Neither the logarithm nor the maximum lets a NaN through; the sum of all entries does.
+    let sum = gaps.iter().fold(T::constant(0.0), |sum, m| {
+        let rows = m.to_matrix();
+        rows.as_flattened().iter().fold(sum, |sum, x| sum + x.abs())
+    });
+    (screws, if sum.is_finite() { largest } else { sum })
 }
 
 /// A length that belongs to the mechanism: the sum of the distances from joint to joint; 1 m where
@@ -387,41 +280,3 @@ fn pose_of<T: Real, const N: usize>(frame: &Frame, poses: &[Pose<T>; N]) -> Pose
         None => placement,
     }
 }
-
-/// u_x … b_z.
-fn components<T: Real>(l: &Screw<T>) -> [T; 6] {
-    let ([ux, uy, uz], [bx, by, bz]) = (l.u(), l.b());
-    [ux, uy, uz, bx, by, bz]
-}
-
-/// ω̇_x … a_z.
-fn components_of_rate<T: Real>(h: &Acceleration<T>) -> [T; 6] {
-    let ([px, py, pz], [ax, ay, az]) = (h.omega_dot(), h.a());
-    [px, py, pz, ax, ay, az]
-}
-
-/// The lower three divided by a length.
-fn scaled<T: Real>([ux, uy, uz, bx, by, bz]: [T; 6], size: T) -> [T; 6] {
-    [ux, uy, uz, bx / size, by / size, bz / size]
-}
-
-fn sought<T, const N: usize>(driving: &[Option<T>; N]) -> usize {
-    driving.iter().filter(|driven| driven.is_none()).count()
-}
-
-fn product<T: Real, const N: usize>(row: &[T; N], x: &[T; N]) -> T {
-    let products = row.iter().zip(x).map(|(a, x)| *a * *x);
-    products.fold(T::constant(0.0), |sum, product| sum + product)
-}
-
-impl Display for NotClosed {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the loops do not close: {:.1e} rad, or parts of the size of the mechanism, remain after {} steps",
-            self.residual, self.iterations
-        )
-    }
-}
-
-impl core::error::Error for NotClosed {}

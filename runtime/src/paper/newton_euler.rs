@@ -5,6 +5,7 @@
 //! are its two ends.
 
 use crate::error::{Error, finite};
+use crate::matrix::vector::largest_magnitude;
 use crate::matrix::{Acceleration, Action, Inertia, Momentum, Velocity};
 use crate::scalar::Real;
 use core::array::from_fn;
@@ -120,7 +121,7 @@ fn solve<T: Real>(
     }
     finite("a given component", given)?;
     // (A, −1) (x; y) = 0: given columns go to the right-hand side, the six others are the system.
-    let a = map(inertia);
+    let a = spatial_inertia(inertia);
     let coefficient = |i: usize, k: usize| match a[i].get(k) {
         Some(entry) => *entry,
         None if k == i + 6 => T::constant(-1.0),
@@ -153,8 +154,8 @@ fn solve<T: Real>(
     ))
 }
 
-/// The 6×6 matrix of W ↦ skew\[W J\], column by column.
-fn map<T: Real>(inertia: &Inertia<T>) -> [[T; 6]; 6] {
+/// The 6×6 matrix of W ↦ skew\[W J\], as rows; found column by column.
+fn spatial_inertia<T: Real>(inertia: &Inertia<T>) -> [[T; 6]; 6] {
     let columns: [[T; 6]; 6] = from_fn(|k| {
         let unit = |i: usize| T::constant(if i == k { 1.0 } else { 0.0 });
         let w = Velocity::new([unit(0), unit(1), unit(2)], [unit(3), unit(4), unit(5)]);
@@ -168,16 +169,15 @@ fn map<T: Real>(inertia: &Inertia<T>) -> [[T; 6]; 6] {
 /// Gauss–Jordan elimination with complete pivoting on rows and columns scaled to a largest entry 1.
 fn eliminate<T: Real>(mut system: [[T; 7]; 6]) -> Result<[T; 6], Error> {
     let (zero, one) = (T::constant(0.0), T::constant(1.0));
-    let largest = |entries: [T; 6]| entries.iter().fold(zero, |m, x| m.max(x.abs()));
     let scale: [T; 6] = from_fn(|j| {
-        let scale = largest(from_fn(|i| system[i][j]));
+        let scale = largest_magnitude(system.iter().map(|row| &row[j]));
         if scale > zero { scale } else { one }
     });
     for row in &mut system {
         for (entry, scale) in row.iter_mut().zip(&scale) {
             *entry = *entry / *scale;
         }
-        let size = row.iter().take(6).fold(zero, |m, x| m.max(x.abs()));
+        let size = largest_magnitude(row.iter().take(6));
         if size > zero {
             *row = row.map(|x| x / size);
         }

@@ -8,7 +8,7 @@ use crate::error::{Error, finite};
 use crate::matrix::Pose;
 use crate::matrix::rotation::from_quaternion;
 use crate::matrix::symmetric::eigen;
-use crate::matrix::vector::unit;
+use crate::matrix::vector::{largest_magnitude, unit};
 use crate::scalar::{Real, Scalar};
 use core::array::from_fn;
 
@@ -26,7 +26,7 @@ use core::array::from_fn;
 pub fn nearest_rotation<T: Real>(matrix: &[[T; 3]; 3]) -> Result<[[T; 3]; 3], Error> {
     finite("an entry of R", matrix.iter().flatten())?;
     let zero = T::constant(0.0);
-    let largest = matrix.iter().flatten().fold(zero, |m, x| m.max(x.abs()));
+    let largest = largest_magnitude(matrix.as_flattened());
     let scale = if largest > zero {
         largest
     } else {

@@ -166,16 +166,16 @@ pub fn bias_acceleration_as_sum<T: Scalar, const N: usize, const F: usize>(
     velocities: &[Velocity<T>; N],
     body: usize,
 ) -> Acceleration<T> {
-    let of = |body: Option<usize>| body.map_or_else(Velocity::zero, |i| velocities[i]);
+    let velocity_of = |body: Option<usize>| body.map_or_else(Velocity::zero, |i| velocities[i]);
     let mut sum = Velocity::zero();
     let mut at = Some(body).filter(|i| *i < N);
     while let Some(i) = at {
         let parent = chain.parent(i);
-        let w_0_parent = of(parent);
+        let w_0_parent = velocity_of(parent);
         sum = sum + commutator(&w_0_parent, &(velocities[i] - w_0_parent));
         at = parent;
     }
-    Acceleration::from_velocity_derivative(&of(Some(body).filter(|i| *i < N)), &sum)
+    Acceleration::from_velocity_derivative(&velocity_of(Some(body).filter(|i| *i < N)), &sum)
 }
 
 /// A B − B A = (a̲ × b, …): the rate of the velocity matrix B that is carried along with the
@@ -205,16 +205,27 @@ pub fn joint_actions<T: Scalar, const N: usize, const F: usize>(
     let motions = motions(chain, q, qd, qdd);
     let inertias = inertias(chain, &motions.map(|motion| motion.pose));
     let gravity = chain.gravity.map(T::constant);
-    let mut through: [Action<T>; N] = from_fn(|i| {
+    let own: [Action<T>; N] = from_fn(|i| {
         let h = motions[i].acceleration.less_gravity(gravity);
         inertias[i].action(&h) - external[i]
     });
+    sums_over_carried(chain, own, |sum, action| sum + action)
+}
+
+/// Of what belongs to each body the sum over the bodies that each joint carries: children come after
+/// their parents.
+pub(super) fn sums_over_carried<X: Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    own: [X; N],
+    add: impl Fn(X, X) -> X,
+) -> [X; N] {
+    let mut sums = own;
     for i in (0..N).rev() {
         if let Some(parent) = chain.parent(i) {
-            through[parent] = through[parent] + through[i];
+            sums[parent] = add(sums[parent], sums[i]);
         }
     }
-    through
+    sums
 }
 
 /// The torques [N m] and forces \[N\] of the joints, L ⊗ Φ of [`joint_actions`]

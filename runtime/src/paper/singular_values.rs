@@ -75,7 +75,8 @@ fn orthogonalize<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) {
     }
 }
 
-fn dot<T: Real, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
+/// a · b, of any length.
+pub(super) fn dot<T: Real, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
     let products = a.iter().zip(b).map(|(a, b)| *a * *b);
     products.fold(T::constant(0.0), |sum, product| sum + product)
 }

@@ -153,7 +153,7 @@ impl Frame {
 }
 
 /// The identity, as a constant.
-const UNMOVED: Pose<f64> = Pose::new(
+pub(crate) const UNMOVED: Pose<f64> = Pose::new(
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
     [0.0; 3],
 );

@@ -57,11 +57,11 @@ fn together<T: Copy + Default, const N: usize>(
     let (cosine_blocks, last_cosines) = cosines.as_chunks_mut();
     let (blocks, last) = angles.as_chunks();
     for ((block, sines), cosines) in blocks.iter().zip(sine_blocks).zip(cosine_blocks) {
-        (*sines, *cosines) = of_block(block, &sin_cos);
+        (*sines, *cosines) = sin_cos_block(block, &sin_cos);
     }
     let mut block = [T::default(); BLOCK];
     copy(last, &mut block);
-    let (block_sines, block_cosines) = of_block(&block, &sin_cos);
+    let (block_sines, block_cosines) = sin_cos_block(&block, &sin_cos);
     copy(&block_sines, last_sines);
     copy(&block_cosines, last_cosines);
     (sines, cosines)
@@ -80,7 +80,7 @@ const BLOCK: usize = if cfg!(any(
 
 /// Applies `sin_cos` to one block.
 #[inline]
-fn of_block<T: Copy + Default>(
+fn sin_cos_block<T: Copy + Default>(
     angles: &[T; BLOCK],
     sin_cos: impl Fn(T) -> (T, T),
 ) -> ([T; BLOCK], [T; BLOCK]) {

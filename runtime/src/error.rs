@@ -1,7 +1,8 @@
 //! What can be wrong with numbers that were handed in.
 //!
-//! In: nothing. Out: one enumeration that names the quantity and its value. Functions that check
-//! return it; functions that do not check say so in their documentation, and none panics.
+//! In: nothing, or numbers that must be finite. Out: one enumeration that names the quantity and its
+//! value. Functions that check return it; functions that do not check say so in their documentation,
+//! and none panics.
 
 use crate::scalar::Real;
 use core::fmt::{self, Display, Formatter};

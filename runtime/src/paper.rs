@@ -3,8 +3,8 @@
 //! Here belong the ways into and out of the matrices (angles, frames from points, Denavit and
 //! Hartenberg's numbers, the logarithm, the nearest rotation), the geometry of points, lines and
 //! planes, and Part II as it is printed: open chains, Lagrange, closed loops and two worked
-//! examples. It is there to be used and read: generated code names nothing of it, and is not held
-//! against it; that is what the recursions in `reference` are for.
+//! examples. It is there to be used and read: generated code names nothing of it, and what generated
+//! functions return is not held against it, but against the recursions in `reference`.
 
 pub mod angles;
 pub mod denavit_hartenberg;

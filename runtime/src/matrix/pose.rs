@@ -1,7 +1,7 @@
 //! M, the position matrix.
 //!
-//! In: a rotation and a translation. Out: the pose of frame (j) in frame (i), with the product that
-//! composes poses and the change of frame of every other matrix. It never orthogonalises by itself;
+//! In: a rotation and a translation. Out: the pose of frame (j) in frame (i), its inverse, and its
+//! products with poses, points and directions. It never orthogonalises by itself;
 //! [`crate::normalize`] does, when asked.
 
 use super::point::{Direction, Point};

@@ -15,6 +15,7 @@
 //! assert!((found[1] - pitch).abs() < 1e-15);
 //! ```
 
+use super::frames::are_cyclic;
 use crate::error::Error;
 use crate::matrix::rotation::from_axis_angle;
 use crate::matrix::vector::{add, cross, identity, matrix_product, norm, product, scale, sub};
@@ -99,9 +100,9 @@ impl Sequence {
     }
 
     /// i, j, the axis that is neither, and whether these three are a cyclic order of x, y, z.
-    const fn frame(self) -> ([usize; 3], bool) {
+    const fn axes_and_sense(self) -> ([usize; 3], bool) {
         let [i, j, _] = self.axes();
-        ([i, j, 3 - i - j], (j + 3 - i) % 3 == 1)
+        ([i, j, 3 - i - j], are_cyclic(i, j))
     }
 }
 
@@ -133,7 +134,7 @@ pub fn pose<T: Scalar>(sequence: Sequence, angles: [T; 3], origin: [T; 3]) -> Po
 /// SPACELIB: `rtocarda`, `rtoeuler`, `mtocarda`, `mtoeuler`.
 #[must_use]
 pub fn from_rotation<T: Real>(sequence: Sequence, rotation: &[[T; 3]; 3]) -> [T; 3] {
-    let ([i, j, k], cyclic) = sequence.frame();
+    let ([i, j, k], cyclic) = sequence.axes_and_sense();
     let r = rotation;
     let signed = |x: T| if cyclic { x } else { -x };
     let zero = T::constant(0.0);
@@ -320,7 +321,7 @@ fn components<T: Real>(
     [alpha, beta, _]: [T; 3],
     v: [T; 3],
 ) -> Result<[T; 3], Error> {
-    let ([i, j, k], cyclic) = sequence.frame();
+    let ([i, j, k], cyclic) = sequence.axes_and_sense();
     let signed = |x: T| if cyclic { x } else { -x };
     let ((sin_alpha, cos_alpha), (sin_beta, cos_beta)) = (alpha.sin_cos(), beta.sin_cos());
     let along_j = cos_alpha * v[j] + signed(sin_alpha) * v[k];

@@ -44,6 +44,11 @@ impl Axis {
     }
 }
 
+/// Whether axes i and j and the third one are a cyclic order of x, y, z.
+pub(super) const fn are_cyclic(i: usize, j: usize) -> bool {
+    (j + 3 - i) % 3 == 1
+}
+
 /// The rotation whose axis `first` has the direction `v`, and whose axis `second` lies in the half
 /// plane of `v` and `w`, as rows.
 ///
@@ -85,10 +90,13 @@ pub fn rotation_from_vectors<T: Real>(
     let normal = orthogonal_unit(normal, a);
     let b = cross(normal, a);
     let (i, j) = (first.index(), second.index());
-    let cyclic = (j + 3 - i) % 3 == 1;
     let mut axes = [a; 3];
     axes[j] = b;
-    axes[3 - i - j] = if cyclic { normal } else { negate(normal) };
+    axes[3 - i - j] = if are_cyclic(i, j) {
+        normal
+    } else {
+        negate(normal)
+    };
     Ok(transpose(&axes))
 }
 

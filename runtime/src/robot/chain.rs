@@ -2,7 +2,7 @@
 //!
 //! In: joints with their placements, screws and inertias, and named frames. Out: a constant that
 //! the recursions at run time read ([`crate::generic`]) and that generated code carries beside its
-//! straight-line functions. It computes nothing itself.
+//! straight-line functions; and who carries whom. It computes nothing itself.
 
 use crate::matrix::{Inertia, Pose, Screw};
 

@@ -1,16 +1,30 @@
 //! `f32` and `f64` as scalars.
 //!
 //! In: nothing. Out: [`Scalar`] and [`Real`] for both, square roots, sines one by one and inverse
-//! tangents by the standard library or by `libm`: this is the only file that tells the two apart.
+//! tangents by the standard library or by `libm`, which no other file calls.
 //! Sines of a whole call are those of [`super::trigonometry`].
 
 use super::trigonometry::{sin_cos_all_f32, sin_cos_all_f64};
 use super::{Real, Scalar, fused};
 use core::convert::identity;
 
+/// The function of the standard library, or of `libm` where there is none.
+#[cfg(feature = "std")]
+macro_rules! platform {
+    ($std:path, $libm:path) => {
+        $std
+    };
+}
+#[cfg(not(feature = "std"))]
+macro_rules! platform {
+    ($std:path, $libm:path) => {
+        $libm
+    };
+}
+
 /// Implements [`Scalar`] and [`Real`] for a primitive type with the functions named.
 macro_rules! implement {
-    ($float:ident, $sqrt:path, $sin_cos:path, $atan2:path, $constant:expr, $to_f64:expr, $sin_cos_all:path, $terms:literal) => {
+    ($float:ident, $sqrt:expr, $sin_cos:expr, $atan2:expr, $constant:expr, $to_f64:expr, $sin_cos_all:path, $terms:literal) => {
         impl Scalar for $float {
             #[inline]
             fn constant(value: f64) -> Self {
@@ -98,46 +112,21 @@ fn single(value: f64) -> f32 {
     value as f32
 }
 
-#[cfg(feature = "std")]
 implement!(
     f32,
-    f32::sqrt,
-    f32::sin_cos,
-    f32::atan2,
+    platform!(f32::sqrt, libm::sqrtf),
+    platform!(f32::sin_cos, libm::sincosf),
+    platform!(f32::atan2, libm::atan2f),
     single,
     f64::from,
     sin_cos_all_f32,
     7
 );
-#[cfg(feature = "std")]
 implement!(
     f64,
-    f64::sqrt,
-    f64::sin_cos,
-    f64::atan2,
-    identity,
-    identity,
-    sin_cos_all_f64,
-    12
-);
-
-#[cfg(not(feature = "std"))]
-implement!(
-    f32,
-    libm::sqrtf,
-    libm::sincosf,
-    libm::atan2f,
-    single,
-    f64::from,
-    sin_cos_all_f32,
-    7
-);
-#[cfg(not(feature = "std"))]
-implement!(
-    f64,
-    libm::sqrt,
-    libm::sincos,
-    libm::atan2,
+    platform!(f64::sqrt, libm::sqrt),
+    platform!(f64::sin_cos, libm::sincos),
+    platform!(f64::atan2, libm::atan2),
     identity,
     identity,
     sin_cos_all_f64,

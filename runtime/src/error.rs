@@ -1,8 +1,10 @@
 //! What can be wrong with numbers that were handed in.
 //!
-//! In: nothing. Out: one enumeration that names the quantity and its value. Functions that check
-//! return it; functions that do not check say so in their documentation, and none panics.
+//! In: nothing, or numbers that must be finite. Out: one enumeration that names the quantity and its
+//! value. Functions that check return it; functions that do not check say so in their documentation,
+//! and none panics.
 
+use crate::scalar::Real;
 use core::fmt::{self, Display, Formatter};
 
 /// Why numbers were refused. Values are given as f64 whatever the type they were computed in.
@@ -107,3 +109,17 @@ impl Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+/// Refuses NaN and infinity.
+pub(crate) fn finite<'a, T: Real + 'a>(
+    quantity: &'static str,
+    values: impl IntoIterator<Item = &'a T>,
+) -> Result<(), Error> {
+    match values.into_iter().find(|x| !x.is_finite()) {
+        Some(x) => Err(Error::NotFinite {
+            quantity,
+            value: x.to_f64(),
+        }),
+        None => Ok(()),
+    }
+}

@@ -13,10 +13,14 @@
 //! }
 //! ```
 
-use crate::acceleration::Acceleration as AccelerationMatrix;
-use crate::pose::Pose;
-use crate::screw::Screw;
-use crate::velocity::Velocity as VelocityMatrix;
+// What a robot is as data, and what can be done with the arrays that come back, belong to this room;
+// how a function is computed does not.
+pub(crate) mod chain;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod check;
+pub(crate) mod jacobian;
+
+use crate::matrix::{Acceleration as AccelerationMatrix, Pose, Screw, Velocity as VelocityMatrix};
 
 /// The pose of the tip.
 pub trait ForwardKinematics<const N: usize, T = f64> {

@@ -3,7 +3,7 @@
 
 Needs Python 3 and mpmath; the tests need neither, they read what this script printed.
 
-    python3 trigonometry.py constants      the constants of runtime/src/trigonometry/*.rs
+    python3 trigonometry.py constants      the constants of runtime/src/scalar/trigonometry/*.rs
     python3 trigonometry.py table          tests/reference/trigonometry.txt
 
 Polynomials: the minimax (smallest worst relative error) of the free coefficients on

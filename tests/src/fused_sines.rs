@@ -14,7 +14,7 @@ mod fused {
     }
 }
 
-#[path = "../../runtime/src/trigonometry/double.rs"]
+#[path = "../../runtime/src/scalar/trigonometry/double.rs"]
 pub mod double;
-#[path = "../../runtime/src/trigonometry/single.rs"]
+#[path = "../../runtime/src/scalar/trigonometry/single.rs"]
 pub mod single;

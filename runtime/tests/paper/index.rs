@@ -49,20 +49,26 @@ struct Source {
     text: String,
 }
 
-/// The sources in folders beside `Cargo.toml`.
+/// The sources in folders beside `Cargo.toml`, and in the folders in them.
 fn sources(folders: &[&str]) -> Vec<Source> {
-    let files = folders.iter().flat_map(|folder| {
-        let folder: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-        fs::read_dir(folder).expect("the folder is there")
-    });
-    files
-        .filter_map(|entry| {
+    let beside = |folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut folders: Vec<PathBuf> = folders.iter().map(beside).collect();
+    let mut sources = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("the folder is there") {
             let path = entry.expect("readable").path();
-            let module = path.file_stem()?.to_str()?.to_owned();
-            let text = fs::read_to_string(&path).ok()?;
-            (path.extension()? == "rs").then_some(Source { module, text })
-        })
-        .collect()
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                let module = path.file_stem().and_then(|stem| stem.to_str());
+                sources.push(Source {
+                    module: module.expect("a name").to_owned(),
+                    text: fs::read_to_string(&path).expect("readable"),
+                });
+            }
+        }
+    }
+    sources
 }
 
 /// Where the tests of a name are, which begins with that of a package unless it is this one.
@@ -220,7 +226,7 @@ fn every_row_names_an_item_and_a_test() {
 
 #[test]
 fn every_item_exists() {
-    let sources = sources(&["src", "src/worked_examples"]);
+    let sources = sources(&["src"]);
     let programs = self::sources(&["../examples/src/bin"]);
     let all: String = sources.iter().map(|source| source.text.as_str()).collect();
     let types = ["pub struct", "pub enum", "pub trait", "pub mod"];

@@ -258,7 +258,7 @@ const MUTATIONS: [Mutation; 34] = [
     },
     Mutation {
         name: "sine: the last digits of a coefficient",
-        file: "runtime/src/trigonometry/double.rs",
+        file: "runtime/src/scalar/trigonometry/double.rs",
         from: "-0.166_666_666_666_666_3",
         to: "-0.166_666_666_666_664",
         noticed_by: Test {
@@ -269,14 +269,14 @@ const MUTATIONS: [Mutation; 34] = [
     },
     Mutation {
         name: "exponential: 1 − cos φ by subtraction",
-        file: "runtime/src/screw.rs",
+        file: "runtime/src/matrix/screw.rs",
         from: "let versine = T::constant(2.0) * half_sine * half_sine;",
         to: "let versine = one - phi.sin_cos().1 + (half_sine - half_sine);",
         noticed_by: geometry("exponential::versine_small"),
     },
     Mutation {
         name: "logarithm: the angle by the arc cosine",
-        file: "runtime/src/rotation.rs",
+        file: "runtime/src/matrix/rotation.rs",
         from: "T::constant(2.0) * self.sine.atan2(self.cosine)",
         // acos w is the angle of the point (w, √(1 − w²)).
         to: "{
@@ -287,7 +287,7 @@ const MUTATIONS: [Mutation; 34] = [
     },
     Mutation {
         name: "logarithm: near π as near 0",
-        file: "runtime/src/rotation.rs",
+        file: "runtime/src/matrix/rotation.rs",
         from: "if trace >= xx && trace >= yy && trace >= zz {",
         to: "if trace >= -one {",
         noticed_by: geometry("logarithm::log_near_pi"),

@@ -9,21 +9,21 @@ use super::{Mutation, Test};
 pub const EQUATIONS: &[Mutation] = &[
     Mutation {
         name: "change of frame: the pole moved the other way",
-        file: "runtime/src/tensor.rs",
+        file: "runtime/src/matrix/form.rs",
         from: "cross(m_r_s.translation(), u)",
         to: "cross(u, m_r_s.translation())",
         noticed_by: row("translation::shifted_frames_move_the_pole_alone::f64"),
     },
     Mutation {
         name: "composition: Coriolis' term once",
-        file: "runtime/src/acceleration.rs",
+        file: "runtime/src/matrix/acceleration.rs",
         from: "let two = T::constant(2.0);",
         to: "let two = T::constant(1.0);",
         noticed_by: row("composition::composed_motion::f64"),
     },
     Mutation {
         name: "gravity as a matrix: upwards",
-        file: "runtime/src/acceleration.rs",
+        file: "runtime/src/matrix/acceleration.rs",
         from: "Self::new([[T::constant(0.0); 3]; 3], g)",
         to: "Self::new([[T::constant(0.0); 3]; 3], scale(T::constant(-1.0), g))",
         noticed_by: row("dynamics::gravity_as_a_matrix::f64"),
@@ -41,14 +41,14 @@ pub const EQUATIONS: &[Mutation] = &[
     },
     Mutation {
         name: "angles: axes carried the other way",
-        file: "runtime/src/angles.rs",
+        file: "runtime/src/paper/angles.rs",
         from: "cross(first, second)",
         to: "cross(second, first)",
         noticed_by: row("angles::rates_and_second_rates_are_derivatives::f64"),
     },
     Mutation {
         name: "lines: the distance along, not across",
-        file: "runtime/src/geometry.rs",
+        file: "runtime/src/paper/geometry.rs",
         from: "norm(cross(self.direction, sub(point, self.point)))",
         to: "dot(self.direction, sub(point, self.point)).abs()",
         noticed_by: row("nearest::distances_are_the_least_over_parameters::f64"),

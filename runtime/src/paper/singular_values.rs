@@ -1,0 +1,153 @@
+//! Singular values of a small matrix with any number of rows and columns.
+//!
+//! In: rows, and a right-hand side. Out: the rank, and the least-squares solution of least norm, by
+//! one-sided Jacobi rotations (Hestenes 1958), which keep small singular values accurate. It needs
+//! no allocation and no bound on the sizes, which the decomposition of nalgebra would.
+
+use crate::scalar::Real;
+use core::array::from_fn;
+
+/// A singular value counts as zero below this many units of ε times the largest one.
+const TOLERANCE: f64 = 64.0;
+
+/// Sweeps converge quadratically; six or seven are usual.
+const SWEEPS: usize = 40;
+
+/// The rank of the matrix with these rows, and the x of least norm among those that make
+/// ‖A x − y‖ least. Both arguments are used up.
+///
+/// The rank is the number of singular values above 64 ε times the largest.
+pub(crate) fn solve<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) -> (usize, [T; N]) {
+    orthogonalize(a, y);
+    let zero = T::constant(0.0);
+    let squares = || a.iter().map(|row| dot(row, row));
+    let largest = squares().fold(zero, T::max).sqrt();
+    let threshold = T::constant(TOLERANCE) * T::EPSILON * largest;
+    let mut rank = 0;
+    let mut x = [zero; N];
+    for ((row, y), square) in a.iter().zip(y.iter()).zip(squares()) {
+        if square.sqrt() > threshold {
+            rank += 1;
+            let factor = *y / square;
+            x = from_fn(|j| x[j] + factor * row[j]);
+        }
+    }
+    (rank, x)
+}
+
+/// Rotates pairs of rows, and the right-hand side with them, until all rows are orthogonal: U A,
+/// whose rows are as long as the singular values are large.
+fn orthogonalize<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) {
+    let (zero, one, two) = (T::constant(0.0), T::constant(1.0), T::constant(2.0));
+    let largest = a.iter().map(|row| dot(row, row)).fold(zero, T::max);
+    // What is left of rows that depend on others is rounding: its directions mean nothing.
+    let noise = T::EPSILON * T::EPSILON * largest;
+    for _ in 0..SWEEPS {
+        let mut rotated = false;
+        for p in 0..a.len() {
+            for q in p + 1..a.len() {
+                let (alpha, beta) = (dot(&a[p], &a[p]), dot(&a[q], &a[q]));
+                let gamma = dot(&a[p], &a[q]);
+                let orthogonal = gamma.abs() <= T::EPSILON * alpha.sqrt() * beta.sqrt();
+                if orthogonal || alpha <= noise || beta <= noise || !gamma.is_finite() {
+                    continue;
+                }
+                rotated = true;
+                let zeta = (beta - alpha) / (two * gamma);
+                let root = (one + zeta * zeta).sqrt();
+                let tangent = if zeta < zero {
+                    one / (zeta - root)
+                } else {
+                    one / (zeta + root)
+                };
+                let cosine = one / (one + tangent * tangent).sqrt();
+                let sine = cosine * tangent;
+                let turn = |p: T, q: T| (cosine * p - sine * q, sine * p + cosine * q);
+                let (row_p, row_q) = (a[p], a[q]);
+                a[p] = from_fn(|j| turn(row_p[j], row_q[j]).0);
+                a[q] = from_fn(|j| turn(row_p[j], row_q[j]).1);
+                (y[p], y[q]) = turn(y[p], y[q]);
+            }
+        }
+        if !rotated {
+            break;
+        }
+    }
+}
+
+/// a · b, of any length.
+pub(super) fn dot<T: Real, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
+    let products = a.iter().zip(b).map(|(a, b)| *a * *b);
+    products.fold(T::constant(0.0), |sum, product| sum + product)
+}
+
+#[cfg(all(test, feature = "nalgebra"))]
+mod tests {
+    use super::{orthogonalize, solve};
+    use core::array::from_fn;
+    use nalgebra::{SMatrix, SVector};
+
+    /// Entries in (−1, 1) that do not depend on one another in any simple way.
+    fn entries<const R: usize, const N: usize>(seed: u32) -> [[f64; N]; R] {
+        let mut state = seed;
+        from_fn(|_| {
+            from_fn(|_| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                f64::from(state >> 8) / f64::from(1 << 23) - 1.0
+            })
+        })
+    }
+
+    #[test]
+    fn singular_values_agree_with_nalgebra() {
+        for seed in 0..200 {
+            let rows: [[f64; 7]; 6] = entries(seed);
+            let reference = SMatrix::<f64, 6, 7>::from_fn(|i, j| rows[i][j]).singular_values();
+            let mut ours = rows;
+            orthogonalize(&mut ours, &mut [0.0; 6]);
+            let mut lengths = ours.map(|row| row.iter().map(|x| x * x).sum::<f64>().sqrt());
+            lengths.sort_by(|a, b| b.total_cmp(a));
+            for (length, value) in lengths.iter().zip(reference.iter()) {
+                assert!(
+                    (length - value).abs() < 1e-14,
+                    "{lengths:?} but {reference}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn more_rows_than_columns_are_solved_in_the_least_squares_sense() {
+        for seed in 0..200 {
+            let rows: [[f64; 3]; 6] = entries(seed);
+            let [right]: [[f64; 6]; 1] = entries(seed + 1000);
+            let matrix = SMatrix::<f64, 6, 3>::from_fn(|i, j| rows[i][j]);
+            let reference = matrix
+                .svd(true, true)
+                .solve(&SVector::<f64, 6>::from(right), 1e-12)
+                .expect("both factors were asked for");
+            let (rank, x) = solve(&mut rows.clone(), &mut right.clone());
+            assert_eq!(rank, 3);
+            for (ours, theirs) in x.iter().zip(reference.iter()) {
+                assert!((ours - theirs).abs() < 1e-12 * reference.norm().max(1.0));
+            }
+        }
+    }
+
+    #[test]
+    fn rank_counts_what_is_not_rounding() {
+        for seed in 0..200 {
+            let [a, b]: [[f64; 5]; 2] = entries(seed);
+            let mut rows: [[f64; 5]; 6] = from_fn(|i| {
+                let (s, c) = (0.3 * f64::from(u8::try_from(i).expect("small"))).sin_cos();
+                from_fn(|j| s * a[j] + c * b[j])
+            });
+            assert_eq!(solve(&mut rows, &mut [0.0; 6]).0, 2);
+        }
+        assert_eq!(
+            solve(&mut [[0.0; 4]; 6], &mut [1.0; 6]),
+            (0, [0.0; 4]),
+            "a zero matrix"
+        );
+    }
+}

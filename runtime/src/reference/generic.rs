@@ -1,0 +1,268 @@
+//! Every function of a robot, at run time, as the paper writes it (feature `nalgebra`).
+//!
+//! In: a [`Chain`] and a state. Out: what generated code returns, by dense 4×4 products in frame 0
+//! (Part II). It is the reference: short enough to be compared with the paper line by line, free of
+//! any simplification, and therefore slow. It shares nothing with the code generator.
+//!
+//! ```
+//! use homogen::{Chain, Inertia, Joint, Pose, Screw, generic};
+//!
+//! // A pendulum: 2 kg at 0.5 m below a hinge about y, in the frame of the hinge.
+//! let hinge = Screw::new([0.0, 1.0, 0.0], [0.0; 3]);
+//! let bob = Inertia::of_particle(2.0, [0.0, 0.0, -0.5]);
+//! let chain = Chain::new(
+//!     [Joint::new("hinge", None, Pose::identity(), hinge, bob)],
+//!     [],
+//!     [0.0, 0.0, -9.81],
+//! );
+//! let horizontal = core::f64::consts::FRAC_PI_2;
+//! let [torque] = generic::gravity(&chain, &[horizontal]);
+//! assert!((torque - 9.81).abs() < 1e-14);
+//! ```
+
+use super::dense::{axial, block, column, gravity_matrix, inverse, pseudo_scalar_product};
+use super::motion::{Motion, Positions};
+use crate::matrix::{Acceleration, Pose, Screw, Velocity};
+use crate::robot::chain::{Chain, Frame};
+use core::array::from_fn;
+use nalgebra::{Cholesky, Const, Matrix4, RealField, SMatrix, SVector};
+
+/// M₀,frame.
+///
+/// SPACELIB: what its programs for serial robots compute as direct kinematics.
+#[must_use]
+pub fn forward_kinematics<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    frame: &Frame,
+    q: &[T; N],
+) -> Pose<T> {
+    let m = Positions::at(chain, q).pose_of(frame);
+    Pose::new(block(&m), column(&m))
+}
+
+/// L₁ … L_N in frame 0, pole at its origin; zero for joints that do not move the frame.
+#[must_use]
+pub fn spatial_jacobian<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    frame: &Frame,
+    q: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian(chain, frame, q, |_| Matrix4::identity())
+}
+
+/// L₁ … L_N in `frame`, pole at its origin.
+#[must_use]
+pub fn body_jacobian<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    frame: &Frame,
+    q: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian(chain, frame, q, |m_0_frame| inverse(m_0_frame))
+}
+
+/// L₁ … L_N with the axes of frame 0, pole at the origin of `frame`.
+#[must_use]
+pub fn geometric_jacobian<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    frame: &Frame,
+    q: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian(chain, frame, q, |m_0_frame| {
+        // The frame with the axes of (0) and its origin in that of `frame`, seen from there.
+        Matrix4::new_translation(&-m_0_frame.fixed_view::<3, 1>(0, 3))
+    })
+}
+
+/// W₀,frame₍₀₎ [rad/s, m/s].
+#[must_use]
+pub fn velocity<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    frame: &Frame,
+    q: &[T; N],
+    qd: &[T; N],
+) -> Velocity<T> {
+    let rest = [T::zero(); N];
+    let w = Motion::at(chain, q, qd, &rest).velocity_of(frame.body);
+    Velocity::new(axial(&w), column(&w))
+}
+
+/// H₀,frame₍₀₎ [rad/s², m/s²], without gravity.
+#[must_use]
+pub fn acceleration<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    frame: &Frame,
+    q: &[T; N],
+    qd: &[T; N],
+    qdd: &[T; N],
+) -> Acceleration<T> {
+    let h = Motion::at(chain, q, qd, qdd).acceleration_of(frame.body);
+    Acceleration::new(block(&h), column(&h))
+}
+
+/// The torques [N m] and forces \[N\] of the joints that produce q̈ (Part II, Newton–Euler).
+///
+/// The action through joint i is the sum of Φ = skew[(H − H_g) J] over the bodies it carries, its
+/// torque the pseudo scalar product L ⊗ Φ.
+#[must_use]
+pub fn inverse_dynamics<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+    qd: &[T; N],
+    qdd: &[T; N],
+) -> [T; N] {
+    let motion = Motion::at(chain, q, qd, qdd);
+    let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
+    // Φ of each body, then the sum carried by each joint: children come after their parents.
+    let mut phi: [Matrix4<T>; N] = from_fn(|i| {
+        let (h, j) = (motion.h[i] - h_g, positions.j[i]);
+        h * j - j * h.transpose()
+    });
+    for i in (0..N).rev() {
+        if let Some(parent) = chain.parent(i) {
+            let carried = phi[i];
+            phi[parent] += carried;
+        }
+    }
+    from_fn(|i| pseudo_scalar_product(&positions.l[i], &phi[i]))
+}
+
+/// Inverse dynamics at rest: what holds the robot against gravity [N m, N].
+///
+/// As virtual work: −Σ Tr(H_g Jₕ Lₘᵗ) over the bodies h that joint m carries (Part II, Lagrange).
+#[must_use]
+pub fn gravity<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+) -> [T; N] {
+    let rest = [T::zero(); N];
+    bias(chain, q, &rest)
+}
+
+/// Inverse dynamics at q̈ = 0: C\[m\] = Tr(Σ (H̃ₕ − H_g) Jₕ Lₘᵗ) over the bodies h that joint m
+/// carries (Part II, Lagrange).
+#[must_use]
+pub fn bias<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+    qd: &[T; N],
+) -> [T; N] {
+    let rest = [T::zero(); N];
+    let motion = Motion::at(chain, q, qd, &rest);
+    let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
+    from_fn(|m| {
+        sum((0..N).filter(|h| chain.carries(m, Some(*h))).map(|h| {
+            let work = (motion.h[h] - h_g) * positions.j[h] * positions.l[m].transpose();
+            work.trace()
+        }))
+    })
+}
+
+/// The joint-space inertia M\[i\]\[m\] = Tr(Σ Lᵢ Jₕ Lₘᵗ), over the bodies h that both joints carry
+/// (Part II, Lagrange).
+#[must_use]
+pub fn mass_matrix<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+) -> [[T; N]; N] {
+    let positions = Positions::at(chain, q);
+    let carries = |joint: usize, body: usize| chain.carries(joint, Some(body));
+    from_fn(|i| {
+        from_fn(|m| {
+            sum((0..N)
+                .filter(|h| carries(i, *h) && carries(m, *h))
+                .map(|h| (positions.l[i] * positions.j[h] * positions.l[m].transpose()).trace()))
+        })
+    })
+}
+
+/// The joint accelerations [rad/s², m/s²] that the torques \[N m\] and forces \[N\] `tau` produce:
+/// M q̈ = τ − bias, solved by Cholesky.
+///
+/// NaN where M is not positive definite.
+#[must_use]
+pub fn forward_dynamics<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+    qd: &[T; N],
+    tau: &[T; N],
+) -> [T; N] {
+    let bias = bias(chain, q, qd);
+    let lacking: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
+    let found = mass_matrix_factors(chain, q).map(|factors| factors.solve(&lacking));
+    from_fn(|i| found.map_or(nan(), |found| found[i]))
+}
+
+/// The inverse of the joint-space inertia matrix, by Cholesky.
+///
+/// NaN where M is not positive definite.
+#[must_use]
+pub fn mass_matrix_inverse<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+) -> [[T; N]; N] {
+    let found = mass_matrix_factors(chain, q).map(|factors| factors.inverse());
+    from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
+}
+
+/// The kinetic energy Σ ½ Tr(W J Wᵗ) \[J\] (22).
+#[must_use]
+pub fn kinetic_energy<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+    qd: &[T; N],
+) -> T {
+    let rest = [T::zero(); N];
+    let motion = Motion::at(chain, q, qd, &rest);
+    let half: T = nalgebra::convert(0.5);
+    sum((0..N).map(|i| {
+        let w = motion.w[i];
+        half * (w * motion.positions.j[i] * w.transpose()).trace()
+    }))
+}
+
+/// The potential energy Σ −Tr(H_g J) \[J\], zero at the origin of frame 0 (§ 4.5).
+#[must_use]
+pub fn potential_energy<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+) -> T {
+    let h_g = gravity_matrix::<T>(chain.gravity);
+    let positions = Positions::at(chain, q);
+    sum(positions.j.iter().map(|j| -(h_g * j).trace()))
+}
+
+/// The columns M L₍₀₎ M⁻¹, M being the change of frame that `m_from_0` makes of M₀,frame.
+fn jacobian<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    frame: &Frame,
+    q: &[T; N],
+    m_from_0: impl Fn(&Matrix4<T>) -> Matrix4<T>,
+) -> [Screw<T>; N] {
+    let positions = Positions::at(chain, q);
+    let m = m_from_0(&positions.pose_of(frame));
+    from_fn(|i| {
+        let l = if chain.carries(i, frame.body) {
+            m * positions.l[i] * inverse(&m)
+        } else {
+            Matrix4::zeros()
+        };
+        Screw::new(axial(&l), column(&l))
+    })
+}
+
+/// M by Cholesky; `None` where it is not positive definite.
+fn mass_matrix_factors<T: RealField + Copy, const N: usize, const F: usize>(
+    chain: &Chain<N, F>,
+    q: &[T; N],
+) -> Option<Cholesky<T, Const<N>>> {
+    let rows = mass_matrix(chain, q);
+    SMatrix::<T, N, N>::from_fn(|i, m| rows[i][m]).cholesky()
+}
+
+fn nan<T: RealField>() -> T {
+    nalgebra::convert(f64::NAN)
+}
+
+fn sum<T: RealField + Copy>(terms: impl Iterator<Item = T>) -> T {
+    terms.fold(T::zero(), |sum, term| sum + term)
+}

@@ -1,0 +1,112 @@
+//! Sines and cosines of all joints at once, by this crate's own functions.
+//!
+//! In: the angles of a call \[rad\]. Out: their sines and cosines, correct to less than a unit in
+//! the last place for every finite angle, whatever the other angles of the call are.
+//! It calls neither the standard library nor `libm`, so that every platform gives the same digits
+//! (but for the last one, where the target fuses products with sums). The platform's functions are
+//! the alternative: [`sin_cos_each`] calls them one by one.
+
+use super::fused;
+pub use super::sin_cos_each;
+
+pub mod double;
+pub mod single;
+
+/// The sines and the cosines of all angles \[rad\], within 0.9 units in the last place.
+///
+/// While every magnitude is at most [`double::LIMIT`] the code is straight and vectorised; beyond
+/// it, after one branch for all, they go one by one. NaN and infinite angles give NaN.
+#[inline]
+#[must_use]
+pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    let moderate = |all, angle: &f64| all & (angle.abs() <= double::LIMIT);
+    if angles.iter().fold(true, moderate) {
+        together(angles, double::sin_cos_moderate)
+    } else {
+        one_by_one(angles, double::sin_cos)
+    }
+}
+
+/// The sines and the cosines of all angles \[rad\], within 0.92 units in the last place.
+///
+/// While every magnitude is at most [`single::LIMIT`] the code is straight and vectorised; beyond
+/// it, after one branch for all, they go one by one. NaN and infinite angles give NaN.
+/// No operation is in double precision.
+#[inline]
+#[must_use]
+pub fn sin_cos_all_f32<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
+    let moderate = |all, angle: &f32| all & (angle.abs() <= single::LIMIT);
+    if angles.iter().fold(true, moderate) {
+        together(angles, single::sin_cos_moderate)
+    } else {
+        one_by_one(angles, single::sin_cos)
+    }
+}
+
+/// Applies `sin_cos`, which has no branch, so that the compiler vectorises it.
+///
+/// Loops of fixed length suit its vectoriser best: the last angles share a block with zeros.
+#[inline]
+fn together<T: Copy + Default, const N: usize>(
+    angles: [T; N],
+    sin_cos: impl Fn(T) -> (T, T),
+) -> ([T; N], [T; N]) {
+    let mut sines = [T::default(); N];
+    let mut cosines = [T::default(); N];
+    let (sine_blocks, last_sines) = sines.as_chunks_mut();
+    let (cosine_blocks, last_cosines) = cosines.as_chunks_mut();
+    let (blocks, last) = angles.as_chunks();
+    for ((block, sines), cosines) in blocks.iter().zip(sine_blocks).zip(cosine_blocks) {
+        (*sines, *cosines) = sin_cos_block(block, &sin_cos);
+    }
+    let mut block = [T::default(); BLOCK];
+    copy(last, &mut block);
+    let (block_sines, block_cosines) = sin_cos_block(&block, &sin_cos);
+    copy(&block_sines, last_sines);
+    copy(&block_cosines, last_cosines);
+    (sines, cosines)
+}
+
+/// The lanes of a block: more than one register has, and one where there are no vectors.
+const BLOCK: usize = if cfg!(any(
+    target_feature = "sse2",
+    target_feature = "neon",
+    target_feature = "simd128"
+)) {
+    8
+} else {
+    1
+};
+
+/// Applies `sin_cos` to one block.
+#[inline]
+fn sin_cos_block<T: Copy + Default>(
+    angles: &[T; BLOCK],
+    sin_cos: impl Fn(T) -> (T, T),
+) -> ([T; BLOCK], [T; BLOCK]) {
+    let mut sines = [T::default(); BLOCK];
+    let mut cosines = [T::default(); BLOCK];
+    for ((sine, cosine), angle) in sines.iter_mut().zip(&mut cosines).zip(angles) {
+        (*sine, *cosine) = sin_cos(*angle);
+    }
+    (sines, cosines)
+}
+
+/// Copies as many as there are on both sides.
+#[inline]
+fn copy<T: Copy>(from: &[T], to: &mut [T]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = *from;
+    }
+}
+
+/// Applies `sin_cos`, which may branch, to one angle after the other.
+#[cold]
+#[inline(never)]
+fn one_by_one<T: Copy, const N: usize>(
+    angles: [T; N],
+    sin_cos: impl Fn(T) -> (T, T),
+) -> ([T; N], [T; N]) {
+    let pairs = angles.map(sin_cos);
+    (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
+}

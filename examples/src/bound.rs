@@ -7,47 +7,42 @@
 use std::hint::black_box;
 
 use homogen::Real;
-use homogen::robot::{
-    Acceleration, Bias, BodyJacobian, ForwardDynamics, ForwardKinematics, GeometricJacobian,
-    Gravity, InverseDynamics, MassMatrix, MassMatrixInverse, SpatialJacobian, Velocity,
-};
+use homogen::robot;
 use homogen_codegen::Function;
 
 use crate::entries::Entries;
 use crate::states::State;
 
-/// A robot that has every function.
-pub trait Complete<const N: usize, T>:
-    ForwardKinematics<N, T>
-    + SpatialJacobian<N, T>
-    + BodyJacobian<N, T>
-    + GeometricJacobian<N, T>
-    + Velocity<N, T>
-    + Acceleration<N, T>
-    + InverseDynamics<N, T>
-    + Gravity<N, T>
-    + Bias<N, T>
-    + MassMatrix<N, T>
-    + ForwardDynamics<N, T>
-    + MassMatrixInverse<N, T>
-{
-}
+/// Makes, of the list of every function, the trait of a robot that has them all and what calls one by
+/// its name.
+macro_rules! bound_by_name {
+    ($(
+        $(#[doc = $about:literal])+
+        $kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty;
+    )*) => {
+        /// A robot that has every function.
+        pub trait Complete<const N: usize, T>: $(robot::$name<N, T> +)* {}
 
-impl<R, const N: usize, T> Complete<N, T> for R where
-    R: ForwardKinematics<N, T>
-        + SpatialJacobian<N, T>
-        + BodyJacobian<N, T>
-        + GeometricJacobian<N, T>
-        + Velocity<N, T>
-        + Acceleration<N, T>
-        + InverseDynamics<N, T>
-        + Gravity<N, T>
-        + Bias<N, T>
-        + MassMatrix<N, T>
-        + ForwardDynamics<N, T>
-        + MassMatrixInverse<N, T>
-{
+        impl<R, const N: usize, T> Complete<N, T> for R where R: $(robot::$name<N, T> +)* {}
+
+        /// That function of that robot.
+        ///
+        /// # Panics
+        /// For a function that the runtime has no trait for.
+        pub fn bind<R: Complete<N, T>, T: Number, const N: usize>(
+            robot: &R,
+            function: Function,
+        ) -> Bound<'_, T, N> {
+            match function {
+                $(Function::$name => {
+                    bound(|s: &State<T, N>| robot.$method($(&s.$argument),*))
+                })*
+                other => panic!("{} has no trait", other.name()),
+            }
+        }
+    };
 }
+homogen::every_function!(bound_by_name);
 
 /// A type of number that results can be taken apart into.
 pub trait Number: Real + Entries {}
@@ -74,36 +69,6 @@ impl<T, const N: usize> Bound<'_, T, N> {
     /// Calls the function once a state, for its time alone.
     pub fn batch(&self, states: &[State<T, N>]) {
         (self.batch)(states);
-    }
-}
-
-/// That function of that robot.
-///
-/// # Panics
-/// For a function that is not in the list below.
-pub fn bind<R: Complete<N, T>, T: Number, const N: usize>(
-    robot: &R,
-    function: Function,
-) -> Bound<'_, T, N> {
-    type S<T, const N: usize> = State<T, N>;
-    match function {
-        Function::ForwardKinematics => bound(|s: &S<T, N>| robot.forward_kinematics(&s.q)),
-        Function::SpatialJacobian => bound(|s: &S<T, N>| robot.spatial_jacobian(&s.q)),
-        Function::BodyJacobian => bound(|s: &S<T, N>| robot.body_jacobian(&s.q)),
-        Function::GeometricJacobian => bound(|s: &S<T, N>| robot.geometric_jacobian(&s.q)),
-        Function::Velocity => bound(|s: &S<T, N>| robot.velocity(&s.q, &s.qd)),
-        Function::Acceleration => bound(|s: &S<T, N>| robot.acceleration(&s.q, &s.qd, &s.qdd)),
-        Function::InverseDynamics => {
-            bound(|s: &S<T, N>| robot.inverse_dynamics(&s.q, &s.qd, &s.qdd))
-        }
-        Function::Gravity => bound(|s: &S<T, N>| robot.gravity(&s.q)),
-        Function::Bias => bound(|s: &S<T, N>| robot.bias(&s.q, &s.qd)),
-        Function::MassMatrix => bound(|s: &S<T, N>| robot.mass_matrix(&s.q)),
-        Function::ForwardDynamics => {
-            bound(|s: &S<T, N>| robot.forward_dynamics(&s.q, &s.qd, &s.tau))
-        }
-        Function::MassMatrixInverse => bound(|s: &S<T, N>| robot.mass_matrix_inverse(&s.q)),
-        other => panic!("{} is not bound", other.name()),
     }
 }
 

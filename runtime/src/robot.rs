@@ -20,89 +20,69 @@ pub(crate) mod chain;
 mod check;
 pub(crate) mod jacobian;
 
-use crate::matrix::{Acceleration as AccelerationMatrix, Pose, Screw, Velocity as VelocityMatrix};
-
-/// The pose of the tip.
-pub trait ForwardKinematics<const N: usize, T = f64> {
-    /// M₀,tip.
-    #[must_use]
-    fn forward_kinematics(&self, q: &[T; N]) -> Pose<T>;
+/// Calls a macro with every function: what it is; what it returns, in which units; whether it is of the
+/// tip, of the whole robot or a solution for it; its trait and its method with the arguments and the
+/// result.
+///
+/// Not for users: it is the list from which traits, their implementations and tests are made.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! every_function {
+    ($then:ident) => {
+        $then! {
+            /// The pose of the tip.
+            /// M₀,tip.
+            tip ForwardKinematics forward_kinematics(q) -> $crate::Pose<T>;
+            /// The Jacobian in frame 0.
+            /// L₁ … L_N, in frame 0, pole at its origin.
+            tip SpatialJacobian spatial_jacobian(q) -> [$crate::Screw<T>; N];
+            /// The Jacobian in the frame of the tip.
+            /// L₁ … L_N, in the frame of the tip, pole at its origin.
+            tip BodyJacobian body_jacobian(q) -> [$crate::Screw<T>; N];
+            /// The Jacobian with the axes of frame 0 and the tip as pole.
+            /// L₁ … L_N, with the axes of frame 0, pole at the origin of the tip.
+            tip GeometricJacobian geometric_jacobian(q) -> [$crate::Screw<T>; N];
+            /// The velocity of the tip.
+            /// W₀,tip₍₀₎, in rad/s and m/s.
+            tip Velocity velocity(q, qd) -> $crate::Velocity<T>;
+            /// The acceleration of the tip.
+            /// H₀,tip₍₀₎, without gravity.
+            tip Acceleration acceleration(q, qd, qdd) -> $crate::Acceleration<T>;
+            /// The joint torques and forces of a motion.
+            /// The torques [N m] and forces \[N\] of the joints that produce q̈ under gravity.
+            whole InverseDynamics inverse_dynamics(q, qd, qdd) -> [T; N];
+            /// The joint torques and forces at rest.
+            /// Inverse dynamics at rest: what holds the robot against gravity [N m, N].
+            whole Gravity gravity(q) -> [T; N];
+            /// The joint torques and forces at q̈ = 0.
+            /// Inverse dynamics at q̈ = 0: Coriolis, centrifugal and gravity terms [N m, N].
+            whole Bias bias(q, qd) -> [T; N];
+            /// The joint-space inertia matrix.
+            /// M(q) of τ = M q̈ + bias: symmetric, as rows.
+            whole MassMatrix mass_matrix(q) -> [[T; N]; N];
+            /// The joint accelerations of given torques and forces.
+            /// The accelerations [rad/s², m/s²] that torques \[N m\] and forces \[N\] of the joints produce
+            /// under gravity.
+            solution ForwardDynamics forward_dynamics(q, qd, tau) -> [T; N];
+            /// The inverse of the joint-space inertia matrix.
+            /// M(q)⁻¹: symmetric, as rows.
+            solution MassMatrixInverse mass_matrix_inverse(q) -> [[T; N]; N];
+        }
+    };
 }
 
-/// The Jacobian in frame 0.
-pub trait SpatialJacobian<const N: usize, T = f64> {
-    /// L₁ … L_N, in frame 0, pole at its origin.
-    #[must_use]
-    fn spatial_jacobian(&self, q: &[T; N]) -> [Screw<T>; N];
+macro_rules! traits {
+    ($(
+        #[doc = $noun:literal]
+        $(#[doc = $sentence:literal])+
+        $kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty;
+    )*) => {$(
+        #[doc = $noun]
+        pub trait $name<const N: usize, T = f64> {
+            $(#[doc = $sentence])+
+            #[must_use]
+            fn $method(&self, $($argument: &[T; N]),*) -> $result;
+        }
+    )*};
 }
-
-/// The Jacobian in the frame of the tip.
-pub trait BodyJacobian<const N: usize, T = f64> {
-    /// L₁ … L_N, in the frame of the tip, pole at its origin.
-    #[must_use]
-    fn body_jacobian(&self, q: &[T; N]) -> [Screw<T>; N];
-}
-
-/// The Jacobian with the axes of frame 0 and the tip as pole.
-pub trait GeometricJacobian<const N: usize, T = f64> {
-    /// L₁ … L_N, with the axes of frame 0, pole at the origin of the tip.
-    #[must_use]
-    fn geometric_jacobian(&self, q: &[T; N]) -> [Screw<T>; N];
-}
-
-/// The velocity of the tip.
-pub trait Velocity<const N: usize, T = f64> {
-    /// W₀,tip₍₀₎, in rad/s and m/s.
-    #[must_use]
-    fn velocity(&self, q: &[T; N], qd: &[T; N]) -> VelocityMatrix<T>;
-}
-
-/// The acceleration of the tip.
-pub trait Acceleration<const N: usize, T = f64> {
-    /// H₀,tip₍₀₎, without gravity.
-    #[must_use]
-    fn acceleration(&self, q: &[T; N], qd: &[T; N], qdd: &[T; N]) -> AccelerationMatrix<T>;
-}
-
-/// The joint torques and forces of a motion.
-pub trait InverseDynamics<const N: usize, T = f64> {
-    /// The torques [N m] and forces \[N\] of the joints that produce q̈ under gravity.
-    #[must_use]
-    fn inverse_dynamics(&self, q: &[T; N], qd: &[T; N], qdd: &[T; N]) -> [T; N];
-}
-
-/// The joint torques and forces at rest.
-pub trait Gravity<const N: usize, T = f64> {
-    /// Inverse dynamics at rest: what holds the robot against gravity [N m, N].
-    #[must_use]
-    fn gravity(&self, q: &[T; N]) -> [T; N];
-}
-
-/// The joint torques and forces at q̈ = 0.
-pub trait Bias<const N: usize, T = f64> {
-    /// Inverse dynamics at q̈ = 0: Coriolis, centrifugal and gravity terms [N m, N].
-    #[must_use]
-    fn bias(&self, q: &[T; N], qd: &[T; N]) -> [T; N];
-}
-
-/// The joint-space inertia matrix.
-pub trait MassMatrix<const N: usize, T = f64> {
-    /// M(q) of τ = M q̈ + bias: symmetric, as rows.
-    #[must_use]
-    fn mass_matrix(&self, q: &[T; N]) -> [[T; N]; N];
-}
-
-/// The joint accelerations of given torques and forces.
-pub trait ForwardDynamics<const N: usize, T = f64> {
-    /// The accelerations [rad/s², m/s²] that the torques \[N m\] and forces \[N\] `tau` of the joints
-    /// produce under gravity.
-    #[must_use]
-    fn forward_dynamics(&self, q: &[T; N], qd: &[T; N], tau: &[T; N]) -> [T; N];
-}
-
-/// The inverse of the joint-space inertia matrix.
-pub trait MassMatrixInverse<const N: usize, T = f64> {
-    /// M(q)⁻¹: symmetric, as rows.
-    #[must_use]
-    fn mass_matrix_inverse(&self, q: &[T; N]) -> [[T; N]; N];
-}
+every_function!(traits);

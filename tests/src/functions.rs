@@ -4,57 +4,55 @@
 //! one unit where the result has (rotations, translations, angular and linear parts), so that the
 //! entries of a block can share one measure of error.
 
-use homogen::robot::{
-    Acceleration, Bias, BodyJacobian, ForwardKinematics, GeometricJacobian, Gravity,
-    InverseDynamics, MassMatrix, SpatialJacobian, Velocity,
-};
-use homogen::{Pose, Scalar, Screw};
+use homogen::{Acceleration, Pose, Scalar, Screw, Velocity, robot};
 
 use crate::states::State;
 
-/// A robot that has all functions: a generated one, or a chain that is read at run time.
-pub trait EveryFunction<const N: usize, T>:
-    ForwardKinematics<N, T>
-    + SpatialJacobian<N, T>
-    + BodyJacobian<N, T>
-    + GeometricJacobian<N, T>
-    + Velocity<N, T>
-    + Acceleration<N, T>
-    + InverseDynamics<N, T>
-    + Gravity<N, T>
-    + Bias<N, T>
-    + MassMatrix<N, T>
-{
-}
+/// Makes the trait of all that is evaluated, and what evaluates it, of the list of every function;
+/// solutions, whose errors their conditioning decides, have tests of their own.
+macro_rules! evaluated {
+    (@[] [$($name:ident $method:ident($($argument:ident),*);)*]) => {
+        /// A robot that has all functions but those that solve something: a generated one, or a chain
+        /// that is read at run time.
+        pub trait EveryFunction<const N: usize, T>: $(robot::$name<N, T> +)* {}
 
-impl<R, const N: usize, T> EveryFunction<N, T> for R where
-    R: ForwardKinematics<N, T>
-        + SpatialJacobian<N, T>
-        + BodyJacobian<N, T>
-        + GeometricJacobian<N, T>
-        + Velocity<N, T>
-        + Acceleration<N, T>
-        + InverseDynamics<N, T>
-        + Gravity<N, T>
-        + Bias<N, T>
-        + MassMatrix<N, T>
-{
+        impl<R, const N: usize, T> EveryFunction<N, T> for R where R: $(robot::$name<N, T> +)* {}
+
+        /// Every function at one state.
+        pub fn evaluate<R, T, const N: usize>(robot: &R, state: &State<T, N>) -> Vec<Block<T>>
+        where
+            R: EveryFunction<N, T> + ?Sized,
+            T: Scalar,
+        {
+            let mut blocks = Vec::new();
+            $(blocks.extend(robot.$method($(&state.$argument),*).blocks(stringify!($method)));)*
+            blocks
+        }
+    };
+    (@[$(#[doc = $about:literal])+ solution $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
+        evaluated!(@[$($rest)*] $found);
+    };
+    (@[$(#[doc = $about:literal])+ $kind:ident $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] [$($found:tt)*]) => {
+        evaluated!(@[$($rest)*] [$($found)* $name $method $arguments;]);
+    };
+    ($($all:tt)*) => { evaluated!(@[$($all)*] []); };
 }
+homogen::every_function!(evaluated);
 
 /// A result, or the part of it that has one meaning.
 #[derive(Clone, Debug)]
 pub struct Block<T> {
     /// The function and the part: `velocity ω`.
-    pub name: &'static str,
+    pub name: String,
     /// The entries, row by row.
     pub entries: Vec<T>,
 }
 
 impl<T: Copy> Block<T> {
     /// A block of some entries.
-    pub fn new(name: &'static str, entries: impl IntoIterator<Item = T>) -> Self {
+    pub fn new(name: &str, entries: impl IntoIterator<Item = T>) -> Self {
         Self {
-            name,
+            name: name.to_owned(),
             entries: entries.into_iter().collect(),
         }
     }
@@ -63,50 +61,10 @@ impl<T: Copy> Block<T> {
     #[must_use]
     pub fn map<U>(&self, convert: impl Fn(T) -> U) -> Block<U> {
         Block {
-            name: self.name,
+            name: self.name.clone(),
             entries: self.entries.iter().copied().map(convert).collect(),
         }
     }
-}
-
-/// Every function at one state.
-pub fn evaluate<R, T, const N: usize>(robot: &R, state: &State<T, N>) -> Vec<Block<T>>
-where
-    R: EveryFunction<N, T> + ?Sized,
-    T: Scalar,
-{
-    let State { q, qd, qdd } = state;
-    let mut blocks = Vec::new();
-    blocks.extend(pose(&robot.forward_kinematics(q)));
-    blocks.extend(screws(
-        ["spatial_jacobian u", "spatial_jacobian b"],
-        &robot.spatial_jacobian(q),
-    ));
-    blocks.extend(screws(
-        ["body_jacobian u", "body_jacobian b"],
-        &robot.body_jacobian(q),
-    ));
-    blocks.extend(screws(
-        ["geometric_jacobian u", "geometric_jacobian b"],
-        &robot.geometric_jacobian(q),
-    ));
-    let w = robot.velocity(q, qd);
-    blocks.push(Block::new("velocity ω", w.omega()));
-    blocks.push(Block::new("velocity v", w.v()));
-    let h = robot.acceleration(q, qd, qdd);
-    blocks.push(Block::new("acceleration G", h.g().as_flattened().to_vec()));
-    blocks.push(Block::new("acceleration a", h.a()));
-    blocks.push(Block::new(
-        "inverse_dynamics",
-        robot.inverse_dynamics(q, qd, qdd),
-    ));
-    blocks.push(Block::new("gravity", robot.gravity(q)));
-    blocks.push(Block::new("bias", robot.bias(q, qd)));
-    blocks.push(Block::new(
-        "mass_matrix",
-        robot.mass_matrix(q).as_flattened().to_vec(),
-    ));
-    blocks
 }
 
 /// A robot with functions that were generated to share their work.
@@ -118,29 +76,82 @@ pub trait Shared<const N: usize, T> {
 /// A pose and a geometric Jacobian, in blocks named as those of [`evaluate`].
 #[must_use]
 pub fn of_the_tip<T: Scalar>(m: &Pose<T>, geometric: &[Screw<T>]) -> Vec<Block<T>> {
-    let names = ["geometric_jacobian u", "geometric_jacobian b"];
-    [pose(m), screws(names, geometric)].concat()
+    [
+        m.blocks("forward_kinematics"),
+        screws("geometric_jacobian", geometric),
+    ]
+    .concat()
 }
 
 /// A mass matrix and a bias, in blocks named as those of [`evaluate`].
 #[must_use]
 pub fn of_the_whole<T: Scalar, const N: usize>(mass: &[[T; N]; N], bias: &[T; N]) -> Vec<Block<T>> {
-    vec![
-        Block::new("bias", *bias),
-        Block::new("mass_matrix", mass.as_flattened().to_vec()),
-    ]
+    [bias.blocks("bias"), mass.blocks("mass_matrix")].concat()
 }
 
-fn pose<T: Scalar>(m: &Pose<T>) -> [Block<T>; 2] {
-    [
-        Block::new("forward_kinematics R", m.rotation().as_flattened().to_vec()),
-        Block::new("forward_kinematics t", m.translation()),
-    ]
+/// A result that falls into blocks.
+trait Blocks<T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>>;
 }
 
-fn screws<T: Scalar>(names: [&'static str; 2], columns: &[Screw<T>]) -> [Block<T>; 2] {
-    [
-        Block::new(names[0], columns.iter().flat_map(Screw::u)),
-        Block::new(names[1], columns.iter().flat_map(Screw::b)),
-    ]
+/// Two parts of a function's result.
+fn parts<T: Scalar>(function: &str, names: [&str; 2], entries: [Vec<T>; 2]) -> Vec<Block<T>> {
+    let named = names.into_iter().zip(entries);
+    named
+        .map(|(name, entries)| Block::new(&format!("{function} {name}"), entries))
+        .collect()
+}
+
+fn screws<T: Scalar>(function: &str, columns: &[Screw<T>]) -> Vec<Block<T>> {
+    let (u, b) = (
+        columns.iter().flat_map(Screw::u),
+        columns.iter().flat_map(Screw::b),
+    );
+    parts(function, ["u", "b"], [u.collect(), b.collect()])
+}
+
+impl<T: Scalar> Blocks<T> for Pose<T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        let rotation = self.rotation().as_flattened().to_vec();
+        parts(
+            function,
+            ["R", "t"],
+            [rotation, self.translation().to_vec()],
+        )
+    }
+}
+
+impl<T: Scalar> Blocks<T> for Velocity<T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        parts(
+            function,
+            ["ω", "v"],
+            [self.omega().to_vec(), self.v().to_vec()],
+        )
+    }
+}
+
+impl<T: Scalar> Blocks<T> for Acceleration<T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        let g = self.g().as_flattened().to_vec();
+        parts(function, ["G", "a"], [g, self.a().to_vec()])
+    }
+}
+
+impl<T: Scalar, const N: usize> Blocks<T> for [Screw<T>; N] {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        screws(function, self)
+    }
+}
+
+impl<T: Scalar, const N: usize> Blocks<T> for [T; N] {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        vec![Block::new(function, *self)]
+    }
+}
+
+impl<T: Scalar, const N: usize> Blocks<T> for [[T; N]; N] {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        vec![Block::new(function, self.as_flattened().to_vec())]
+    }
 }

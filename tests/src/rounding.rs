@@ -19,7 +19,7 @@ pub const SINGLE: f64 = 5.960_464_477_539_063e-8;
 #[derive(Clone, Debug)]
 pub struct Worst {
     unit: f64,
-    blocks: BTreeMap<&'static str, Extremes>,
+    blocks: BTreeMap<String, Extremes>,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -45,10 +45,10 @@ impl Worst {
     pub fn note(&mut self, results: &[Block<f64>], expected: &[Block<f64>]) {
         assert_eq!(results.len(), expected.len(), "as many blocks");
         for (result, expected) in results.iter().zip(expected) {
-            let name = expected.name;
-            assert_eq!(result.name, name, "blocks in the same order");
+            let name = &expected.name;
+            assert_eq!(&result.name, name, "blocks in the same order");
             assert_eq!(result.entries.len(), expected.entries.len(), "{name}");
-            let extremes = self.blocks.entry(name).or_default();
+            let extremes = self.blocks.entry(name.clone()).or_default();
             for (x, y) in result.entries.iter().zip(&expected.entries) {
                 assert!(x.is_finite() && y.is_finite(), "{name}: {x} for {y}");
                 extremes.error = extremes.error.max((x - y).abs());

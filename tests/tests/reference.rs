@@ -129,7 +129,7 @@ where
     ];
     let named = FIELDS.into_iter().zip(results);
     named
-        .map(|(name, entries)| Block { name, entries })
+        .map(|(name, entries)| Block::new(name, entries))
         .collect()
 }
 

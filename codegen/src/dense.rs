@@ -127,6 +127,23 @@ impl Dense {
         self.posture.motion(frame, &self.rates(motion))
     }
 
+    /// W and J of each link.
+    pub(crate) fn links(
+        &self,
+        motion: Motion,
+    ) -> impl Iterator<Item = (Matrix<Approximate>, &Matrix<Approximate>)> {
+        let motions = self.posture.motions(&self.rates(motion)).into_iter();
+        let velocities = motions.map(|(velocity, _)| velocity);
+        velocities.zip(self.posture.inertias())
+    }
+
+    /// H_g, the acceleration of gravity.
+    pub(crate) fn gravity(&self) -> Matrix<Approximate> {
+        let mut gravity = Matrix::zero();
+        gravity.set_column(self.posture.gravity());
+        gravity
+    }
+
     /// τ of a motion, against gravity.
     pub(crate) fn torques(&self, motion: Motion) -> Vec<Approximate> {
         self.posture.torques(&self.rates(motion))

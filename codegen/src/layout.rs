@@ -148,7 +148,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
             bodies.move_frame(k, Pose::translation(center));
         }
         if layout.regroup {
-            regroup::pass_inboard(&mut bodies.bodies, k);
+            regroup::pass_inboard(&mut bodies, k);
         }
     }
     if layout.turn_ends {

@@ -206,7 +206,7 @@ impl<'g> State<'g> {
         self.entry(Variable::Q, k)
     }
 
-    fn qd(&self, k: usize) -> Term<'g> {
+    pub(crate) fn qd(&self, k: usize) -> Term<'g> {
         if self.rest {
             self.zero()
         } else {
@@ -224,6 +224,11 @@ impl<'g> State<'g> {
 
     pub(crate) fn qdds(&self, count: usize) -> Vec<Term<'g>> {
         (0..count).map(|k| self.qdd(k)).collect()
+    }
+
+    /// A number.
+    pub(crate) fn constant(&self, value: f64) -> Term<'g> {
+        self.graph.constant(value)
     }
 
     pub(crate) fn zero(&self) -> Term<'g> {

@@ -11,7 +11,7 @@ use crate::states::State;
 /// Makes the trait of all that is evaluated, and what evaluates it, of the list of every function;
 /// solutions, whose errors their conditioning decides, have tests of their own.
 macro_rules! evaluated {
-    (@[] [$($name:ident $method:ident($($argument:ident),*);)*]) => {
+    (@[] [$($name:ident $method:ident($($argument:ident),*) $as_blocks:ident;)*]) => {
         /// A robot that has all functions but those that solve something: a generated one, or a chain
         /// that is read at run time.
         pub trait EveryFunction<const N: usize, T>: $(robot::$name<N, T> +)* {}
@@ -25,15 +25,21 @@ macro_rules! evaluated {
             T: Scalar,
         {
             let mut blocks = Vec::new();
-            $(blocks.extend(robot.$method($(&state.$argument),*).blocks(stringify!($method)));)*
+            $({
+                let result = robot.$method($(&state.$argument),*);
+                blocks.extend($as_blocks(stringify!($method), &result));
+            })*
             blocks
         }
     };
     (@[$(#[doc = $about:literal])+ solution $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
         evaluated!(@[$($rest)*] $found);
     };
+    (@[$(#[doc = $about:literal])+ $kind:ident $name:ident $method:ident $arguments:tt -> T; $($rest:tt)*] [$($found:tt)*]) => {
+        evaluated!(@[$($rest)*] [$($found)* $name $method $arguments number;]);
+    };
     (@[$(#[doc = $about:literal])+ $kind:ident $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] [$($found:tt)*]) => {
-        evaluated!(@[$($rest)*] [$($found)* $name $method $arguments;]);
+        evaluated!(@[$($rest)*] [$($found)* $name $method $arguments blocks;]);
     };
     ($($all:tt)*) => { evaluated!(@[$($all)*] []); };
 }
@@ -92,6 +98,16 @@ pub fn of_the_whole<T: Scalar, const N: usize>(mass: &[[T; N]; N], bias: &[T; N]
 /// A result that falls into blocks.
 trait Blocks<T> {
     fn blocks(&self, function: &str) -> Vec<Block<T>>;
+}
+
+/// The blocks of a result of several numbers.
+fn blocks<T>(function: &str, result: &impl Blocks<T>) -> Vec<Block<T>> {
+    result.blocks(function)
+}
+
+/// The block of one number.
+fn number<T: Scalar>(function: &str, result: &T) -> Vec<Block<T>> {
+    vec![Block::new(function, [*result])]
 }
 
 /// Two parts of a function's result.

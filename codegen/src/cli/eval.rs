@@ -159,12 +159,14 @@ impl Eval {
             answer.insert("rows".into(), json!(SCREW));
         }
         answer.insert("warnings".into(), json::warnings(&chain.report.warnings));
-        let results = results
-            .iter()
-            .map(|numbers| match rows(&quantity, &spaces, numbers) {
-                Some(rows) => json!(rows),
-                None => json!(numbers),
-            });
+        let results =
+            results.iter().map(
+                |numbers| match (rows(&quantity, &spaces, numbers), &**numbers) {
+                    (Some(rows), _) => json!(rows),
+                    (None, [number]) if quantity.over.is_empty() => json!(number),
+                    (None, numbers) => json!(numbers),
+                },
+            );
         answer.insert("results".into(), results.collect());
         Value::Object(answer)
     }
@@ -258,12 +260,12 @@ fn in_text(chain: &Chain, function: Function, results: &[Vec<f64>]) -> String {
                 let _ = writeln!(text, "{}", row.concat());
             }
         } else {
-            let entries = quantity
-                .over
-                .iter()
-                .flat_map(|&space| spaces.entries(space));
-            for (entry, number) in entries.zip(numbers) {
-                let _ = writeln!(text, "{number:>24?}  {}", visible(&entry.name));
+            for (k, number) in numbers.iter().enumerate() {
+                let owner = quantity.owner(&spaces, k);
+                let entry = owner.map(|owner| &spaces.entries(quantity.over[0])[owner]);
+                let name =
+                    entry.map_or(String::new(), |entry| format!("  {}", visible(&entry.name)));
+                let _ = writeln!(text, "{number:>24?}{name}");
             }
         }
     }

@@ -105,6 +105,12 @@ impl<T: Arithmetic> Matrix<T> {
         )
     }
 
+    /// The sum of the diagonal.
+    pub(crate) fn trace(&self) -> T {
+        let entry = |k: usize| self.0[k][k].clone();
+        entry(0) + entry(1) + entry(2) + entry(3)
+    }
+
     /// A − Aᵗ.
     pub(crate) fn skew(&self) -> Self {
         self.plus(&self.transposed().scaled(&T::literal(-1.0)))

@@ -52,6 +52,16 @@ impl Posture {
         }
     }
 
+    /// J of each link.
+    pub(super) fn inertias(&self) -> &[Matrix<Scalar>] {
+        &self.inertias
+    }
+
+    /// Acceleration of gravity in frame 0.
+    pub(super) const fn gravity(&self) -> [Scalar; 3] {
+        self.robot.gravity
+    }
+
     /// M of a frame.
     pub(super) fn pose(&self, frame: usize) -> Matrix<Scalar> {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())

@@ -212,7 +212,11 @@ fn declarator(function: Function, spaces: &Spaces) -> String {
     let lengths = quantity.lengths(spaces).into_iter();
     let lengths = lengths.chain(quantity.entity.dimensions().iter().copied());
     let sizes: Vec<String> = lengths.map(|length| format!("[{length}]")).collect();
-    format!("{}{}", function.name(), sizes.concat())
+    if sizes.is_empty() {
+        format!("*{}", function.name())
+    } else {
+        format!("{}{}", function.name(), sizes.concat())
+    }
 }
 
 fn comment(lines: &[String]) -> String {

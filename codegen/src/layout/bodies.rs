@@ -13,6 +13,8 @@ use crate::matrix::{Inertia, Pose, Vector};
 pub struct Bodies<'g> {
     /// In the order of q, parents before children.
     pub bodies: Vec<Body<'g>>,
+    /// J in frame 0 of what regrouping left to the base.
+    pub base: Inertia<Term<'g>>,
     /// The frames asked for: the joint whose body carries it, and M from that body to it.
     pub frames: Vec<(Option<usize>, Pose<Term<'g>>)>,
     /// Acceleration of gravity in frame 0 [m/s²].
@@ -83,6 +85,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
         .collect();
     Bodies {
         bodies,
+        base: Inertia::zero(graph),
         frames,
         gravity: chain.gravity.map(term),
     }

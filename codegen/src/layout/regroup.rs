@@ -5,20 +5,21 @@
 //! are rounded once, when they become literals. The result is not a physical inertia: a function
 //! that needs one takes the bodies as they were before.
 
-use super::Body;
+use super::Bodies;
 use crate::chain::Motion;
 use crate::expression::Term;
 use crate::matrix::{Inertia, Symmetric};
 
 /// Moves inboard what the joint of body `k` lets pass; to be called from the last body to the first.
-pub fn pass_inboard(bodies: &mut [Body<'_>], k: usize) {
-    let body = bodies[k];
+pub fn pass_inboard(bodies: &mut Bodies<'_>, k: usize) {
+    let body = bodies.bodies[k];
     let passes = invariant(body.motion, body.inertia);
-    bodies[k].inertia = body.inertia - passes;
-    if let Some(parent) = body.parent {
-        let inertia = bodies[parent].inertia + passes.change_frame(body.placement);
-        bodies[parent].inertia = inertia;
-    }
+    bodies.bodies[k].inertia = body.inertia - passes;
+    let inboard = match body.parent {
+        Some(parent) => &mut bodies.bodies[parent].inertia,
+        None => &mut bodies.base,
+    };
+    *inboard = *inboard + passes.change_frame(body.placement);
 }
 
 /// The part of an inertia that is the same in every position of the joint, seen from its parent:

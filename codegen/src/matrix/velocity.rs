@@ -3,7 +3,7 @@
 
 use std::ops::Add;
 
-use super::{Pose, Screw, Vector};
+use super::{Pose, Rotation, Screw, Vector};
 use crate::expression::{Graph, Term};
 
 /// A velocity matrix W: ω̲, v₀; 0, 0.
@@ -30,6 +30,24 @@ impl<'g> Velocity<Term<'g>> {
         Self {
             omega: screw.u * rate,
             v: screw.b * rate,
+        }
+    }
+
+    /// The same motion in other axes, with the same pole.
+    #[must_use]
+    pub fn rotate(self, rotation: Rotation<Term<'g>>) -> Self {
+        Self {
+            omega: rotation * self.omega,
+            v: rotation * self.v,
+        }
+    }
+
+    /// The same motion told by another point of the body.
+    #[must_use]
+    pub fn move_pole(self, pole: Vector<Term<'g>>) -> Self {
+        Self {
+            v: self.v + self.omega.cross(pole),
+            ..self
         }
     }
 

@@ -120,6 +120,12 @@ impl<'g> Joint<'g> {
         self.turn().transposed() * (self.placement.rotation.transposed() * vector)
     }
 
+    /// First moments of a mass in the body's frame, in its parent's: R q + m p.
+    pub fn first_moment_inboard(&self, q: Vector<Term<'g>>, mass: Term<'g>) -> Vector<Term<'g>> {
+        let slid = self.turn() * q + self.offset() * mass;
+        self.placement.rotation * slid + self.placement.translation * mass
+    }
+
     /// J of the body in its parent's frame.
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
         inertia

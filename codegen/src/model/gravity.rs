@@ -33,9 +33,7 @@ pub fn gravity<'g>(
         moments[k].label(|| format!("j_{index}_in_{index}_"));
         tau[k] = joint.screw.u.dot(moments[k].cross(a)) + joint.screw.b.dot(a) * masses[k];
         if let Some(parent) = joint.parent {
-            // q of the composite about the parent's origin: R q + m p.
-            let slid = joint.turn() * moments[k] + joint.offset() * masses[k];
-            let carried = joint.placement.rotation * slid + joint.placement.translation * masses[k];
+            let carried = joint.first_moment_inboard(moments[k], masses[k]);
             moments[parent] = moments[parent] + carried;
             masses[parent] = masses[parent] + masses[k];
         }

@@ -127,14 +127,18 @@ impl Dense {
         self.posture.motion(frame, &self.rates(motion))
     }
 
-    /// W and J of each link.
+    /// W and J of each link that a joint moves.
     pub(crate) fn links(
         &self,
         motion: Motion,
     ) -> impl Iterator<Item = (Matrix<Approximate>, &Matrix<Approximate>)> {
         let motions = self.posture.motions(&self.rates(motion)).into_iter();
         let velocities = motions.map(|(velocity, _)| velocity);
-        velocities.zip(self.posture.inertias())
+        let links = velocities.zip(self.posture.inertias());
+        let moves = self.posture.moves().into_iter();
+        links
+            .zip(moves)
+            .filter_map(|(link, moves)| moves.then_some(link))
     }
 
     /// H_g, the acceleration of gravity.

@@ -12,8 +12,10 @@ mod forward_kinematics;
 mod geometric_jacobian;
 mod gravity;
 mod inverse_dynamics;
+mod kinetic_energy;
 mod mass_matrix;
 mod mass_matrix_inverse;
+mod potential_energy;
 mod quantities;
 mod spatial_jacobian;
 mod tally;
@@ -59,4 +61,6 @@ functions! {
     MassMatrix: mass_matrix, "The joint-space inertia matrix.";
     ForwardDynamics: forward_dynamics, "Joint accelerations that forces and torques produce.";
     MassMatrixInverse: mass_matrix_inverse, "The inverse of the joint-space inertia matrix.";
+    KineticEnergy: kinetic_energy, "½ Σ Tr(W J Wᵗ).";
+    PotentialEnergy: potential_energy, "−Σ Tr(H_g J), zero at the origin of frame 0.";
 }

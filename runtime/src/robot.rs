@@ -67,6 +67,12 @@ macro_rules! every_function {
             /// The inverse of the joint-space inertia matrix.
             /// M(q)⁻¹: symmetric, as rows.
             solution MassMatrixInverse mass_matrix_inverse(q) -> [[T; N]; N];
+            /// The kinetic energy.
+            /// ½ Σ Tr(W J Wᵗ) \[J\].
+            whole KineticEnergy kinetic_energy(q, qd) -> T;
+            /// The potential energy.
+            /// −Σ Tr(H_g J) of what the joints move \[J\], zero at the origin of frame 0.
+            whole PotentialEnergy potential_energy(q) -> T;
         }
     };
 }

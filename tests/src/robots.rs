@@ -13,32 +13,26 @@ macro_rules! robot {
         $(#[$about])*
         #[derive(Robot, Clone, Copy, Debug)]
         #[robot(urdf = $file, tip = $tip)]
-        #[robot(generate(
-            forward_kinematics,
-            spatial_jacobian,
-            body_jacobian,
-            geometric_jacobian,
-            velocity,
-            acceleration,
-            inverse_dynamics,
-            gravity,
-            bias,
-            mass_matrix,
-            forward_dynamics,
-            mass_matrix_inverse,
-            all_of(forward_kinematics, geometric_jacobian),
-            all_of(mass_matrix, bias),
-        ))]
         pub struct $name;
 
-        impl<T: Scalar> Shared<$joints, T> for $name {
-            fn shared(&self, state: &State<T, $joints>) -> [Vec<Block<T>>; 2] {
-                let State { q, qd, .. } = state;
-                let (m, columns) = self.forward_kinematics_and_geometric_jacobian(q);
-                let (mass, bias) = self.mass_matrix_and_bias(q, qd);
-                [functions::of_the_tip(&m, &columns), functions::of_the_whole(&mass, &bias)]
+        const _: () = {
+            #[derive(Robot)]
+            #[robot(urdf = $file, tip = $tip)]
+            #[robot(generate(
+                all_of(forward_kinematics, geometric_jacobian),
+                all_of(mass_matrix, bias),
+            ))]
+            struct Together;
+
+            impl<T: Scalar> Shared<$joints, T> for $name {
+                fn shared(&self, state: &State<T, $joints>) -> [Vec<Block<T>>; 2] {
+                    let State { q, qd, .. } = state;
+                    let (m, columns) = Together.forward_kinematics_and_geometric_jacobian(q);
+                    let (mass, bias) = Together.mass_matrix_and_bias(q, qd);
+                    [functions::of_the_tip(&m, &columns), functions::of_the_whole(&mass, &bias)]
+                }
             }
-        }
+        };
     };
 }
 

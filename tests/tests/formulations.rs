@@ -28,20 +28,6 @@ macro_rules! robot {
         $(#[$about])*
         #[derive(Robot)]
         #[robot(urdf = $urdf, tip = $tip)]
-        #[robot(generate(
-            forward_kinematics,
-            spatial_jacobian,
-            body_jacobian,
-            geometric_jacobian,
-            velocity,
-            acceleration,
-            inverse_dynamics,
-            gravity,
-            bias,
-            mass_matrix,
-            forward_dynamics,
-            mass_matrix_inverse,
-        ))]
         #[robot(formulation($($words)*))]
         struct $name;
     };

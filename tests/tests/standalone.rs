@@ -117,6 +117,8 @@ macro_rules! standalone {
             $robot.gravity(q).to_vec(),
             $robot.bias(q, qd).to_vec(),
             $robot.mass_matrix(q).as_flattened().to_vec(),
+            vec![$robot.kinetic_energy(q, qd)],
+            vec![$robot.potential_energy(q)],
             $robot.forward_dynamics(q, qd, tau).to_vec(),
             $robot.mass_matrix_inverse(q).as_flattened().to_vec(),
         ]

@@ -57,6 +57,16 @@ impl Posture {
         &self.inertias
     }
 
+    /// Whether a joint moves each link.
+    pub(super) fn moves(&self) -> Vec<bool> {
+        let mut moves: Vec<bool> = Vec::new();
+        for body in &self.robot.bodies {
+            let carried = body.parent.is_some_and(|parent| moves[parent]);
+            moves.push(carried || matches!(body.moved, Moved::By(_)));
+        }
+        moves
+    }
+
     /// Acceleration of gravity in frame 0.
     pub(super) const fn gravity(&self) -> [Scalar; 3] {
         self.robot.gravity

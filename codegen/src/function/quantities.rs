@@ -33,6 +33,13 @@ pub(super) const SCREWS: Quantity = Quantity {
     },
 };
 
+/// An energy.
+pub(super) const ENERGY: Quantity = Quantity {
+    over: &[],
+    entity: Entity::Number,
+    units: |_| vec!["J"],
+};
+
 /// Joint torques and forces.
 pub(super) const FORCES: Quantity = vector(|of| vec![by_one(of, "N m", "N")]);
 

@@ -15,7 +15,8 @@ use crate::big::Big;
 /// What a function returns; of the frame of that index where it is of one.
 ///
 /// # Panics
-/// Where a frame is asked for that is not there, or the mass matrix is singular and asked to be inverted.
+/// Where a frame is asked for that is not there, the mass matrix is singular and asked to be inverted, or
+/// a function has no oracle.
 #[must_use]
 pub fn evaluate(
     robot: &Robot,
@@ -64,6 +65,24 @@ pub fn evaluate(
                 |i: usize| (0..rest.len()).map(move |j| Big::new(f64::from(u8::from(i == j))));
             let identity = (0..rest.len()).map(|i| unit(i).collect()).collect();
             solve(mass_matrix(robot, &positions), identity).concat()
+        }
+        Function::KineticEnergy => {
+            let motion = moving(&of(&arguments.qd), &rest);
+            let links = motion.w.iter().zip(&positions.j);
+            let energies = links.map(|(w, j)| (&(w * j) * &w.transposed()).trace());
+            vec![energies.fold(Big::zero(), |sum, energy| sum + energy) * Big::new(0.5)]
+        }
+        Function::PotentialEnergy => {
+            // What no joint moves is not the robot's.
+            let mut moves: Vec<bool> = Vec::new();
+            for body in &robot.bodies {
+                let carried = body.parent.is_some_and(|parent| moves[parent]);
+                moves.push(carried || matches!(body.coordinate, Coordinate::Free(_)));
+            }
+            let links = positions.j.iter().zip(moves);
+            let energies =
+                links.filter_map(|(j, moves)| moves.then(|| (&robot.gravity * j).trace()));
+            vec![energies.fold(Big::zero(), |sum, energy| sum - energy)]
         }
         other => panic!("{} has no oracle", other.name()),
     }

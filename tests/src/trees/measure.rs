@@ -31,6 +31,8 @@ pub struct Measure {
     /// What stands for second moments that vanish [kg m²].
     second: f64,
     gravity: f64,
+    /// What all bodies weigh together \[kg\].
+    mass: f64,
 }
 
 impl Measure {
@@ -50,10 +52,14 @@ impl Measure {
             first,
             second: share * (share * reach * reach * reference.mass + reference.second),
             gravity: gravity.into_iter().sum(),
+            mass: reference.mass,
         }
     }
 
     /// The largest error of a result.
+    ///
+    /// # Panics
+    /// For a function that has no measure.
     #[must_use]
     pub fn error(&self, function: Function, found: &[f64], arguments: &Arguments) -> f64 {
         let rates = sum(&arguments.qd);
@@ -91,6 +97,14 @@ impl Measure {
             }
             Function::MassMatrixInverse => {
                 self.off_identity(found, count, &expected(Function::MassMatrix))
+            }
+            Function::KineticEnergy => {
+                let size = rates * rates * (self.first * self.slide + self.second);
+                compared(&|_| size + expected(function)[0].to_f64())
+            }
+            Function::PotentialEnergy => {
+                let size = self.gravity * self.mass * self.reach;
+                compared(&|_| size)
             }
             other => panic!("{} has no measure", other.name()),
         }

@@ -1,0 +1,58 @@
+//! The kinetic energy ½ Σ Tr(W J Wᵗ) (paper, eq. 22), body by body in the frames of the links.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
+use crate::dense::{Approximate, Motion};
+use crate::expression::Term;
+use crate::matrix::{Action, Screw, Velocity};
+use crate::model::Scene;
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "kinetic_energy",
+    sentence: |_, _| "Kinetic energy ½ q̇ᵗ M(q) q̇; J.".to_owned(),
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::ENERGY,
+    of_a_frame: false,
+    truth: Truth::Value(|dense, _| {
+        let twice = (dense.links(Motion::Coasting))
+            .map(|(w, j)| w.times(j).times(&w.transposed()).trace())
+            .fold(Approximate::exact(0.0), |sum, energy| sum + energy);
+        vec![twice * Approximate::exact(0.5)]
+    }),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn dense(size: Size) -> Tally {
+    // Of W J the trace with W alone is left.
+    let energy = Tally::of(1, 0, 0).and(16, 16);
+    let link = KINEMATIC.plus(INERTIA).plus(VELOCITY).plus(energy);
+    link.times(size.joints).and(1, 0)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let zero = scene.state.zero();
+    let mut velocities: Vec<Velocity<Term<'g>>> = Vec::new();
+    let mut twice = zero;
+    for joint in scene.joints() {
+        let at_rest = Velocity::zero(zero.graph());
+        let outer = joint.parent.map_or(at_rest, |parent| velocities[parent]);
+        let carried = outer
+            .move_pole(joint.placement.translation)
+            .rotate(joint.placement.rotation.transposed())
+            .move_pole(joint.offset())
+            .rotate(joint.turn().transposed());
+        let w = carried + Velocity::of_screw(joint.screw, scene.state.qd(joint.index));
+        let index = joint.index + 1;
+        w.omega.label(|| format!("w_0_{index}_in_{index}_"));
+        w.v.label(|| format!("w_0_{index}_in_{index}_v"));
+        // Tr(W J Wᵗ) = W ⊗ skew[W J].
+        let twist = Screw { u: w.omega, b: w.v };
+        twice = twice + Action::of_screw(twist, joint.inertia).along(twist);
+        velocities.push(w);
+    }
+    vec![twice * scene.state.constant(0.5)]
+}

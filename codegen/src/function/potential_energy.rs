@@ -1,0 +1,55 @@
+//! The potential energy −Σ Tr(H_g J) (paper, § 4.5) of all bodies that joints move, zero at the origin of
+//! frame 0: their first moments, carried inwards as one.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{INERTIA, KINEMATIC, Size, Tally};
+use crate::dense::{Approximate, Motion};
+use crate::expression::Term;
+use crate::model::Scene;
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "potential_energy",
+    sentence: |base, _| {
+        format!("Potential energy of gravity, zero where {base} (frame 0) has its origin; J.")
+    },
+    arguments: &[Variable::Q],
+    result: quantities::ENERGY,
+    of_a_frame: false,
+    truth: Truth::Value(|dense, _| {
+        let gravity = dense.gravity();
+        let energies = (dense.links(Motion::Rest)).map(|(_, j)| gravity.times(j).trace());
+        let energy = energies.fold(Approximate::exact(0.0), |sum, energy| sum - energy);
+        vec![energy]
+    }),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn dense(size: Size) -> Tally {
+    let link = KINEMATIC.plus(INERTIA).plus(Tally::default().and(16, 16));
+    link.times(size.joints)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let joints = scene.joints();
+    let mut masses: Vec<Term<'g>> = joints.iter().map(|joint| joint.inertia.mass).collect();
+    let mut moments: Vec<_> = joints.iter().map(|joint| joint.inertia.q).collect();
+    // What no joint moves, regrouping has left to the base.
+    let mut moment = scene.bodies.base.q;
+    for (k, joint) in joints.iter().enumerate().rev() {
+        let (q, mass) = (moments[k], masses[k]);
+        let index = k + 1;
+        q.label(|| format!("j_{index}_in_{index}_"));
+        let carried = joint.first_moment_inboard(q, mass);
+        if let Some(parent) = joint.parent {
+            moments[parent] = moments[parent] + carried;
+            masses[parent] = masses[parent] + mass;
+        } else {
+            moment = moment + carried;
+        }
+    }
+    vec![-scene.bodies.gravity.dot(moment)]
+}

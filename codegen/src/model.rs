@@ -1,11 +1,10 @@
 //! The recursions that functions share, as matrices of expressions.
 //!
 //! In: the bodies of a chain with their frames, in a [`Scene`]. Out: scalars. Recursions run in the
-//! frames of the links (structure rules 1 to 3), and in one file all of them in frame 0. It knows no
-//! function, and never counts, orders or prints.
+//! frames of the links (structure rules 1 to 3), or, with joints whose matrices are all there, in frame
+//! 0. It knows no function, and never counts, orders or prints.
 
 pub(crate) mod articulated;
-pub(crate) mod base_frame;
 mod carry;
 mod composite;
 mod factor;
@@ -100,22 +99,38 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// For each joint the one that carries the body it hangs on.
     pub(crate) fn parents(&self) -> Vec<Option<usize>> {
-        parents(self.bodies)
+        self.bodies.bodies.iter().map(|body| body.parent).collect()
     }
 
-    /// The way to the frame.
-    pub(crate) fn path(&self) -> carry::Path<'g> {
+    /// The way to the frame, in the frames of the links.
+    pub(crate) fn link_path(&self) -> carry::Path<'g> {
         carry::path(self.bodies, self.frame, &self.state, self.way.angles)
     }
 
-    /// The joints at work.
-    pub(crate) fn joints(&self) -> Vec<carry::Joint<'g>> {
+    /// The way to the frame, in the frame in which recursions run.
+    pub(crate) fn path(&self) -> carry::Path<'g> {
+        match self.way.frame {
+            Frame::Link => self.link_path(),
+            Frame::Base => self.link_path().in_frame_0(),
+        }
+    }
+
+    /// The joints at work, in the frames of the links.
+    pub(crate) fn link_joints(&self) -> Vec<carry::Joint<'g>> {
         carry::joints(self.bodies, &self.state, self.way.angles)
+    }
+
+    /// The joints at work, in the frame in which recursions run.
+    pub(crate) fn joints(&self) -> Vec<carry::Joint<'g>> {
+        match self.way.frame {
+            Frame::Link => self.link_joints(),
+            Frame::Base => carry::in_frame_0(&self.link_joints()),
+        }
     }
 
     /// τ of a motion with the given q̈.
     pub(crate) fn torques(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
-        self.needed(self.bodies.gravity, &self.state, qdd)
+        newton_euler::inverse_dynamics(&self.joints(), self.bodies.gravity, &self.state, qdd)
     }
 
     /// M q̈: τ at rest and without gravity.
@@ -124,41 +139,20 @@ impl<'s, 'g> Scene<'s, 'g> {
             graph: self.graph,
             rest: true,
         };
-        self.needed(Vector::zero(self.graph), &state, qdd)
-    }
-
-    fn needed(
-        &self,
-        gravity: Vector<Term<'g>>,
-        state: &State<'g>,
-        qdd: &[Term<'g>],
-    ) -> Vec<Term<'g>> {
-        let joints = self.joints();
-        match self.way.frame {
-            Frame::Link => newton_euler::inverse_dynamics(&joints, gravity, state, qdd),
-            Frame::Base => base_frame::inverse_dynamics(&joints, gravity, state, qdd),
-        }
+        newton_euler::inverse_dynamics(&self.joints(), Vector::zero(self.graph), &state, qdd)
     }
 
     /// M, row by row.
     pub(crate) fn mass_matrix(&self) -> Vec<Term<'g>> {
-        match self.way.frame {
-            Frame::Link => composite::mass_matrix(&self.joints(), &self.state),
-            Frame::Base => base_frame::mass_matrix(&self.joints(), &self.state),
-        }
+        composite::mass_matrix(&self.joints(), &self.state)
     }
 }
 
 /// For each joint the diagonal entry of the mass matrix and the pivot that its factors leave of it.
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
-    let state = State::of(graph);
-    let matrix = composite::mass_matrix(&carry::joints(bodies, &state, Angles::Apart), &state);
-    forward_dynamics::pivots(&matrix, &parents(bodies))
-}
-
-fn parents(bodies: &Bodies<'_>) -> Vec<Option<usize>> {
-    bodies.bodies.iter().map(|body| body.parent).collect()
+    let scene = Scene::new(graph, bodies, 0, Way::PLAIN);
+    forward_dynamics::pivots(&scene.mass_matrix(), &scene.parents())
 }
 
 /// What the articulated-body recursion takes from a motion: see [`articulated::motion`].
@@ -167,9 +161,8 @@ pub(crate) fn articulated_motion<'g>(
     bodies: &Bodies<'g>,
     way: Way,
 ) -> Vec<Term<'g>> {
-    let state = State::of(graph);
-    let joints = carry::joints(bodies, &state, way.angles);
-    articulated::motion(&joints, bodies.gravity, &state)
+    let scene = Scene::new(graph, bodies, 0, way);
+    articulated::motion(&scene.link_joints(), bodies.gravity, &scene.state)
 }
 
 /// One step inwards of the articulated-body recursion from each joint: see [`articulated::step`].
@@ -179,7 +172,7 @@ pub(crate) fn articulated_steps<'g>(
     way: Way,
     entries: &[Term<'g>; ARTICULATED_STEP],
 ) -> Vec<Vec<Term<'g>>> {
-    let joints = carry::joints(bodies, &State::of(graph), way.angles);
+    let joints = Scene::new(graph, bodies, 0, way).link_joints();
     let steps = joints.iter().map(|joint| articulated::step(joint, entries));
     steps.collect()
 }

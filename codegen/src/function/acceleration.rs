@@ -5,8 +5,7 @@ use super::quantities;
 use super::tally::{MOVING, Size, Tally};
 use crate::dense::Motion;
 use crate::expression::Term;
-use crate::formulation::Frame;
-use crate::model::{Scene, base_frame, twist};
+use crate::model::{Scene, twist};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -33,8 +32,5 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    match scene.way.frame {
-        Frame::Link => twist::acceleration(&scene.path(), &scene.state),
-        Frame::Base => base_frame::acceleration(&scene.path(), &scene.state),
-    }
+    twist::acceleration(&scene.path(), &scene.state)
 }

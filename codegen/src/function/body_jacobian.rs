@@ -4,8 +4,7 @@ use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally;
 use crate::expression::Term;
-use crate::formulation::Frame;
-use crate::model::{Scene, base_frame, jacobian};
+use crate::model::{Scene, jacobian};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -31,8 +30,5 @@ fn sentence(_: &str, frame: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    match scene.way.frame {
-        Frame::Link => jacobian::body(&scene.path()),
-        Frame::Base => base_frame::body_jacobian(&scene.path()),
-    }
+    jacobian::body(&scene.path())
 }

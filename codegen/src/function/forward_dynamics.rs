@@ -41,7 +41,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
             refinements,
         ),
         Forward::Articulated => {
-            articulated::forward_dynamics(&scene.joints(), scene.bodies.gravity, &scene.state)
+            articulated::forward_dynamics(&scene.link_joints(), scene.bodies.gravity, &scene.state)
         }
     }
 }

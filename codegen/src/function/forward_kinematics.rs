@@ -28,7 +28,7 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    pose::forward_kinematics(&scene.path(), scene.way.pose)
+    pose::forward_kinematics(&scene.link_path(), scene.way.pose)
 }
 
 /// Two columns make the third, whichever it is; and carried outwards a pose shares the work of Jacobians.

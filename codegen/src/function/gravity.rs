@@ -5,8 +5,7 @@ use super::quantities;
 use super::tally::{ACTION, INERTIA, KINEMATIC, Size, Tally};
 use crate::dense::Motion;
 use crate::expression::Term;
-use crate::formulation::Frame;
-use crate::model::{Scene, base_frame, gravity};
+use crate::model::{Scene, gravity};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -30,9 +29,5 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let (joints, gravity) = (scene.joints(), scene.bodies.gravity);
-    match scene.way.frame {
-        Frame::Link => gravity::gravity(&joints, gravity, &scene.state),
-        Frame::Base => base_frame::gravity(&joints, gravity, &scene.state),
-    }
+    gravity::gravity(&scene.joints(), scene.bodies.gravity, &scene.state)
 }

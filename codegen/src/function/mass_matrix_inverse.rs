@@ -38,6 +38,8 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
             |qdd| scene.inertial(qdd),
             refinements,
         ),
-        Forward::Articulated => articulated::mass_matrix_inverse(&scene.joints(), &scene.state),
+        Forward::Articulated => {
+            articulated::mass_matrix_inverse(&scene.link_joints(), &scene.state)
+        }
     }
 }

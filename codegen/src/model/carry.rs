@@ -3,17 +3,19 @@
 //! In: the bodies and the state. Out: the displacements of their joints, each a turn and a slide,
 //! of all of them or of those on the way from the base to a frame. A frame that leaves its turn to
 //! what it carries ([`turn`](super::turn)) is not fixed to its body; all matrices are of one
-//! instant, so no formula minds.
+//! instant, so no formula minds. Neither does any where all matrices are in frame 0: each L and J is
+//! taken there, and from one body to the next nothing is left to be carried.
 
 use super::State;
 use super::turn::{self, Turn};
 use crate::chain::Motion;
 use crate::expression::Term;
-use crate::formulation::Angles;
+use crate::formulation::{Angles, Frame};
 use crate::layout::{Bodies, Body};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
 
-/// The displacement of a joint: a turn about z and a slide along it.
+/// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it;
+/// in frame 0 there is none, and the placement is the identity.
 #[derive(Clone, Copy)]
 pub struct Joint<'g> {
     /// Index of the joint in q.
@@ -22,15 +24,19 @@ pub struct Joint<'g> {
     pub parent: Option<usize>,
     /// The motion it allows.
     pub motion: Motion,
+    /// The number of the frame in which its matrices are: that of its body, or 0.
+    pub frame: usize,
+    /// The number of the frame in which those of the body are that it hangs on.
+    pub outer_frame: usize,
     /// M from the parent's frame to where the displacement starts.
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of the turn.
     pub angle: (Term<'g>, Term<'g>),
     /// The slide \[m\].
     pub slide: Term<'g>,
-    /// L of the joint in its body's frame.
+    /// L of the joint.
     pub screw: Screw<Term<'g>>,
-    /// J of the body in its frame.
+    /// J of the body.
     pub inertia: Inertia<Term<'g>>,
 }
 
@@ -63,6 +69,8 @@ impl<'g> Joint<'g> {
             index: k,
             parent: body.parent,
             motion: body.motion,
+            frame: k + 1,
+            outer_frame: body.parent.map_or(0, |parent| parent + 1),
             placement,
             angle,
             slide,
@@ -77,13 +85,31 @@ impl<'g> Joint<'g> {
         }
     }
 
-    /// The number of the frame that the joint stands on: 0 for the base, else that of the body.
-    pub fn stands_on(&self) -> usize {
-        self.parent.map_or(0, |parent| parent + 1)
+    /// The joint with all its matrices in frame 0, where its body is at a pose: M L M⁻¹ and M J Mᵗ, as
+    /// the paper has them (eqs. 8 and 17).
+    fn in_frame_0(self, pose: Pose<Term<'g>>) -> Self {
+        let graph = self.slide.graph();
+        let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+        let index = self.index + 1;
+        let screw = self.screw.change_frame(pose);
+        screw.u.label(|| format!("l_{index}_in_0_u"));
+        screw.b.label(|| format!("l_{index}_in_0_b"));
+        let inertia = self.inertia.change_frame(pose);
+        inertia.label(|| format!("j_{index}_in_0_"));
+        Self {
+            frame: 0,
+            outer_frame: 0,
+            placement: Pose::identity(graph),
+            angle: (zero, one),
+            slide: zero,
+            screw,
+            inertia,
+            ..self
+        }
     }
 
     /// M₀ of the body, where `outer` is that of the body it hangs on.
-    pub fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
+    fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
         let index = self.index + 1;
         pose.translation.label(|| format!("m_0_{index}_t"));
@@ -143,6 +169,24 @@ impl<'g> Joint<'g> {
     }
 }
 
+/// Joints, each with M₀ of its body; parents come before children.
+fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
+    let mut found: Vec<(Joint<'g>, Pose<Term<'g>>)> = Vec::with_capacity(joints.len());
+    for &joint in joints {
+        let outer = (found.iter().rev()).find(|(outer, _)| Some(outer.index) == joint.parent);
+        let base = || Pose::identity(joint.slide.graph());
+        let pose = joint.pose(outer.map_or_else(base, |&(_, pose)| pose));
+        found.push((joint, pose));
+    }
+    found
+}
+
+/// Joints with all their matrices in frame 0.
+pub fn in_frame_0<'g>(joints: &[Joint<'g>]) -> Vec<Joint<'g>> {
+    let placed = placed(joints).into_iter();
+    placed.map(|(joint, pose)| joint.in_frame_0(pose)).collect()
+}
+
 /// All joints, in the order of q.
 pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Joint<'g>> {
     let left = turn::left_to_carried(bodies, state, angles, |k| {
@@ -160,24 +204,35 @@ pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec
 
 /// The way from the base to a frame.
 pub struct Path<'g> {
+    /// Where the matrices of its joints are.
+    pub frame: Frame,
     /// The joints that move the frame, from the base outwards.
     pub joints: Vec<Joint<'g>>,
     /// How many joints the robot has.
     pub count: usize,
-    /// M from the last body to the frame.
+    /// M from the last body to the frame, or M₀ of the frame where all matrices are in frame 0.
     pub end: Pose<Term<'g>>,
 }
 
 impl<'g> Path<'g> {
     /// The joints from the base outwards, each with M₀ of its body.
     pub fn outwards(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
-        let mut pose = Pose::identity(self.end.translation.x().graph());
-        let mut found = Vec::with_capacity(self.joints.len());
-        for &joint in &self.joints {
-            pose = joint.pose(pose);
-            found.push((joint, pose));
+        placed(&self.joints)
+    }
+
+    /// M₀ of the frame.
+    pub fn pose(&self) -> Pose<Term<'g>> {
+        (self.outwards().last()).map_or(self.end, |&(_, pose)| pose * self.end)
+    }
+
+    /// The way with all its matrices in frame 0.
+    pub fn in_frame_0(self) -> Self {
+        Self {
+            frame: Frame::Base,
+            joints: in_frame_0(&self.joints),
+            end: self.pose(),
+            ..self
         }
-        found
     }
 }
 
@@ -193,6 +248,7 @@ pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, angles: An
     let mut joints: Vec<Joint<'g>> = joints.collect();
     joints.reverse();
     Path {
+        frame: Frame::Link,
         joints,
         count: bodies.bodies.len(),
         end,

@@ -12,8 +12,8 @@ pub fn mass_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>>
     let mut composites: Vec<_> = joints.iter().map(|joint| joint.inertia).collect();
     let mut entries = vec![state.zero(); count * count];
     for column in (0..count).rev() {
-        let index = column + 1;
-        composites[column].label(|| format!("j_{index}_in_{index}_"));
+        let (index, frame) = (column + 1, joints[column].frame);
+        composites[column].label(|| format!("j_{index}_in_{frame}_"));
         let mut action = Action::of_screw(joints[column].screw, composites[column]);
         let mut at = column;
         loop {
@@ -26,7 +26,7 @@ pub fn mass_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>>
             action = action
                 .change_frame(joints[at].displacement())
                 .change_frame(joints[at].placement);
-            let frame = parent + 1;
+            let frame = joints[at].outer_frame;
             action.label(|| format!("phi_{index}_in_{frame}_"));
             at = parent;
         }

@@ -20,8 +20,8 @@ pub fn gravity<'g>(
             .parent
             .map_or(-gravity, |parent| accelerations[parent]);
         let a = joint.vector_outboard(outer);
-        let index = joint.index + 1;
-        a.label(|| format!("h_0_{index}_in_{index}_"));
+        let (index, frame) = (joint.index + 1, joint.frame);
+        a.label(|| format!("h_0_{index}_in_{frame}_"));
         accelerations.push(a);
     }
     let mut masses: Vec<_> = joints.iter().map(|joint| joint.inertia.mass).collect();
@@ -29,9 +29,18 @@ pub fn gravity<'g>(
     let mut tau = vec![state.zero(); count];
     for k in (0..count).rev() {
         let (joint, a) = (&joints[k], accelerations[k]);
-        let index = k + 1;
-        moments[k].label(|| format!("j_{index}_in_{index}_"));
-        tau[k] = joint.screw.u.dot(moments[k].cross(a)) + joint.screw.b.dot(a) * masses[k];
+        let (index, frame) = (k + 1, joint.frame);
+        moments[k].label(|| format!("j_{index}_in_{frame}_"));
+        let (screw, mass) = (joint.screw, masses[k]);
+        let couple = screw.u.dot(moments[k].cross(a));
+        // A mass folds into an acceleration that is known; beside one that is not, one product is enough.
+        let known = a.0.iter().all(|entry| entry.value().is_some());
+        let force = if known {
+            screw.b.dot(a * mass)
+        } else {
+            screw.b.dot(a) * mass
+        };
+        tau[k] = couple + force;
         if let Some(parent) = joint.parent {
             let carried = joint.first_moment_inboard(moments[k], masses[k]);
             moments[parent] = moments[parent] + carried;

@@ -16,8 +16,7 @@ pub fn spatial<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
 /// Columns in the axes of frame 0, pole at the origin of the frame at the end.
 pub fn geometric<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
     let steps = path.outwards();
-    let tip = path.end.translation;
-    let tip = steps.last().map_or(tip, |(_, pose)| pose.point(tip));
+    let tip = path.pose().translation;
     let seen = steps.into_iter().map(|(joint, pose)| {
         let from_tip = Pose {
             translation: pose.translation - tip,
@@ -41,7 +40,7 @@ pub fn body<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
 }
 
 /// All columns; those of joints off the path are null.
-pub fn columns<'g>(
+fn columns<'g>(
     path: &Path<'g>,
     found: impl Iterator<Item = (usize, Screw<Term<'g>>)>,
 ) -> Vec<Term<'g>> {

@@ -1,5 +1,5 @@
 //! Inverse dynamics by Newton and Euler: accelerations H outwards, actions Φ = skew\[H J\] inwards,
-//! each in the frame of its link.
+//! each in the frame of its joint's matrices.
 
 use super::State;
 use super::carry::Joint;
@@ -21,31 +21,32 @@ pub fn inverse_dynamics<'g>(
     for (k, joint) in joints.iter().enumerate() {
         let outer = joint.parent.map_or(base, |parent| accelerations[parent]);
         let h = beyond(outer, joint, state.qd(k), qdd[k]);
-        let index = k + 1;
-        h.omega.label(|| format!("w_0_{index}_in_{index}_"));
-        h.omega_dot.label(|| format!("wd_0_{index}_in_{index}_"));
-        h.a.label(|| format!("h_0_{index}_in_{index}_"));
+        let (index, frame) = (k + 1, joint.frame);
+        h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
+        h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
+        h.a.label(|| format!("h_0_{index}_in_{frame}_"));
         accelerations.push(h);
         actions.push(Action::of(h, joint.inertia));
     }
     let mut tau = vec![state.zero(); count];
     for k in (0..count).rev() {
         let (joint, action) = (&joints[k], actions[k]);
-        let index = k + 1;
-        action.label(|| format!("phi_{index}_in_{index}_"));
+        let (index, frame, outer) = (k + 1, joint.frame, joint.outer_frame);
+        action.label(|| format!("phi_{index}_in_{frame}_"));
         tau[k] = action.along(joint.screw);
         if let Some(parent) = joint.parent {
             let carried = action
                 .change_frame(joint.displacement())
                 .change_frame(joint.placement);
-            carried.label(|| format!("phi_{index}_in_{parent}_", parent = parent + 1));
+            carried.label(|| format!("phi_{index}_in_{outer}_"));
             actions[parent] = actions[parent] + carried;
         }
     }
     tau
 }
 
-/// H of the body beyond a joint, in its own frame: Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ (eq. 11) by its parts.
+/// H of the body beyond a joint, where the joint's matrices are: Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ (eq. 11)
+/// by its parts, of which Hⱼₖ's own ω × v is half a Coriolis term more.
 pub fn beyond<'g>(
     outer: Acceleration<Term<'g>>,
     joint: &Joint<'g>,
@@ -57,7 +58,8 @@ pub fn beyond<'g>(
         .rotate(joint.placement.rotation.transposed())
         .rotate(joint.turn().transposed());
     let (u, b) = (joint.screw.u, joint.screw.b);
-    let coriolis: Vector<Term<'g>> = carried.omega.cross(b * (rate + rate));
+    let half = rate.graph().constant(0.5);
+    let coriolis = (carried.omega + u * rate * half).cross(b * (rate + rate));
     Acceleration {
         omega: carried.omega + u * rate,
         omega_dot: carried.omega_dot + u * second + carried.omega.cross(u * rate),

@@ -12,10 +12,7 @@ use crate::matrix::{Pose, Rotation, Vector};
 pub fn forward_kinematics<'g>(path: &Path<'g>, carried: Carried) -> Vec<Term<'g>> {
     let pose = match carried {
         Carried::Inwards { by_product } => inwards(path, by_product),
-        Carried::Outwards => path
-            .outwards()
-            .last()
-            .map_or(path.end, |&(_, pose)| pose * path.end),
+        Carried::Outwards => path.pose(),
     };
     pose.entries().to_vec()
 }
@@ -30,7 +27,7 @@ fn inwards<'g>(path: &Path<'g>, by_product: Option<usize>) -> Pose<Term<'g>> {
             }
         }
         origin = joint.point_inboard(origin);
-        label(joint.stands_on(), columns, origin, by_product);
+        label(joint.outer_frame, columns, origin, by_product);
     }
     if let Some(k) = by_product {
         columns[k] = columns[(k + 1) % 3].cross(columns[(k + 2) % 3]);

@@ -1,30 +1,52 @@
-//! W₀,ₕ₍₀₎ and H₀,ₕ₍₀₎, by the composition rules (paper, eqs. 10 and 11), carried inwards so that no
-//! pose is needed.
+//! W₀,ₕ₍₀₎ and H₀,ₕ₍₀₎, by the composition rules (paper, eqs. 10 and 11): carried inwards from link to
+//! link, so that no pose is needed; or, of matrices that are in frame 0 already, composed outwards, so that
+//! parallel axes, which are most often at the base, meet in the sums.
 
 use super::State;
-use super::carry::Path;
+use super::carry::{Joint, Path};
+use super::newton_euler::beyond;
 use crate::expression::Term;
+use crate::formulation::Frame;
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 
 /// W of the frame at the end of a path: ω, v₀.
 pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
-    let mut w = Velocity::zero(state.graph);
-    for joint in path.joints.iter().rev() {
-        w = Velocity::of_screw(joint.screw, state.qd(joint.index)) + w;
-        w = w
-            .change_frame(joint.displacement())
-            .change_frame(joint.placement);
-        let index = joint.stands_on();
-        w.omega.label(|| format!("w_{index}_n_in_{index}_"));
-        w.v.label(|| format!("w_{index}_n_in_{index}_v"));
-    }
+    let own = |joint: &Joint<'g>| Velocity::of_screw(joint.screw, state.qd(joint.index));
+    let (rest, joints) = (Velocity::zero(state.graph), path.joints.iter());
+    let w = match path.frame {
+        Frame::Base => joints.fold(rest, |w, joint| w + own(joint)),
+        Frame::Link => joints.rev().fold(rest, |w, joint| {
+            let w = (own(joint) + w)
+                .change_frame(joint.displacement())
+                .change_frame(joint.placement);
+            let index = joint.outer_frame;
+            w.omega.label(|| format!("w_{index}_n_in_{index}_"));
+            w.v.label(|| format!("w_{index}_n_in_{index}_v"));
+            w
+        }),
+    };
     [w.omega.0, w.v.0].concat()
 }
 
 /// H of the frame at the end of a path, row by row of (G, a₀).
 pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
-    let mut w = Velocity::zero(state.graph);
-    let mut h = Acceleration::linear(Vector::zero(state.graph));
+    let rest = Acceleration::linear(Vector::zero(state.graph));
+    let h = match path.frame {
+        Frame::Base => path.joints.iter().fold(rest, |h, joint| {
+            beyond(h, joint, state.qd(joint.index), state.qdd(joint.index))
+        }),
+        Frame::Link => inwards(path, state, rest),
+    };
+    h.entries().to_vec()
+}
+
+/// H of the frame at the end of a path, from there to the base.
+fn inwards<'g>(
+    path: &Path<'g>,
+    state: &State<'g>,
+    rest: Acceleration<Term<'g>>,
+) -> Acceleration<Term<'g>> {
+    let (mut w, mut h) = (Velocity::zero(state.graph), rest);
     for joint in path.joints.iter().rev() {
         let (rate, second) = (state.qd(joint.index), state.qdd(joint.index));
         let own = Velocity::of_screw(joint.screw, rate);
@@ -42,7 +64,7 @@ pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
             .change_frame(joint.displacement())
             .change_frame(joint.placement);
     }
-    h.entries().to_vec()
+    h
 }
 
 /// M H M⁻¹ with G taken before the rotation, where it is sparser.

@@ -122,7 +122,7 @@ impl Matrices {
     }
 
     /// What the entry of that name may be: of actions there are those of a motion and those of the columns
-    /// of the mass matrix.
+    /// of the mass matrix, and of inertias in frame 0 those of a body and of all that it carries.
     pub fn named(&self, name: &str) -> Option<Vec<f64>> {
         let (name, sign) = match name.strip_prefix("minus_") {
             Some(name) => (name, -1.0),
@@ -203,26 +203,16 @@ impl Matrices {
                 part[axis(entry.get(1..)?)?]
             }
             "j" => {
-                // In a link's own frame with what it carries, of which the mass matrix is made.
+                // With what it carries, of which the mass matrix is made; in frame 0 also by itself.
                 let i = body(pair)?;
                 let whole = self
                     .outboard(i)
                     .fold(Inertia::zero(), |sum, k| sum + self.j[k]);
-                let j = m_k_0.change_frame(if in_base { &self.j[i] } else { &whole });
-                let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = j.second_moments();
-                let known = [
-                    ("xx", xx),
-                    ("yy", yy),
-                    ("zz", zz),
-                    ("xy", xy),
-                    ("xz", xz),
-                    ("yz", yz),
-                ];
-                match known.iter().find(|(name, _)| *name == entry) {
-                    Some((_, value)) => *value,
-                    None if entry == "m" => j.mass(),
-                    None => j.q()[axis(entry)?],
-                }
+                let known = [Some(whole), in_base.then_some(self.j[i])];
+                let known = known.into_iter().flatten();
+                return known
+                    .map(|j| inertia_entry(&m_k_0.change_frame(&j), entry))
+                    .collect();
             }
             "phi" => return self.actions(body(pair)?, m_k_0, entry),
             _ => return None,
@@ -250,6 +240,23 @@ impl Matrices {
             }
         };
         Some(vec![part(of_motion), part(whole.action(&second))])
+    }
+}
+
+fn inertia_entry(j: &Inertia<f64>, entry: &str) -> Option<f64> {
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = j.second_moments();
+    let known = [
+        ("xx", xx),
+        ("yy", yy),
+        ("zz", zz),
+        ("xy", xy),
+        ("xz", xz),
+        ("yz", yz),
+    ];
+    match known.iter().find(|(name, _)| *name == entry) {
+        Some((_, value)) => Some(*value),
+        None if entry == "m" => Some(j.mass()),
+        None => Some(j.q()[axis(entry)?]),
     }
 }
 

@@ -71,7 +71,7 @@ pub(super) fn caused(mobility: &[f64], forces: &[f64]) -> Vec<f64> {
 
 /// How far what is found may be out of the range of the exact accelerations, in relation to it: what
 /// is tried, the least first.
-pub(super) const MARGINS: [f64; 4] = [1e-6, 1e-3, 0.03, 1.0];
+const MARGINS: [f64; 4] = [1e-6, 1e-3, 0.03, 1.0];
 
 /// A range of accelerations that is wider by a margin.
 pub(super) fn widened(range: &Range, margin: f64) -> Range {
@@ -132,12 +132,13 @@ fn solved(
         let stays = stays(range, margin, &caused(mobility, &left));
         if stays { Ok(left) } else { Err(DOUBTFUL) }
     };
-    tried(attempt)
+    tried(0.0, attempt)
 }
 
-/// The first margin that suffices.
-pub(super) fn tried(attempt: impl Fn(f64) -> Worst) -> Worst {
-    let attempts = MARGINS.into_iter().map(attempt);
+/// The first margin that suffices, of the least or more.
+pub(super) fn tried(least: f64, attempt: impl Fn(f64) -> Worst) -> Worst {
+    let margins = MARGINS.into_iter().filter(|&margin| margin >= least);
+    let attempts = margins.map(attempt);
     let mut refused = Err(DOUBTFUL);
     for found in attempts {
         if found.is_ok() || found != Err(DOUBTFUL) {
@@ -152,6 +153,20 @@ pub(super) fn tried(attempt: impl Fn(f64) -> Worst) -> Worst {
 pub(super) fn stays(range: &Range, margin: f64, off: &[f64]) -> bool {
     let most = range.qdd.iter().map(|[_, most]| margin * most);
     off.iter().zip(most).all(|(off, most)| *off <= most)
+}
+
+/// What underflow takes from a sum on the way, in any unit, where all factors of a product together are
+/// of at most that size.
+///
+/// # Errors
+/// Where a number may overflow that is a product of two of these.
+pub(super) fn underflow(size: f64, joints: usize, scalar: Real) -> Result<f64, &'static str> {
+    let joints: f64 = std::iter::repeat_n(1.0, joints).sum();
+    // Where a joint may move without any energy, that is the reason and not this.
+    if size.is_finite() && joints * joints * size * size >= scalar.largest() {
+        return Err(Reason::Overflow.words());
+    }
+    Ok(16.0 * joints * joints * size * scalar.smallest())
 }
 
 /// What a program computes that a solution comes from.
@@ -187,18 +202,13 @@ impl Parts {
         // joints, twice: factors are √(M/d) and pivots d at least half of 1/(M⁻¹)ₖₖ.
         let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(1.0, f64::max);
         let given = bias.iter().chain(&needed).map(|value| value.reach());
-        let joints = most.iter().map(|_| 1.0).sum::<f64>();
         let size = largest(&mut mass.iter().map(|value| value.reach()))
             * largest(&mut mobility.iter().map(|most| 2.0 * most))
             * largest(&mut most.iter().copied())
             * largest(&mut given.map(|torque| 2.0 * torque));
-        // Where a joint may move without any energy, that is the reason and not this.
-        if size.is_finite() && joints * joints * size * size >= scalar.largest() {
-            return Err(Reason::Overflow.words());
-        }
         Ok(Self {
             roundoff: scalar.roundoff(),
-            vanishes: 16.0 * joints * joints * size * scalar.smallest(),
+            vanishes: underflow(size, count, scalar)?,
             most,
             mass,
             bias,

@@ -4,10 +4,16 @@
 //! Out: how far the torques, or the mass matrix, that a result is exact for are from those given
 //! (backward error). It never says how far the result is off: that grows with the condition number.
 //!
-//! A computed solution solves M + ΔM with |ΔM| ≤ γ |Lᵗ| D |L| exactly (Higham, *Accuracy and
-//! Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
-//! γ √(Mᵢᵢ Mⱼⱼ), as long as all pivots are positive. They are where M + ΔM is positive definite:
-//! with a bound S of |ΔM|, and xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
+//! A computed solution of Lᵗ D L x = b solves M + ΔM exactly, with |ΔM| ≤ c u |Lᵗ| D |L| (as in Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
+//! c u √(Mᵢᵢ Mⱼⱼ) (Cauchy and Schwarz), as long as all pivots are positive. Of n joints, c is
+//! * n + 1 of the factors: an entry has n − 1 others taken from it, each a product, 1, with a quotient that
+//!   is one with 1/D, 2; the first of them goes through n − 2 further differences;
+//! * n − 1 of each of two substitutions, and 2 of x = y (1/D) between them;
+//! * 1 of b = τ − bias, since b is M q̈; and 1 for all products of these.
+//!
+//! Pivots are positive where M + ΔM is positive definite: with a bound S of |ΔM|, and
+//! xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
 use super::{Accuracy, Given, Means, Worst, backward, computed, error};
 use crate::accuracy::mobility::{Mobility, mobility};
@@ -245,9 +251,8 @@ impl Parts {
     fn lost(&self, row: usize, column: usize) -> f64 {
         let count = self.most.len();
         let size = |k: usize| self.mass[k * (count + 1)].reach();
-        // Factors and two substitutions, 3n + 1; quotients as products with a reciprocal, 3; the
-        // difference of torques and bias, 1; and 1 for all products of these.
-        let roundings = self.most.iter().map(|_| 3.0).sum::<f64>() + 6.0;
+        // c = 3n + 3.
+        let roundings = self.most.iter().map(|_| 3.0).sum::<f64>() + 3.0;
         let solved = roundings * self.roundoff * (size(row) * size(column)).sqrt();
         self.mass[row * count + column].error + solved + self.vanishes
     }

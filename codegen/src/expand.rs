@@ -275,3 +275,6 @@ fn accuracy_of(
     let evaluated = accuracy::of(chain, functions, &found.program, means);
     evaluated.into_iter().chain(solved).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -16,7 +16,9 @@ pub(crate) mod pose;
 mod turn;
 pub(crate) mod twist;
 
-pub(crate) use self::articulated::{MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP};
+pub(crate) use self::articulated::{
+    INERTIA as ARTICULATED_INERTIA, MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP,
+};
 pub use crate::formulation::{Angles, Forward, Frame};
 
 use crate::expression::{Graph, Input, Term};

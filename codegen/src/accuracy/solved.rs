@@ -4,10 +4,16 @@
 //! Out: how far the torques, or the mass matrix, that a result is exact for are from those given
 //! (backward error). It never says how far the result is off: that grows with the condition number.
 //!
-//! A computed solution solves M + ΔM with |ΔM| ≤ γ |Lᵗ| D |L| exactly (Higham, *Accuracy and
-//! Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
-//! γ √(Mᵢᵢ Mⱼⱼ), as long as all pivots are positive. They are where M + ΔM is positive definite:
-//! with a bound S of |ΔM|, and xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
+//! A computed solution of Lᵗ D L x = b solves M + ΔM exactly, with |ΔM| ≤ c u |Lᵗ| D |L| (as in Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
+//! c u √(Mᵢᵢ Mⱼⱼ) (Cauchy and Schwarz), as long as all pivots are positive. Of n joints, c is
+//! * n + 1 of the factors: an entry has n − 1 others taken from it, each a product, 1, with a quotient that
+//!   is one with 1/D, 2; the first of them goes through n − 2 further differences;
+//! * n − 1 of each of two substitutions, and 2 of x = y (1/D) between them;
+//! * 1 of b = τ − bias, since b is M q̈; and 1 for all products of these.
+//!
+//! Pivots are positive where M + ΔM is positive definite: with a bound S of |ΔM|, and
+//! xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
 use super::{Accuracy, Given, Means, Worst, backward, computed, error};
 use crate::accuracy::mobility::{Mobility, mobility};
@@ -71,7 +77,7 @@ pub(super) fn caused(mobility: &[f64], forces: &[f64]) -> Vec<f64> {
 
 /// How far what is found may be out of the range of the exact accelerations, in relation to it: what
 /// is tried, the least first.
-pub(super) const MARGINS: [f64; 4] = [1e-6, 1e-3, 0.03, 1.0];
+const MARGINS: [f64; 4] = [1e-6, 1e-3, 0.03, 1.0];
 
 /// A range of accelerations that is wider by a margin.
 pub(super) fn widened(range: &Range, margin: f64) -> Range {
@@ -132,12 +138,13 @@ fn solved(
         let stays = stays(range, margin, &caused(mobility, &left));
         if stays { Ok(left) } else { Err(DOUBTFUL) }
     };
-    tried(attempt)
+    tried(0.0, attempt)
 }
 
-/// The first margin that suffices.
-pub(super) fn tried(attempt: impl Fn(f64) -> Worst) -> Worst {
-    let attempts = MARGINS.into_iter().map(attempt);
+/// The first margin that suffices, of the least or more.
+pub(super) fn tried(least: f64, attempt: impl Fn(f64) -> Worst) -> Worst {
+    let margins = MARGINS.into_iter().filter(|&margin| margin >= least);
+    let attempts = margins.map(attempt);
     let mut refused = Err(DOUBTFUL);
     for found in attempts {
         if found.is_ok() || found != Err(DOUBTFUL) {
@@ -152,6 +159,20 @@ pub(super) fn tried(attempt: impl Fn(f64) -> Worst) -> Worst {
 pub(super) fn stays(range: &Range, margin: f64, off: &[f64]) -> bool {
     let most = range.qdd.iter().map(|[_, most]| margin * most);
     off.iter().zip(most).all(|(off, most)| *off <= most)
+}
+
+/// What underflow takes from a sum on the way, in any unit, where all factors of a product together are
+/// of at most that size.
+///
+/// # Errors
+/// Where a number may overflow that is a product of two of these.
+pub(super) fn underflow(size: f64, joints: usize, scalar: Real) -> Result<f64, &'static str> {
+    let joints: f64 = std::iter::repeat_n(1.0, joints).sum();
+    // Where a joint may move without any energy, that is the reason and not this.
+    if size.is_finite() && joints * joints * size * size >= scalar.largest() {
+        return Err(Reason::Overflow.words());
+    }
+    Ok(16.0 * joints * joints * size * scalar.smallest())
 }
 
 /// What a program computes that a solution comes from.
@@ -187,18 +208,13 @@ impl Parts {
         // joints, twice: factors are √(M/d) and pivots d at least half of 1/(M⁻¹)ₖₖ.
         let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(1.0, f64::max);
         let given = bias.iter().chain(&needed).map(|value| value.reach());
-        let joints = most.iter().map(|_| 1.0).sum::<f64>();
         let size = largest(&mut mass.iter().map(|value| value.reach()))
             * largest(&mut mobility.iter().map(|most| 2.0 * most))
             * largest(&mut most.iter().copied())
             * largest(&mut given.map(|torque| 2.0 * torque));
-        // Where a joint may move without any energy, that is the reason and not this.
-        if size.is_finite() && joints * joints * size * size >= scalar.largest() {
-            return Err(Reason::Overflow.words());
-        }
         Ok(Self {
             roundoff: scalar.roundoff(),
-            vanishes: 16.0 * joints * joints * size * scalar.smallest(),
+            vanishes: underflow(size, count, scalar)?,
             most,
             mass,
             bias,
@@ -235,9 +251,8 @@ impl Parts {
     fn lost(&self, row: usize, column: usize) -> f64 {
         let count = self.most.len();
         let size = |k: usize| self.mass[k * (count + 1)].reach();
-        // Factors and two substitutions, 3n + 1; quotients as products with a reciprocal, 3; the
-        // difference of torques and bias, 1; and 1 for all products of these.
-        let roundings = self.most.iter().map(|_| 3.0).sum::<f64>() + 6.0;
+        // c = 3n + 3.
+        let roundings = self.most.iter().map(|_| 3.0).sum::<f64>() + 3.0;
         let solved = roundings * self.roundoff * (size(row) * size(column)).sqrt();
         self.mass[row * count + column].error + solved + self.vanishes
     }

@@ -143,9 +143,12 @@ pub fn motion<'g>(
     .collect()
 }
 
-/// How many numbers [`step`] takes and gives: A and M as xx, yy, zz, xy, xz, yz, B by rows between
-/// them; c, f.
-pub const STEP: usize = 6 + 9 + 6 + 3 + 3;
+/// How many numbers an articulated inertia is: A and M as xx, yy, zz, xy, xz, yz, B by rows between
+/// them.
+pub const INERTIA: usize = 6 + 9 + 6;
+
+/// How many numbers [`step`] takes and gives: an articulated inertia, c, f.
+pub const STEP: usize = INERTIA + 3 + 3;
 
 /// What becomes of an articulated inertia and an action on the way from a body, whose joint has
 /// yielded, to the one that carries it.
@@ -153,7 +156,8 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
     let a = std::array::from_fn(|k| entries[k]);
     let b = std::array::from_fn(|row| std::array::from_fn(|column| entries[6 + 3 * row + column]));
     let m = std::array::from_fn(|k| entries[15 + k]);
-    let [c, f] = [21, 24].map(|first| Vector(std::array::from_fn(|k| entries[first + k])));
+    let [c, f] =
+        [INERTIA, INERTIA + 3].map(|first| Vector(std::array::from_fn(|k| entries[first + k])));
     let mut left = Articulated {
         a: Symmetric(a),
         b: Rotation(b),

@@ -1,0 +1,108 @@
+//! Bodies and motions as sizes: what turns and what slides.
+//!
+//! In: the bodies of a chain. Out: a [`Link`] of each, and the arithmetic of [`Pair`]. It never looks at
+//! a posture.
+
+use crate::chain::Motion;
+use crate::expression::{Double, Term};
+use crate::layout::Body;
+use crate::schedule::bound;
+
+/// A body and its joint.
+pub(super) struct Link {
+    pub(super) parent: Option<usize>,
+    slides: bool,
+    /// How far its origin can be from that of the body it hangs on.
+    pub(super) reach: f64,
+    /// ∫r²dm about its origin.
+    pub(super) spread: f64,
+    pub(super) mass: f64,
+}
+
+impl Link {
+    /// None where it is no body, or moves on a screw.
+    pub(super) fn of(body: &Body<'_>, [lo, hi]: [f64; 2]) -> Option<Self> {
+        let number = |term: Term<'_>| term.value().map(Double::to_f64);
+        let slide = match body.motion {
+            Motion::Revolute => 0.0,
+            Motion::Prismatic => lo.abs().max(hi.abs()),
+            Motion::Screw(_) => return None,
+        };
+        let [x, y, z] = body.placement.translation.0.map(number);
+        let [xx, yy, zz, ..] = body.inertia.second.0.map(number);
+        Some(Self {
+            parent: body.parent,
+            slides: matches!(body.motion, Motion::Prismatic),
+            reach: slide + bound::root([x?, y?, z?]),
+            spread: spread([xx?, yy?, zz?])?,
+            mass: number(body.inertia.mass)?.max(0.0),
+        })
+    }
+}
+
+/// ∫r²dm of its three parts, of which none is negative but for the digits that files round; none for
+/// what no body is.
+fn spread(second: [f64; 3]) -> Option<f64> {
+    /// What a part may be below zero, in relation to the whole.
+    const ROUNDED: f64 = 1e-6;
+    let whole: f64 = second.iter().map(|part| part.abs()).sum();
+    let negative = second.iter().any(|&part| part < -ROUNDED * whole);
+    (!negative).then_some(whole * (1.0 + 3.0 * ROUNDED))
+}
+
+impl Link {
+    /// What its joint feels of moment and force, or of γ and s.
+    pub(super) const fn along(&self, pair: Pair) -> f64 {
+        if self.slides {
+            pair.sliding
+        } else {
+            pair.turning
+        }
+    }
+}
+
+/// Something about an axis and something along it: moment and force, ω̇ and a, γ and s.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Pair {
+    pub(super) turning: f64,
+    pub(super) sliding: f64,
+}
+
+impl Pair {
+    pub(super) fn new(turning: f64, sliding: f64) -> Self {
+        Self { turning, sliding }
+    }
+
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self::new(self.turning + other.turning, self.sliding + other.sliding)
+    }
+
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self::new(self.turning * factor, self.sliding * factor)
+    }
+
+    pub(super) fn dot(self, other: Self) -> f64 {
+        self.turning * other.turning + self.sliding * other.sliding
+    }
+
+    pub(super) fn both(size: f64) -> Self {
+        Self::new(size, size)
+    }
+
+    pub(super) fn squares(self) -> Self {
+        Self::new(self.turning * self.turning, self.sliding * self.sliding)
+    }
+
+    pub(super) fn roots(self) -> Self {
+        Self::new(self.turning.sqrt(), self.sliding.sqrt())
+    }
+
+    pub(super) fn largest(self) -> f64 {
+        self.turning.max(self.sliding)
+    }
+
+    /// A moment and a force, or γ and s, at a distance from where they are.
+    pub(super) fn at_distance(self, distance: f64) -> Self {
+        Self::new(self.turning + distance * self.sliding, self.sliding)
+    }
+}

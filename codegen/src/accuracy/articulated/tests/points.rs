@@ -1,0 +1,230 @@
+//! Chains of points of mass at random, as twists and inertias of six numbers about one origin.
+//!
+//! In: seeds. Out: their articulated inertias, by Schur complements, their sizes γ and s, and how much
+//! they can move. Nothing is shared with the engine.
+
+pub(super) type Twist = [f64; 6];
+pub(super) type Inertia = [Twist; 6];
+
+/// A linear congruence, of whose state the upper half is read.
+pub(super) struct Random(pub(super) u64);
+
+impl Random {
+    /// In [−1, 1).
+    pub(super) fn unit(&mut self) -> f64 {
+        let next = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = next.wrapping_add(1_442_695_040_888_963_407);
+        let bits = u32::try_from(self.0 >> 32).expect("32 bits");
+        f64::from(bits) / f64::from(1_u32 << 31) - 1.0
+    }
+
+    pub(super) fn vector(&mut self) -> [f64; 3] {
+        std::array::from_fn(|_| self.unit())
+    }
+
+    pub(super) fn direction(&mut self) -> [f64; 3] {
+        let vector = self.vector();
+        let length = norm(&vector);
+        vector.map(|entry| entry / length)
+    }
+}
+
+pub(super) fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+pub(super) fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}
+
+pub(super) fn twist([x, y, z]: [f64; 3], [u, v, w]: [f64; 3]) -> Twist {
+    [x, y, z, u, v, w]
+}
+
+/// ω, and the velocity of a point.
+pub(super) fn at([x, y, z, u, v, w]: Twist, point: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+    let omega = [x, y, z];
+    let [a, b, c] = cross(omega, point);
+    (omega, [u + a, v + b, w + c])
+}
+
+pub(super) fn times(inertia: &Inertia, x: &Twist) -> Twist {
+    inertia.map(|row| dot(&row, x))
+}
+
+/// With what is added for each row and column.
+pub(super) fn plus(inertia: &Inertia, entry: impl Fn(usize, usize) -> f64) -> Inertia {
+    std::array::from_fn(|i| std::array::from_fn(|j| inertia[i][j] + entry(i, j)))
+}
+
+/// What a joint passes on.
+pub(super) fn left(inertia: &Inertia, screw: &Twist) -> Inertia {
+    let u = times(inertia, screw);
+    let d = dot(&u, screw);
+    plus(inertia, |i, j| -u[i] * u[j] / d)
+}
+
+/// Some points of mass, in a chain of bodies, body 0 first.
+pub(super) struct Chain {
+    pub(super) bodies: Vec<Body>,
+}
+
+pub(super) struct Body {
+    pub(super) screw: Twist,
+    /// Where its axis goes through.
+    pub(super) origin: [f64; 3],
+    /// γ and s of it and of all outboard of it.
+    pub(super) sizes: [f64; 2],
+    pub(super) inertia: Inertia,
+}
+
+impl Chain {
+    pub(super) fn new(random: &mut Random, count: usize) -> Self {
+        let mut outboard: Vec<([f64; 3], f64)> = Vec::new();
+        let mut bodies: Vec<Body> = Vec::new();
+        for _ in 0..count {
+            let axis = random.direction();
+            let origin = random.vector();
+            let slides = random.unit() > 0.5;
+            // Some are thin, and some much heavier than others.
+            let (along, thin) = (random.direction(), random.unit().abs().powi(4));
+            let heavy = 10.0_f64.powf(2.0 * random.unit());
+            let points = 2 + usize::from(random.unit() > 0.0);
+            let own: Vec<([f64; 3], f64)> = (0..points)
+                .map(|_| {
+                    let (off, far) = (random.vector(), random.unit());
+                    let point = std::array::from_fn(|k| origin[k] + far * along[k] + thin * off[k]);
+                    (point, heavy * (0.1 + random.unit().abs()))
+                })
+                .collect();
+            let inertia = own.iter().fold([[0.0; 6]; 6], |sum, (point, mass)| {
+                let speeds: [[f64; 3]; 6] = std::array::from_fn(|k| {
+                    let mut x = [0.0; 6];
+                    x[k] = 1.0;
+                    at(x, *point).1
+                });
+                plus(&sum, |i, j| mass * dot(&speeds[i], &speeds[j]))
+            });
+            outboard.extend(own);
+            let (mut turning, mut sliding) = (0.0, 0.0);
+            for (point, mass) in &outboard {
+                let arm: [f64; 3] = std::array::from_fn(|k| point[k] - origin[k]);
+                turning += mass * dot(&arm, &arm);
+                sliding += mass;
+            }
+            let screw = if slides {
+                twist([0.0; 3], axis)
+            } else {
+                twist(axis, cross(origin, axis))
+            };
+            bodies.push(Body {
+                screw,
+                origin,
+                sizes: [turning.sqrt(), sliding.sqrt()],
+                inertia,
+            });
+        }
+        bodies.reverse();
+        Self { bodies }
+    }
+
+    /// What each body opposes while all joints outboard of it yield, where its own inertia is another by
+    /// so much.
+    pub(super) fn articulated(&self, off: impl Fn(usize) -> Inertia) -> Vec<Inertia> {
+        let mut all = vec![[[0.0; 6]; 6]; self.bodies.len()];
+        let mut passed = [[0.0; 6]; 6];
+        for (k, body) in self.bodies.iter().enumerate().rev() {
+            let off = off(k);
+            all[k] = plus(&body.inertia, |i, j| passed[i][j] + off[i][j]);
+            passed = left(&all[k], &body.screw);
+        }
+        all
+    }
+
+    /// For each body a bound of ω² and of the velocity² of its origin at the kinetic energy ½: the traces
+    /// of J M⁻¹ Jᵗ, where joints share what they turn and slide in proportion to M⁻¹.
+    pub(super) fn mobility(&self) -> Vec<[f64; 2]> {
+        let count = self.bodies.len();
+        let mut inverse: Vec<Vec<f64>> = (0..count)
+            .map(|i| {
+                let entries = (0..count).map(|j| {
+                    let outboard = self.bodies[i.max(j)..].iter();
+                    let of = outboard.map(|body| {
+                        let action = times(&body.inertia, &self.bodies[j].screw);
+                        dot(&self.bodies[i].screw, &action)
+                    });
+                    of.sum()
+                });
+                let unit = (0..count).map(|j| f64::from(u8::from(i == j)));
+                entries.chain(unit).collect()
+            })
+            .collect();
+        for k in 0..count {
+            let pivot = inverse[k][k];
+            let row: Vec<f64> = inverse[k].iter().map(|entry| entry / pivot).collect();
+            for (i, other) in inverse.iter_mut().enumerate() {
+                let factor = if i == k { 0.0 } else { other[k] };
+                for (entry, of_row) in other.iter_mut().zip(&row) {
+                    *entry -= factor * of_row;
+                }
+            }
+            inverse[k] = row;
+        }
+        let bodies = self.bodies.iter().enumerate();
+        bodies
+            .map(|(k, body)| {
+                let moved: Vec<_> = (0..=k)
+                    .map(|i| at(self.bodies[i].screw, body.origin))
+                    .collect();
+                let mut sums = [0.0; 2];
+                for (i, (turn, slide)) in moved.iter().enumerate() {
+                    for (j, (other_turn, other_slide)) in moved.iter().enumerate() {
+                        let share = inverse[i][count + j];
+                        sums[0] += share * dot(turn, other_turn);
+                        sums[1] += share * dot(slide, other_slide);
+                    }
+                }
+                sums
+            })
+            .collect()
+    }
+}
+
+impl Body {
+    /// γ|ω| + s|v|.
+    pub(super) fn g(&self, x: Twist) -> f64 {
+        let (omega, v) = at(x, self.origin);
+        self.sizes[0] * norm(&omega) + self.sizes[1] * norm(&v)
+    }
+
+    /// An inertia about the body's origin.
+    pub(super) fn about(&self, inertia: &Inertia) -> Inertia {
+        let unit: [Twist; 6] = std::array::from_fn(|k| {
+            let mut axis = [0.0; 3];
+            axis[k % 3] = 1.0;
+            if k < 3 {
+                twist(axis, cross(self.origin, axis))
+            } else {
+                twist([0.0; 3], axis)
+            }
+        });
+        std::array::from_fn(|i| std::array::from_fn(|j| dot(&unit[i], &times(inertia, &unit[j]))))
+    }
+
+    /// Its blocks A, B, M, as Frobenius norms.
+    pub(super) fn blocks(&self, inertia: &Inertia) -> [f64; 3] {
+        let about = self.about(inertia);
+        [(0, 0), (0, 3), (3, 3)].map(|(row, column)| {
+            let rows = about[row..row + 3].iter();
+            norm(
+                &rows
+                    .flat_map(|row| row[column..column + 3].to_vec())
+                    .collect::<Vec<f64>>(),
+            )
+        })
+    }
+}

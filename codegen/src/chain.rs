@@ -1,4 +1,4 @@
-//! What a description means: bodies that move against each other, one coordinate each.
+//! What a description means: bodies that move against each other, by one coordinate each.
 //!
 //! In: a [`Description`] and a [`Request`]. Out: a [`Chain`] of the moving joints, parents before
 //! children, in which everything that is held still is part of the body that carries it; every
@@ -7,6 +7,7 @@
 
 mod angle;
 mod check;
+mod limits;
 mod merge;
 mod names;
 mod numbers;
@@ -18,9 +19,10 @@ pub(crate) mod tests;
 use crate::description::{Description, Limits, Source};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
-use crate::matrix::{Inertia, Pose, Screw, Vector};
+use crate::joint::Motion;
+use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
-use crate::space::{Entry, Kind, Spaces};
+use crate::space::{Entry, Spaces};
 
 /// The moving joints of a robot and the bodies they carry.
 #[derive(Clone, Debug)]
@@ -46,11 +48,14 @@ pub struct Chain {
     pub source: Source,
 }
 
-/// A joint and the body it carries.
+/// A coordinate of a joint and the body it moves: of a joint with several, all but the last body carry
+/// nothing but the next.
 #[derive(Clone, Debug)]
 pub struct Joint {
-    /// The joint's name.
+    /// The coordinate's name: the joint's, where it has no other.
     pub name: String,
+    /// The joint it is of, by its place in the description.
+    pub joint: usize,
     /// Where that stands.
     pub place: Place,
     /// The joint that carries the body it hangs on; none for the fixed base.
@@ -65,17 +70,6 @@ pub struct Joint {
     pub inertia: Inertia<Expr>,
     /// Range of the coordinate and bound of its rate, where described.
     pub limits: Option<Limits>,
-}
-
-/// What a joint lets its body do.
-#[derive(Clone, Copy, Debug)]
-pub enum Motion {
-    /// Turn about the axis.
-    Revolute,
-    /// Slide along it.
-    Prismatic,
-    /// Do both, with a translation per angle [m/rad].
-    Screw(Expr),
 }
 
 /// A frame fixed to a body.
@@ -96,6 +90,8 @@ pub struct Report {
     pub base: String,
     /// The links that are modelled, in the order of the description.
     pub links: Vec<String>,
+    /// The joints that move, in the order of their coordinates.
+    pub joints: Vec<String>,
     /// Links that became part of the body of another: (link, link that carries it).
     pub merged: Vec<(String, String)>,
     /// Joints held still, with their coordinate.
@@ -156,10 +152,7 @@ impl Chain {
         let list = |range: fn(&Joint) -> Option<[f64; 2]>| {
             let entries = self.joints.iter().map(|joint| Entry {
                 name: joint.name.clone(),
-                kind: match joint.motion {
-                    Motion::Prismatic => Kind::Slide,
-                    Motion::Revolute | Motion::Screw(_) => Kind::Turn,
-                },
+                kind: joint.motion.kind(),
                 range: range(joint),
             });
             entries.collect()
@@ -173,14 +166,8 @@ impl Chain {
     /// L of a joint in its body's frame: u, b.
     #[must_use]
     pub fn screw(&self, joint: &Joint) -> [Term<'_>; 6] {
-        let zero = self.graph.constant(0.0);
         let axis = joint.axis.map(|entry| self.graph.term(entry));
-        let (u, b) = match joint.motion {
-            Motion::Revolute => (axis, axis * zero),
-            Motion::Prismatic => (axis * zero, axis),
-            Motion::Screw(pitch) => (axis, axis * self.graph.term(pitch)),
-        };
-        Screw { u, b }.entries()
+        joint.motion.screw(axis).entries()
     }
 
     /// How many joints move a frame.

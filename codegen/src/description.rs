@@ -26,6 +26,8 @@ use proc_macro2::Span;
 pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;
 use crate::error::{Complaint, Errors, Place};
+use crate::joint::JointKind;
+pub use crate::number::Number;
 
 /// A robot as it was described: links and joints in the order of the text.
 #[derive(Clone, Debug)]
@@ -82,18 +84,6 @@ impl From<&str> for Name {
             place: Place::Unknown,
         }
     }
-}
-
-/// A number, the digits it was written with, and its place.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Number {
-    /// The nearest `f64`.
-    pub value: f64,
-    /// One unit of the last digit that was written: 1e-4 for `1.5708`, 1e-6 for `1.5e-5`.
-    /// Zero where the number was not read from digits.
-    pub resolution: f64,
-    /// Where it stands.
-    pub place: Place,
 }
 
 /// A rigid body and its frame.
@@ -156,28 +146,10 @@ pub struct Joint {
     /// Direction of the axis in the child's frame, through its origin; of length 1 to within
     /// its digits (each reader checks that and normalises). Unused for a fixed joint.
     pub axis: [Number; 3],
-    /// Range of the coordinate and bound of its rate, where given.
+    /// Range of the coordinate and bound of its rate, where given; of a joint with one coordinate alone.
     pub limits: Option<Limits>,
     /// Where the joint is described.
     pub place: Place,
-}
-
-/// The motions this version knows. A reader refuses every other by name.
-#[derive(Clone, Copy, Debug)]
-pub enum JointKind {
-    /// Rotation within limits \[rad\].
-    Revolute,
-    /// Rotation without limits \[rad\].
-    Continuous,
-    /// Translation \[m\].
-    Prismatic,
-    /// Rotation \[rad\] with a translation of `pitch` metres per radian.
-    Screw {
-        /// Translation per radian [m/rad].
-        pitch: Number,
-    },
-    /// None.
-    Fixed,
 }
 
 /// Limits of a coordinate.

@@ -13,7 +13,7 @@ mod tests;
 
 pub use bodies::{Bodies, Body};
 
-use crate::chain::{Chain, Motion};
+use crate::chain::Chain;
 use crate::expression::{Double, Graph};
 use crate::matrix::Pose;
 
@@ -79,10 +79,7 @@ impl Layout {
     }
 
     fn seats(chain: &Chain, all: &[Sliding]) -> Vec<Sliding> {
-        let slides = chain
-            .joints
-            .iter()
-            .any(|joint| matches!(joint.motion, Motion::Prismatic));
+        let slides = chain.joints.iter().any(|joint| joint.motion.slides());
         if slides {
             all.to_vec()
         } else {
@@ -122,7 +119,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         }
     }
     for k in 0..count {
-        if matches!(bodies.bodies[k].motion, Motion::Prismatic) {
+        if bodies.bodies[k].motion.slides() {
             let offset = match layout.sliding {
                 Sliding::AtParent => {
                     let placement = bodies.bodies[k].placement;
@@ -141,7 +138,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
     for k in (0..count).rev() {
         let body = bodies.bodies[k];
         if layout.sliding == Sliding::AtMassCenter
-            && matches!(body.motion, Motion::Prismatic)
+            && body.motion.slides()
             && body.inertia.mass.value().is_some_and(Double::is_sharp)
         {
             let center = body.inertia.q.map(|entry| entry / body.inertia.mass);
@@ -156,7 +153,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
             let body = bodies.bodies[k];
             let end = bodies.first_child(k).is_none();
             if end
-                && !matches!(body.motion, Motion::Prismatic)
+                && !body.motion.slides()
                 && let Some(turn) = frames::towards_mass_center(&body.inertia)
             {
                 bodies.move_frame(k, turn);
@@ -164,7 +161,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         }
     }
     for body in &mut bodies.bodies {
-        if !matches!(body.motion, Motion::Prismatic) {
+        if !body.motion.slides() {
             let rotation = body.placement.rotation;
             if let Some((offset, rest)) = frames::split_offset(rotation) {
                 body.offset = Some(offset);

@@ -6,9 +6,10 @@
 //! stand at right angles but for some that do not.
 
 use homogen_codegen::description::{
-    Axis, Description, Inertial, Joint, JointKind, Limits, Link, Name, Number, Source, Step,
+    Axis, Description, Inertial, Joint, Limits, Link, Name, Number, Source, Step,
 };
 use homogen_codegen::error::Place;
+use homogen_codegen::joint::JointKind;
 
 use crate::states::Random;
 

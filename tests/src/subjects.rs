@@ -8,9 +8,10 @@ use std::path::Path;
 
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{
-    Axis, Description, Inertial, Joint, JointKind, Link, Name, Number, Source, Step, read_file,
+    Axis, Description, Inertial, Joint, Link, Name, Number, Source, Step, read_file,
 };
 use homogen_codegen::error::{Errors, Place};
+use homogen_codegen::joint::JointKind;
 use homogen_codegen::request::Request;
 
 /// A robot and what is asked for of it.

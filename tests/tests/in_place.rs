@@ -19,18 +19,6 @@ macro_rules! robot {
         chain! {
             $(#[$about])*
             struct $name {
-                generate(
-                    forward_kinematics,
-                    spatial_jacobian,
-                    body_jacobian,
-                    geometric_jacobian,
-                    velocity,
-                    acceleration,
-                    inverse_dynamics,
-                    gravity,
-                    bias,
-                    mass_matrix,
-                ),
                 $($settings)*
             }
             $($parts)*

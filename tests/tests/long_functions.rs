@@ -10,20 +10,6 @@ use homogen_tests::states::{Random, State};
 /// 39 joints; the longest function has some 10,000 operations.
 #[derive(Robot)]
 #[robot(urdf = "robots/humanoid.urdf", tip = "left_arm_9")]
-#[robot(generate(
-    forward_kinematics,
-    spatial_jacobian,
-    body_jacobian,
-    geometric_jacobian,
-    velocity,
-    acceleration,
-    inverse_dynamics,
-    gravity,
-    bias,
-    mass_matrix,
-    forward_dynamics,
-    mass_matrix_inverse,
-))]
 struct Humanoid;
 
 const STATES: usize = 20;

@@ -19,20 +19,6 @@ const LIMIT: f64 = 64.0;
 /// The Panda-class arm with one field of each kind, and two more.
 #[derive(Robot)]
 #[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
-#[robot(generate(
-    forward_kinematics,
-    spatial_jacobian,
-    body_jacobian,
-    geometric_jacobian,
-    velocity,
-    acceleration,
-    inverse_dynamics,
-    gravity,
-    bias,
-    mass_matrix,
-    forward_dynamics,
-    mass_matrix_inverse,
-))]
 struct Panda {
     #[robot(mass_of = "link5")]
     mass: f64,

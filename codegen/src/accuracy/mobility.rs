@@ -7,8 +7,9 @@
 //! others do. A mass in a field is taken at its least: more of it only adds energy.
 
 use super::range::Range;
-use crate::chain::{Chain, Motion};
+use crate::chain::Chain;
 use crate::expression::{Double, Expr, Input, Term, evaluate};
+use crate::joint::Motion;
 use crate::layout::{Body, Layout, arrange};
 use crate::request::Target;
 
@@ -163,7 +164,7 @@ impl Solid {
         let placement: [f64; 12] = std::array::from_fn(|k| numbers[10 + k].to_f64());
         let centre = centre.map(Double::to_f64);
         let mass = mass.to_f64();
-        let slides = matches!(body.motion, Motion::Prismatic);
+        let slides = body.motion.slides();
         let on_the_base = if slides {
             mass.recip()
         } else {

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use super::names::Names;
 use super::numbers;
 use super::shape::{Joints, downstream, find_base};
-use crate::description::{Description, JointKind, Name, Number};
+use crate::description::{Description, Name, Number};
 use crate::error::Errors;
 use crate::request::{Request, Target};
 use crate::wording::quoted;
@@ -79,7 +79,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     let branches: Vec<Branch> = downstream(&connected, base, &dropped)
         .into_iter()
         .map(|branch| {
-            let fixed = matches!(description.joints[branch.joint].kind, JointKind::Fixed);
+            let fixed = !description.joints[branch.joint].kind.moves();
             let held = locks
                 .get(&branch.joint)
                 .copied()
@@ -136,10 +136,16 @@ fn locks(
             continue;
         };
         let called = quoted(&name.text);
-        if matches!(description.joints[joint].kind, JointKind::Fixed) {
+        if !description.joints[joint].kind.moves() {
             errors.push(
                 name.place,
                 format!("joint {called} is fixed and cannot be locked"),
+            );
+        } else if value.is_some() && description.joints[joint].kind.freedoms().len() > 1 {
+            errors.push_with_hint(
+                name.place,
+                format!("joint {called} has several coordinates and is locked at one value"),
+                "lock it without a value: all of them are zero then",
             );
         } else if locks.insert(joint, value.unwrap_or_default()).is_some() {
             errors.push(name.place, format!("joint {called} is locked twice"));

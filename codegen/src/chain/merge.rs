@@ -5,9 +5,10 @@
 //! scalars like all others. It never drops a mass.
 
 use super::check::{Branch, Tree};
-use super::{Chain, Frame, Motion, Report, Snapped, angle};
-use crate::description::{Axis, Description, Joint, JointKind, Link, Name, Number, Step};
+use super::{Chain, Frame, Report, Snapped, angle};
+use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
+use crate::joint::{Freedom, JointKind, Motion};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
 
@@ -21,8 +22,10 @@ struct Seat<'g> {
     pose: Pose<Term<'g>>,
 }
 
+/// A body beyond one coordinate of a joint; only that beyond the last is a link.
 struct Body<'g> {
     joint: usize,
+    coordinate: String,
     parent: Option<usize>,
     motion: Motion,
     placement: Pose<Term<'g>>,
@@ -59,14 +62,18 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let joints = bodies
         .into_iter()
         .map(|body| super::Joint {
-            name: description.joints[body.joint].name.text.clone(),
+            name: body.coordinate,
+            joint: body.joint,
             place: description.joints[body.joint].name.place,
             parent: body.parent,
             motion: body.motion,
             placement: body.placement.map(Term::expr),
             axis: body.axis.map(Term::expr),
             inertia: body.inertia.map(Term::expr),
-            limits: description.joints[body.joint].limits,
+            // Which of several coordinates they are of, no format says.
+            limits: description.joints[body.joint]
+                .limits
+                .filter(|_| description.joints[body.joint].kind.freedoms().len() == 1),
         })
         .collect();
     let Reader {
@@ -109,14 +116,20 @@ fn seat<'g>(
                 pose: pose * held_at(graph, joint.kind, axis, &held),
             }
         } else {
-            bodies.push(Body {
-                joint: branch.joint,
-                parent: parent.body,
-                motion: reader.motion(joint.kind),
-                placement: pose,
-                axis,
-                inertia: Inertia::zero(graph),
-            });
+            reader.report.joints.push(joint.name.text.clone());
+            let (mut parent, mut placement) = (parent.body, pose);
+            for (coordinate, freedom) in joint.kind.coordinates(&joint.name.text) {
+                bodies.push(Body {
+                    joint: branch.joint,
+                    coordinate,
+                    parent,
+                    motion: reader.motion(joint.kind, freedom),
+                    placement,
+                    axis,
+                    inertia: Inertia::zero(graph),
+                });
+                (parent, placement) = (Some(bodies.len() - 1), Pose::identity(graph));
+            }
             Seat {
                 body: Some(bodies.len() - 1),
                 pose: Pose::identity(graph),
@@ -176,12 +189,11 @@ impl<'g> Reader<'g, '_> {
         Vector(self.free(|target| matches!(target, Target::Gravity), described))
     }
 
-    fn motion(&self, kind: JointKind) -> Motion {
-        match kind {
-            JointKind::Prismatic => Motion::Prismatic,
-            JointKind::Screw { pitch } => Motion::Screw(self.number(&pitch).expr()),
-            JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => Motion::Revolute,
-        }
+    fn motion(&self, kind: JointKind, freedom: Freedom) -> Motion {
+        Motion::of(freedom, || {
+            let pitch = kind.pitch().unwrap_or_default();
+            self.number(&pitch).expr()
+        })
     }
 
     /// The placement of a joint, its translation taken from a struct field where one stands for it.
@@ -223,7 +235,7 @@ impl<'g> Reader<'g, '_> {
 
     /// The direction of a joint's axis, of length 1 to all digits; zero of a fixed joint.
     fn axis(&mut self, joint: &Joint) -> Vector<Term<'g>> {
-        if matches!(joint.kind, JointKind::Fixed) {
+        if !joint.kind.moves() {
             return Vector::zero(self.graph);
         }
         let axis = Vector(
@@ -292,7 +304,7 @@ impl<'g> Reader<'g, '_> {
         let joint = &description.joints[branch.joint];
         let [parent, child]: [String; 2] =
             [branch.parent, branch.child].map(|link| description.links[link].name.text.clone());
-        if !matches!(joint.kind, JointKind::Fixed) {
+        if joint.kind.moves() {
             self.report
                 .locked
                 .push((joint.name.text.clone(), held.value));
@@ -301,7 +313,7 @@ impl<'g> Reader<'g, '_> {
     }
 }
 
-/// The displacement of a joint that is held at a coordinate.
+/// The displacement of a joint that is held at a coordinate, or of which all coordinates are zero.
 fn held_at<'g>(
     graph: &'g Graph,
     kind: JointKind,
@@ -333,13 +345,19 @@ fn held_at<'g>(
             ],
         ]))
     };
-    match kind {
-        JointKind::Fixed => Pose::identity(graph),
-        JointKind::Revolute | JointKind::Continuous => turn(),
-        JointKind::Prismatic => Pose::translation(axis * q),
-        JointKind::Screw { pitch } => Pose {
-            translation: axis * (q * graph.constant(pitch.value)),
-            ..turn()
-        },
-    }
+    let displacement = |freedom: Freedom| match freedom {
+        Freedom::Turn => turn(),
+        Freedom::Slide => Pose::translation(axis * q),
+        Freedom::Helix => {
+            let pitch = kind.pitch().unwrap_or_default();
+            Pose {
+                translation: axis * (q * graph.constant(pitch.value)),
+                ..turn()
+            }
+        }
+    };
+    let freedoms = kind.freedoms().iter();
+    freedoms
+        .map(|(_, freedom)| displacement(*freedom))
+        .fold(Pose::identity(graph), |pose, next| pose * next)
 }

@@ -7,7 +7,7 @@
 
 use super::Chain;
 use super::check::Tree;
-use crate::description::{Description, JointKind, Number, Step};
+use crate::description::{Description, Number, Step};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr};
 use crate::request::Request;
@@ -40,15 +40,13 @@ pub fn check(description: &Description, request: &Request, tree: &Tree, errors: 
             errors,
         };
         account.steps(&joint.origin);
-        if !matches!(joint.kind, JointKind::Fixed) {
+        if joint.kind.moves() {
             account.numbers(&joint.axis);
             if joint.axis.iter().all(|entry| entry.value == 0.0) {
                 account.refuse(joint.axis[0].place, "has an axis without a direction");
             }
         }
-        if let JointKind::Screw { pitch } = &joint.kind {
-            account.numbers(std::slice::from_ref(pitch));
-        }
+        account.numbers(joint.kind.pitch().as_slice());
         if let Some(held) = &branch.held {
             account.angle(held);
         }

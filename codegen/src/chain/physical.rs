@@ -4,8 +4,8 @@
 //! report, or mistakes where the request is strict. It never changes a number: what no body can have
 //! is computed as given.
 
-use super::Chain;
 use super::check::Tree;
+use super::{Chain, limits};
 use crate::description::{Description, Inertial, Link};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Double, Term};
@@ -27,6 +27,7 @@ pub fn check(
     mut chain: Chain,
 ) -> Result<Chain, Errors> {
     let mut doubts = description.warnings.clone();
+    doubts.extend(limits::doubts(description, tree));
     // Whether the body that a link belongs to moves, and whether any of its links has a mass.
     let mut body: Vec<Option<usize>> = vec![None; description.links.len()];
     let mut massive: Vec<bool> = Vec::new();

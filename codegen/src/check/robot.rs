@@ -11,8 +11,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::chain::Chain;
 use crate::dense::{Approximate, Body, Matrix, Moved, Robot};
-use crate::description::{Axis, Description, Inertial, Joint, JointKind, Link, Name, Number, Step};
+use crate::description::{Axis, Description, Inertial, Joint, Link, Name, Number, Step};
 use crate::expression::Arithmetic;
+use crate::joint::Freedom;
 use crate::request::{Request, Target};
 
 type Scalar = Approximate;
@@ -56,25 +57,41 @@ pub(super) fn robot(
     let mut seats: HashMap<&str, usize> = HashMap::new();
     let mut moving = 0;
     for joint in kept {
+        let name = &joint.name.text;
+        let parent = seats.get(joint.parent.text.as_str()).copied();
+        let placement = reader.origin(joint)?;
+        let inertia = reader.inertia(&description.links[links[joint.child.text.as_str()]])?;
         let held = reader.held(joint, &path);
-        let moved = match (held, coordinates.get(joint.name.text.as_str())) {
-            (Some(at), None) => Moved::Held(at),
-            (None, Some(&k)) => {
-                moving += 1;
-                Moved::By(k)
-            }
-            _ => {
-                let name = &joint.name.text;
-                return Err(Contradiction(format!("whether joint {name} moves")));
-            }
+        // Of a joint with several coordinates, all but the last move what has no mass.
+        let mut body = Body {
+            parent,
+            placement,
+            screw: [[Scalar::literal(0.0); 3]; 2],
+            moved: Moved::Held(0.0),
+            inertia: Matrix::zero(),
         };
-        let body = Body {
-            parent: seats.get(joint.parent.text.as_str()).copied(),
-            placement: reader.origin(joint)?,
-            screw: reader.screw(joint)?,
-            moved,
-            inertia: reader.inertia(&description.links[links[joint.child.text.as_str()]])?,
-        };
+        for (k, (coordinate, freedom)) in joint.kind.coordinates(name).enumerate() {
+            if k > 0 {
+                let next = Body {
+                    parent: Some(bodies.len()),
+                    placement: Matrix::identity(),
+                    screw: body.screw,
+                    moved: body.moved,
+                    inertia: Matrix::zero(),
+                };
+                bodies.push(std::mem::replace(&mut body, next));
+            }
+            body.screw = reader.screw(joint, freedom)?;
+            body.moved = match (held, coordinates.get(coordinate.as_str())) {
+                (Some(at), None) => Moved::Held(at),
+                (None, Some(&k)) => {
+                    moving += 1;
+                    Moved::By(k)
+                }
+                _ => return Err(Contradiction(format!("whether joint {name} moves"))),
+            };
+        }
+        body.inertia = inertia;
         seats.insert(&joint.child.text, bodies.len());
         bodies.push(body);
     }
@@ -146,7 +163,7 @@ impl<'d> Reader<'d> {
 
     fn held(&self, joint: &Joint, path: &[&str]) -> Option<f64> {
         let name = joint.name.text.as_str();
-        if matches!(joint.kind, JointKind::Fixed) {
+        if !joint.kind.moves() {
             return Some(0.0);
         }
         let mut locks = self.request.lock.iter();
@@ -254,11 +271,8 @@ impl<'d> Reader<'d> {
         Ok(placement)
     }
 
-    fn screw(&self, joint: &Joint) -> Result<[[Scalar; 3]; 2], Contradiction> {
+    fn screw(&self, joint: &Joint, freedom: Freedom) -> Result<[[Scalar; 3]; 2], Contradiction> {
         let nothing = [Scalar::literal(0.0); 3];
-        if matches!(joint.kind, JointKind::Fixed) {
-            return Ok([nothing; 2]);
-        }
         let axis = self.components(&joint.name.text, &joint.axis)?;
         let largest = axis
             .iter()
@@ -267,13 +281,13 @@ impl<'d> Reader<'d> {
         let [x, y, z] = axis;
         let length = (x * x + y * y + z * z).sqrt();
         let axis = axis.map(|entry| entry / length);
-        Ok(match joint.kind {
-            JointKind::Prismatic => [nothing, axis],
-            JointKind::Screw { pitch } => {
-                let pitch = Scalar::literal(pitch.value);
+        Ok(match freedom {
+            Freedom::Turn => [axis, nothing],
+            Freedom::Slide => [nothing, axis],
+            Freedom::Helix => {
+                let pitch = Scalar::literal(joint.kind.pitch().unwrap_or_default().value);
                 [axis, axis.map(|entry| entry * pitch)]
             }
-            JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => [axis, nothing],
         })
     }
 

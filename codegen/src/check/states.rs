@@ -3,7 +3,7 @@
 //! In: a chain. Out: states drawn from the hash of its description, the same on every machine:
 //! coordinates within their limits, fields near what is described in their place.
 
-use crate::chain::{Chain, Motion};
+use crate::chain::Chain;
 use crate::dense::State;
 use crate::description::Limits;
 use crate::request::{Request, Target};
@@ -19,7 +19,7 @@ pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<Stat
 fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
     let mut state = State::default();
     for joint in &chain.joints {
-        let slides = matches!(joint.motion, Motion::Prismatic);
+        let slides = joint.motion.slides();
         let [lower, upper] = reach(joint.limits, if slides { 1.0 } else { 3.0 });
         state.q.push(lower + (upper - lower) * random.unit());
         state.qd.push(4.0 * random.unit() - 2.0);

@@ -14,8 +14,9 @@ use super::functions::Frames;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
 use crate::chain::Chain;
-use crate::description::{Description, Joint, JointKind};
+use crate::description::{Description, Joint};
 use crate::expand;
+use crate::space::Space;
 use crate::wording::visible;
 
 /// Tell what was read, merged, locked, left out or repaired, and every doubt with its place
@@ -49,30 +50,19 @@ impl Check {
     }
 }
 
-/// The description of a joint of the chain, and the mass of the body that it carries.
+/// The joints that move, each with the mass of the body that it carries.
 fn described<'a>(
     description: &'a Description,
     chain: &'a Chain,
 ) -> impl Iterator<Item = (&'a Joint, f64)> {
-    // Both are in an order of their own: one pass over the names for all.
-    let joints = description.joints.iter();
-    let by_name: std::collections::HashMap<&str, &Joint> = joints
-        .map(|joint| (joint.name.text.as_str(), joint))
-        .collect();
-    chain.joints.iter().filter_map(move |joint| {
-        let mass = chain.graph.value(joint.inertia.mass)?.to_f64();
-        Some((*by_name.get(joint.name.as_str())?, mass))
+    // Of a joint with several coordinates, the last moves the body.
+    let last = |k: usize| chain.joints.get(k + 1).map(|next| next.joint);
+    let bodies = chain.joints.iter().enumerate();
+    let bodies = bodies.filter(move |(k, body)| last(*k) != Some(body.joint));
+    bodies.filter_map(|(_, body)| {
+        let mass = chain.graph.value(body.inertia.mass)?.to_f64();
+        Some((&description.joints[body.joint], mass))
     })
-}
-
-fn kind(joint: &Joint) -> &'static str {
-    match joint.kind {
-        JointKind::Revolute => "revolute",
-        JointKind::Continuous => "continuous",
-        JointKind::Prismatic => "prismatic",
-        JointKind::Screw { .. } => "screw",
-        JointKind::Fixed => "fixed",
-    }
 }
 
 fn tip(chain: &Chain) -> Option<&str> {
@@ -82,11 +72,11 @@ fn tip(chain: &Chain) -> Option<&str> {
 
 fn in_json(description: &Description, chain: &Chain) -> Value {
     let report = &chain.report;
-    let names: Value = chain
-        .joints
-        .iter()
-        .map(|joint| joint.name.as_str())
-        .collect();
+    let spaces = chain.spaces();
+    let names = |space| -> Value {
+        let entries = spaces.entries(space).iter();
+        entries.map(|entry| entry.name.as_str()).collect()
+    };
     let merged = report.merged.iter();
     let merged: Value = merged
         .map(|(link, into)| json!({ "link": link, "into": into }))
@@ -109,7 +99,7 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
             json!({ "lower": limits.lower, "upper": limits.upper, "velocity": limits.velocity })
         });
         json!({
-            "name": joint.name.text, "kind": kind(joint), "parent": joint.parent.text,
+            "name": joint.name.text, "kind": joint.kind.word(), "parent": joint.parent.text,
             "child": joint.child.text, "mass": mass, "limits": limits,
         })
     });
@@ -123,10 +113,9 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
         "file": description.source.file,
         "base": report.base,
         "tip": tip(chain),
-        "joints": names,
-        // Every joint has one of each, called as the joint is.
-        "coordinates": names,
-        "velocities": names,
+        "joints": report.joints,
+        "coordinates": names(Space::Coordinates),
+        "velocities": names(Space::Velocities),
         "links": report.links,
         "merged": merged,
         "locked": locked,
@@ -175,14 +164,21 @@ fn in_text(description: &Description, chain: &Chain) -> String {
         1 => format!("1 {one}"),
         _ => format!("{number} {several}"),
     };
-    let joints = counted(chain.joints.len(), "joint", "joints");
+    let joints = counted(report.joints.len(), "joint", "joints");
     line(format!("{joints}, in the order of q:"));
-    for (k, (joint, mass)) in described(description, chain).enumerate() {
+    let mut k = 0;
+    for (joint, mass) in described(description, chain) {
         let (parent, child) = (&joint.parent.text, &joint.child.text);
-        let (name, kind) = (&joint.name.text, kind(joint));
+        let (name, kind) = (&joint.name.text, joint.kind.word());
+        let names: Vec<String> = joint.kind.coordinates(name).map(|(name, _)| name).collect();
+        let coordinates = match &*names {
+            [_] => String::new(),
+            names => format!(" ({})", names.join(", ")),
+        };
         line(format!(
-            "  {k:3}  {name}: {kind}, from {parent} to {child}, carries {mass} kg"
+            "  {k:3}  {name}: {kind}{coordinates}, from {parent} to {child}, carries {mass} kg"
         ));
+        k += names.len();
     }
     line(counted(
         report.links.len(),

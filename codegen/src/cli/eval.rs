@@ -22,7 +22,7 @@ use crate::expand;
 use crate::expression::Input;
 use crate::function::Function;
 use crate::schedule::{Arithmetic, Program, run};
-use crate::space::{Entity, Quantity, Spaces, Variable};
+use crate::space::{Entity, Quantity, Space, Spaces, Variable};
 use crate::wording::visible;
 
 /// Compute a function at given states, without a compiler
@@ -142,14 +142,15 @@ impl Eval {
     fn in_json(&self, chain: &Chain, frame: usize, results: &[Vec<f64>]) -> Value {
         let spaces = chain.spaces();
         let quantity = self.function.result();
-        let names = chain.joints.iter().map(|joint| joint.name.as_str());
-        let names: Value = names.collect();
+        let names = |space| -> Value {
+            let entries = spaces.entries(space).iter();
+            entries.map(|entry| entry.name.as_str()).collect()
+        };
         let mut answer = Map::new();
         answer.insert("function".into(), json!(self.function.name()));
-        // Every joint has one of each, called as the joint is.
-        for key in ["coordinates", "velocities", "joints"] {
-            answer.insert(key.into(), names.clone());
-        }
+        answer.insert("coordinates".into(), names(Space::Coordinates));
+        answer.insert("velocities".into(), names(Space::Velocities));
+        answer.insert("joints".into(), json!(chain.report.joints));
         if self.function.of_a_frame() {
             answer.insert("base".into(), json!(chain.report.base));
             answer.insert("frame".into(), json!(chain.frames[frame].name));

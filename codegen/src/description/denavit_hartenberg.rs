@@ -13,8 +13,9 @@
 mod table;
 
 pub use self::table::read;
-use super::{Axis, Inertial, Joint, JointKind, Limits, Link, Name, Number, Step, number};
+use super::{Axis, Inertial, Joint, Limits, Link, Name, Number, Step, number};
 use crate::error::Place;
+use crate::joint::JointKind;
 use crate::wording::{known, quoted};
 
 /// Which of the two conventions a table follows.
@@ -77,7 +78,7 @@ pub(super) fn assemble(
             .unwrap_or_else(|| suffixed(&row.joint, "_link"));
         let before = [Step::Rotate(Axis::Z, row.theta), along(Axis::Z, row.d)];
         let behind = [along(Axis::X, row.a), Step::Rotate(Axis::X, row.alpha)];
-        let moves = !matches!(row.kind, JointKind::Fixed);
+        let moves = row.kind.moves();
         let offset = row.a.value != 0.0 || row.alpha.value != 0.0;
         let mut joint = Joint {
             name: row.joint.clone(),

@@ -2,42 +2,8 @@
 //!
 //! In: a word of a description. Out: the type it names, or the sentence that refuses it.
 
-use super::{JointKind, Number};
+use crate::joint::{ALL, Definition};
 use crate::wording::{known, list, quoted};
-
-/// A type of joint, before its axis and pitch are known.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    Revolute,
-    Continuous,
-    Prismatic,
-    Screw,
-    Fixed,
-}
-
-impl Kind {
-    /// What the joint allows; `pitch` is asked for a screw alone.
-    pub(super) fn with_pitch<E>(
-        self,
-        pitch: impl FnOnce() -> Result<Number, E>,
-    ) -> Result<JointKind, E> {
-        Ok(match self {
-            Self::Revolute => JointKind::Revolute,
-            Self::Continuous => JointKind::Continuous,
-            Self::Prismatic => JointKind::Prismatic,
-            Self::Screw => JointKind::Screw { pitch: pitch()? },
-            Self::Fixed => JointKind::Fixed,
-        })
-    }
-}
-
-const WORDS: [(&str, Kind); 5] = [
-    ("revolute", Kind::Revolute),
-    ("continuous", Kind::Continuous),
-    ("prismatic", Kind::Prismatic),
-    ("screw", Kind::Screw),
-    ("fixed", Kind::Fixed),
-];
 
 /// Types that people ask for and that are not modelled.
 const REFUSED: [&str; 7] = [
@@ -51,11 +17,11 @@ const REFUSED: [&str; 7] = [
 ];
 
 /// The type a word names, or a message about the subject and a hint.
-pub(super) fn read(word: &str, subject: &str) -> Result<Kind, (String, String)> {
-    if let Some((_, kind)) = WORDS.iter().find(|(name, _)| *name == word) {
-        return Ok(*kind);
+pub(super) fn read(word: &str, subject: &str) -> Result<&'static Definition, (String, String)> {
+    if let Some(kind) = ALL.into_iter().find(|kind| kind.word == word) {
+        return Ok(kind);
     }
-    let words = WORDS.map(|(name, _)| name);
+    let words = ALL.map(|kind| kind.word);
     if REFUSED.contains(&word) {
         let message = format!("{subject} is {word}, and such joints are not modelled");
         return Err((message, format!("known types: {}", list(words))));

@@ -72,7 +72,7 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
     let used = inertial_parameters(chain, parameters);
     facts.push(format!(
         "{used} of {} inertial parameters used",
-        10 * chain.joints.len()
+        10 * report.joints.len()
     ));
     facts
 }

@@ -46,9 +46,9 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
             .move_pole(joint.offset())
             .rotate(joint.turn().transposed());
         let w = carried + Velocity::of_screw(joint.screw, scene.state.qd(joint.index));
-        let index = joint.index + 1;
-        w.omega.label(|| format!("w_0_{index}_in_{index}_"));
-        w.v.label(|| format!("w_0_{index}_in_{index}_v"));
+        let (index, frame) = (joint.index + 1, joint.frame);
+        w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
+        w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
         // Tr(W J Wᵗ) = W ⊗ skew[W J].
         let twist = Screw { u: w.omega, b: w.v };
         twice = twice + Action::of_screw(twist, joint.inertia).along(twist);

@@ -41,8 +41,8 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let mut moment = scene.bodies.base.q;
     for (k, joint) in joints.iter().enumerate().rev() {
         let (q, mass) = (moments[k], masses[k]);
-        let index = k + 1;
-        q.label(|| format!("j_{index}_in_{index}_"));
+        let (index, frame) = (k + 1, joint.frame);
+        q.label(|| format!("j_{index}_in_{frame}_"));
         let carried = joint.first_moment_inboard(q, mass);
         if let Some(parent) = joint.parent {
             moments[parent] = moments[parent] + carried;

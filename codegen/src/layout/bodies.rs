@@ -4,8 +4,9 @@
 //! frame by another one. It never chooses one.
 
 use super::frames::z_along;
-use crate::chain::{Chain, Motion};
+use crate::chain::Chain;
 use crate::expression::{Graph, Term};
+use crate::joint::Motion;
 use crate::matrix::{Inertia, Pose, Vector};
 
 /// The bodies of a chain with their frames.

@@ -5,11 +5,12 @@ use std::path::Path;
 
 use super::{Layout, Sliding, arrange};
 use crate::chain::tests::{fine, named, read};
-use crate::chain::{Chain, Motion, build};
+use crate::chain::{Chain, build};
 use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, evaluate};
 use crate::formulation::{Angles, Forward};
 use crate::function::Function;
+use crate::joint::Motion;
 use crate::model::Way;
 use crate::request::{Parameter, Request, Target};
 use crate::space::Variable;

@@ -8,8 +8,8 @@
 use super::State;
 use super::carry::Joint;
 use super::newton_euler::beyond;
-use crate::chain::Motion;
 use crate::expression::Term;
+use crate::joint::Motion;
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
 
 /// q̈ of τ, one entry a joint.

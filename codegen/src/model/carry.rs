@@ -8,9 +8,9 @@
 
 use super::State;
 use super::turn::{self, Turn};
-use crate::chain::Motion;
 use crate::expression::Term;
 use crate::formulation::{Angles, Frame};
+use crate::joint::Motion;
 use crate::layout::{Bodies, Body};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
 
@@ -46,20 +46,12 @@ impl<'g> Joint<'g> {
         let body: &Body<'g> = &bodies.bodies[k];
         let graph = state.graph;
         let (zero, one) = (state.zero(), graph.constant(1.0));
-        let along_z = |entry| Vector([zero, zero, entry]);
         let outer = body.parent.and_then(|parent| left[parent]);
         let angle = match left[k] {
             Some(_) => (zero, one),
             None => turn::of_body(body, k, state, outer).sine_and_cosine(graph),
         };
-        let (slide, u, b) = match body.motion {
-            Motion::Revolute => (zero, one, zero),
-            Motion::Prismatic => (state.q(k), zero, one),
-            Motion::Screw(pitch) => {
-                let pitch = graph.term(pitch);
-                (pitch * state.q(k), one, pitch)
-            }
-        };
+        let slide = body.motion.slide(|| state.q(k)).unwrap_or(zero);
         let mut placement = body.placement;
         if let Some(outer) = outer {
             let turned = Rotation::about_z(outer.sine_and_cosine(graph));
@@ -74,10 +66,7 @@ impl<'g> Joint<'g> {
             placement,
             angle,
             slide,
-            screw: Screw {
-                u: along_z(u),
-                b: along_z(b),
-            },
+            screw: body.motion.screw(Vector([zero, zero, one])),
             inertia: match left[k] {
                 Some(turn) => body.inertia.rotate_about_z(turn.sine_and_cosine(graph)),
                 None => body.inertia,

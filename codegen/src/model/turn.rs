@@ -6,9 +6,9 @@
 //! which a product of rotations is not: it is made only where that is asked for.
 
 use super::State;
-use crate::chain::Motion;
 use crate::expression::{Graph, Term};
 use crate::formulation::Angles;
+use crate::joint::Motion;
 use crate::layout::{Bodies, Body};
 
 /// A turn about z.

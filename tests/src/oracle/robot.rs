@@ -6,9 +6,8 @@
 
 use std::collections::BTreeSet;
 
-use homogen_codegen::description::{
-    Axis, Description, Inertial, Joint, JointKind, Name, Number, Step,
-};
+use homogen_codegen::description::{Axis, Description, Inertial, Joint, Name, Number, Step};
+use homogen_codegen::joint::JointKind;
 use homogen_codegen::request::Request;
 
 use super::matrix::Matrix;
@@ -173,18 +172,30 @@ impl<'d> Reader<'d> {
         while let Some((parent, joint)) = waiting.pop() {
             let child = joint.child.text.as_str();
             let off_path = path.is_some_and(|path| !path.contains(child));
-            let coordinate = match self.held(joint, off_path) {
-                Some(at) => Coordinate::Held(at),
-                None => Coordinate::Free(robot.joints()),
-            };
-            links.push(child);
-            robot.bodies.push(Body {
-                parent,
-                placement: self.placement(&joint.origin),
-                screw: screw(joint),
-                inertia: self.inertia(child),
-                coordinate,
-            });
+            let held = self.held(joint, off_path);
+            let (mut parent, mut placement) = (parent, self.placement(&joint.origin));
+            let screws = screws(joint);
+            let last = screws.len() - 1;
+            for (k, screw) in screws.into_iter().enumerate() {
+                // What moves by a part of a joint's coordinates is no link.
+                links.push(if k == last { child } else { "" });
+                let inertia = match k == last {
+                    true => self.inertia(child),
+                    false => Matrix::zero(),
+                };
+                let coordinate = match &held {
+                    Some(at) => Coordinate::Held(at.clone()),
+                    None => Coordinate::Free(robot.joints()),
+                };
+                robot.bodies.push(Body {
+                    parent,
+                    placement,
+                    screw,
+                    inertia,
+                    coordinate,
+                });
+                (parent, placement) = (Some(robot.bodies.len() - 1), Matrix::identity());
+            }
             below(Some(robot.bodies.len() - 1), child, &mut waiting);
         }
         links
@@ -192,7 +203,7 @@ impl<'d> Reader<'d> {
 
     /// Where a joint is held; none where it moves.
     fn held(&self, joint: &Joint, off_path: bool) -> Option<Big> {
-        if matches!(joint.kind, JointKind::Fixed) {
+        if !joint.kind.moves() {
             return Some(Big::zero());
         }
         let mut locks = self.request.lock.iter();
@@ -286,23 +297,23 @@ fn rotation(axis: Axis, (sine, cosine): (Big, Big)) -> Matrix {
     matrix
 }
 
-/// L of a joint, through the origin of its frame, about or along an axis of length 1.
-fn screw(joint: &Joint) -> Matrix {
+/// L of each coordinate of a joint, through the origin of its frame, about or along an axis of length 1;
+/// null of a fixed one.
+fn screws(joint: &Joint) -> Vec<Matrix> {
     let nothing = [(); 3].map(|()| Big::zero());
-    if matches!(joint.kind, JointKind::Fixed) {
-        return Matrix::zero();
+    if !joint.kind.moves() {
+        return vec![Matrix::zero()];
     }
     let axis = joint.axis.each_ref().map(big);
     let square = axis.iter().fold(Big::zero(), |sum, x| sum + x * x);
     let axis = axis.map(|entry| entry / square.sqrt());
+    let (turn, slide) = (
+        Matrix::screw(&axis, &nothing),
+        Matrix::screw(&nothing, &axis),
+    );
     match joint.kind {
-        JointKind::Prismatic => Matrix::screw(&nothing, &axis),
-        JointKind::Screw { pitch } => {
-            let slide = axis.each_ref().map(|entry| entry * big(&pitch));
-            Matrix::screw(&axis, &slide)
-        }
-        JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => {
-            Matrix::screw(&axis, &nothing)
-        }
+        JointKind::Prismatic => vec![slide],
+        JointKind::Screw { pitch } => vec![&turn + &slide.times(&big(&pitch))],
+        _ => vec![turn],
     }
 }

@@ -6,8 +6,9 @@
 use std::array::from_fn;
 
 use homogen::{Acceleration, Action, Inertia, Pose, Screw, Velocity};
-use homogen_codegen::chain::{Chain, Motion};
+use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::{Term, evaluate};
+use homogen_codegen::joint::Motion;
 use homogen_codegen::layout::{Body, Layout, arrange};
 use homogen_codegen::matrix;
 use homogen_tests::arguments::Arguments;

@@ -3,8 +3,8 @@
 //! In: the bodies of a chain. Out: a [`Link`] of each, and the arithmetic of [`Pair`]. It never looks at
 //! a posture.
 
-use crate::chain::Motion;
 use crate::expression::{Double, Term};
+use crate::joint::Motion;
 use crate::layout::Body;
 use crate::schedule::bound;
 
@@ -32,7 +32,7 @@ impl Link {
         let [xx, yy, zz, ..] = body.inertia.second.0.map(number);
         Some(Self {
             parent: body.parent,
-            slides: matches!(body.motion, Motion::Prismatic),
+            slides: body.motion.slides(),
             reach: slide + bound::root([x?, y?, z?]),
             spread: spread([xx?, yy?, zz?])?,
             mass: number(body.inertia.mass)?.max(0.0),

@@ -1,9 +1,9 @@
 //! What becomes of links and joints: merged, locked, left out, ordered, told.
 
 use super::*;
-use crate::chain::Motion;
 use crate::description::Number;
 use crate::expression::{Double, Expr, Input, Node};
+use crate::joint::Motion;
 
 /// The numbers of a body: second moments xx, yy, zz, xy, xz, yz, first moments, mass.
 fn inertia(chain: &Chain, joint: usize) -> Vec<f64> {

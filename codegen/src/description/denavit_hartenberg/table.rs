@@ -19,9 +19,10 @@ use crate::description::kind;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
 use crate::description::{
-    Description, Inertial, JointKind, Limits, Name, Number, Source, Step, constant, file, names,
+    Description, Inertial, Limits, Name, Number, Source, Step, constant, file, names,
 };
 use crate::error::{Errors, Place};
+use crate::joint::JointKind;
 use crate::wording::{known, list, quoted};
 
 /// The columns; the first ones must be there.

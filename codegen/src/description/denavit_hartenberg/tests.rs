@@ -80,6 +80,7 @@ fn pose(description: &Description, link: &str, q: f64) -> Matrix {
                 &translation([0.0, 0.0, pitch.value * q]),
             ),
             JointKind::Fixed => IDENTITY,
+            other => panic!("{other:?} is in no table here"),
         };
         m = product(&m, &motion);
         if joint.child.text == link {

@@ -7,10 +7,11 @@ use syn::parse::ParseStream;
 use syn::{Token, token};
 
 use super::body;
-use crate::description::kind::{self, Kind};
+use crate::description::kind;
 use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
-use crate::description::{Axis, JointKind, Limits, Name, Number, Step, axis, number};
+use crate::description::{Axis, Limits, Name, Number, Step, axis, number};
 use crate::error::{Complaint, Errors, Place};
+use crate::joint::{Definition, JointKind};
 use crate::wording::{known, quoted};
 
 /// A joint, its links known as far as they were named.
@@ -123,7 +124,7 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
     };
     let x = [1.0, 0.0, 0.0].map(|value| number::computed(value, Place::Token(word.span())));
     if !input.peek(token::Paren) {
-        if kind == Kind::Fixed {
+        if !kind.moves() {
             let kind = JointKind::Fixed;
             return Ok(Some(Motion {
                 kind,
@@ -144,8 +145,8 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
         .ok())
 }
 
-fn in_parentheses(input: ParseStream, kind: Kind, subject: &str) -> Parsed<Motion> {
-    if kind == Kind::Fixed {
+fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parsed<Motion> {
+    if !kind.moves() {
         let message = format!("{subject} is fixed and has no axis");
         return Err(complaint(input.span(), message));
     }

@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::description::tokens::show;
-use crate::description::{Axis, JointKind, Step};
+use crate::description::{Axis, Step};
+use crate::joint::JointKind;
 
 const SCARA: &str = "
 /// A SCARA.

@@ -9,7 +9,8 @@ use roxmltree::Node;
 
 use super::element::Reader;
 use crate::description::kind;
-use crate::description::{Joint, JointKind, Limits, Name, Number, axis, number};
+use crate::description::{Joint, Limits, Name, Number, axis, number};
+use crate::joint::JointKind;
 use crate::wording::quoted;
 
 /// What a joint may hold, mechanics or not.
@@ -171,7 +172,7 @@ fn axis<'t>(
     let along_x = |place| [1.0, 0.0, 0.0].map(|value| number::computed(value, place));
     let element = reader.only(children, "axis", subject);
     // The axis of a fixed joint means nothing, and is often written as zero.
-    if !kind.is_some_and(|kind| !matches!(kind, JointKind::Fixed)) {
+    if !kind.is_some_and(JointKind::moves) {
         return along_x(reader.place(node));
     }
     let Some(element) = element else {

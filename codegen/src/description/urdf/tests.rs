@@ -9,7 +9,8 @@ mod unmodelled;
 mod xml;
 
 use super::*;
-use crate::description::{Axis, JointKind, Number, Step};
+use crate::description::{Axis, Number, Step};
+use crate::joint::JointKind;
 
 /// An arm that moves in two ways, with a number of every kind.
 const ARM: &str = r#"<?xml version="1.0"?>

@@ -5,6 +5,7 @@
 //! or along its axis; how bodies move by one of them is said by [`Motion`].
 
 mod continuous;
+mod cylindrical;
 mod fixed;
 mod motion;
 mod prismatic;
@@ -30,6 +31,8 @@ pub enum JointKind {
         /// Translation per radian [m/rad].
         pitch: Number,
     },
+    /// Rotation \[rad\] and translation \[m\] about and along one axis, each with its own coordinate.
+    Cylindrical,
     /// Nothing.
     Fixed,
 }
@@ -57,11 +60,12 @@ pub enum Freedom {
 }
 
 /// All kinds, in the order in which messages list them.
-pub const ALL: [&Definition; 5] = [
+pub const ALL: [&Definition; 6] = [
     &revolute::DEFINITION,
     &continuous::DEFINITION,
     &prismatic::DEFINITION,
     &screw::DEFINITION,
+    &cylindrical::DEFINITION,
     &fixed::DEFINITION,
 ];
 
@@ -94,6 +98,7 @@ impl JointKind {
             Self::Continuous => &continuous::DEFINITION,
             Self::Prismatic => &prismatic::DEFINITION,
             Self::Screw { .. } => &screw::DEFINITION,
+            Self::Cylindrical => &cylindrical::DEFINITION,
             Self::Fixed => &fixed::DEFINITION,
         }
     }

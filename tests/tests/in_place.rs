@@ -71,6 +71,18 @@ robot! {
 }
 
 robot! {
+    /// A boring mill: its spindle turns and is fed along an oblique axis, and carries a facing slide.
+    Mill { gravity: [0.2, -9.7, 1.0] }
+    link base;
+    joint table: prismatic(x) { at: xyz(0.0, 0.0, 0.4) }
+    link saddle { mass: 20.0, com: [0.1, 0.02, 0.0], inertia: [0.4, 0.5, 0.6] }
+    joint spindle: cylindrical([0.48, 0.6, -0.64]) { at: xyz(0.2, 0.3, 0.1) rpy(0.1, -0.4, 0.2) }
+    link head { mass: 4.0, com: [0.03, -0.02, 0.1], inertia: [0.03, 0.001, 0.002, 0.04, 0.003, 0.05] }
+    joint facing: cylindrical(y) { at: xyz(0.05, 0.02, 0.3) rx(0.3) }
+    link tool { mass: 0.6, com: [0.01, 0.04, -0.02], inertia: [0.002, 0.003, 0.001] }
+}
+
+robot! {
     /// No two axes meet at a right angle, and nothing pulls.
     Oblique { gravity: none, tip: c }
     link base;
@@ -143,6 +155,22 @@ robot! {
 #[test]
 fn screws() {
     agree(&Drill, &Drill::chain());
+}
+
+#[test]
+fn joints_with_two_coordinates() {
+    let chain = Mill::chain();
+    agree(&Mill, &chain);
+    assert_eq!(
+        names(&chain),
+        [
+            "table",
+            "spindle.angle",
+            "spindle.shift",
+            "facing.angle",
+            "facing.shift"
+        ]
+    );
 }
 
 #[test]

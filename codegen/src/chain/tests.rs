@@ -198,6 +198,49 @@ fn only_what_moves_can_be_locked_and_once() {
     );
 }
 
+/// A joint with two coordinates and one with one, with settings for the struct and for the first joint.
+fn plunger(settings: &str, body: &str) -> String {
+    format!(
+        "struct Arm {{ {settings} }} link base; joint quill: cylindrical(z) {{ {body} }} link spindle;
+         joint tilt: revolute(x); link bit {{ mass: 1.0, com: [0, 0, 1], inertia: [1, 1, 1] }}"
+    )
+}
+
+#[test]
+fn a_joint_with_two_coordinates_has_two_entries_and_is_held_as_one() {
+    let chain = fine(&plunger("", ""));
+    let names: Vec<&str> = chain
+        .joints
+        .iter()
+        .map(|joint| joint.name.as_str())
+        .collect();
+    assert_eq!(names, ["quill.angle", "quill.shift", "tilt"]);
+    assert_eq!(chain.report.joints, ["quill", "tilt"]);
+    let held = fine(&plunger("lock(quill)", ""));
+    assert_eq!(held.report.joints, ["tilt"]);
+    assert_eq!(
+        said(&plunger("lock(quill = 0.3)", "")),
+        lines(&[
+            r#"error: joint "quill" has several coordinates and is locked at one value"#,
+            "  hint: lock it without a value: all of them are zero then",
+        ])
+    );
+}
+
+#[test]
+fn limits_of_two_coordinates_are_left_out_with_a_word() {
+    let chain = fine(&plunger("", "limits: [-1.0, 1.0]"));
+    assert!(chain.joints.iter().all(|joint| joint.limits.is_none()));
+    let doubts: Vec<&str> = (chain.report.warnings.iter())
+        .map(|doubt| doubt.message.as_str())
+        .collect();
+    let limits = "joint \"quill\" is cylindrical and has limits, which are not modelled: of which \
+                  coordinate is not said";
+    assert!(doubts.contains(&limits), "{doubts:?}");
+    let strict = said(&plunger("strict", "limits: [-1.0, 1.0]"));
+    assert!(strict.contains(limits), "{strict}");
+}
+
 #[test]
 fn something_must_move() {
     assert_eq!(

@@ -6,13 +6,12 @@ use crate::joint::{ALL, Definition};
 use crate::wording::{known, list, quoted};
 
 /// Types that people ask for and that are not modelled.
-const REFUSED: [&str; 7] = [
+const REFUSED: [&str; 6] = [
     "floating",
     "planar",
     "spherical",
     "ball",
     "universal",
-    "cylindrical",
     "mimic",
 ];
 

@@ -59,7 +59,7 @@ impl Motion {
 
     /// L about or along an axis of length 1 through the origin.
     #[must_use]
-    pub fn screw<'g>(self, axis: Vector<Term<'g>>) -> Screw<Term<'g>> {
+    pub fn screw(self, axis: Vector<Term<'_>>) -> Screw<Term<'_>> {
         let graph = axis.x().graph();
         let zero = Vector::zero(graph);
         match self {
@@ -78,7 +78,7 @@ impl Motion {
     /// * sliding along z changes no second moment of a body without mass and first moments;
     /// * a screw does both, so that only ∫z² of such a body remains.
     #[must_use]
-    pub fn invariant<'g>(self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
+    pub fn invariant(self, inertia: Inertia<Term<'_>>) -> Inertia<Term<'_>> {
         let mut part = Inertia::zero(inertia.mass.graph());
         let [_, _, zz, ..] = inertia.second.0;
         let zero = part.mass;

@@ -313,6 +313,7 @@ fn screws(joint: &Joint) -> Vec<Matrix> {
     );
     match joint.kind {
         JointKind::Prismatic => vec![slide],
+        JointKind::Cylindrical => vec![turn, slide],
         JointKind::Screw { pitch } => vec![&turn + &slide.times(&big(&pitch))],
         _ => vec![turn],
     }

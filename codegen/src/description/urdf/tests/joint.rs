@@ -10,7 +10,7 @@ fn joints_that_are_not_modelled_are_refused_by_name() {
             errors_in_joint(kind, ""),
             format!(
                 "error: arm.urdf:1:71: joint \"j\" is {kind}, and such joints are not modelled\n  \
-                 hint: known types: revolute, continuous, prismatic, screw and fixed\n"
+                 hint: known types: revolute, continuous, prismatic, screw, cylindrical and fixed\n"
             )
         );
     }
@@ -23,7 +23,7 @@ fn joints_that_are_not_modelled_are_refused_by_name() {
         errors_in_joint("revolut", ""),
         "error: arm.urdf:1:71: joint \"j\" has the unknown type \"revolut\"\n  \
          hint: did you mean \"revolute\"? known types: \
-         revolute, continuous, prismatic, screw and fixed\n"
+         revolute, continuous, prismatic, screw, cylindrical and fixed\n"
     );
     assert_eq!(
         errors_in_joint("screw", r#"<axis xyz="0 0 1"/>"#),

@@ -79,9 +79,8 @@ pub fn evaluate(
                 let carried = body.parent.is_some_and(|parent| moves[parent]);
                 moves.push(carried || matches!(body.coordinate, Coordinate::Free(_)));
             }
-            let links = positions.j.iter().zip(moves);
-            let energies =
-                links.filter_map(|(j, moves)| moves.then(|| (&robot.gravity * j).trace()));
+            let links = positions.j.iter().zip(moves).filter(|(_, moves)| *moves);
+            let energies = links.map(|(j, _)| (&robot.gravity * j).trace());
             vec![energies.fold(Big::zero(), |sum, energy| sum - energy)]
         }
         other => panic!("{} has no oracle", other.name()),

@@ -179,9 +179,10 @@ impl<'d> Reader<'d> {
             for (k, screw) in screws.into_iter().enumerate() {
                 // What moves by a part of a joint's coordinates is no link.
                 links.push(if k == last { child } else { "" });
-                let inertia = match k == last {
-                    true => self.inertia(child),
-                    false => Matrix::zero(),
+                let inertia = if k == last {
+                    self.inertia(child)
+                } else {
+                    Matrix::zero()
                 };
                 let coordinate = match &held {
                     Some(at) => Coordinate::Held(at.clone()),

@@ -17,7 +17,6 @@ mod names;
 #[cfg(feature = "pretty")]
 mod pretty;
 mod results;
-mod scope;
 mod sines;
 mod stub;
 #[cfg(all(test, feature = "pretty"))]
@@ -34,7 +33,7 @@ use crate::request::Parameter;
 use crate::schedule::{Price, Program};
 use crate::space::Spaces;
 use dialect::Dialect;
-use names::Names;
+use names::ident;
 
 pub use c::c_header;
 pub use dialect::Library;
@@ -159,10 +158,10 @@ pub fn emit(listing: &Listing) -> TokenStream {
 #[must_use]
 pub fn methods(listing: &Listing) -> TokenStream {
     let dialect = Dialect::of_runtime(listing);
-    let mut names = Names::default();
+    let mut names = names::unscoped();
     let methods = listing.functions.iter().map(|listed| {
         let name = names.fresh(&listed.name());
-        method::method(listing, listed, &name, &dialect)
+        method::method(listing, listed, &ident(&name), &dialect)
     });
     methods.collect()
 }

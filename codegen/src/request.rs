@@ -135,6 +135,20 @@ impl Request {
     }
 }
 
+impl Parameter {
+    /// The names of its entries: the field's, and behind it an axis where there are three.
+    #[must_use]
+    pub fn entries(&self) -> Vec<String> {
+        let name = self.field.unraw().to_string();
+        match self.target.entries() {
+            1 => vec![name],
+            _ => ["x", "y", "z"]
+                .map(|axis| format!("{name}_{axis}"))
+                .to_vec(),
+        }
+    }
+}
+
 impl Target {
     /// The unit of its numbers.
     #[must_use]

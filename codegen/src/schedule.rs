@@ -1,19 +1,26 @@
-//! The last form before tokens: a flat list of operations in the order in which they run.
+//! What runs: a flat list of operations in their order, and the same with names for a language to
+//! write.
 //!
 //! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
-//! nothing else; emission, evaluation and counting all read it and never look at the graph again.
+//! nothing else, and its [`Routine`]; printing, evaluation and counting never look at the graph
+//! again. It never knows a language.
 
 mod blocks;
 pub mod bound;
 mod fuse;
+mod names;
 mod order;
 mod price;
+mod routine;
 mod run;
 mod signs;
 
-pub use blocks::{Block, LONGEST_SCOPE, Part, nested};
+pub use blocks::LONGEST_SCOPE;
+pub use names::Names;
+pub(crate) use names::sanitize;
 pub use order::{schedule, schedule_unfused};
 pub use price::Price;
+pub use routine::{Angle, Entries, Readable, Routine, Statement, Value};
 pub use run::run;
 
 pub use crate::expression::Arithmetic;
@@ -42,27 +49,27 @@ pub struct Step {
     pub operation: Operation,
 }
 
-/// An operation of IEEE 754.
+/// An operation of IEEE 754, in a program on [`Operand`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Operation {
+pub enum Operation<T = Operand> {
     /// a + b.
-    Add(Operand, Operand),
+    Add(T, T),
     /// a − b.
-    Sub(Operand, Operand),
+    Sub(T, T),
     /// a b.
-    Mul(Operand, Operand),
+    Mul(T, T),
     /// a / b.
-    Div(Operand, Operand),
+    Div(T, T),
     /// √a.
-    Sqrt(Operand),
+    Sqrt(T),
     /// −a.
-    Neg(Operand),
+    Neg(T),
     /// a b + c, rounded once where the target can.
-    MulAdd(Operand, Operand, Operand),
+    MulAdd(T, T, T),
     /// a b − c, rounded once where the target can.
-    MulSub(Operand, Operand, Operand),
+    MulSub(T, T, T),
     /// c − a b, rounded once where the target can.
-    NegMulAdd(Operand, Operand, Operand),
+    NegMulAdd(T, T, T),
 }
 
 /// What an operation acts on.
@@ -80,7 +87,7 @@ pub enum Operand {
     Step(u32),
 }
 
-impl Operation {
+impl<T> Operation<T> {
     /// Whether it is a product and a sum at once.
     #[must_use]
     pub const fn is_fused(&self) -> bool {
@@ -92,13 +99,31 @@ impl Operation {
 
     /// What it acts on.
     #[must_use]
-    pub fn operands(&self) -> Vec<Operand> {
-        match *self {
+    pub fn operands(&self) -> Vec<T>
+    where
+        T: Clone,
+    {
+        match self.clone() {
             Self::Sqrt(a) | Self::Neg(a) => vec![a],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
             Self::MulAdd(a, b, c) | Self::MulSub(a, b, c) | Self::NegMulAdd(a, b, c) => {
                 vec![a, b, c]
             }
+        }
+    }
+
+    /// The same operation on what takes the place of its operands.
+    pub fn map<U>(self, mut of: impl FnMut(T) -> U) -> Operation<U> {
+        match self {
+            Self::Add(a, b) => Operation::Add(of(a), of(b)),
+            Self::Sub(a, b) => Operation::Sub(of(a), of(b)),
+            Self::Mul(a, b) => Operation::Mul(of(a), of(b)),
+            Self::Div(a, b) => Operation::Div(of(a), of(b)),
+            Self::Sqrt(a) => Operation::Sqrt(of(a)),
+            Self::Neg(a) => Operation::Neg(of(a)),
+            Self::MulAdd(a, b, c) => Operation::MulAdd(of(a), of(b), of(c)),
+            Self::MulSub(a, b, c) => Operation::MulSub(of(a), of(b), of(c)),
+            Self::NegMulAdd(a, b, c) => Operation::NegMulAdd(of(a), of(b), of(c)),
         }
     }
 }

@@ -1,16 +1,21 @@
-//! From a program to statements.
+//! From a routine to statements.
 //!
-//! In: a [`Program`]. Out: one `let` for each operation, in blocks where there are many, and its
+//! In: a [`Program`] and what it reads. Out: a `let` for each statement of its [`Routine`], and its
 //! results as expressions. It never indexes, branches, or calls anything but sines, cosines, roots
 //! and fused products.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote, quote_spanned};
 
+use super::Listing;
 use super::dialect::Dialect;
-use super::names::Names;
-use super::scope::{Readable, Scope, block};
-use crate::schedule::{Block, Operand, Operation, Part, Program, Step, nested};
+use super::literals::Numerals;
+use super::names::{self, ident};
+use crate::request::Parameter;
+use crate::schedule::{
+    Angle, Entries, LONGEST_SCOPE, Names, Operation, Program, Readable, Routine, Statement, Value,
+};
+use crate::space::Variable;
 
 /// The inside of a function.
 pub(super) struct Body {
@@ -20,74 +25,204 @@ pub(super) struct Body {
     pub results: Vec<TokenStream>,
 }
 
-/// Writes a program down, with names that are not in `names` yet.
+/// How many fields are loaded in one scope; three numbers of a field take up to four `let`s.
+const FIELDS: usize = LONGEST_SCOPE / 4;
+
+/// Writes a program down that reads these arguments and the fields of the struct.
 pub(super) fn body(
     program: &Program,
-    readable: &Readable<'_>,
+    arguments: &[Variable],
+    listing: &Listing,
     dialect: &Dialect,
-    names: Names,
 ) -> Body {
-    let (mut scope, mut statements) = Scope::open(program, readable, dialect, names);
-    let [before, after] = nested(program);
-    statements.extend(lets(&before, program, dialect, &mut scope));
-    statements.extend(scope.bind_angles(program, dialect));
-    statements.extend(lets(&after, program, dialect, &mut scope));
-    let results = program.results.iter();
+    let mut names = names::beside(&listing.item);
+    let (numerals, constant) = dialect.numerals(&mut names);
+    let (fused, mul_add) = dialect.fused(&mut names);
+    let fields = listing.parameters.iter().map(Parameter::entries);
+    let readable = Readable {
+        arguments,
+        spaces: &listing.spaces,
+        fields: &fields.collect::<Vec<_>>(),
+    };
+    let routine = Routine::of(program, &readable, names);
+    let loads = routine.fields.iter().zip(&listing.parameters);
+    let loads = loads.filter(|(entries, _)| entries.iter().any(Option::is_some));
+    let loads: Vec<_> = loads.collect();
+    let mut writer = Writer {
+        dialect,
+        numerals,
+        fused,
+        names: routine.names,
+    };
+
+    let mut statements = TokenStream::new();
+    if routine.has_literals || !loads.is_empty() {
+        statements.extend(constant);
+    }
+    if routine.is_fused {
+        statements.extend(mul_add);
+    }
+    statements.extend(routine.arguments.iter().map(unpack));
+    let load = |(entries, field): &(&Entries, &Parameter)| writer.load(entries, field);
+    if loads.len() <= FIELDS {
+        statements.extend(loads.iter().map(load));
+    } else {
+        statements.extend(loads.chunks(FIELDS).map(|loads| {
+            let names = loads
+                .iter()
+                .flat_map(|(entries, _)| entries.iter().flatten());
+            block(
+                &loads.iter().map(load).collect(),
+                names.map(|name| ident(name)),
+            )
+        }));
+    }
+    statements.extend(writer.statements(&routine.statements));
+    let results = routine.results.iter();
     Body {
         statements,
-        results: results.map(|result| scope.read(*result)).collect(),
+        results: results.map(|result| writer.read(result)).collect(),
     }
 }
 
-/// A scope's statements: a `let` for each step, and one for all that a block hands on.
-fn lets(parts: &[Part], program: &Program, dialect: &Dialect, scope: &mut Scope) -> TokenStream {
-    let mut statements = TokenStream::new();
-    for part in parts {
-        statements.extend(match part {
-            Part::Step(step) => statement(&program.steps[*step as usize], dialect, scope),
-            Part::Block(Block { parts, handed_on }) => {
-                let inside = lets(parts, program, dialect, scope);
-                let names = handed_on.iter().copied().map(Operand::Step);
-                block(&inside, names.map(|step| scope.read(step)))
+/// The spelling of what routines are made of.
+struct Writer<'d> {
+    dialect: &'d Dialect,
+    numerals: Numerals,
+    fused: Option<Ident>,
+    names: Names,
+}
+
+impl Writer<'_> {
+    fn statements(&mut self, statements: &[Statement]) -> TokenStream {
+        let statements = statements.iter().map(|statement| match statement {
+            Statement::Operation(name, operation) => {
+                let (name, value) = (ident(name), self.operation(operation));
+                quote! { let #name = #value; }
+            }
+            Statement::SinesAndCosines(angles) => self.sines_and_cosines(angles),
+            Statement::Block {
+                statements,
+                handed_on,
+            } => {
+                let inside = self.statements(statements);
+                block(&inside, handed_on.iter().map(|name| ident(name)))
             }
         });
+        statements.collect()
     }
-    statements
-}
 
-fn statement(step: &Step, dialect: &Dialect, scope: &mut Scope) -> TokenStream {
-    let value = operation(step.operation, dialect, scope);
-    let name = scope.bind_step(step);
-    quote! { let #name = #value; }
-}
-
-fn operation(operation: Operation, dialect: &Dialect, scope: &Scope) -> TokenStream {
-    let read = |operand| scope.read(operand);
-    let [a, b, c] = padded(operation).map(read);
-    match operation {
-        Operation::Add(..) => quote! { #a + #b },
-        Operation::Sub(..) => quote! { #a - #b },
-        Operation::Mul(..) => quote! { #a * #b },
-        Operation::Div(..) => quote! { #a / #b },
-        Operation::Sqrt(_) => dialect.sqrt(&a),
-        Operation::Neg(a) => scope.read_negative(a),
-        Operation::MulAdd(..) => {
-            let plain = quote! { #a * #b + #c };
-            scope.fused(&a, &b, &c, plain)
-        }
-        Operation::MulSub(_, _, term) => {
-            let plain = quote! { #a * #b - #c };
-            scope.fused(&a, &b, &scope.read_negative(term), plain)
-        }
-        Operation::NegMulAdd(factor, _, _) => {
-            let plain = quote! { #c - #a * #b };
-            scope.fused(&scope.read_negative(factor), &b, &c, plain)
+    /// A value as an expression that binds tighter than any infix operator.
+    fn read(&self, value: &Value) -> TokenStream {
+        match value {
+            Value::Literal(value) => self.numerals.write(*value),
+            Value::Name(name) => ident(name).into_token_stream(),
         }
     }
+
+    /// The same with the opposite sign.
+    fn read_negative(&self, value: &Value) -> TokenStream {
+        if let Value::Literal(value) = value {
+            return self.numerals.write(-value);
+        }
+        let positive = self.read(value);
+        quote! { -#positive }
+    }
+
+    fn operation(&self, operation: &Operation<Value>) -> TokenStream {
+        let [a, b, c] = padded(operation).map(|value| self.read(&value));
+        match operation {
+            Operation::Add(..) => quote! { #a + #b },
+            Operation::Sub(..) => quote! { #a - #b },
+            Operation::Mul(..) => quote! { #a * #b },
+            Operation::Div(..) => quote! { #a / #b },
+            Operation::Sqrt(_) => self.dialect.sqrt(&a),
+            Operation::Neg(a) => self.read_negative(a),
+            Operation::MulAdd(..) => {
+                let plain = quote! { #a * #b + #c };
+                self.fused(&a, &b, &c, plain)
+            }
+            Operation::MulSub(_, _, term) => {
+                let plain = quote! { #a * #b - #c };
+                self.fused(&a, &b, &self.read_negative(term), plain)
+            }
+            Operation::NegMulAdd(factor, _, _) => {
+                let plain = quote! { #c - #a * #b };
+                self.fused(&self.read_negative(factor), &b, &c, plain)
+            }
+        }
+    }
+
+    /// a b + c, rounded once where the target can; `plain` where there is no such function.
+    fn fused(
+        &self,
+        a: &TokenStream,
+        b: &TokenStream,
+        c: &TokenStream,
+        plain: TokenStream,
+    ) -> TokenStream {
+        match &self.fused {
+            Some(mul_add) => quote! { #mul_add(#a, #b, #c) },
+            None => plain,
+        }
+    }
+
+    fn sines_and_cosines(&mut self, angles: &[Angle]) -> TokenStream {
+        let sines: Vec<_> = angles.iter().map(|angle| pattern(&angle.sine)).collect();
+        let cosines: Vec<_> = angles.iter().map(|angle| pattern(&angle.cosine)).collect();
+        let values = angles.iter().map(|angle| self.read(&angle.value));
+        let values: Vec<_> = values.collect();
+        (self.dialect).sines_and_cosines(&sines, &cosines, &values, &mut self.names)
+    }
+
+    /// `let payload = self.payload;` or `let [gravity_x, _, gravity_z] = self.gravity;`, converted.
+    fn load(&self, entries: &Entries, Parameter { field, .. }: &Parameter) -> TokenStream {
+        // The compiler's complaint about a field of another type belongs under the field.
+        let span = field.span().resolved_at(Span::call_site());
+        let value = quote_spanned! {span=> self.#field };
+        let converted = |value: &TokenStream| self.dialect.converted(&self.numerals, value, span);
+        if let [Some(name)] = &**entries {
+            let (name, value) = (ident(name), converted(&value));
+            return quote! { let #name = #value; };
+        }
+        let conversions = entries.iter().flatten().filter_map(|name| {
+            let name = ident(name).into_token_stream();
+            let converted = converted(&name);
+            // Without a conversion the pattern has said it all.
+            let needed = converted.to_string() != name.to_string();
+            needed.then(|| quote! { let #name = #converted; })
+        });
+        let patterns = entries.iter().map(pattern);
+        quote! { let [#(#patterns),*] = #value; #(#conversions)* }
+    }
+}
+
+/// `let [q_1, _, q_3] = *q;`, or `let _ = q;` where no entry is read.
+fn unpack((argument, entries): &(Variable, Entries)) -> TokenStream {
+    let array = ident(argument.name());
+    if entries.iter().all(Option::is_none) {
+        return quote! { let _ = #array; };
+    }
+    let entries = entries.iter().map(pattern);
+    quote! { let [#(#entries),*] = *#array; }
+}
+
+/// What stands in a pattern for a value that may have no name.
+fn pattern(name: &Option<String>) -> TokenStream {
+    match name {
+        Some(name) => ident(name).into_token_stream(),
+        None => quote! { _ },
+    }
+}
+
+/// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them.
+fn block(inside: &TokenStream, names: impl Iterator<Item = Ident>) -> TokenStream {
+    let names: Vec<_> = names.collect();
+    quote! { let [#(#names),*] = { #inside [#(#names),*] }; }
 }
 
 /// The operands, and zeros where there are fewer than three.
-fn padded(operation: Operation) -> [Operand; 3] {
+fn padded(operation: &Operation<Value>) -> [Value; 3] {
     let mut operands = operation.operands().into_iter();
-    [(); 3].map(|()| operands.next().unwrap_or(Operand::Literal(0.0)))
+    [(); 3].map(|()| operands.next().unwrap_or(Value::Literal(0.0)))
 }

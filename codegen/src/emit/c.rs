@@ -17,7 +17,7 @@ use super::documentation;
 use super::item::is_array;
 use super::lengths::Lengths;
 use super::method::{arguments, names};
-use super::names::{Names, is_keyword};
+use super::names::{KEYWORDS as OF_RUST, unscoped};
 use super::results::type_of;
 use super::{Library, Listed, Listing};
 use crate::function::Function;
@@ -154,7 +154,7 @@ fn structure(text: &mut String, listing: &Listing, prefix: &str, number: &str) {
 /// The names of the functions: those of the methods behind the prefix, in ASCII, without which there
 /// is no `no_mangle`.
 fn symbols(listing: &Listing, prefix: &str) -> Vec<String> {
-    let mut names = Names::default();
+    let mut names = unscoped();
     let listed = listing.functions.iter();
     listed
         .map(|listed| format!("{prefix}{}", names.fresh(&ascii(&listed.name()))))
@@ -164,7 +164,10 @@ fn symbols(listing: &Listing, prefix: &str) -> Vec<String> {
 /// What a field is called in C; only its place in the struct has to be that of Rust.
 fn member(field: &Ident, taken: &mut BTreeSet<String>) -> String {
     let mut name = ascii(&field.unraw().to_string());
-    while is_keyword(&name) || KEYWORDS.contains(&name.as_str()) || taken.contains(&name) {
+    while OF_RUST.contains(&name.as_str())
+        || KEYWORDS.contains(&name.as_str())
+        || taken.contains(&name)
+    {
         name.push('_');
     }
     taken.insert(name.clone());

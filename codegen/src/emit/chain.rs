@@ -10,9 +10,7 @@ use quote::quote;
 use super::body::{Body, body};
 use super::dialect::{Dialect, World};
 use super::lengths::number;
-use super::names::Names;
 use super::results::{square_and_column, two_vectors};
-use super::scope::Readable;
 use super::{ChainData, Listing, documentation};
 
 /// How many numbers a joint has, and how many of them are its placement and its screw.
@@ -26,16 +24,10 @@ pub(super) fn chain(listing: &Listing, dialect: &Dialect) -> TokenStream {
         return TokenStream::new();
     };
     let data = &listing.data;
-    let readable = Readable {
-        arguments: &[],
-        spaces: &listing.spaces,
-        parameters: &listing.parameters,
-    };
-    let names = Names::beside(&listing.item);
     let Body {
         statements,
         results,
-    } = body(&data.program, &readable, &dialect.of_data(), names);
+    } = body(&data.program, &[], listing, &dialect.of_data());
     let value = value(data, &results, runtime);
 
     let about = documentation::of_chain(listing);

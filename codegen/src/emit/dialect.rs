@@ -8,11 +8,11 @@ use quote::{quote, quote_spanned};
 
 use super::item::Declaration;
 use super::literals::Numerals;
-use super::names::Names;
+use super::names::{beside, ident};
 use super::{Listing, sines};
 use crate::formulation::Sines;
 use crate::real::Real;
-use crate::schedule::LONGEST_SCOPE;
+use crate::schedule::{LONGEST_SCOPE, Names};
 
 /// What code without the runtime finds and leaves around it.
 #[derive(Clone, Debug, Default)]
@@ -58,7 +58,7 @@ pub(super) enum World {
 impl Dialect {
     /// For a crate that has the runtime.
     pub fn of_runtime(listing: &Listing) -> Self {
-        let mut names = Names::beside(&listing.item);
+        let mut names = beside(&listing.item);
         let made = matches!(listing.item.declaration, Declaration::Made);
         Self {
             fields: made.then_some(listing.scalar),
@@ -70,7 +70,7 @@ impl Dialect {
     /// For a crate that has the runtime, with the name of a generic number taken from `names`.
     pub fn runtime(real: Real, runtime: Option<TokenStream>, names: &mut Names) -> Self {
         let runtime = runtime.unwrap_or_else(|| quote! { ::homogen });
-        let generic = (real == Real::Generic).then(|| names.fresh_type("T"));
+        let generic = (real == Real::Generic).then(|| ident(&names.alone("T")));
         let number = match (&generic, real) {
             (Some(generic), _) => quote! { #generic },
             (None, Real::F32) => quote! { ::core::primitive::f32 },
@@ -134,7 +134,7 @@ impl Dialect {
     pub fn numerals(&self, names: &mut Names) -> (Numerals, TokenStream) {
         match (&self.generic, &self.world, self.real) {
             (Some(number), World::Runtime(runtime), _) => {
-                let k = names.fresh("k");
+                let k = ident(&names.fresh("k"));
                 let statement = quote! { let #k = <#number as #runtime::Scalar>::constant; };
                 (Numerals::Through(k), statement)
             }
@@ -170,7 +170,7 @@ impl Dialect {
         let number = &self.number;
         match &self.world {
             World::Runtime(runtime) => {
-                let name = names.fresh("mul_add");
+                let name = ident(&names.fresh("mul_add"));
                 let statement = quote! { let #name = <#number as #runtime::Scalar>::mul_add; };
                 (Some(name), statement)
             }
@@ -208,7 +208,8 @@ impl Dialect {
                     #runtime::Scalar::sin_cos_all([#(#angles),*]);
             },
             World::Runtime(runtime) => {
-                let [a, s, c] = ["angles", "sines", "cosines"].map(|name| names.fresh(name));
+                let [a, s, c] =
+                    ["angles", "sines", "cosines"].map(|name| ident(&names.fresh(name)));
                 quote! {
                     let #a = [#(#angles),*];
                     let (#s, #c) = #runtime::Scalar::sin_cos_all(#a);
@@ -218,7 +219,7 @@ impl Dialect {
             }
             World::Core(library) => {
                 let own = || {
-                    let name = Ident::new(sines::NAME, Span::call_site());
+                    let name = ident(sines::NAME);
                     quote! { Self::#name }
                 };
                 let sin_cos = library.sin_cos.clone().unwrap_or_else(own);

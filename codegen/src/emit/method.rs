@@ -10,9 +10,8 @@ use syn::{GenericParam, parse_quote};
 use super::body::{Body, body};
 use super::dialect::{Dialect, World};
 use super::lengths::Lengths;
-use super::names::Names;
+use super::names::{ident, unscoped};
 use super::results::{result_type, result_value};
-use super::scope::Readable;
 use super::{Item, Listed, Listing, documentation, item, sines};
 use crate::function::Function;
 use crate::space::{Space, Variable};
@@ -25,16 +24,10 @@ pub(super) fn method(
     dialect: &Dialect,
 ) -> TokenStream {
     let arguments = arguments(&listed.functions);
-    let readable = Readable {
-        arguments: &arguments,
-        spaces: &listing.spaces,
-        parameters: &listing.parameters,
-    };
-    let names = Names::beside(&listing.item);
     let Body {
         statements,
         results,
-    } = body(&listed.program, &readable, dialect, names);
+    } = body(&listed.program, &arguments, listing, dialect);
     let result = result_value(&listed.functions, &listing.spaces, &results, dialect);
 
     let about = documentation::of_method(listing, listed, dialect);
@@ -141,11 +134,13 @@ fn parameters(arguments: &[Variable], lengths: &Lengths, dialect: &Dialect) -> T
 /// The names of all methods, in the order of the listing; none is that of a function that a struct
 /// has besides.
 pub(super) fn names(listing: &Listing) -> Vec<Ident> {
-    let mut names = Names::default();
+    let mut names = unscoped();
     names.take("chain");
     names.take(sines::NAME);
     let listed = listing.functions.iter();
-    listed.map(|listed| names.fresh(&listed.name())).collect()
+    listed
+        .map(|listed| ident(&names.fresh(&listed.name())))
+        .collect()
 }
 
 /// What several functions together are functions of.

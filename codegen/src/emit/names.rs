@@ -1,89 +1,40 @@
-//! Names that cannot clash.
+//! Names that Rust takes.
 //!
-//! In: the name that a reader would like to see. Out: an identifier that is no keyword and that
-//! nothing else in the same scope has. It never invents a name that was not wished for: it appends
-//! underscores.
-
-use std::collections::BTreeSet;
+//! In: the struct that functions are methods of, or a text. Out: the names that its functions cannot
+//! have, and identifiers. It never decides which of two things keeps the name that both would like.
 
 use proc_macro2::{Ident, Span};
 use syn::GenericParam;
 use syn::ext::IdentExt;
 
 use super::Item;
+use crate::schedule::{Names, sanitize};
 
-/// The names of one scope.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Names {
-    taken: BTreeSet<String>,
+/// Names in a scope of their own.
+pub(super) fn unscoped() -> Names {
+    Names::beside(&KEYWORDS)
 }
 
-impl Names {
-    /// Names beside those of the user's struct, which in a pattern would be taken for its only value,
-    /// and of its generic parameters.
-    pub fn beside(item: &Item) -> Self {
-        let mut names = Self::default();
-        names.take_ident(&item.ident);
-        for parameter in &item.generics.params {
-            match parameter {
-                GenericParam::Type(parameter) => names.take_ident(&parameter.ident),
-                GenericParam::Const(parameter) => names.take_ident(&parameter.ident),
-                // Lifetimes have a namespace of their own.
-                GenericParam::Lifetime(_) => {}
-            }
+/// Names beside those of the user's struct, which in a pattern would be taken for its only value,
+/// and of its generic parameters.
+pub(super) fn beside(item: &Item) -> Names {
+    let mut names = unscoped();
+    let mut take = |ident: &Ident| names.take(&ident.unraw().to_string());
+    take(&item.ident);
+    for parameter in &item.generics.params {
+        match parameter {
+            GenericParam::Type(parameter) => take(&parameter.ident),
+            GenericParam::Const(parameter) => take(&parameter.ident),
+            // Lifetimes have a namespace of their own.
+            GenericParam::Lifetime(_) => {}
         }
-        names
     }
-
-    /// Keeps a name from being given away.
-    pub fn take(&mut self, name: &str) {
-        self.taken.insert(name.to_owned());
-    }
-
-    fn take_ident(&mut self, ident: &Ident) {
-        self.take(&ident.unraw().to_string());
-    }
-
-    /// The name wished for, in the alphabet of identifiers, with as many underscores behind it as
-    /// it takes to be alone.
-    pub fn fresh(&mut self, wish: &str) -> Ident {
-        self.alone(sanitize(wish))
-    }
-
-    /// The same for a type parameter, whose letters stay as they are.
-    pub fn fresh_type(&mut self, wish: &str) -> Ident {
-        self.alone(wish.to_owned())
-    }
-
-    fn alone(&mut self, mut name: String) -> Ident {
-        while self.taken.contains(&name) || is_keyword(&name) {
-            name.push('_');
-        }
-        let ident = Ident::new(&name, Span::call_site());
-        self.taken.insert(name);
-        ident
-    }
+    names
 }
 
-/// A text as an identifier: lower case, with one underscore for every run of what no identifier
-/// can hold. It may be a keyword.
-fn sanitize(text: &str) -> String {
-    let mut name = String::with_capacity(text.len());
-    for letter in text.chars().flat_map(char::to_lowercase) {
-        if is_continue(letter) {
-            name.push(letter);
-        } else if !name.ends_with('_') {
-            name.push('_');
-        }
-    }
-    let trimmed = name.trim_matches('_');
-    // Whatever may continue a name may follow a letter.
-    let prefix = match trimmed.chars().next() {
-        Some(first) if first.is_alphabetic() => "",
-        Some(_) => "n",
-        None => "unnamed",
-    };
-    format!("{prefix}{trimmed}")
+/// A name as a token.
+pub(super) fn ident(name: &str) -> Ident {
+    Ident::new(name, Span::call_site())
 }
 
 /// A text as the name of a type: `double pendulum` is `DoublePendulum`.
@@ -96,33 +47,12 @@ pub fn type_name(text: &str) -> String {
         first.chain(letters).collect::<String>()
     });
     let name: String = words.collect();
-    if is_keyword(&name) {
-        format!("{name}_")
-    } else {
-        name
-    }
-}
-
-/// Whether a letter other than the underscore may stand within an identifier: those of Latin script,
-/// Chinese characters, Japanese kana, Korean syllables. Of other scripts many look like one of those,
-/// have no width, or are the same letter in two encodings, which the compiler takes for one.
-fn is_continue(letter: char) -> bool {
-    match letter {
-        // Ligatures, and letters that stand for two others.
-        '×' | '÷' | 'ĳ' | 'ŀ' | 'ŉ' | 'ſ' => false,
-        'ß'..='ž' | 'ぁ'..='ゖ' | 'ァ'..='ヺ' | '一'..='鿿' | '가'..='힣' => true,
-        letter => letter.is_ascii_alphanumeric(),
-    }
-}
-
-/// Whether Rust reserves the word.
-pub(super) fn is_keyword(name: &str) -> bool {
-    KEYWORDS.contains(&name)
+    unscoped().alone(&name)
 }
 
 /// Reserved words of all editions up to 2024.
 #[rustfmt::skip]
-const KEYWORDS: [&str; 54] = [
+pub(super) const KEYWORDS: [&str; 54] = [
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
     "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
     "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
@@ -132,56 +62,8 @@ const KEYWORDS: [&str; 54] = [
 
 #[cfg(test)]
 mod tests {
-    use super::{Item, Names, type_name};
-    use proc_macro2::Ident;
+    use super::{Item, beside, type_name, unscoped};
     use syn::parse_quote;
-
-    fn fresh(names: &mut Names, wishes: &[&str]) -> Vec<String> {
-        let idents = wishes.iter().map(|wish| names.fresh(wish));
-        idents.map(|ident: Ident| ident.to_string()).collect()
-    }
-
-    #[test]
-    fn no_two_are_equal() {
-        let mut names = Names::default();
-        assert_eq!(
-            fresh(&mut names, &["m_0_3", "m_0_3", "m_0_3_", "M-0-3"]),
-            ["m_0_3", "m_0_3_", "m_0_3__", "m_0_3___"]
-        );
-    }
-
-    #[test]
-    fn none_is_a_keyword_or_no_name_at_all() {
-        let wishes = [
-            "fn",
-            "gen",
-            "self",
-            "Self",
-            "",
-            "—",
-            "2nd",
-            "a  b",
-            "_x",
-            "Kamera-öse",
-            "x²",
-        ];
-        assert_eq!(
-            fresh(&mut Names::default(), &wishes),
-            [
-                "fn_",
-                "gen_",
-                "self_",
-                "self__",
-                "unnamed",
-                "unnamed_",
-                "n2nd",
-                "a_b",
-                "x",
-                "kamera_öse",
-                "x_"
-            ]
-        );
-    }
 
     #[test]
     fn letters_that_look_like_others_or_like_nothing_are_no_part_of_a_name() {
@@ -199,7 +81,8 @@ mod tests {
             "ŉſŀĳ9",
             "İ",
         ];
-        let names = fresh(&mut Names::default(), &wishes);
+        let mut names = unscoped();
+        let names = wishes.map(|wish| names.fresh(wish));
         assert_eq!(
             names,
             [
@@ -218,7 +101,7 @@ mod tests {
             ]
         );
         for name in names {
-            assert!(syn::parse_str::<Ident>(&name).is_ok(), "{name}");
+            assert!(syn::parse_str::<syn::Ident>(&name).is_ok(), "{name}");
         }
     }
 
@@ -241,13 +124,11 @@ mod tests {
     #[test]
     fn the_struct_and_its_generic_parameters_are_left_alone() {
         let item: syn::DeriveInput = parse_quote! { struct k<'t_1, T, const q_1: usize>; };
-        let mut names = Names::beside(&Item::derived(&item));
-        assert_eq!(
-            fresh(&mut names, &["q_1", "t_1", "k"]),
-            ["q_1_", "t_1", "k_"]
-        );
-        assert_eq!(names.fresh_type("T"), "T_");
+        let mut names = beside(&Item::derived(&item));
+        let found = ["q_1", "t_1", "k"].map(|wish| names.fresh(wish));
+        assert_eq!(found, ["q_1_", "t_1", "k_"]);
+        assert_eq!(names.alone("T"), "T_");
         let item: syn::DeriveInput = parse_quote! { struct T; };
-        assert_eq!(Names::beside(&Item::derived(&item)).fresh_type("T"), "T_");
+        assert_eq!(beside(&Item::derived(&item)).alone("T"), "T_");
     }
 }

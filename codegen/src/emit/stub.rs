@@ -11,7 +11,7 @@ use syn::{GenericParam, parse_quote};
 use super::dialect::{Dialect, World};
 use super::item::{Declaration, Item};
 use super::lengths::{Lengths, number};
-use super::names::Names;
+use super::names::{beside, ident, unscoped};
 use super::{chain, item, method};
 use crate::request::Request;
 
@@ -33,9 +33,9 @@ pub struct Wanted<'a> {
 #[must_use]
 pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
     let Wanted { item, request, .. } = wanted;
-    let mut names = Names::beside(item);
+    let mut names = beside(item);
     let dialect = Dialect::runtime(request.scalar, request.runtime.clone(), &mut names);
-    let unknown = wanted.joints.is_none().then(|| names.fresh_type("N"));
+    let unknown = wanted.joints.is_none().then(|| ident(&names.alone("N")));
     let count = match (&unknown, wanted.joints) {
         (None, Some(joints)) => number(joints),
         (name, _) => quote! { #name },
@@ -45,7 +45,7 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
 
     let mut methods = TokenStream::new();
     let mut traits = TokenStream::new();
-    let mut names = Names::default();
+    let mut names = unscoped();
     names.take("chain");
     for functions in &request.items() {
         let frames = request.frames.iter().map(|frame| Some(frame.text.as_str()));
@@ -53,7 +53,7 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
             if frame.is_some() && !functions.iter().all(|function| function.of_a_frame()) {
                 continue;
             }
-            let name = names.fresh(&method::name(functions, frame));
+            let name = ident(&names.fresh(&method::name(functions, frame)));
             let signature =
                 method::signature(&name, functions, &lengths, parameter.as_ref(), &dialect);
             let unreachable = quote! { ::core::unreachable!() };

@@ -1,0 +1,127 @@
+//! Names that cannot clash.
+//!
+//! In: the words that are taken, and the name that a reader would like to see. Out: a name in the
+//! alphabet of identifiers that nothing else in the same scope has. It never invents a name that was
+//! not wished for: it appends underscores.
+
+use std::collections::BTreeSet;
+
+/// The names of one scope.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    taken: BTreeSet<String>,
+}
+
+impl Names {
+    /// Names beside words that a language keeps for itself.
+    #[must_use]
+    pub fn beside(words: &[&str]) -> Self {
+        Self {
+            taken: words.iter().map(ToString::to_string).collect(),
+        }
+    }
+
+    /// Keeps a name from being given away.
+    pub fn take(&mut self, name: &str) {
+        self.taken.insert(name.to_owned());
+    }
+
+    /// The name wished for, in the alphabet of identifiers, with as many underscores behind it as
+    /// it takes to be alone.
+    pub fn fresh(&mut self, wish: &str) -> String {
+        self.alone(&sanitize(wish))
+    }
+
+    /// The same for an identifier, whose letters stay as they are.
+    pub fn alone(&mut self, wish: &str) -> String {
+        let mut name = wish.to_owned();
+        while self.taken.contains(&name) {
+            name.push('_');
+        }
+        self.taken.insert(name.clone());
+        name
+    }
+}
+
+/// A text as an identifier: lower case, with one underscore for every run of what no identifier
+/// can hold. It may be a word that a language keeps for itself.
+pub(crate) fn sanitize(text: &str) -> String {
+    let mut name = String::with_capacity(text.len());
+    for letter in text.chars().flat_map(char::to_lowercase) {
+        if is_continue(letter) {
+            name.push(letter);
+        } else if !name.ends_with('_') {
+            name.push('_');
+        }
+    }
+    let trimmed = name.trim_matches('_');
+    // Whatever may continue a name may follow a letter.
+    let prefix = match trimmed.chars().next() {
+        Some(first) if first.is_alphabetic() => "",
+        Some(_) => "n",
+        None => "unnamed",
+    };
+    format!("{prefix}{trimmed}")
+}
+
+/// Whether a letter other than the underscore may stand within an identifier: those of Latin script,
+/// Chinese characters, Japanese kana, Korean syllables. Of other scripts many look like one of those,
+/// have no width, or are the same letter in two encodings, which the compiler takes for one.
+fn is_continue(letter: char) -> bool {
+    match letter {
+        // Ligatures, and letters that stand for two others.
+        '×' | '÷' | 'ĳ' | 'ŀ' | 'ŉ' | 'ſ' => false,
+        'ß'..='ž' | 'ぁ'..='ゖ' | 'ァ'..='ヺ' | '一'..='鿿' | '가'..='힣' => true,
+        letter => letter.is_ascii_alphanumeric(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Names;
+
+    fn fresh(mut names: Names, wishes: &[&str]) -> Vec<String> {
+        wishes.iter().map(|wish| names.fresh(wish)).collect()
+    }
+
+    #[test]
+    fn no_two_are_equal() {
+        assert_eq!(
+            fresh(Names::default(), &["m_0_3", "m_0_3", "m_0_3_", "M-0-3"]),
+            ["m_0_3", "m_0_3_", "m_0_3__", "m_0_3___"]
+        );
+    }
+
+    #[test]
+    fn none_is_a_word_that_is_kept_or_no_name_at_all() {
+        let wishes = [
+            "fn",
+            "gen",
+            "self",
+            "Self",
+            "",
+            "—",
+            "2nd",
+            "a  b",
+            "_x",
+            "Kamera-öse",
+            "x²",
+        ];
+        assert_eq!(
+            fresh(Names::beside(&["fn", "gen", "self"]), &wishes),
+            [
+                "fn_",
+                "gen_",
+                "self_",
+                "self__",
+                "unnamed",
+                "unnamed_",
+                "n2nd",
+                "a_b",
+                "x",
+                "kamera_öse",
+                "x_"
+            ]
+        );
+    }
+}

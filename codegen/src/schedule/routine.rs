@@ -1,0 +1,369 @@
+//! A program as every language writes it: names, statements, spaces.
+//!
+//! In: a [`Program`], what it can read, and the names that are taken. Out: a [`Routine`]. It knows no
+//! language, never names what nobody reads, and changes no operation.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::blocks::{Block, Part, nested};
+use super::names::Names;
+use super::{Operand, Operation, Program, Step};
+use crate::expression::Input;
+use crate::space::{Spaces, Variable};
+
+/// What a function can read.
+#[derive(Clone, Copy, Debug)]
+pub struct Readable<'a> {
+    /// Its arguments.
+    pub arguments: &'a [Variable],
+    /// What they are over.
+    pub spaces: &'a Spaces,
+    /// The names that the entries of each field would like, in the order in which
+    /// [`Input::Parameter`] counts the fields.
+    pub fields: &'a [Vec<String>],
+}
+
+/// The body of one function.
+#[derive(Clone, Debug)]
+pub struct Routine {
+    /// The arguments; their own names are given to nothing else.
+    pub arguments: Vec<(Variable, Entries)>,
+    /// All fields.
+    pub fields: Vec<Entries>,
+    /// What is computed, in the order in which it is.
+    pub statements: Vec<Statement>,
+    /// The results, as the program has them.
+    pub results: Vec<Value>,
+    /// Whether a number known at generation is among the values.
+    pub has_literals: bool,
+    /// Whether an operation is a product and a sum at once.
+    pub is_fused: bool,
+    /// All these names and those that were taken before, for what a language binds besides.
+    pub names: Names,
+}
+
+/// The name of each entry of an argument or a field; none where it is not read.
+pub type Entries = Vec<Option<String>>;
+
+/// One statement of a routine.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Statement {
+    /// An operation and the name of its result.
+    Operation(String, Operation<Value>),
+    /// All sines and cosines; there is at least one angle.
+    SinesAndCosines(Vec<Angle>),
+    /// Statements in a scope of their own.
+    Block {
+        /// What is inside.
+        statements: Vec<Statement>,
+        /// The names that are read behind it.
+        handed_on: Vec<String>,
+    },
+}
+
+/// An angle, and the names of its sine and cosine; none where it is not read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Angle {
+    /// The angle \[rad\].
+    pub value: Value,
+    /// Its sine.
+    pub sine: Option<String>,
+    /// Its cosine.
+    pub cosine: Option<String>,
+}
+
+/// What an operation of a routine acts on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number known at generation.
+    Literal(f64),
+    /// What is bound to the name.
+    Name(String),
+}
+
+impl Routine {
+    /// Names what a program reads and computes, beside the names that are taken.
+    ///
+    /// # Panics
+    /// Where the program reads an input that it cannot, or a step before it is computed.
+    #[must_use]
+    pub fn of(program: &Program, readable: &Readable<'_>, mut names: Names) -> Self {
+        for argument in readable.arguments {
+            names.take(argument.name());
+        }
+        let mut naming = Naming {
+            program,
+            read: program.operands().collect(),
+            names,
+            inputs: BTreeMap::new(),
+            angles: Vec::new(),
+            steps: Vec::with_capacity(program.steps.len()),
+            sums: Vec::with_capacity(program.steps.len()),
+            unnamed: 0,
+        };
+        let read: BTreeSet<Input> = naming.read.iter().copied().filter_map(input).collect();
+        let arguments = readable.arguments.iter().map(|&argument| {
+            let entries = readable.spaces.entries(argument.space()).iter();
+            let entries = (0_u16..).zip(entries).map(|(k, _)| {
+                let wish = format!("{}_{}", argument.name(), k + 1);
+                naming.bind_input(Input::Variable(argument, k), &wish, &read)
+            });
+            (argument, entries.collect())
+        });
+        let arguments = arguments.collect();
+        let fields = (0_u16..).zip(readable.fields).map(|(field, wishes)| {
+            let entries = (0_u16..).zip(wishes);
+            let entries =
+                entries.map(|(k, wish)| naming.bind_input(Input::Parameter(field, k), wish, &read));
+            entries.collect()
+        });
+        let fields = fields.collect();
+
+        let [before, after] = nested(program);
+        let mut statements = naming.statements(&before);
+        statements.extend(naming.sines_and_cosines());
+        statements.extend(naming.statements(&after));
+        let results = program.results.iter();
+        Self {
+            arguments,
+            fields,
+            statements,
+            results: results.map(|&result| naming.value(result)).collect(),
+            has_literals: (naming.read.iter()).any(|read| matches!(read, Operand::Literal(_))),
+            is_fused: (program.steps.iter()).any(|step| step.operation.is_fused()),
+            names: naming.names,
+        }
+    }
+}
+
+/// A routine in the making.
+struct Naming<'p> {
+    program: &'p Program,
+    /// Everything that is read.
+    read: Vec<Operand>,
+    names: Names,
+    /// What is bound so far.
+    inputs: BTreeMap<Input, String>,
+    angles: Vec<Angle>,
+    steps: Vec<String>,
+    /// The joints whose coordinates a step is the sum of.
+    sums: Vec<Option<Vec<u16>>>,
+    unnamed: usize,
+}
+
+impl Naming<'_> {
+    fn bind_input(&mut self, input: Input, wish: &str, read: &BTreeSet<Input>) -> Option<String> {
+        let name = read.contains(&input).then(|| self.names.fresh(wish))?;
+        self.inputs.insert(input, name.clone());
+        Some(name)
+    }
+
+    fn value(&self, operand: Operand) -> Value {
+        let name = match operand {
+            Operand::Literal(value) => return Value::Literal(value),
+            Operand::Input(input) => self.inputs.get(&input),
+            Operand::Sin(angle) => (self.angles.get(angle as usize)).and_then(|a| a.sine.as_ref()),
+            Operand::Cos(angle) => {
+                (self.angles.get(angle as usize)).and_then(|a| a.cosine.as_ref())
+            }
+            Operand::Step(step) => self.steps.get(step as usize),
+        };
+        Value::Name(name.expect("what is read is bound before").clone())
+    }
+
+    fn statements(&mut self, parts: &[Part]) -> Vec<Statement> {
+        let statements = parts.iter().map(|part| match part {
+            Part::Step(step) => self.operation(&self.program.steps[*step as usize]),
+            Part::Block(Block { parts, handed_on }) => {
+                let statements = self.statements(parts);
+                let handed_on = handed_on.iter();
+                Statement::Block {
+                    statements,
+                    handed_on: handed_on
+                        .map(|&step| self.steps[step as usize].clone())
+                        .collect(),
+                }
+            }
+        });
+        statements.collect()
+    }
+
+    /// An operation whose result is called as its entry of a matrix, or after the joints whose
+    /// coordinates it is the sum of, or by a number.
+    fn operation(&mut self, step: &Step) -> Statement {
+        let operation = step.operation.map(|operand| self.value(operand));
+        let sum = self.sum(step.operation);
+        let wish = match (&step.label, &sum) {
+            (Some(label), _) => label.clone(),
+            (None, Some(joints)) => format!("q_{}", numbers(joints)),
+            (None, None) => {
+                self.unnamed += 1;
+                format!("t_{}", self.unnamed)
+            }
+        };
+        let name = self.names.fresh(&wish);
+        self.sums.push(sum);
+        self.steps.push(name.clone());
+        Statement::Operation(name, operation)
+    }
+
+    /// All sines and cosines: of a joint's own angle after the joint, of a sum of angles after the
+    /// joints.
+    fn sines_and_cosines(&mut self) -> Option<Statement> {
+        for (index, &angle) in (0_u32..).zip(&self.program.angles) {
+            let subject = self.subject(angle);
+            let value = self.value(angle);
+            let mut bind = |letter: char, operand: Operand| {
+                let name = || self.names.fresh(&format!("{letter}_{subject}"));
+                self.read.contains(&operand).then(name)
+            };
+            let sine = bind('s', Operand::Sin(index));
+            let cosine = bind('c', Operand::Cos(index));
+            self.angles.push(Angle {
+                value,
+                sine,
+                cosine,
+            });
+        }
+        let some = !self.angles.is_empty();
+        some.then(|| Statement::SinesAndCosines(self.angles.clone()))
+    }
+
+    /// What an angle is of: `2`, `2_3` for q₂ + q₃, or the name of a step.
+    fn subject(&self, angle: Operand) -> String {
+        match (self.joints_of(angle), angle) {
+            (Some(joints), _) => numbers(&joints),
+            (None, Operand::Step(step)) => self.steps[step as usize].clone(),
+            (None, _) => "a".to_owned(),
+        }
+    }
+
+    /// The joints that an operation sums the coordinates of, if it does nothing else.
+    fn sum(&self, operation: Operation) -> Option<Vec<u16>> {
+        let Operation::Add(a, b) = operation else {
+            return None;
+        };
+        let mut joints = self.joints_of(a)?;
+        joints.extend(self.joints_of(b)?);
+        joints.sort_unstable();
+        Some(joints)
+    }
+
+    fn joints_of(&self, operand: Operand) -> Option<Vec<u16>> {
+        match operand {
+            Operand::Input(Input::Variable(Variable::Q, joint)) => Some(vec![joint]),
+            Operand::Step(step) => self.sums.get(step as usize)?.clone(),
+            _ => None,
+        }
+    }
+}
+
+fn input(operand: Operand) -> Option<Input> {
+    match operand {
+        Operand::Input(input) => Some(input),
+        _ => None,
+    }
+}
+
+/// Joints as the paper counts them, from 1.
+fn numbers(joints: &[u16]) -> String {
+    let numbers: Vec<_> = joints.iter().map(|joint| (joint + 1).to_string()).collect();
+    numbers.join("_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Angle, Names, Readable, Routine, Statement, Value};
+    use crate::expression::Input;
+    use crate::schedule::{Operand, Operation, Program, Step};
+    use crate::space::{Entry, Kind, Spaces, Variable};
+
+    fn name(name: &str) -> Value {
+        Value::Name(name.to_owned())
+    }
+
+    /// q₁ + q₂, and c₁₂ (0.5 s₁ + m) of a field whose other entry is not read.
+    fn program() -> Program {
+        let q = [0, 1].map(|joint| Operand::Input(Input::Variable(Variable::Q, joint)));
+        let mass = Operand::Input(Input::Parameter(1, 1));
+        let step = |label: Option<&str>, operation| Step {
+            label: label.map(str::to_owned),
+            operation,
+        };
+        Program {
+            angles: vec![q[0], Operand::Step(0)],
+            before_angles: 1,
+            steps: vec![
+                step(None, Operation::Add(q[1], q[0])),
+                step(
+                    None,
+                    Operation::MulAdd(Operand::Literal(0.5), Operand::Sin(0), mass),
+                ),
+                step(
+                    Some("phi"),
+                    Operation::Mul(Operand::Cos(1), Operand::Step(1)),
+                ),
+            ],
+            results: vec![Operand::Step(2), Operand::Literal(0.0)],
+        }
+    }
+
+    fn routine(names: Names) -> Routine {
+        let entry = |name: &str| Entry {
+            name: name.to_owned(),
+            kind: Kind::Turn,
+            range: None,
+        };
+        let spaces = Spaces {
+            coordinates: ["hip", "knee", "toe"].map(entry).to_vec(),
+            velocities: vec![entry("hip")],
+        };
+        let fields = [vec!["load"], vec!["t_1", "qd"]];
+        let fields = fields.map(|wishes| wishes.into_iter().map(str::to_owned).collect());
+        let readable = Readable {
+            arguments: &[Variable::Q, Variable::Qd],
+            spaces: &spaces,
+            fields: &fields,
+        };
+        Routine::of(&program(), &readable, names)
+    }
+
+    #[test]
+    fn what_is_read_has_a_name_and_nothing_else() {
+        let routine = routine(Names::beside(&["q_2", "phi"]));
+        let some = |name: &str| Some(name.to_owned());
+        let arguments = [
+            (Variable::Q, vec![some("q_1"), some("q_2_"), None]),
+            (Variable::Qd, vec![None]),
+        ];
+        assert_eq!(routine.arguments, arguments);
+        // The name of an argument is not given away.
+        assert_eq!(routine.fields, [vec![None], vec![None, some("qd_")]]);
+        let operation = |name: &str, of| Statement::Operation(name.to_owned(), of);
+        let angle = |value, sine, cosine| Angle {
+            value,
+            sine,
+            cosine,
+        };
+        let half = Value::Literal(0.5);
+        let statements = [
+            operation("q_1_2", Operation::Add(name("q_2_"), name("q_1"))),
+            Statement::SinesAndCosines(vec![
+                angle(name("q_1"), some("s_1"), None),
+                angle(name("q_1_2"), None, some("c_1_2")),
+            ]),
+            operation("t_1", Operation::MulAdd(half, name("s_1"), name("qd_"))),
+            operation("phi_", Operation::Mul(name("c_1_2"), name("t_1"))),
+        ];
+        assert_eq!(routine.statements, statements);
+        assert_eq!(routine.results, [name("phi_"), Value::Literal(0.0)]);
+        assert!(routine.has_literals && routine.is_fused);
+    }
+
+    #[test]
+    fn what_a_language_binds_besides_has_a_name_of_its_own() {
+        let mut names = routine(Names::default()).names;
+        assert_eq!(names.fresh("t_1"), "t_1_");
+        assert_eq!(names.fresh("t_2"), "t_2");
+    }
+}

@@ -18,11 +18,12 @@ use quote::ToTokens;
 use syn::parse::Parse;
 
 use crate::description::{Description, Name, Number};
-use crate::emit::{Item, Library, Listing};
 use crate::error::{Errors, Place};
 use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
+use crate::print::Listing;
+use crate::print::rust::Library;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
@@ -63,7 +64,7 @@ enum Origin {
 }
 
 /// All stages but the last.
-type Expand = fn(&Description, &Request, Item) -> Result<Listing, Errors>;
+type Expand = fn(&Description, &Request) -> Result<Listing, Errors>;
 
 impl Builder {
     /// A robot in a URDF file; a relative path begins at the package of the build script.

@@ -3,15 +3,15 @@
 //! In: the tokens of a struct or of a robot written in place. Out: the generated code; or every
 //! mistake under the word that caused it, and stubs that keep the rest of the program compiling.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use proc_macro2::{Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use crate::description::{Description, Item, attributes, inline};
-use crate::emit::{self, Declaration, Wanted};
 use crate::error::Errors;
 use crate::expand::expand;
+use crate::print::rust::{self, Declaration, Wanted, World};
 use crate::{chain, request};
 
 /// Expands `#[derive(Robot)]`.
@@ -44,7 +44,7 @@ fn folder() -> PathBuf {
 }
 
 fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> TokenStream {
-    let target = emit::Item {
+    let target = rust::Item {
         visibility: item.visibility.clone(),
         ident: item.ident.clone(),
         generics: item.generics.clone(),
@@ -54,27 +54,34 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
     // wrong one.
     let read = item.description.as_ref().filter(|_| errors.is_empty());
     if let Some(description) = read {
-        match expand(description, &item.request, target.clone()) {
-            Ok(mut listing) => {
+        match expand(description, &item.request) {
+            Ok(listing) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
-                listing.watched = file.map(|path| path.to_string_lossy().into_owned());
+                let watch = file.map(|path| watch(&path));
                 let doubts = listing.about.warnings.iter();
                 let doubts = doubts.map(|doubt| warning(doubt, item.ident.span()));
                 let doubts: TokenStream = doubts.collect();
-                let robot = emit::emit(&listing);
-                return quote! { #robot #doubts };
+                let world = World::runtime(item.request.runtime.as_ref());
+                let robot = rust::print(&listing, &target, &world);
+                return quote! { #robot #watch #doubts };
             }
             Err(mistakes) => errors.append(mistakes),
         }
     }
     let mistakes = errors.to_compile_errors();
     let joints = read.and_then(|robot| count(robot, &item.request));
-    let stub = emit::stub(&Wanted {
+    let stub = rust::stub(&Wanted {
         item: &target,
         request: &item.request,
         joints,
     });
     quote! { #mistakes #stub }
+}
+
+/// What makes the compiler expand again when a file changes.
+fn watch(path: &Path) -> TokenStream {
+    let path = path.to_string_lossy();
+    quote! { const _: &[::core::primitive::u8] = ::core::include_bytes!(#path); }
 }
 
 /// A warning of the compiler. Stable Rust has none for macros but that of a deprecated item, whose

@@ -1,6 +1,6 @@
 //! The way through the house: from a description to everything that is printed for it.
 //!
-//! In: a description, a request, the struct that gets the functions. Out: a [`Listing`]. It only
+//! In: a description and a request. Out: a [`Listing`]. It only
 //! connects the stages: where they offer more than one way, `choice` decides by count, between those
 //! that `forward` finds accurate enough by what has been `measured`.
 
@@ -17,10 +17,10 @@ use crate::accuracy::{self, Accuracy, Means};
 use crate::chain::{self, Chain};
 use crate::check::Check;
 use crate::description::Description;
-use crate::emit::{About, Item, LeftOut, Listed, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
 use crate::function::{Function, Given};
+use crate::print::{About, LeftOut, Listed, Listing};
 use crate::real::{Real, Trigonometry};
 use crate::request::Request;
 use crate::schedule::Price;
@@ -32,7 +32,7 @@ use data::data;
 ///
 /// # Errors
 /// Every mistake of the description and of the request.
-pub fn expand(description: &Description, request: &Request, item: Item) -> Result<Listing, Errors> {
+pub fn expand(description: &Description, request: &Request) -> Result<Listing, Errors> {
     let chain = understand(description, request)?;
     check_size(&chain)?;
     let check = Check::of(description, request, &chain)?;
@@ -65,7 +65,6 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
         ..about(description, &chain, request.formulation)
     };
     errors.into_result(Listing {
-        item,
         about,
         spaces: chain.spaces(),
         functions,
@@ -73,8 +72,6 @@ pub fn expand(description: &Description, request: &Request, item: Item) -> Resul
         scalar: request.scalar,
         sines: request.formulation.sines,
         parameters: request.parameters.clone(),
-        runtime: request.runtime.clone(),
-        watched: None,
     })
 }
 

@@ -1,11 +1,11 @@
 //! Expands the 4×4 matrices of a robot into straight-line Rust.
 //!
 //! ```text
-//! description ──► chain ──► layout ──► model ──► simplify ──► schedule ──► emit
-//!  what the        what it    which     4×4       fewer         order,      tokens
-//!  user wrote      means      frames    matrices  operations    live ranges
-//!                             and       of Expr
-//!                             numbers
+//! description ──► chain ──► layout ──► model ──► simplify ──► schedule ──► print
+//!  what the        what it    which     4×4       fewer         a routine:   rust, c
+//!  user wrote      means      frames    matrices  operations    names,
+//!                             and       of Expr                 statements,
+//!                             numbers                           spaces
 //! ```
 
 pub mod accuracy;
@@ -17,7 +17,6 @@ pub mod cli;
 mod dense;
 pub mod description;
 pub mod door;
-pub mod emit;
 pub mod error;
 pub mod expand;
 pub mod expression;
@@ -28,6 +27,7 @@ pub mod layout;
 pub mod matrix;
 pub mod model;
 pub mod number;
+pub mod print;
 pub mod processor;
 pub mod real;
 pub mod request;

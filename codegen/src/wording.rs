@@ -1,8 +1,7 @@
 //! The words of messages: names in quotes, lists, and the known word that was probably meant.
 //!
 //! In: text that anyone may have written, of any length and of any characters. Out: text that fits
-//! a line and can be seen. It never
-//! decides whether something is a mistake.
+//! a line and can be seen. It never decides whether something is a mistake.
 
 use std::borrow::Cow;
 
@@ -45,6 +44,11 @@ pub(crate) fn is_hidden(letter: char) -> bool {
             '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}'
             | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{fe00}'..='\u{fe0f}'
             | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
+}
+
+/// A name of the user's in documentation, so that neither Markdown nor a lint takes it for prose.
+pub(crate) fn code(name: &str) -> String {
+    format!("`{}`", visible(name).replace('`', "'"))
 }
 
 /// `a, b and c`.

@@ -4,9 +4,9 @@
 //! the code generator as the derive does, and counts nothing itself.
 
 use homogen_codegen::description::{Name, read_text};
-use homogen_codegen::emit::{About, Item, Listed};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand::expand;
+use homogen_codegen::print::{About, Listed};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use homogen_codegen::space::Spaces;
@@ -53,11 +53,7 @@ pub fn count(file: &str, text: &str, tip: &str) -> Result<Prices, Errors> {
         scalar: Real::Generic,
         ..Request::default()
     };
-    let item = Item::made(proc_macro2::Ident::new(
-        "Robot",
-        proc_macro2::Span::call_site(),
-    ));
-    let listing = expand(&description, &request, item)?;
+    let listing = expand(&description, &request)?;
     Ok(Prices {
         about: listing.about,
         spaces: listing.spaces,

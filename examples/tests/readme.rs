@@ -8,10 +8,10 @@ use std::fmt::Write;
 use std::path::Path;
 
 use homogen_codegen::description::{Name, read_file, read_text};
-use homogen_codegen::emit::{Item, Source, methods};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{expand, program_as, understand};
 use homogen_codegen::formulation::{Angles, Formulation, Frame, Parameters};
+use homogen_codegen::print::rust::{Item, Source, World, methods};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use homogen_codegen::{Function, Real};
@@ -44,12 +44,9 @@ fn the_expansion_is_what_the_code_generator_prints() {
         functions: vec![vec![Function::InverseDynamics]],
         ..Request::default()
     };
-    let item = Item::made(proc_macro2::Ident::new(
-        "TwoLink",
-        proc_macro2::Span::call_site(),
-    ));
-    let listing = expand(&robot, &request, item).expect("it has no mistakes");
-    let source = Source::new("", &methods(&listing)).to_string();
+    let listing = expand(&robot, &request).expect("it has no mistakes");
+    let methods = methods(&listing, &Item::named_after("two link"), &World::default());
+    let source = Source::new("", &methods).to_string();
     assert_contains(&format!("```rust,ignore\n{source}```\n"));
 }
 

@@ -16,7 +16,6 @@ use std::path::Path;
 
 use homogen_codegen::Function;
 use homogen_codegen::description::Description;
-use homogen_codegen::emit::Item;
 use homogen_codegen::expand::expand;
 use homogen_codegen::formulation::Angles;
 use homogen_codegen::real::Real;
@@ -174,8 +173,7 @@ fn count(description: &Description, request: Request, function: Function) -> Pri
         functions: vec![vec![function]],
         ..request
     };
-    let name = proc_macro2::Ident::new("Robot", proc_macro2::Span::call_site());
-    let listing = expand(description, &request, Item::made(name)).expect("it has no mistakes");
+    let listing = expand(description, &request).expect("it has no mistakes");
     listing.functions[0].price
 }
 

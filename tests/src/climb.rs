@@ -11,16 +11,15 @@ use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{Accuracy, Bound};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::Description;
-use homogen_codegen::emit::{Item, Listed};
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
+use homogen_codegen::print::Listed;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::Variable;
 use homogen_codegen::{Function, Real};
-use quote::format_ident;
 
 use crate::states::Random;
 use crate::tested::Tested;
@@ -41,7 +40,7 @@ pub fn listed(
         scalar,
         ..request
     };
-    let listing = expand(description, &request, Item::made(format_ident!("Arm")));
+    let listing = expand(description, &request);
     let listing = listing.unwrap_or_else(|errors| panic!("{errors}"));
     let listed = listing.functions.into_iter().next();
     listed.expect("one function was asked for")

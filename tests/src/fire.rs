@@ -18,15 +18,14 @@ use std::path::Path;
 
 use homogen_codegen::cli;
 use homogen_codegen::description::{Description, inline, read_bytes};
-use homogen_codegen::emit::{Item, Library, standalone};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
+use homogen_codegen::print::rust::{self, Item, Library, World};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Operand;
 use homogen_codegen::{Function, chain};
 use proc_macro2::TokenStream;
-use quote::format_ident;
 
 use crate::states::Random;
 
@@ -138,7 +137,7 @@ fn take(input: &Input, random: &mut Random) -> Result<Outcome, String> {
 }
 
 fn expanded(description: &Description, request: &Request) -> Result<Outcome, String> {
-    let listing = match expand(description, request, Item::made(format_ident!("Arm"))) {
+    let listing = match expand(description, request) {
         Ok(listing) => listing,
         Err(errors) => {
             refused(&errors, "no code")?;
@@ -154,7 +153,8 @@ fn expanded(description: &Description, request: &Request) -> Result<Outcome, Str
             return Err(format!("{} reads {literal:?}", listed.name()));
         }
     }
-    if standalone(&listing, &Library::default()).is_empty() {
+    let world = World::Core(Library::default());
+    if rust::print(&listing, &Item::named_after("arm"), &world).is_empty() {
         return Err("no code, and nothing said".to_owned());
     }
     Ok(Outcome::Expanded)

@@ -6,9 +6,9 @@
 
 use homogen_codegen::accuracy::Accuracy;
 use homogen_codegen::description::{Description, read_text};
-use homogen_codegen::emit::Listed;
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::{Formulation, Forward};
+use homogen_codegen::print::Listed;
 use homogen_codegen::request::{Parameter, Request, Target};
 use homogen_codegen::{Builder, Function, Real};
 use homogen_tests::climb::{Climb, bounds, listed};

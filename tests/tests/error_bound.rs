@@ -12,7 +12,6 @@ use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{self, Accuracy, Bound, Means};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{Description, Name, read_file};
-use homogen_codegen::emit::Item;
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{expand, program_as};
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
@@ -279,7 +278,7 @@ fn solved(asked: Asked, function: Function, scalar: Real) -> Option<(Program, Ve
         scalar,
         ..request
     };
-    let listing = expand(&description, &request, Item::made(format_ident!("Arm")));
+    let listing = expand(&description, &request);
     let listing = listing.unwrap_or_else(|errors| panic!("{errors}"));
     let listed = listing.functions.into_iter().next();
     let listed = listed.expect("one function was asked for");

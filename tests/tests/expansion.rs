@@ -7,10 +7,10 @@ use std::fmt::Write;
 
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{Description, Name, read_file};
-use homogen_codegen::emit::{self, Source};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{expand, program};
 use homogen_codegen::formulation::{Formulation, Forward, Parameters, Products, Sines};
+use homogen_codegen::print::rust::{self, Item, Source, World};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use homogen_codegen::{Builder, Function, Real, door};
@@ -255,9 +255,9 @@ fn doors(words: &str, formulation: Formulation) -> String {
         formulation,
         ..Request::default()
     };
-    let item = emit::Item::made(format_ident!("TwoLink"));
-    let listing = expand(&described("two_link"), &request, item).expect("no mistakes");
-    let by_the_library = source(emit::emit(&listing));
+    let listing = expand(&described("two_link"), &request).expect("no mistakes");
+    let item = Item::named_after("two link");
+    let by_the_library = source(rust::print(&listing, &item, &World::default()));
 
     let expected = methods(&derived);
     // Each function is a method and a trait of that name, and then there is `chain`.

@@ -194,7 +194,7 @@ for_every_robot!(standalone_files);
 mod single_sines {
     use super::{bits, single};
 
-    include!("../../codegen/src/emit/sines/single.rs");
+    include!("../../codegen/src/print/rust/sines/single.rs");
 
     #[test]
     fn are_the_runtime_s() {
@@ -213,7 +213,7 @@ mod double_sines {
     use super::Random;
     use homogen::trigonometry::double;
 
-    include!("../../codegen/src/emit/sines/double.rs");
+    include!("../../codegen/src/print/rust/sines/double.rs");
 
     #[test]
     fn are_the_runtime_s() {

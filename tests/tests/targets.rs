@@ -1,11 +1,11 @@
 //! One robot for different processors: which operations are chosen, and what is said of their cost.
 
-use homogen_codegen::emit::{Item, Listing};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
+use homogen_codegen::print::Listing;
 use homogen_codegen::request::Request;
 use homogen_codegen::{Builder, Function, Processor, Real, description, door};
-use quote::{format_ident, quote};
+use quote::quote;
 
 const PANDA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/panda_class.urdf");
 
@@ -22,7 +22,7 @@ fn listing(processor: Processor, scalar: Real) -> Result<Listing, Errors> {
         scalar,
         ..Request::default()
     };
-    expand(&robot, &request, Item::made(format_ident!("Panda")))
+    expand(&robot, &request)
 }
 
 fn file(processor: Processor) -> String {

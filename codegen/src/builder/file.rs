@@ -7,8 +7,9 @@ use std::path::Path;
 use std::{env, fs};
 
 use super::{Builder, Origin};
-use crate::emit::{self, Listing};
 use crate::error::{Errors, Place};
+use crate::print::Listing;
+use crate::print::rust::{self, Source};
 use crate::processor::Processor;
 use crate::real::Real;
 
@@ -18,7 +19,7 @@ impl Builder {
     ///
     /// # Errors
     /// All the mistakes of the description and of the request.
-    pub fn to_source(&self) -> Result<emit::Source, Errors> {
+    pub fn to_source(&self) -> Result<Source, Errors> {
         self.listing().map(|listing| self.source(&listing))
     }
 
@@ -64,13 +65,13 @@ impl Builder {
     }
 
     pub(crate) fn c_header(&self, listing: &Listing) -> String {
-        emit::c_header(listing, &self.options(), &self.library()).unwrap_or_default()
+        let item = self.item(listing);
+        rust::c_header(listing, &item, &self.options(), &self.library()).unwrap_or_default()
     }
 
-    pub(crate) fn source(&self, listing: &Listing) -> emit::Source {
-        let library = self.request.runtime.is_none().then(|| self.library());
-        let header = emit::header(listing, &self.options(), library.as_ref());
-        emit::Source::new(header, &self.print(listing))
+    pub(crate) fn source(&self, listing: &Listing) -> Source {
+        let header = rust::header(listing, &self.options(), &self.world());
+        Source::new(header, &self.print(listing))
     }
 
     /// What was asked for, as the command line would say it.

@@ -2,14 +2,15 @@
 //!
 //! In: the options. Out: tokens. It never changes an option.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Builder, Origin};
 use crate::description::{self, Description};
-use crate::emit::{self, Item, Library, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Products, Sines};
+use crate::print::Listing;
+use crate::print::rust::{self, Item, Library, World};
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 
@@ -23,10 +24,19 @@ impl Builder {
     }
 
     pub(super) fn print(&self, listing: &Listing) -> TokenStream {
-        if self.request.runtime.is_some() {
-            return emit::emit(listing);
+        rust::print(listing, &self.item(listing), &self.world())
+    }
+
+    pub(super) fn item(&self, listing: &Listing) -> Item {
+        let named_after = || Item::named_after(&listing.about.robot);
+        self.name.clone().map_or_else(named_after, Item::made)
+    }
+
+    pub(super) fn world(&self) -> World {
+        match &self.request.runtime {
+            Some(path) => World::Runtime(path.clone()),
+            None => World::Core(self.library()),
         }
-        emit::standalone(listing, &self.library())
     }
 
     /// What code without the runtime calls. `core` has no sines: those of the platform are of the
@@ -48,8 +58,6 @@ impl Builder {
             Some(description) if errors.is_empty() => description,
             _ => return Err(errors),
         };
-        let name = || Ident::new(&emit::type_name(&description.name.text), Span::call_site());
-        let item = Item::made(self.name.clone().unwrap_or_else(name));
         let mut request = self.request.clone();
         if request.runtime.is_none() && request.scalar == Real::Generic {
             request.scalar = Real::F64;
@@ -69,7 +77,7 @@ impl Builder {
             errors.push(Place::Unknown, message);
             return Err(errors);
         }
-        (self.expand)(&description, &request, item)
+        (self.expand)(&description, &request)
     }
 
     fn description(&self, errors: &mut Errors) -> Option<Description> {

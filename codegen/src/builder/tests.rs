@@ -2,17 +2,17 @@
 
 use super::Builder;
 use crate::description::Description;
-use crate::emit::tests::listing;
-use crate::emit::{Item, Listing};
 use crate::error::{Errors, Place};
 use crate::formulation::{Formulation, Products, Sines};
 use crate::function::Function;
+use crate::print::Listing;
+use crate::print::rust::tests::listing;
 use crate::real::Real;
 use crate::request::{Request, Target};
 
 const URDF: &str = r#"<robot name="double pendulum"><link name="world"/></robot>"#;
 
-fn arm(expand: fn(&Description, &Request, Item) -> Result<Listing, Errors>) -> Builder {
+fn arm(expand: fn(&Description, &Request) -> Result<Listing, Errors>) -> Builder {
     let mut errors = Errors::new();
     let description = crate::description::read_text(URDF, "pendulum.urdf", None, &mut errors);
     let builder = Builder::from_description(description.expect("it is a robot"));
@@ -23,12 +23,10 @@ fn arm(expand: fn(&Description, &Request, Item) -> Result<Listing, Errors>) -> B
     clippy::unnecessary_wraps,
     reason = "the stages it stands for can fail"
 )]
-fn as_asked(_: &Description, request: &Request, item: Item) -> Result<Listing, Errors> {
-    let runtime = request.runtime.clone();
+fn as_asked(_: &Description, request: &Request) -> Result<Listing, Errors> {
     Ok(Listing {
         parameters: request.parameters.clone(),
-        runtime,
-        ..listing(item, request.scalar)
+        ..listing(request.scalar)
     })
 }
 
@@ -84,7 +82,7 @@ fn with_the_runtime_it_is_what_a_derive_expands_to() {
 
 #[test]
 fn every_option_reaches_the_stages() {
-    let builder = arm(|_, request, _| {
+    let builder = arm(|_, request| {
         assert_eq!(request.scalar, Real::F32);
         assert_eq!(
             request.functions,
@@ -250,6 +248,7 @@ fn the_derive_writes_the_same() {
     let (derived, built) = (derived.to_string(), built.to_string());
     // One has the struct already, the other has cargo watch the file.
     let (methods, watch) = derived.split_once("const _ :").expect("a watched file");
+    assert!(watch.contains(":: core :: include_bytes !"), "{watch}");
     assert!(watch.contains("two_link.urdf"), "{watch}");
     let (declaration, built) = built.split_once("# [allow").expect("a block of methods");
     assert!(

@@ -4,7 +4,7 @@
 //! moving joints alone, to be held against the one that was described.
 
 use crate::dense::{Approximate, Body, Matrix, Moved, Robot};
-use crate::emit::ChainData;
+use crate::print::ChainData;
 
 /// How many numbers a joint has, and a frame.
 const JOINT: usize = 28;

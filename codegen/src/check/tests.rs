@@ -5,7 +5,6 @@ use std::path::Path;
 use super::Check;
 use crate::chain::Chain;
 use crate::description::{Description, inline, read_file, read_text};
-use crate::emit::Item;
 use crate::error::Errors;
 use crate::expand::{expand, understand};
 use crate::expression::Double;
@@ -48,8 +47,7 @@ fn robots() -> Vec<(Description, Request)> {
 }
 
 fn all_of(description: &Description, request: &Request) -> Vec<(Vec<Function>, usize, Program)> {
-    let item = Item::made(quote::format_ident!("Robot"));
-    let listing = expand(description, request, item).unwrap_or_else(|errors| panic!("{errors}"));
+    let listing = expand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
     let listed = listing.functions.into_iter();
     listed
         .map(|listed| (listed.functions, 0, listed.program))
@@ -270,8 +268,7 @@ fn a_number_that_f32_has_no_room_for_is_refused() {
             scalar,
             ..Request::default()
         };
-        let item = Item::made(quote::format_ident!("Robot"));
-        let refusal = expand(&description, &request, item).err();
+        let refusal = expand(&description, &request).err();
         assert_eq!(refusal.is_some(), refused);
         let text = refusal.map(|errors| errors.to_string()).unwrap_or_default();
         assert_eq!(

@@ -14,9 +14,9 @@ use super::functions::Functions;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
 use crate::accuracy::{Accuracy, Bound, Given};
-use crate::emit::{LeftOut, Listed, Listing};
 use crate::error::Complaint;
 use crate::expand::{expand, understand};
+use crate::print::{LeftOut, Listed, Listing};
 use crate::schedule::Price;
 use crate::wording::visible;
 
@@ -40,7 +40,7 @@ impl Count {
         let description = self.robot.description(input)?;
         let request = self.functions.request(&self.robot);
         let chain = understand(&description, &request)?;
-        let listing = expand(&description, &request, options::item(&description))?;
+        let listing = expand(&description, &request)?;
         Ok(match self.format {
             Format::Text => Answer {
                 output: table(&listing.functions),

@@ -8,8 +8,8 @@ use std::fmt::Write;
 use clap::Args;
 
 use super::options::Robot;
-use crate::emit::{LeftOut, Listing};
 use crate::function::Function;
+use crate::print::{LeftOut, Listing};
 use crate::request::Request;
 use crate::wording::{known, list, visible};
 

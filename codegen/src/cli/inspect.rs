@@ -10,8 +10,8 @@ use clap::Args;
 use super::functions::{self, Together};
 use super::options::{Robot, Scalar};
 use super::{Answer, Said, options};
-use crate::emit::{self, Source};
 use crate::expand::{expand, understand};
+use crate::print::rust::{self, Item, Source, World};
 
 /// Show the code that a derive expands to, formatted, with its price
 #[derive(Args, Clone, Debug)]
@@ -40,12 +40,14 @@ impl Inspect {
             .request(&self.frame, std::slice::from_ref(&self.function));
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
         let chain = understand(&description, &request)?;
-        let mut listing = expand(&description, &request, options::item(&description))?;
+        let mut listing = expand(&description, &request)?;
         // A further frame comes after the tip's.
         let last = listing.functions.len().saturating_sub(1);
         listing.functions.drain(..last);
+        let item = Item::named_after(&listing.about.robot);
+        let methods = rust::methods(&listing, &item, &World::default());
         Ok(Answer {
-            output: Source::new("", &emit::methods(&listing)).to_string(),
+            output: Source::new("", &methods).to_string(),
             remarks: options::warnings(&description, &chain.report.warnings),
             code: 0,
         })

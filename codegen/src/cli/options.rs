@@ -8,12 +8,10 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use proc_macro2::{Ident, Span};
 
 use super::functions::Together;
 use crate::description::urdf::LARGEST_FILE;
 use crate::description::{self, Description, Name, Number};
-use crate::emit::{Item, type_name};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::processor::Processor;
@@ -160,14 +158,6 @@ pub(super) fn mistake(message: impl Into<String>) -> Errors {
     let mut errors = Errors::new();
     errors.push(Place::Unknown, message);
     errors
-}
-
-/// The struct that functions become methods of, called as the robot is.
-pub(super) fn item(description: &Description) -> Item {
-    Item::made(Ident::new(
-        &type_name(&description.name.text),
-        Span::call_site(),
-    ))
 }
 
 /// Doubts as standard error has them.

@@ -6,13 +6,13 @@
 
 use crate::chain::Chain;
 use crate::description::Description;
-use crate::emit::About;
 use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, Node, Term};
 use crate::formulation::{Formulation, Parameters};
 use crate::function::Function;
 use crate::layout::{Layout, arrange};
 use crate::model::Way;
+use crate::print::About;
 
 /// What they say.
 pub(super) fn about(description: &Description, chain: &Chain, formulation: Formulation) -> About {

@@ -4,8 +4,8 @@
 //! sees a function.
 
 use crate::chain::Chain;
-use crate::emit::ChainData;
 use crate::expression::{Expr, Term};
+use crate::print::ChainData;
 use crate::schedule::schedule;
 
 /// The chain as data.

@@ -5,7 +5,7 @@
 use std::fs;
 use std::time::{Duration, Instant};
 
-use super::{Item, accuracy_of, cheapest, expand, means, understand, wanted};
+use super::{accuracy_of, cheapest, expand, means, understand, wanted};
 use crate::description::read_text;
 use crate::error::Errors;
 use crate::request::Request;
@@ -21,8 +21,7 @@ fn share_of_the_bounds_in_the_time_of_an_expansion() {
         let description = read_text(&text, robot, None, &mut errors).expect("a robot");
         let request = Request::default();
         let start = Instant::now();
-        let item = Item::made(quote::format_ident!("Arm"));
-        let listing = expand(&description, &request, item).expect("all functions");
+        let listing = expand(&description, &request).expect("all functions");
         let whole = start.elapsed();
         let chain = understand(&description, &request).expect("a tree");
         let mut bounds = Duration::ZERO;

@@ -3,7 +3,7 @@
 //! In: a [`Program`], what it can read, and the names that are taken. Out: a [`Routine`]. It knows no
 //! language, never names what nobody reads, and changes no operation.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
@@ -95,30 +95,24 @@ impl Routine {
             program,
             read: program.operands().collect(),
             names,
-            inputs: BTreeMap::new(),
+            inputs: program.operands().filter_map(unbound).collect(),
             angles: Vec::new(),
             steps: Vec::with_capacity(program.steps.len()),
             sums: Vec::with_capacity(program.steps.len()),
             unnamed: 0,
         };
-        let read: BTreeSet<Input> = naming.read.iter().copied().filter_map(input).collect();
         let arguments = readable.arguments.iter().map(|&argument| {
-            let entries = readable.spaces.entries(argument.space()).iter();
-            let entries = (0_u16..).zip(entries).map(|(k, _)| {
-                let wish = format!("{}_{}", argument.name(), k + 1);
-                naming.bind_input(Input::Variable(argument, k), &wish, &read)
-            });
-            (argument, entries.collect())
+            let entries = 0..readable.spaces.len(argument.space());
+            let wishes = entries.map(|k| format!("{}_{}", argument.name(), k + 1));
+            let input = |k| Input::Variable(argument, k);
+            (argument, naming.entries(wishes, input))
         });
         let arguments = arguments.collect();
         let fields = (0_u16..).zip(readable.fields).map(|(field, wishes)| {
-            let entries = (0_u16..).zip(wishes);
-            let entries =
-                entries.map(|(k, wish)| naming.bind_input(Input::Parameter(field, k), wish, &read));
-            entries.collect()
+            let input = |k| Input::Parameter(field, k);
+            naming.entries(wishes.iter().cloned(), input)
         });
         let fields = fields.collect();
-
         let [before, after] = nested(program);
         let mut statements = naming.statements(&before);
         statements.extend(naming.sines_and_cosines());
@@ -142,8 +136,8 @@ struct Naming<'p> {
     /// Everything that is read.
     read: Vec<Operand>,
     names: Names,
-    /// What is bound so far.
-    inputs: BTreeMap<Input, String>,
+    /// All inputs that are read, with their names once they are bound.
+    inputs: BTreeMap<Input, Option<String>>,
     angles: Vec<Angle>,
     steps: Vec<String>,
     /// The joints whose coordinates a step is the sum of.
@@ -152,20 +146,25 @@ struct Naming<'p> {
 }
 
 impl Naming<'_> {
-    fn bind_input(&mut self, input: Input, wish: &str, read: &BTreeSet<Input>) -> Option<String> {
-        let name = read.contains(&input).then(|| self.names.fresh(wish))?;
-        self.inputs.insert(input, name.clone());
-        Some(name)
+    fn entries(
+        &mut self,
+        wishes: impl Iterator<Item = String>,
+        input: impl Fn(u16) -> Input,
+    ) -> Entries {
+        let entries = (0_u16..).zip(wishes).map(|(k, wish)| {
+            let name = self.inputs.get_mut(&input(k))?;
+            *name = Some(self.names.fresh(&wish));
+            name.clone()
+        });
+        entries.collect()
     }
 
     fn value(&self, operand: Operand) -> Value {
         let name = match operand {
             Operand::Literal(value) => return Value::Literal(value),
-            Operand::Input(input) => self.inputs.get(&input),
-            Operand::Sin(angle) => (self.angles.get(angle as usize)).and_then(|a| a.sine.as_ref()),
-            Operand::Cos(angle) => {
-                (self.angles.get(angle as usize)).and_then(|a| a.cosine.as_ref())
-            }
+            Operand::Input(input) => self.inputs[&input].as_ref(),
+            Operand::Sin(angle) => self.angles[angle as usize].sine.as_ref(),
+            Operand::Cos(angle) => self.angles[angle as usize].cosine.as_ref(),
             Operand::Step(step) => self.steps.get(step as usize),
         };
         Value::Name(name.expect("what is read is bound before").clone())
@@ -176,12 +175,13 @@ impl Naming<'_> {
             Part::Step(step) => self.operation(&self.program.steps[*step as usize]),
             Part::Block(Block { parts, handed_on }) => {
                 let statements = self.statements(parts);
-                let handed_on = handed_on.iter();
+                let handed_on = handed_on
+                    .iter()
+                    .map(|&step| self.steps[step as usize].clone());
+                let handed_on = handed_on.collect();
                 Statement::Block {
                     statements,
-                    handed_on: handed_on
-                        .map(|&step| self.steps[step as usize].clone())
-                        .collect(),
+                    handed_on,
                 }
             }
         });
@@ -258,9 +258,9 @@ impl Naming<'_> {
     }
 }
 
-fn input(operand: Operand) -> Option<Input> {
+fn unbound(operand: Operand) -> Option<(Input, Option<String>)> {
     match operand {
-        Operand::Input(input) => Some(input),
+        Operand::Input(input) => Some((input, None)),
         _ => None,
     }
 }
@@ -358,12 +358,11 @@ mod tests {
         assert_eq!(routine.statements, statements);
         assert_eq!(routine.results, [name("phi_"), Value::Literal(0.0)]);
         assert!(routine.has_literals && routine.is_fused);
-    }
-
-    #[test]
-    fn what_a_language_binds_besides_has_a_name_of_its_own() {
-        let mut names = routine(Names::default()).names;
-        assert_eq!(names.fresh("t_1"), "t_1_");
-        assert_eq!(names.fresh("t_2"), "t_2");
+        // What a language binds besides has a name of its own.
+        let mut names = routine.names;
+        assert_eq!(
+            ["t_1", "t_2"].map(|wish| names.fresh(wish)),
+            ["t_1_", "t_2"]
+        );
     }
 }

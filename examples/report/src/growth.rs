@@ -14,12 +14,11 @@ use homogen_codegen::Function::{
     self, ForwardDynamics, ForwardKinematics, Gravity, InverseDynamics, MassMatrix,
 };
 use homogen_codegen::description::Description;
-use homogen_codegen::emit::{self, Item, Library};
 use homogen_codegen::expand::expand;
+use homogen_codegen::print::rust::{self, Item, Library, World};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
-use proc_macro2::{Ident, Span};
 
 use crate::chain::chain;
 use crate::progress::Progress;
@@ -90,10 +89,10 @@ fn one(
         ..Request::default()
     };
     let start = Instant::now();
-    let item = Item::made(Ident::new("Chain", Span::call_site()));
-    let listing = expand(description, &request, item).map_err(told)?;
+    let listing = expand(description, &request).map_err(told)?;
+    let item = Item::named_after("chain");
     // The file brings its own sines.
-    let tokens = emit::standalone(&listing, &Library::default()).to_string();
+    let tokens = rust::print(&listing, &item, &World::Core(Library::default())).to_string();
     let expansion = start.elapsed().as_secs_f64();
     let price = listing.functions[0].price;
     let mut grown = Grown {

@@ -7,11 +7,10 @@ use std::error::Error;
 use std::fmt::Write;
 
 use homogen_codegen::Function;
-use homogen_codegen::emit::{self, Item};
 use homogen_codegen::expand::expand;
-use homogen_codegen::space::Variable;
+use homogen_codegen::print::rust::{self, Item, World};
 use homogen_codegen::schedule::Price;
-use proc_macro2::{Ident, Span};
+use homogen_codegen::space::Variable;
 
 use crate::scene::{Scalar, Scene, Variant};
 use crate::truth::told;
@@ -50,11 +49,12 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
             let wanted = |function| variant.instead.unwrap_or(function);
             let functions = served.iter().map(|k| vec![wanted(scene.functions[*k])]);
             request.functions = functions.collect();
-            let item = Item::made(Ident::new("Robot", Span::call_site()));
-            let listing = expand(&description, &request, item).map_err(told)?;
+            let listing = expand(&description, &request).map_err(told)?;
+            let item = Item::named_after("robot");
+            let methods = rust::print(&listing, &item, &World::default());
             let module = format!("m_{count}");
             count += 1;
-            writeln!(modules, "mod {module} {{ {} }}", emit::emit(&listing))?;
+            writeln!(modules, "mod {module} {{ {} }}", methods)?;
             for (listed, k) in listing.functions.iter().zip(served) {
                 let (function, cases) = (scene.functions[k], &mut cases[k]);
                 prices.push((scene.name.clone(), variant.name, function, listed.price));

@@ -4,8 +4,8 @@
 //! list of groups of joints, the least exact first. Numbers are never less than the bound. It never
 //! decides what is bounded.
 
-use super::code;
 use crate::accuracy::{Accuracy, Bound, Given, Promise};
+use crate::wording::code;
 
 /// The most groups of joints that a reader wants to see.
 const GROUPS: usize = 4;

@@ -7,10 +7,10 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
-use super::Listing;
 use super::dialect::Dialect;
 use super::literals::Numerals;
-use super::names::{self, ident};
+use super::names::ident;
+use crate::print::Listing;
 use crate::request::Parameter;
 use crate::schedule::{
     Angle, Entries, LONGEST_SCOPE, Names, Operation, Program, Readable, Routine, Statement, Value,
@@ -35,7 +35,7 @@ pub(super) fn body(
     listing: &Listing,
     dialect: &Dialect,
 ) -> Body {
-    let mut names = names::beside(&listing.item);
+    let mut names = dialect.names.clone();
     let (numerals, constant) = dialect.numerals(&mut names);
     let (fused, mul_add) = dialect.fused(&mut names);
     let fields = listing.parameters.iter().map(Parameter::entries);
@@ -120,56 +120,34 @@ impl Writer<'_> {
         }
     }
 
-    /// The same with the opposite sign.
-    fn read_negative(&self, value: &Value) -> TokenStream {
-        if let Value::Literal(value) = value {
-            return self.numerals.write(-value);
-        }
-        let positive = self.read(value);
-        quote! { -#positive }
-    }
-
+    /// Products with sums, rounded once where the target can and there is a function for it.
     fn operation(&self, operation: &Operation<Value>) -> TokenStream {
-        let [a, b, c] = padded(operation).map(|value| self.read(&value));
-        match operation {
-            Operation::Add(..) => quote! { #a + #b },
-            Operation::Sub(..) => quote! { #a - #b },
-            Operation::Mul(..) => quote! { #a * #b },
-            Operation::Div(..) => quote! { #a / #b },
-            Operation::Sqrt(_) => self.dialect.sqrt(&a),
-            Operation::Neg(a) => self.read_negative(a),
-            Operation::MulAdd(..) => {
-                let plain = quote! { #a * #b + #c };
-                self.fused(&a, &b, &c, plain)
-            }
-            Operation::MulSub(_, _, term) => {
-                let plain = quote! { #a * #b - #c };
-                self.fused(&a, &b, &self.read_negative(term), plain)
-            }
-            Operation::NegMulAdd(factor, _, _) => {
-                let plain = quote! { #c - #a * #b };
-                self.fused(&self.read_negative(factor), &b, &c, plain)
-            }
-        }
-    }
-
-    /// a b + c, rounded once where the target can; `plain` where there is no such function.
-    fn fused(
-        &self,
-        a: &TokenStream,
-        b: &TokenStream,
-        c: &TokenStream,
-        plain: TokenStream,
-    ) -> TokenStream {
-        match &self.fused {
-            Some(mul_add) => quote! { #mul_add(#a, #b, #c) },
-            None => plain,
+        let operation = operation.clone().map(|value| self.read(&value));
+        match (operation, &self.fused) {
+            (Operation::Add(a, b), _) => quote! { #a + #b },
+            (Operation::Sub(a, b), _) => quote! { #a - #b },
+            (Operation::Mul(a, b), _) => quote! { #a * #b },
+            (Operation::Div(a, b), _) => quote! { #a / #b },
+            (Operation::Sqrt(a), _) => self.dialect.sqrt(&a),
+            (Operation::Neg(a), _) => quote! { -#a },
+            (Operation::MulAdd(a, b, c), Some(fused)) => quote! { #fused(#a, #b, #c) },
+            (Operation::MulSub(a, b, c), Some(fused)) => quote! { #fused(#a, #b, -#c) },
+            (Operation::NegMulAdd(a, b, c), Some(fused)) => quote! { #fused(-#a, #b, #c) },
+            (Operation::MulAdd(a, b, c), None) => quote! { #a * #b + #c },
+            (Operation::MulSub(a, b, c), None) => quote! { #a * #b - #c },
+            (Operation::NegMulAdd(a, b, c), None) => quote! { #c - #a * #b },
         }
     }
 
     fn sines_and_cosines(&mut self, angles: &[Angle]) -> TokenStream {
-        let sines: Vec<_> = angles.iter().map(|angle| pattern(&angle.sine)).collect();
-        let cosines: Vec<_> = angles.iter().map(|angle| pattern(&angle.cosine)).collect();
+        let sines: Vec<_> = angles
+            .iter()
+            .map(|angle| pattern(angle.sine.as_ref()))
+            .collect();
+        let cosines: Vec<_> = angles
+            .iter()
+            .map(|angle| pattern(angle.cosine.as_ref()))
+            .collect();
         let values = angles.iter().map(|angle| self.read(&angle.value));
         let values: Vec<_> = values.collect();
         (self.dialect).sines_and_cosines(&sines, &cosines, &values, &mut self.names)
@@ -192,7 +170,7 @@ impl Writer<'_> {
             let needed = converted.to_string() != name.to_string();
             needed.then(|| quote! { let #name = #converted; })
         });
-        let patterns = entries.iter().map(pattern);
+        let patterns = entries.iter().map(Option::as_ref).map(pattern);
         quote! { let [#(#patterns),*] = #value; #(#conversions)* }
     }
 }
@@ -203,26 +181,17 @@ fn unpack((argument, entries): &(Variable, Entries)) -> TokenStream {
     if entries.iter().all(Option::is_none) {
         return quote! { let _ = #array; };
     }
-    let entries = entries.iter().map(pattern);
+    let entries = entries.iter().map(Option::as_ref).map(pattern);
     quote! { let [#(#entries),*] = *#array; }
 }
 
 /// What stands in a pattern for a value that may have no name.
-fn pattern(name: &Option<String>) -> TokenStream {
-    match name {
-        Some(name) => ident(name).into_token_stream(),
-        None => quote! { _ },
-    }
+fn pattern(name: Option<&String>) -> TokenStream {
+    name.map_or_else(|| quote! { _ }, |name| ident(name).into_token_stream())
 }
 
 /// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them.
 fn block(inside: &TokenStream, names: impl Iterator<Item = Ident>) -> TokenStream {
     let names: Vec<_> = names.collect();
     quote! { let [#(#names),*] = { #inside [#(#names),*] }; }
-}
-
-/// The operands, and zeros where there are fewer than three.
-fn padded(operation: &Operation<Value>) -> [Value; 3] {
-    let mut operands = operation.operands().into_iter();
-    [(); 3].map(|()| operands.next().unwrap_or(Value::Literal(0.0)))
 }

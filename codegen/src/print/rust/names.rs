@@ -1,13 +1,12 @@
 //! Names that Rust takes.
 //!
-//! In: the struct that functions are methods of, or a text. Out: the names that its functions cannot
-//! have, and identifiers. It never decides which of two things keeps the name that both would like.
+//! In: texts. Out: the words that nothing can be called, names of methods and types, identifiers. It
+//! never names a value.
 
 use proc_macro2::{Ident, Span};
-use syn::GenericParam;
-use syn::ext::IdentExt;
 
-use super::Item;
+use super::sines;
+use crate::print::Listing;
 use crate::schedule::{Names, sanitize};
 
 /// Names in a scope of their own.
@@ -15,21 +14,16 @@ pub(super) fn unscoped() -> Names {
     Names::beside(&KEYWORDS)
 }
 
-/// Names beside those of the user's struct, which in a pattern would be taken for its only value,
-/// and of its generic parameters.
-pub(super) fn beside(item: &Item) -> Names {
+/// The names of all methods, in the order of the listing; none is that of a function that a struct
+/// has besides.
+pub(super) fn of_methods(listing: &Listing) -> Vec<Ident> {
     let mut names = unscoped();
-    let mut take = |ident: &Ident| names.take(&ident.unraw().to_string());
-    take(&item.ident);
-    for parameter in &item.generics.params {
-        match parameter {
-            GenericParam::Type(parameter) => take(&parameter.ident),
-            GenericParam::Const(parameter) => take(&parameter.ident),
-            // Lifetimes have a namespace of their own.
-            GenericParam::Lifetime(_) => {}
-        }
-    }
-    names
+    names.take("chain");
+    names.take(sines::NAME);
+    let listed = listing.functions.iter();
+    listed
+        .map(|listed| ident(&names.fresh(&listed.name())))
+        .collect()
 }
 
 /// A name as a token.
@@ -38,8 +32,7 @@ pub(super) fn ident(name: &str) -> Ident {
 }
 
 /// A text as the name of a type: `double pendulum` is `DoublePendulum`.
-#[must_use]
-pub fn type_name(text: &str) -> String {
+pub(super) fn type_name(text: &str) -> String {
     let words = sanitize(text);
     let words = words.split('_').map(|word| {
         let mut letters = word.chars();
@@ -52,7 +45,7 @@ pub fn type_name(text: &str) -> String {
 
 /// Reserved words of all editions up to 2024.
 #[rustfmt::skip]
-pub(super) const KEYWORDS: [&str; 54] = [
+const KEYWORDS: [&str; 54] = [
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
     "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
     "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
@@ -62,8 +55,7 @@ pub(super) const KEYWORDS: [&str; 54] = [
 
 #[cfg(test)]
 mod tests {
-    use super::{Item, beside, type_name, unscoped};
-    use syn::parse_quote;
+    use super::{type_name, unscoped};
 
     #[test]
     fn letters_that_look_like_others_or_like_nothing_are_no_part_of_a_name() {
@@ -119,16 +111,5 @@ mod tests {
                 "Unnamed"
             ]
         );
-    }
-
-    #[test]
-    fn the_struct_and_its_generic_parameters_are_left_alone() {
-        let item: syn::DeriveInput = parse_quote! { struct k<'t_1, T, const q_1: usize>; };
-        let mut names = beside(&Item::derived(&item));
-        let found = ["q_1", "t_1", "k"].map(|wish| names.fresh(wish));
-        assert_eq!(found, ["q_1_", "t_1", "k_"]);
-        assert_eq!(names.alone("T"), "T_");
-        let item: syn::DeriveInput = parse_quote! { struct T; };
-        assert_eq!(beside(&Item::derived(&item)).alone("T"), "T_");
     }
 }

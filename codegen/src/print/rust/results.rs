@@ -6,15 +6,16 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::dialect::{Dialect, World};
-use super::lengths::{Lengths, number};
+use super::dialect::Dialect;
+use super::lengths::{Lengths, array, literal};
+use super::world::World;
 use crate::function::Function;
 use crate::space::{Entity, Quantity, Spaces};
 
 /// The type of what `functions` return together.
 pub(super) fn result_type(
     functions: &[Function],
-    lengths: &Lengths,
+    lengths: Lengths<'_>,
     dialect: &Dialect,
 ) -> TokenStream {
     let types = functions
@@ -24,17 +25,17 @@ pub(super) fn result_type(
 }
 
 /// The type of one result.
-pub(super) fn type_of(quantity: &Quantity, lengths: &Lengths, dialect: &Dialect) -> TokenStream {
+pub(super) fn type_of(quantity: &Quantity, lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
     let number_type = &dialect.number;
-    let array = |inner: TokenStream, length: TokenStream| quote! { [#inner; #length] };
     let one = match named(quantity.entity, dialect) {
         Some(path) => quote! { #path<#number_type> },
         None => (quantity.entity.dimensions().iter().rev())
-            .map(|&length| number(length))
-            .fold(quote! { #number_type }, array),
+            .fold(quote! { #number_type }, |one, &length| {
+                array(&one, &literal(length))
+            }),
     };
     let over = quantity.over.iter().rev();
-    over.map(|&space| lengths.of(space)).fold(one, array)
+    over.fold(one, |one, &space| array(&one, &lengths(space)))
 }
 
 /// The runtime's type of an entity, where it has one.

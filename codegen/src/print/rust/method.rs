@@ -8,31 +8,36 @@ use quote::{format_ident, quote};
 use syn::{GenericParam, parse_quote};
 
 use super::body::{Body, body};
-use super::dialect::{Dialect, World};
-use super::lengths::Lengths;
-use super::names::{ident, unscoped};
+use super::comments::doc;
+use super::declaration;
+use super::dialect::Dialect;
+use super::item::Item;
+use super::lengths::{Lengths, known};
 use super::results::{result_type, result_value};
-use super::{Item, Listed, Listing, documentation, item, sines};
+use super::world::World;
 use crate::function::Function;
+use crate::print::{Listed, Listing, arguments, documentation};
 use crate::space::{Space, Variable};
 
 /// The method that computes `listed`.
 pub(super) fn method(
     listing: &Listing,
+    item: &Item,
     listed: &Listed,
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
-    let arguments = arguments(&listed.functions);
+    let arguments = listed.arguments();
     let Body {
         statements,
         results,
     } = body(&listed.program, &arguments, listing, dialect);
     let result = result_value(&listed.functions, &listing.spaces, &results, dialect);
 
-    let about = documentation::of_method(listing, listed, dialect);
-    let visibility = &listing.item.visibility;
-    let lengths = Lengths::of_spaces(&listing.spaces);
+    let about = documentation::of_function(listing, listed, dialect.angles().as_ref());
+    let about = doc(&about);
+    let visibility = &item.visibility;
+    let lengths = known(&listing.spaces);
     let signature = signature(name, &listed.functions, &lengths, None, dialect);
     quote! {
         #about
@@ -44,6 +49,7 @@ pub(super) fn method(
 /// The implementation of a function's trait by the method `name`.
 pub(super) fn in_trait(
     listing: &Listing,
+    item: &Item,
     function: Function,
     name: &Ident,
     dialect: &Dialect,
@@ -52,9 +58,9 @@ pub(super) fn in_trait(
     let arguments = arguments.map(|argument| format_ident!("{}", argument.name()));
     let call = quote! { Self::#name(self, #(#arguments),*) };
     implementation(
-        &listing.item,
+        item,
         function,
-        &Lengths::of_spaces(&listing.spaces),
+        &known(&listing.spaces),
         None,
         &call,
         dialect,
@@ -66,7 +72,7 @@ pub(super) fn in_trait(
 pub(super) fn implementation(
     item: &Item,
     function: Function,
-    lengths: &Lengths,
+    lengths: Lengths<'_>,
     unknown: Option<GenericParam>,
     call: &TokenStream,
     dialect: &Dialect,
@@ -82,9 +88,9 @@ pub(super) fn implementation(
     let more: Vec<_> = unknown.into_iter().chain(generic).collect();
     // The traits are called as the functions are, in the case of types.
     let name = format_ident!("{function:?}");
-    let count = lengths.of(Space::Velocities);
+    let count = lengths(Space::Velocities);
     let of = quote! { #runtime::robot::#name<#count, #number> };
-    let head = item::implementation(item, &of, &more);
+    let head = declaration::implementation(item, &of, &more);
     let method = format_ident!("{}", function.name());
     let result = result_type(&[function], lengths, dialect);
     let parameters = parameters(function.arguments(), lengths, dialect);
@@ -101,7 +107,7 @@ pub(super) fn implementation(
 pub(super) fn signature(
     name: &Ident,
     functions: &[Function],
-    lengths: &Lengths,
+    lengths: Lengths<'_>,
     unknown: Option<&TokenStream>,
     dialect: &Dialect,
 ) -> TokenStream {
@@ -121,39 +127,12 @@ pub(super) fn signature(
     quote! { fn #name #generics(&self, #parameters) -> #result }
 }
 
-fn parameters(arguments: &[Variable], lengths: &Lengths, dialect: &Dialect) -> TokenStream {
+fn parameters(arguments: &[Variable], lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
     let number = &dialect.number;
     let parameters = arguments.iter().map(|argument| {
         let name = format_ident!("{}", argument.name());
-        let length = lengths.of(argument.space());
+        let length = lengths(argument.space());
         quote! { #name: &[#number; #length] }
     });
     quote! { #(#parameters),* }
-}
-
-/// The names of all methods, in the order of the listing; none is that of a function that a struct
-/// has besides.
-pub(super) fn names(listing: &Listing) -> Vec<Ident> {
-    let mut names = unscoped();
-    names.take("chain");
-    names.take(sines::NAME);
-    let listed = listing.functions.iter();
-    listed
-        .map(|listed| ident(&names.fresh(&listed.name())))
-        .collect()
-}
-
-/// What several functions together are functions of.
-pub(super) fn arguments(functions: &[Function]) -> Vec<Variable> {
-    Variable::together(functions.iter().map(|function| function.arguments()))
-}
-
-/// `mass_matrix_and_bias`, `forward_kinematics_of_camera`.
-pub(super) fn name(functions: &[Function], frame: Option<&str>) -> String {
-    let names: Vec<_> = functions.iter().map(|function| function.name()).collect();
-    let name = names.join("_and_");
-    match frame {
-        Some(frame) => format!("{name}_of_{frame}"),
-        None => name,
-    }
 }

@@ -8,11 +8,13 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{GenericParam, parse_quote};
 
-use super::dialect::{Dialect, World};
+use super::dialect::Dialect;
 use super::item::{Declaration, Item};
-use super::lengths::{Lengths, number};
-use super::names::{beside, ident, unscoped};
-use super::{chain, item, method};
+use super::lengths::literal;
+use super::names::{ident, unscoped};
+use super::world::World;
+use super::{chain, declaration, method};
+use crate::print;
 use crate::request::Request;
 
 /// What the user's code may call.
@@ -33,14 +35,15 @@ pub struct Wanted<'a> {
 #[must_use]
 pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
     let Wanted { item, request, .. } = wanted;
-    let mut names = beside(item);
-    let dialect = Dialect::runtime(request.scalar, request.runtime.clone(), &mut names);
-    let unknown = wanted.joints.is_none().then(|| ident(&names.alone("N")));
+    let world = World::runtime(request.runtime.as_ref());
+    let dialect = Dialect::without_robot(request.scalar, item, &world);
+    let unnamed = || ident(&dialect.names.clone().alone("N"));
+    let unknown = wanted.joints.is_none().then(unnamed);
     let count = match (&unknown, wanted.joints) {
-        (None, Some(joints)) => number(joints),
+        (None, Some(joints)) => literal(joints),
         (name, _) => quote! { #name },
     };
-    let lengths = Lengths::all(&count);
+    let lengths = |_| count.clone();
     let parameter = unknown.map(|name| quote! { const #name: ::core::primitive::usize });
 
     let mut methods = TokenStream::new();
@@ -53,7 +56,7 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
             if frame.is_some() && !functions.iter().all(|function| function.of_a_frame()) {
                 continue;
             }
-            let name = ident(&names.fresh(&method::name(functions, frame)));
+            let name = ident(&names.fresh(&print::name(functions, frame)));
             let signature =
                 method::signature(&name, functions, &lengths, parameter.as_ref(), &dialect);
             let unreachable = quote! { ::core::unreachable!() };
@@ -71,7 +74,7 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
     }
     if let World::Runtime(runtime) = &dialect.world {
         let reads_fields = !request.parameters.is_empty();
-        let frames = number(request.frames.len() + 1);
+        let frames = literal(request.frames.len() + 1);
         let signature =
             chain::signature(&count, &frames, parameter.as_ref(), reads_fields, runtime);
         // What may be called in constants must still be after a mistake.
@@ -83,7 +86,7 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
         Declaration::Written(tokens) => tokens.clone(),
         Declaration::Exists | Declaration::Made => TokenStream::new(),
     };
-    let block = item::block(item, &methods, &dialect);
+    let block = declaration::block(item, &methods, &dialect);
     quote! { #declaration #block #traits }
 }
 

@@ -3,11 +3,12 @@
 use quote::format_ident;
 use syn::{Block, Expr, ImplItem, Item as SynItem, Stmt};
 
-use super::{listed, listing, name, pendulum, pretty, turning};
-use crate::emit::{Item, Library, Listing, emit, standalone};
+use super::super::{Library, World, print};
+use super::{listed, listing, made, name, pretty, turning, with_runtime};
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
+use crate::print::Listing;
 use crate::real::Real;
 use crate::request::{Parameter, Target};
 use crate::schedule::{LONGEST_SCOPE, Operand, Operation, Program, Step};
@@ -43,8 +44,8 @@ fn program() -> Program {
     }
 }
 
-fn long(item: Item, scalar: Real) -> Listing {
-    let mut listing = listing(item, scalar);
+fn long(scalar: Real) -> Listing {
+    let mut listing = listing(scalar);
     listing.spaces = turning((0..JOINTS).map(|joint| format!("joint {joint}")));
     listing.parameters = (0..FIELDS)
         .map(|field| Parameter {
@@ -88,10 +89,10 @@ fn gravities(text: &str) -> Vec<Block> {
 
 #[test]
 fn nothing_is_below_more_than_two_scopes() {
-    let made = Item::made(format_ident!("Long"));
+    let core = World::Core(Library::default());
     for text in [
-        pretty(&emit(&long(pendulum(), Real::Generic))),
-        pretty(&standalone(&long(made, Real::F32), &Library::default())),
+        with_runtime(&long(Real::Generic)),
+        pretty(&print(&long(Real::F32), &made(), &core)),
     ] {
         let gravities = gravities(&text);
         assert_eq!(gravities.len(), 1);

@@ -1,28 +1,22 @@
 //! What differs between code for the runtime and code for `core` alone.
 //!
-//! In: a [`Listing`]. Out: the spellings of types, numbers and mathematical functions. The rest of
-//! the stage writes the same statements in every dialect and never asks which one it is.
+//! In: a [`Listing`], its struct and its world. Out: the spellings of numbers, their type and
+//! mathematical functions, by which statements are the same in every dialect. It never writes an
+//! operation or a signature.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::item::Declaration;
+use super::item::{Declaration, Item};
 use super::literals::Numerals;
-use super::names::{beside, ident};
-use super::{Listing, sines};
+use super::names::ident;
+use super::sines;
+use super::world::{Library, World};
 use crate::formulation::Sines;
+use crate::print::Listing;
+use crate::print::documentation::Angles;
 use crate::real::Real;
 use crate::schedule::{LONGEST_SCOPE, Names};
-
-/// What code without the runtime finds and leaves around it.
-#[derive(Clone, Debug, Default)]
-pub struct Library {
-    /// A function from an angle to its sine and cosine, as a pair; where none is named, the struct
-    /// gets one of its own.
-    pub sin_cos: Option<TokenStream>,
-    /// How the names of functions for C begin; there are none where this is not given.
-    pub c_prefix: Option<String>,
-}
 
 /// How many sines and cosines a reader can pair on one line.
 const ON_ONE_LINE: usize = 4;
@@ -30,7 +24,7 @@ const ON_ONE_LINE: usize = 4;
 /// The spellings of one output.
 #[derive(Clone, Debug)]
 pub(super) struct Dialect {
-    /// The path of the runtime, or what stands in for it.
+    /// What it can rely on.
     pub world: World,
     /// The type of number.
     pub number: TokenStream,
@@ -38,6 +32,8 @@ pub(super) struct Dialect {
     pub generic: Option<Ident>,
     /// The type of number, by name.
     pub real: Real,
+    /// The names that functions cannot bind.
+    pub names: Names,
     /// Where its sines come from.
     sines: Sines,
     /// Whether the type of every number stands beside it.
@@ -46,58 +42,38 @@ pub(super) struct Dialect {
     fields: Option<Real>,
 }
 
-/// What the generated code can rely on.
-#[derive(Clone, Debug)]
-pub(super) enum World {
-    /// The runtime crate, at this path.
-    Runtime(TokenStream),
-    /// `core` and these functions.
-    Core(Library),
-}
-
 impl Dialect {
-    /// For a crate that has the runtime.
-    pub fn of_runtime(listing: &Listing) -> Self {
-        let mut names = beside(&listing.item);
-        let made = matches!(listing.item.declaration, Declaration::Made);
+    /// For a robot's struct in some world.
+    pub fn of(listing: &Listing, item: &Item, world: &World) -> Self {
+        let real = match (world, listing.scalar) {
+            (World::Core(_), Real::Generic) => Real::F64,
+            (_, real) => real,
+        };
+        let made = matches!(item.declaration, Declaration::Made);
         Self {
-            fields: made.then_some(listing.scalar),
+            fields: made.then_some(real),
             sines: listing.sines,
-            ..Self::runtime(listing.scalar, listing.runtime.clone(), &mut names)
+            ..Self::without_robot(real, item, world)
         }
     }
 
-    /// For a crate that has the runtime, with the name of a generic number taken from `names`.
-    pub fn runtime(real: Real, runtime: Option<TokenStream>, names: &mut Names) -> Self {
-        let runtime = runtime.unwrap_or_else(|| quote! { ::homogen });
+    /// For as much as is known where the robot is not.
+    pub fn without_robot(real: Real, item: &Item, world: &World) -> Self {
+        let mut names = item.names();
         let generic = (real == Real::Generic).then(|| ident(&names.alone("T")));
-        let number = match (&generic, real) {
-            (Some(generic), _) => quote! { #generic },
-            (None, Real::F32) => quote! { ::core::primitive::f32 },
-            (None, _) => quote! { ::core::primitive::f64 },
+        let number = match (&generic, world, real) {
+            (Some(generic), _, _) => quote! { #generic },
+            (None, World::Runtime(_), Real::F32) => quote! { ::core::primitive::f32 },
+            (None, World::Runtime(_), _) => quote! { ::core::primitive::f64 },
+            (None, World::Core(_), Real::F32) => quote! { f32 },
+            (None, World::Core(_), _) => quote! { f64 },
         };
         Self {
-            world: World::Runtime(runtime),
+            world: world.clone(),
             number,
             generic,
             real,
-            sines: Sines::default(),
-            bare: false,
-            fields: None,
-        }
-    }
-
-    /// For a crate that has nothing.
-    pub fn of_core(listing: &Listing, library: &Library) -> Self {
-        let (real, number) = match listing.scalar {
-            Real::F32 => (Real::F32, quote! { f32 }),
-            Real::F64 | Real::Generic => (Real::F64, quote! { f64 }),
-        };
-        Self {
-            world: World::Core(library.clone()),
-            number,
-            generic: None,
-            real,
+            names,
             sines: Sines::default(),
             bare: false,
             fields: None,
@@ -109,16 +85,22 @@ impl Dialect {
         matches!(&self.world, World::Core(library) if library.c_prefix.is_some())
     }
 
+    /// For which angles functions are precise, where the runtime does not say so.
+    pub fn angles(&self) -> Option<Angles> {
+        match &self.world {
+            World::Runtime(_) => None,
+            World::Core(library) => Some(library.angles(self.real)),
+        }
+    }
+
     /// The same world with plain `f64`s: the robot as data is not generic.
     pub fn of_data(&self) -> Self {
         Self {
-            world: self.world.clone(),
             number: quote! { ::core::primitive::f64 },
             generic: None,
             real: Real::F64,
-            sines: self.sines,
             bare: true,
-            fields: self.fields,
+            ..self.clone()
         }
     }
 

@@ -8,10 +8,13 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Body, body};
-use super::dialect::{Dialect, World};
-use super::lengths::number;
+use super::comments::doc;
+use super::dialect::Dialect;
+use super::item::Item;
+use super::lengths::literal;
 use super::results::{square_and_column, two_vectors};
-use super::{ChainData, Listing, documentation};
+use super::world::World;
+use crate::print::{ChainData, Listing, documentation};
 
 /// How many numbers a joint has, and how many of them are its placement and its screw.
 const JOINT: usize = 28;
@@ -19,7 +22,7 @@ const PLACEMENT: usize = 12;
 const SCREW: usize = 6;
 
 /// `fn chain() -> ::homogen::Chain<N, F>`, a method where fields enter it.
-pub(super) fn chain(listing: &Listing, dialect: &Dialect) -> TokenStream {
+pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Runtime(runtime) = &dialect.world else {
         return TokenStream::new();
     };
@@ -30,11 +33,11 @@ pub(super) fn chain(listing: &Listing, dialect: &Dialect) -> TokenStream {
     } = body(&data.program, &[], listing, &dialect.of_data());
     let value = value(data, &results, runtime);
 
-    let about = documentation::of_chain(listing);
-    let visibility = &listing.item.visibility;
+    let about = doc(&documentation::of_chain(listing));
+    let visibility = &item.visibility;
     let signature = signature(
-        &number(data.names.len()),
-        &number(data.frames.len()),
+        &literal(data.names.len()),
+        &literal(data.frames.len()),
         None,
         !listing.parameters.is_empty(),
         runtime,
@@ -100,7 +103,7 @@ fn joint(
 
 fn index(joint: Option<u16>) -> TokenStream {
     if let Some(joint) = joint {
-        let joint = number(joint.into());
+        let joint = literal(joint.into());
         quote! { ::core::option::Option::Some(#joint) }
     } else {
         quote! { ::core::option::Option::None }

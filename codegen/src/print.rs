@@ -1,0 +1,128 @@
+//! The last stage: what is printed for a robot.
+//!
+//! In: the programs of a robot and what is to be said about them, as a [`Listing`]. Out: text in a
+//! language, which has a room of its own below and finds here what every language shares. It never
+//! computes a number, changes an operation or chooses an order.
+
+mod c;
+mod documentation;
+pub mod rust;
+
+use crate::accuracy::Accuracy;
+use crate::formulation::Sines;
+use crate::function::Function;
+use crate::real::Real;
+use crate::request::Parameter;
+use crate::schedule::{Price, Program};
+use crate::space::{Spaces, Variable};
+
+/// Everything that is printed for one robot.
+#[derive(Clone, Debug)]
+pub struct Listing {
+    /// What the comments say.
+    pub about: About,
+    /// What arguments and results are over.
+    pub spaces: Spaces,
+    /// The functions, in the order of the request.
+    pub functions: Vec<Listed>,
+    /// The robot as data.
+    pub data: ChainData,
+    /// The type of number.
+    pub scalar: Real,
+    /// Where sines and cosines come from.
+    pub sines: Sines,
+    /// The fields that programs read, in the order in which
+    /// [`Input::Parameter`](crate::expression::Input) counts them.
+    pub parameters: Vec<Parameter>,
+}
+
+/// What comments say about a robot.
+#[derive(Clone, Debug, Default)]
+pub struct About {
+    /// The robot's name.
+    pub robot: String,
+    /// The name of the file it was read from, without folders, and the hash of its bytes.
+    pub source: Option<(String, u64)>,
+    /// The link whose frame is frame 0.
+    pub base: String,
+    /// The link whose frame poses and Jacobians are of.
+    pub tip: String,
+    /// What is modelled and what is not: `2 links merged`, `gravity only along −z`.
+    pub facts: Vec<String>,
+    /// The words of the formulation that was asked for, where it is not the default.
+    pub formulation: Vec<String>,
+    /// Doubts about the description, each a sentence with its place.
+    pub warnings: Vec<String>,
+    /// Functions that the robot cannot have, where all that it can have were asked for.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// Functions that a robot cannot have, for one reason.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Their names.
+    pub functions: Vec<String>,
+    /// Why, a sentence with its place.
+    pub reason: String,
+    /// What to do about it.
+    pub hint: Option<String>,
+}
+
+/// One generated function, a method of the robot's type where the language has such.
+#[derive(Clone, Debug)]
+pub struct Listed {
+    /// What it computes; several functions share their work and are returned as a tuple.
+    pub functions: Vec<Function>,
+    /// The link whose frame it is about, where that is not the tip.
+    pub frame: Option<String>,
+    /// The operations.
+    pub program: Program,
+    /// What they cost.
+    pub price: Price,
+    /// How far rounding can take their results: those that are evaluated, and each that solves
+    /// something.
+    pub accuracy: Vec<Accuracy>,
+}
+
+impl Listed {
+    /// Its name, as far as nothing else is called so.
+    #[must_use]
+    pub fn name(&self) -> String {
+        name(&self.functions, self.frame.as_deref())
+    }
+
+    /// What its functions together are functions of.
+    pub(crate) fn arguments(&self) -> Vec<Variable> {
+        arguments(&self.functions)
+    }
+}
+
+/// What several functions together are functions of.
+fn arguments(functions: &[Function]) -> Vec<Variable> {
+    Variable::together(functions.iter().map(|function| function.arguments()))
+}
+
+/// `mass_matrix_and_bias`, `forward_kinematics_of_camera`.
+fn name(functions: &[Function], frame: Option<&str>) -> String {
+    let names: Vec<_> = functions.iter().map(|function| function.name()).collect();
+    let name = names.join("_and_");
+    match frame {
+        Some(frame) => format!("{name}_of_{frame}"),
+        None => name,
+    }
+}
+
+/// A robot as data for the generic recursions of the runtime.
+#[derive(Clone, Debug)]
+pub struct ChainData {
+    /// The joints' names in the order of q.
+    pub names: Vec<String>,
+    /// The joint that carries the link on which each joint hangs; none where that is the base.
+    pub parents: Vec<Option<u16>>,
+    /// Further frames, the tip's first: name, and the joint that carries it.
+    pub frames: Vec<(String, Option<u16>)>,
+    /// The numbers, of parameters only. A joint has 28: placement at q = 0 in its parent's frame
+    /// (rows of the upper 3×4 block), screw (u, b), pseudo-inertia (xx, yy, zz, xy, xz, yz, the
+    /// first moments qx, qy, qz, and m). A frame has 12, its placement. Gravity comes last, 3.
+    pub program: Program,
+}

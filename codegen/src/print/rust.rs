@@ -1,0 +1,71 @@
+//! Rust.
+//!
+//! In: a [`Listing`], the struct that gets methods, and what the code finds around it. Out: tokens.
+//! It never names a value of a program: that is done before.
+
+mod body;
+mod chain;
+mod comments;
+mod declaration;
+mod dialect;
+mod extern_c;
+mod item;
+mod lengths;
+mod literals;
+mod method;
+mod names;
+#[cfg(feature = "pretty")]
+mod pretty;
+mod results;
+mod sines;
+mod stub;
+#[cfg(all(test, feature = "pretty"))]
+pub(crate) mod tests;
+mod world;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::Listing;
+use dialect::Dialect;
+
+pub use comments::header;
+pub use extern_c::c_header;
+pub use item::{Declaration, Item};
+#[cfg(feature = "pretty")]
+pub use pretty::Source;
+pub use stub::{Wanted, stub};
+pub use world::{Library, World};
+
+/// The struct, where it has to be declared, its methods, and what stands beside them: with the
+/// runtime the traits of `homogen::robot`, without it the functions for C.
+///
+/// Without the runtime, [`Real::Generic`](crate::real::Real::Generic) is taken for `f64`.
+#[must_use]
+pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
+    let dialect = Dialect::of(listing, item, world);
+    let mut methods = TokenStream::new();
+    let mut beside = TokenStream::new();
+    for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
+        methods.extend(method::method(listing, item, listed, &name, &dialect));
+        if let ([function], None) = (&*listed.functions, &listed.frame) {
+            beside.extend(method::in_trait(listing, item, *function, &name, &dialect));
+        }
+    }
+    methods.extend(chain::chain(listing, item, &dialect));
+    methods.extend(dialect.own_sines(listing));
+    beside.extend(extern_c::functions(listing, item, &dialect));
+    let declaration = declaration::declaration(listing, item, &dialect);
+    let methods = declaration::block(item, &methods, &dialect);
+    quote! { #declaration #methods #beside }
+}
+
+/// The methods that [`print`] writes for functions, alone, to be read.
+#[must_use]
+pub fn methods(listing: &Listing, item: &Item, world: &World) -> TokenStream {
+    let dialect = Dialect::of(listing, item, world);
+    let methods = listing.functions.iter().zip(names::of_methods(listing));
+    methods
+        .map(|(listed, name)| method::method(listing, item, listed, &name, &dialect))
+        .collect()
+}

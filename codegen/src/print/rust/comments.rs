@@ -1,0 +1,57 @@
+//! What stands above Rust.
+//!
+//! In: lines. Out: doc comments, and the head of a file. It never says anything that the listing does
+//! not hold, but for what the code needs to be compiled.
+
+use std::fmt::Write;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::names;
+use super::world::{World, spelled};
+use crate::print::{Listing, documentation};
+use crate::wording::{code, visible};
+
+/// Lines as a doc comment.
+pub(super) fn doc(lines: &[String]) -> TokenStream {
+    let lines = lines.iter().map(|line| match &*visible(line) {
+        "" => String::new(),
+        line => format!(" {line}"),
+    });
+    quote! { #(#[doc = #lines])* }
+}
+
+/// The head of a generated file, as line comments: origin, options, what it needs, prices.
+#[must_use]
+pub fn header(listing: &Listing, options: &str, world: &World) -> String {
+    let mut lines = documentation::head(listing, options);
+    lines.push(needs(world));
+    for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
+        lines.extend(documentation::price(listed, &name.to_string()));
+    }
+    lines.iter().fold(String::new(), |mut text, line| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "// {}", visible(line));
+        text
+    })
+}
+
+/// The oldest compilers that take a file for `core` alone, without functions for C and with them.
+const COMPILERS: [&str; 2] = ["1.63", "1.82"];
+
+/// What a file needs to be compiled.
+fn needs(world: &World) -> String {
+    match world {
+        World::Runtime(path) => {
+            let own = env!("CARGO_PKG_RUST_VERSION");
+            format!("Needs: Rust {own} or later, {}.", code(&spelled(path)))
+        }
+        World::Core(library) => {
+            let oldest = COMPILERS[usize::from(library.c_prefix.is_some())];
+            let path = library.sin_cos.as_ref();
+            let path = path.map_or_else(String::new, |path| format!(", {}", code(&spelled(path))));
+            format!("Needs: Rust {oldest} or later, `core`{path}.")
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! The struct and the blocks around what it gets.
+//!
+//! In: an [`Item`] and the robot that it becomes. Out: its declaration, where it has to be written, the
+//! block of its methods, and the heads of implementations. It never looks at what the methods do.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::GenericParam;
+
+use super::comments::doc;
+use super::dialect::Dialect;
+use super::item::{Declaration, Item};
+use super::lengths::{array, literal};
+use super::world::World;
+use crate::print::{Listing, documentation};
+
+/// The struct itself, where it has to be written.
+pub(super) fn declaration(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+    match &item.declaration {
+        Declaration::Exists => TokenStream::new(),
+        Declaration::Written(tokens) => tokens.clone(),
+        Declaration::Made => made(listing, item, dialect),
+    }
+}
+
+fn made(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+    let Item {
+        visibility, ident, ..
+    } = item;
+    let about = doc(&documentation::of_robot(listing));
+    let derive = match dialect.world {
+        World::Runtime(_) => quote! {
+            #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        },
+        World::Core(_) => quote! { #[derive(Clone, Copy, Debug)] },
+    };
+    let number = dialect.field();
+    let fields = listing.parameters.iter().map(|parameter| {
+        let field = &parameter.field;
+        let about = doc(&[documentation::of_field(&parameter.target)]);
+        let kind = match parameter.target.entries() {
+            1 => number.clone(),
+            entries => array(&number, &literal(entries)),
+        };
+        quote! { #about pub #field: #kind, }
+    });
+    let layout = dialect.is_for_c().then(|| quote! { #[repr(C)] });
+    if listing.parameters.is_empty() {
+        quote! { #about #derive #visibility struct #ident; }
+    } else {
+        quote! { #about #derive #layout #visibility struct #ident { #(#fields)* } }
+    }
+}
+
+/// The block of inherent methods.
+pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> TokenStream {
+    let ident = &item.ident;
+    let (generics, arguments, bounds) = item.generics.split_for_impl();
+    // Compilers before 1.81 know no reasons, and code for `core` alone is for those as well.
+    let reason = match dialect.world {
+        World::Runtime(_) => {
+            quote! { reason = "generated code has one form for every robot" }
+        }
+        World::Core(_) => TokenStream::new(),
+    };
+    quote! {
+        #[allow(
+            clippy::similar_names,
+            clippy::too_many_lines,
+            clippy::trivially_copy_pass_by_ref,
+            clippy::unreadable_literal,
+            clippy::unused_self,
+            #reason
+        )]
+        impl #generics #ident #arguments #bounds { #methods }
+    }
+}
+
+/// The head of an implementation of a trait, up to its brace.
+pub(super) fn implementation(item: &Item, of: &TokenStream, more: &[GenericParam]) -> TokenStream {
+    let ident = &item.ident;
+    let (_, arguments, bounds) = item.generics.split_for_impl();
+    let mut generics = item.generics.clone();
+    generics.params.extend(more.iter().cloned());
+    let (generics, _, _) = generics.split_for_impl();
+    quote! { #[automatically_derived] impl #generics #of for #ident #arguments #bounds }
+}

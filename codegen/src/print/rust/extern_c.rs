@@ -1,0 +1,109 @@
+//! Functions for C: with its calling convention, around the methods.
+//!
+//! In: a [`Listing`] and its struct. Out: a function for each method, and the header that declares
+//! them. Pointers become references to arrays of fixed size, results go to memory that need not hold
+//! anything yet: there is nothing unsafe but the promise that no other function has these names.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+use syn::ext::IdentExt;
+
+use super::dialect::Dialect;
+use super::item::Item;
+use super::lengths::known;
+use super::names::{ident, of_methods};
+use super::results::type_of;
+use super::world::{Library, World};
+use crate::print::{Listed, Listing, c};
+
+/// The functions, one for each method, where the library says how names begin.
+pub(super) fn functions(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+    let World::Core(Library {
+        c_prefix: Some(prefix),
+        ..
+    }) = &dialect.world
+    else {
+        return TokenStream::new();
+    };
+    let methods = listing.functions.iter().zip(of_methods(listing));
+    methods
+        .zip(c::symbols(listing, prefix))
+        .map(|((listed, method), symbol)| {
+            function(listing, item, listed, &method, &symbol, dialect)
+        })
+        .collect()
+}
+
+/// The header that declares them.
+#[must_use]
+pub fn c_header(
+    listing: &Listing,
+    item: &Item,
+    options: &str,
+    library: &Library,
+) -> Option<String> {
+    let header = c::Header {
+        prefix: library.c_prefix.as_deref()?,
+        robot: &item.ident.unraw().to_string(),
+        options,
+        angles: &library.angles(listing.scalar),
+    };
+    Some(header.text(listing))
+}
+
+fn function(
+    listing: &Listing,
+    item: &Item,
+    listed: &Listed,
+    method: &Ident,
+    symbol: &str,
+    dialect: &Dialect,
+) -> TokenStream {
+    let robot = &item.ident;
+    let number = &dialect.number;
+    let lengths = known(&listing.spaces);
+    let arguments = listed.arguments();
+    let each = arguments.iter();
+    let each: Vec<_> = each.map(|argument| lengths(argument.space())).collect();
+    let arguments: Vec<_> = arguments
+        .iter()
+        .map(|argument| ident(argument.name()))
+        .collect();
+    let results = listed.functions.iter();
+    let results: Vec<_> = results.map(|function| ident(function.name())).collect();
+    let types = listed.functions.iter();
+    let types = types.map(|function| type_of(&function.result(), &lengths, dialect));
+
+    let (receiver, value) = if listing.parameters.is_empty() {
+        (TokenStream::new(), quote! { #robot })
+    } else {
+        (quote! { robot: &#robot, }, quote! { robot })
+    };
+    let call = quote! { #value.#method(#(#arguments),*) };
+    let body = match &*results {
+        [result] => quote! { #result.write(#call); },
+        results => {
+            let values = results.iter().map(|result| format_ident!("{result}_"));
+            let values: Vec<_> = values.collect();
+            quote! {
+                let (#(#values),*) = #call;
+                #(#results.write(#values);)*
+            }
+        }
+    };
+    let about =
+        format!(" [`{robot}::{method}`] for C, whose header tells what the pointers are to be.");
+    let name = ident(symbol);
+    quote! {
+        #[doc = #about]
+        #[allow(unsafe_code, reason = "the name is promised to be the only one of its kind")]
+        #[unsafe(no_mangle)]
+        pub extern "C" fn #name(
+            #receiver
+            #(#arguments: &[#number; #each],)*
+            #(#results: &mut ::core::mem::MaybeUninit<#types>,)*
+        ) {
+            #body
+        }
+    }
+}

@@ -136,10 +136,16 @@ impl Request {
 }
 
 impl Parameter {
+    /// The name of the field.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.field.unraw().to_string()
+    }
+
     /// The names of its entries: the field's, and behind it an axis where there are three.
     #[must_use]
     pub fn entries(&self) -> Vec<String> {
-        let name = self.field.unraw().to_string();
+        let name = self.name();
         match self.target.entries() {
             1 => vec![name],
             _ => ["x", "y", "z"]

@@ -103,9 +103,7 @@ fn a_file_for_core_counts_on_no_fused_product() {
 
 #[test]
 fn f64_on_a_processor_without_is_refused() {
-    let refusal = listing(Processor::CortexM4, Real::F64)
-        .err()
-        .expect("refused");
+    let refusal = listing(Processor::CortexM4, Real::F64).expect_err("refused");
     assert_eq!(
         refusal.to_string(),
         "error: cortex-m4 computes f64 in software, operation by operation\n  \

@@ -5,8 +5,6 @@
 
 use std::fmt::Write;
 
-use syn::ext::IdentExt;
-
 use super::documentation::{self, Angles};
 use super::{Listed, Listing};
 use crate::function::Function;
@@ -66,7 +64,7 @@ fn structure(text: &mut String, listing: &Listing, prefix: &str, number: &str) {
     // What a field is called does not matter: only its place in the struct is that of its definition.
     let mut names = Names::beside(&KEYWORDS);
     for parameter in &listing.parameters {
-        let field = names.alone(&ascii(&parameter.field.unraw().to_string()));
+        let field = names.alone(&ascii(&parameter.name()));
         let about = documentation::of_field(&parameter.target);
         let size = match parameter.target.entries() {
             1 => String::new(),

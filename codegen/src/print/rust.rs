@@ -60,7 +60,7 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     quote! { #declaration #methods #beside }
 }
 
-/// The methods that [`print`] writes for functions, alone, to be read.
+/// The methods that [`print()`] writes for functions, alone, to be read.
 #[must_use]
 pub fn methods(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     let dialect = Dialect::of(listing, item, world);

@@ -68,13 +68,8 @@ pub(super) fn body(
         statements.extend(loads.iter().map(load));
     } else {
         statements.extend(loads.chunks(FIELDS).map(|loads| {
-            let names = loads
-                .iter()
-                .flat_map(|(entries, _)| entries.iter().flatten());
-            block(
-                &loads.iter().map(load).collect(),
-                names.map(|name| ident(name)),
-            )
+            let entries = loads.iter().flat_map(|(entries, _)| *entries);
+            block(&loads.iter().map(load).collect(), entries.flatten())
         }));
     }
     statements.extend(writer.statements(&routine.statements));
@@ -106,7 +101,7 @@ impl Writer<'_> {
                 handed_on,
             } => {
                 let inside = self.statements(statements);
-                block(&inside, handed_on.iter().map(|name| ident(name)))
+                block(&inside, handed_on.iter())
             }
         });
         statements.collect()
@@ -140,15 +135,10 @@ impl Writer<'_> {
     }
 
     fn sines_and_cosines(&mut self, angles: &[Angle]) -> TokenStream {
-        let sines: Vec<_> = angles
-            .iter()
-            .map(|angle| pattern(angle.sine.as_ref()))
-            .collect();
-        let cosines: Vec<_> = angles
-            .iter()
-            .map(|angle| pattern(angle.cosine.as_ref()))
-            .collect();
+        let sines = angles.iter().map(|angle| pattern(angle.sine.as_ref()));
+        let cosines = angles.iter().map(|angle| pattern(angle.cosine.as_ref()));
         let values = angles.iter().map(|angle| self.read(&angle.value));
+        let [sines, cosines] = [sines.collect::<Vec<_>>(), cosines.collect()];
         let values: Vec<_> = values.collect();
         (self.dialect).sines_and_cosines(&sines, &cosines, &values, &mut self.names)
     }
@@ -191,7 +181,7 @@ fn pattern(name: Option<&String>) -> TokenStream {
 }
 
 /// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them.
-fn block(inside: &TokenStream, names: impl Iterator<Item = Ident>) -> TokenStream {
-    let names: Vec<_> = names.collect();
+fn block<'n>(inside: &TokenStream, names: impl Iterator<Item = &'n String>) -> TokenStream {
+    let names: Vec<_> = names.map(|name| ident(name)).collect();
     quote! { let [#(#names),*] = { #inside [#(#names),*] }; }
 }

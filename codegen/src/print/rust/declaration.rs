@@ -5,7 +5,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::GenericParam;
+use syn::{GenericParam, parse_quote};
 
 use super::comments::doc;
 use super::dialect::Dialect;
@@ -27,7 +27,7 @@ fn made(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
     let Item {
         visibility, ident, ..
     } = item;
-    let about = doc(&documentation::of_robot(listing));
+    let about = doc(&documentation::of_robot(listing, ""));
     let derive = match dialect.world {
         World::Runtime(_) => quote! {
             #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
@@ -77,11 +77,14 @@ pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> To
 }
 
 /// The head of an implementation of a trait, up to its brace.
-pub(super) fn implementation(item: &Item, of: &TokenStream, more: &[GenericParam]) -> TokenStream {
+pub(super) fn implementation(item: &Item, of: &TokenStream, more: &[TokenStream]) -> TokenStream {
     let ident = &item.ident;
     let (_, arguments, bounds) = item.generics.split_for_impl();
     let mut generics = item.generics.clone();
-    generics.params.extend(more.iter().cloned());
+    let more = more.iter().map(|parameter| -> GenericParam {
+        parse_quote! { #parameter }
+    });
+    generics.params.extend(more);
     let (generics, _, _) = generics.split_for_impl();
     quote! { #[automatically_derived] impl #generics #of for #ident #arguments #bounds }
 }

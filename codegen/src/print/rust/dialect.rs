@@ -29,7 +29,7 @@ pub(super) struct Dialect {
     /// The type of number.
     pub number: TokenStream,
     /// The generic parameter that the number is, if it is one.
-    pub generic: Option<Ident>,
+    generic: Option<Ident>,
     /// The type of number, by name.
     pub real: Real,
     /// The names that functions cannot bind.
@@ -77,6 +77,14 @@ impl Dialect {
             sines: Sines::default(),
             bare: false,
             fields: None,
+        }
+    }
+
+    /// The generic parameter with its bound.
+    pub fn bound(&self) -> Option<TokenStream> {
+        match (&self.generic, &self.world) {
+            (Some(generic), World::Runtime(runtime)) => Some(quote! { #generic: #runtime::Scalar }),
+            _ => None,
         }
     }
 
@@ -169,7 +177,7 @@ impl Dialect {
         }
     }
 
-    /// The statements that bind all sines and cosines.
+    /// The statements that bind all sines and cosines, of which there is at least one.
     pub fn sines_and_cosines(
         &self,
         sines: &[TokenStream],
@@ -178,7 +186,6 @@ impl Dialect {
         names: &mut Names,
     ) -> TokenStream {
         match &self.world {
-            _ if angles.is_empty() => TokenStream::new(),
             World::Runtime(runtime) if self.sines == Sines::Platform => one_by_one(
                 &quote! { #runtime::Scalar::sin_cos },
                 sines,
@@ -200,11 +207,9 @@ impl Dialect {
                 }
             }
             World::Core(library) => {
-                let own = || {
-                    let name = ident(sines::NAME);
-                    quote! { Self::#name }
-                };
-                let sin_cos = library.sin_cos.clone().unwrap_or_else(own);
+                let own = ident(sines::NAME);
+                let sin_cos = library.sin_cos.clone();
+                let sin_cos = sin_cos.unwrap_or_else(|| quote! { Self::#own });
                 one_by_one(&sin_cos, sines, cosines, angles)
             }
         }

@@ -45,6 +45,7 @@ impl Item {
             declaration: Declaration::Made,
         }
     }
+
     /// A public struct to be made, called as a robot is.
     #[must_use]
     pub fn named_after(robot: &str) -> Self {

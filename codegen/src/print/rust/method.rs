@@ -5,7 +5,6 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
-use syn::{GenericParam, parse_quote};
 
 use super::body::{Body, body};
 use super::comments::doc;
@@ -13,11 +12,12 @@ use super::declaration;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{Lengths, known};
+use super::names::ident;
 use super::results::{result_type, result_value};
 use super::world::World;
 use crate::function::Function;
 use crate::print::{Listed, Listing, arguments, documentation};
-use crate::space::{Space, Variable};
+use crate::space::Space;
 
 /// The method that computes `listed`.
 pub(super) fn method(
@@ -55,16 +55,10 @@ pub(super) fn in_trait(
     dialect: &Dialect,
 ) -> TokenStream {
     let arguments = function.arguments().iter();
-    let arguments = arguments.map(|argument| format_ident!("{}", argument.name()));
+    let arguments = arguments.map(|argument| ident(argument.name()));
     let call = quote! { Self::#name(self, #(#arguments),*) };
-    implementation(
-        item,
-        function,
-        &known(&listing.spaces),
-        None,
-        &call,
-        dialect,
-    )
+    let lengths = known(&listing.spaces);
+    implementation(item, function, &lengths, None, &call, dialect)
 }
 
 /// The implementation of a function's trait, for arrays of the given lengths (which may be the
@@ -73,7 +67,7 @@ pub(super) fn implementation(
     item: &Item,
     function: Function,
     lengths: Lengths<'_>,
-    unknown: Option<GenericParam>,
+    unknown: Option<&TokenStream>,
     call: &TokenStream,
     dialect: &Dialect,
 ) -> TokenStream {
@@ -81,25 +75,14 @@ pub(super) fn implementation(
         return TokenStream::new();
     };
     let number = &dialect.number;
-    let generic: Option<GenericParam> = dialect
-        .generic
-        .as_ref()
-        .map(|generic| parse_quote! { #generic: #runtime::Scalar });
-    let more: Vec<_> = unknown.into_iter().chain(generic).collect();
     // The traits are called as the functions are, in the case of types.
     let name = format_ident!("{function:?}");
     let count = lengths(Space::Velocities);
     let of = quote! { #runtime::robot::#name<#count, #number> };
-    let head = declaration::implementation(item, &of, &more);
-    let method = format_ident!("{}", function.name());
-    let result = result_type(&[function], lengths, dialect);
-    let parameters = parameters(function.arguments(), lengths, dialect);
-    quote! {
-        #head {
-            #[inline]
-            fn #method(&self, #parameters) -> #result { #call }
-        }
-    }
+    let head = declaration::implementation(item, &of, &generics(unknown, dialect));
+    let method = ident(function.name());
+    let parameters = parameters(&[function], lengths, dialect);
+    quote! { #head { #[inline] fn #method #parameters { #call } } }
 }
 
 /// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]`; `unknown` is a generic
@@ -111,28 +94,32 @@ pub(super) fn signature(
     unknown: Option<&TokenStream>,
     dialect: &Dialect,
 ) -> TokenStream {
-    let generic = dialect
-        .generic
-        .as_ref()
-        .map(|generic| match &dialect.world {
-            World::Runtime(runtime) => quote! { #generic: #runtime::Scalar, },
-            World::Core(_) => TokenStream::new(),
-        });
-    let generics = match (generic, unknown) {
-        (None, None) => TokenStream::new(),
-        (generic, unknown) => quote! { <#generic #unknown> },
+    let generics = generics(unknown, dialect);
+    let name = match &*generics {
+        [] => quote! { #name },
+        generics => quote! { #name<#(#generics),*> },
     };
-    let parameters = parameters(&arguments(functions), lengths, dialect);
-    let result = result_type(functions, lengths, dialect);
-    quote! { fn #name #generics(&self, #parameters) -> #result }
+    let parameters = parameters(functions, lengths, dialect);
+    quote! { fn #name #parameters }
 }
 
-fn parameters(arguments: &[Variable], lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
+/// The generic parameters of a function.
+fn generics(unknown: Option<&TokenStream>, dialect: &Dialect) -> Vec<TokenStream> {
+    dialect
+        .bound()
+        .into_iter()
+        .chain(unknown.cloned())
+        .collect()
+}
+
+/// `(&self, q: &[T; 2]) -> [T; 2]`.
+fn parameters(functions: &[Function], lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
     let number = &dialect.number;
-    let parameters = arguments.iter().map(|argument| {
-        let name = format_ident!("{}", argument.name());
+    let parameters = arguments(functions).into_iter().map(|argument| {
+        let name = ident(argument.name());
         let length = lengths(argument.space());
         quote! { #name: &[#number; #length] }
     });
-    quote! { #(#parameters),* }
+    let result = result_type(functions, lengths, dialect);
+    quote! { (&self, #(#parameters),*) -> #result }
 }

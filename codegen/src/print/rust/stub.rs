@@ -1,4 +1,4 @@
-//! What is emitted after an error, so that one bad joint does not raise forty more errors.
+//! What is printed after an error, so that one bad joint does not raise forty more errors.
 //!
 //! In: what was asked for, and as much as is known of the robot. Out: the right signatures with
 //! bodies that type-check and never run. It never says what the mistake was; that is in
@@ -6,7 +6,6 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{GenericParam, parse_quote};
 
 use super::dialect::Dialect;
 use super::item::{Declaration, Item};
@@ -57,17 +56,18 @@ pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
                 continue;
             }
             let name = ident(&names.fresh(&print::name(functions, frame)));
-            let signature =
-                method::signature(&name, functions, &lengths, parameter.as_ref(), &dialect);
+            let parameter = parameter.as_ref();
+            let signature = method::signature(&name, functions, &lengths, parameter, &dialect);
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
-                let parameter: Option<GenericParam> = parameter
-                    .as_ref()
-                    .map(|parameter| parse_quote! { #parameter });
-                let call = quote! { ::core::unreachable!() };
                 traits.extend(method::implementation(
-                    item, *function, &lengths, parameter, &call, &dialect,
+                    item,
+                    *function,
+                    &lengths,
+                    parameter,
+                    &unreachable,
+                    &dialect,
                 ));
             }
         }

@@ -11,7 +11,7 @@ use quote::{quote, quote_spanned};
 use crate::description::{Description, Item, attributes, inline};
 use crate::error::Errors;
 use crate::expand::expand;
-use crate::print::rust::{self, Declaration, Wanted, World};
+use crate::print::rust::{self, Declaration, World};
 use crate::{chain, request};
 
 /// Expands `#[derive(Robot)]`.
@@ -70,11 +70,7 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
     }
     let mistakes = errors.to_compile_errors();
     let joints = read.and_then(|robot| count(robot, &item.request));
-    let stub = rust::stub(&Wanted {
-        item: &target,
-        request: &item.request,
-        joints,
-    });
+    let stub = rust::stub(&target, &item.request, joints);
     quote! { #mistakes #stub }
 }
 

@@ -1,8 +1,8 @@
 //! The way through the house: from a description to everything that is printed for it.
 //!
-//! In: a description and a request. Out: a [`Listing`]. It only
-//! connects the stages: where they offer more than one way, `choice` decides by count, between those
-//! that `forward` finds accurate enough by what has been `measured`.
+//! In: a description and a request. Out: a [`Listing`]. It only connects the stages: where they offer
+//! more than one way, `choice` decides by count, between those that `forward` finds accurate enough by
+//! what has been `measured`.
 
 mod about;
 mod choice;

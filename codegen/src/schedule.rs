@@ -97,21 +97,6 @@ impl<T> Operation<T> {
         )
     }
 
-    /// What it acts on.
-    #[must_use]
-    pub fn operands(&self) -> Vec<T>
-    where
-        T: Clone,
-    {
-        match self.clone() {
-            Self::Sqrt(a) | Self::Neg(a) => vec![a],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
-            Self::MulAdd(a, b, c) | Self::MulSub(a, b, c) | Self::NegMulAdd(a, b, c) => {
-                vec![a, b, c]
-            }
-        }
-    }
-
     /// The same operation on what takes the place of its operands.
     pub fn map<U>(self, mut of: impl FnMut(T) -> U) -> Operation<U> {
         match self {
@@ -124,6 +109,20 @@ impl<T> Operation<T> {
             Self::MulAdd(a, b, c) => Operation::MulAdd(of(a), of(b), of(c)),
             Self::MulSub(a, b, c) => Operation::MulSub(of(a), of(b), of(c)),
             Self::NegMulAdd(a, b, c) => Operation::NegMulAdd(of(a), of(b), of(c)),
+        }
+    }
+}
+
+impl Operation {
+    /// What it acts on.
+    #[must_use]
+    pub fn operands(&self) -> Vec<Operand> {
+        match *self {
+            Self::Sqrt(a) | Self::Neg(a) => vec![a],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::MulAdd(a, b, c) | Self::MulSub(a, b, c) | Self::NegMulAdd(a, b, c) => {
+                vec![a, b, c]
+            }
         }
     }
 }

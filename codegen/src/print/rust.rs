@@ -34,7 +34,7 @@ pub use extern_c::c_header;
 pub use item::{Declaration, Item};
 #[cfg(feature = "pretty")]
 pub use pretty::Source;
-pub use stub::{Wanted, stub};
+pub use stub::stub;
 pub use world::{Library, World};
 
 /// The struct, where it has to be declared, its methods, and what stands beside them: with the
@@ -43,7 +43,7 @@ pub use world::{Library, World};
 /// Without the runtime, [`Real::Generic`](crate::real::Real::Generic) is taken for `f64`.
 #[must_use]
 pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
-    let dialect = Dialect::of(listing, item, world);
+    let dialect = Dialect::of(listing.scalar, listing.sines, item, world);
     let mut methods = TokenStream::new();
     let mut beside = TokenStream::new();
     for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
@@ -63,7 +63,7 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
 /// The methods that [`print()`] writes for functions, alone, to be read.
 #[must_use]
 pub fn methods(listing: &Listing, item: &Item, world: &World) -> TokenStream {
-    let dialect = Dialect::of(listing, item, world);
+    let dialect = Dialect::of(listing.scalar, listing.sines, item, world);
     let methods = listing.functions.iter().zip(names::of_methods(listing));
     methods
         .map(|(listed, name)| method::method(listing, item, listed, &name, &dialect))

@@ -54,7 +54,7 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
             let methods = rust::print(&listing, &item, &World::default());
             let module = format!("m_{count}");
             count += 1;
-            writeln!(modules, "mod {module} {{ {} }}", methods)?;
+            writeln!(modules, "mod {module} {{ {methods} }}")?;
             for (listed, k) in listing.functions.iter().zip(served) {
                 let (function, cases) = (scene.functions[k], &mut cases[k]);
                 prices.push((scene.name.clone(), variant.name, function, listed.price));

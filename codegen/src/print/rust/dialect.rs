@@ -1,6 +1,6 @@
 //! What differs between code for the runtime and code for `core` alone.
 //!
-//! In: a [`Listing`], its struct and its world. Out: the spellings of numbers, their type and
+//! In: the type of number, a struct and its world. Out: the spellings of numbers, their type and
 //! mathematical functions, by which statements are the same in every dialect. It never writes an
 //! operation or a signature.
 
@@ -43,22 +43,13 @@ pub(super) struct Dialect {
 }
 
 impl Dialect {
-    /// For a robot's struct in some world.
-    pub fn of(listing: &Listing, item: &Item, world: &World) -> Self {
-        let real = match (world, listing.scalar) {
+    /// For a struct in some world; without the runtime [`Real::Generic`] is taken for `f64`.
+    pub fn of(scalar: Real, sines: Sines, item: &Item, world: &World) -> Self {
+        let real = match (world, scalar) {
             (World::Core(_), Real::Generic) => Real::F64,
             (_, real) => real,
         };
         let made = matches!(item.declaration, Declaration::Made);
-        Self {
-            fields: made.then_some(real),
-            sines: listing.sines,
-            ..Self::without_robot(real, item, world)
-        }
-    }
-
-    /// For as much as is known where the robot is not.
-    pub fn without_robot(real: Real, item: &Item, world: &World) -> Self {
         let mut names = item.names();
         let generic = (real == Real::Generic).then(|| ident(&names.alone("T")));
         let number = match (&generic, world, real) {
@@ -74,9 +65,9 @@ impl Dialect {
             generic,
             real,
             names,
-            sines: Sines::default(),
+            sines,
             bare: false,
-            fields: None,
+            fields: made.then_some(real),
         }
     }
 

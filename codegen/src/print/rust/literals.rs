@@ -1,11 +1,11 @@
 //! Numbers as Rust reads them back: exactly.
 //!
-//! In: an `f64`. Out: the shortest decimal that the type in question reads as the same number.
-//! It never rounds, except to that type.
+//! In: an `f64` that is finite in the type in question. Out: the shortest decimal that the type reads as
+//! the same number. It never rounds, except to that type.
 
 use std::str::FromStr;
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 /// How a number is written.
@@ -23,6 +23,9 @@ pub(super) enum Numerals {
 
 impl Numerals {
     /// The number as an expression that binds tighter than any operator.
+    ///
+    /// # Panics
+    /// Where it is not finite.
     pub fn write(&self, value: f64) -> TokenStream {
         match self {
             Self::Bare => signed(value, &format!("{:?}", value.abs())),
@@ -45,29 +48,12 @@ fn single(size: f64) -> String {
 }
 
 fn signed(value: f64, size: &str) -> TokenStream {
-    let number = match Literal::from_str(size) {
-        Ok(literal) => quote! { #literal },
-        // `inf_f32`: no literal says so.
-        Err(_) => beyond(size),
-    };
+    let number = Literal::from_str(size).expect("what is not finite is refused before");
     if value.is_sign_negative() {
         quote! { -#number }
     } else {
-        number
+        quote! { #number }
     }
-}
-
-/// What has no literal: an infinity, or not a number.
-fn beyond(size: &str) -> TokenStream {
-    let primitive = if size.ends_with("_f32") { "f32" } else { "f64" };
-    let constant = if size.starts_with("inf") {
-        "INFINITY"
-    } else {
-        "NAN"
-    };
-    let [primitive, constant] =
-        [primitive, constant].map(|name| Ident::new(name, Span::call_site()));
-    quote! { ::core::primitive::#primitive::#constant }
 }
 
 #[cfg(test)]
@@ -102,13 +88,5 @@ mod tests {
         assert_eq!(write(&Numerals::Single, 1e-5), "1e-5_f32");
         assert_eq!(write(&Numerals::Double, -0.0), "-0.0_f64");
         assert_eq!(write(&through, -9.81), "k(-9.81)");
-    }
-
-    #[test]
-    fn what_single_precision_cannot_hold_is_infinite() {
-        assert_eq!(
-            Numerals::Single.write(-1e39).to_string().replace(' ', ""),
-            "-::core::primitive::f32::INFINITY"
-        );
     }
 }

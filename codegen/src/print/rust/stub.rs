@@ -16,29 +16,17 @@ use super::{chain, declaration, method};
 use crate::print;
 use crate::request::Request;
 
-/// What the user's code may call.
-#[derive(Clone, Copy)]
-pub struct Wanted<'a> {
-    /// The struct.
-    pub item: &'a Item,
-    /// What was asked for, as far as it could be read.
-    pub request: &'a Request,
-    /// The number of joints, where the description was good enough to tell.
-    pub joints: Option<usize>,
-}
-
 /// Every method, trait and `chain` that was asked for, for a crate that has the runtime.
 ///
-/// Where the number of joints is unknown it is a parameter of each function, so that calls with
-/// arrays of any length type-check.
+/// Where the number of joints is unknown, because the description was not good enough to tell it, it
+/// is a parameter of each function, so that calls with arrays of any length type-check.
 #[must_use]
-pub fn stub(wanted: &Wanted<'_>) -> TokenStream {
-    let Wanted { item, request, .. } = wanted;
+pub fn stub(item: &Item, request: &Request, joints: Option<usize>) -> TokenStream {
     let world = World::runtime(request.runtime.as_ref());
-    let dialect = Dialect::without_robot(request.scalar, item, &world);
+    let dialect = Dialect::of(request.scalar, request.formulation.sines, item, &world);
     let unnamed = || ident(&dialect.names.clone().alone("N"));
-    let unknown = wanted.joints.is_none().then(unnamed);
-    let count = match (&unknown, wanted.joints) {
+    let unknown = joints.is_none().then(unnamed);
+    let count = match (&unknown, joints) {
         (None, Some(joints)) => literal(joints),
         (name, _) => quote! { #name },
     };

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
-use super::{Declaration, Item, Source, Wanted, World, print, stub};
+use super::{Declaration, Item, Source, World, print, stub};
 use crate::accuracy::{Accuracy, Bound, Promise};
 use crate::description::Name;
 use crate::expression::Input;
@@ -320,12 +320,7 @@ fn a_stub_has_the_signatures_of_what_was_asked_for() {
         ..Request::default()
     };
     let text = |joints| {
-        let wanted = Wanted {
-            item: &item,
-            request: &request,
-            joints,
-        };
-        let text = pretty(&stub(&wanted));
+        let text = pretty(&stub(&item, &request, joints));
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let unknown = text(None);

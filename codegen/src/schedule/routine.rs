@@ -143,7 +143,7 @@ struct Naming<'p> {
     inputs: BTreeMap<Input, Option<String>>,
     angles: Vec<Angle>,
     steps: Vec<String>,
-    /// The joints whose coordinates a step is the sum of.
+    /// The coordinates that a step is the sum of.
     sums: Vec<Option<Vec<u16>>>,
     unnamed: usize,
 }
@@ -191,14 +191,14 @@ impl Naming<'_> {
         statements.collect()
     }
 
-    /// An operation whose result is called as its entry of a matrix, or after the joints whose
-    /// coordinates it is the sum of, or by a number.
+    /// An operation whose result is called as its entry of a matrix, or after the coordinates
+    /// that it is the sum of, or by a number.
     fn operation(&mut self, step: &Step) -> Statement {
         let operation = step.operation.map(|operand| self.value(operand));
         let sum = self.sum(step.operation);
         let wish = match (&step.label, &sum) {
             (Some(label), _) => label.clone(),
-            (None, Some(joints)) => format!("q_{}", numbers(joints)),
+            (None, Some(coordinates)) => format!("q_{}", numbers(coordinates)),
             (None, None) => {
                 self.unnamed += 1;
                 format!("t_{}", self.unnamed)
@@ -210,8 +210,7 @@ impl Naming<'_> {
         Statement::Operation(name, operation)
     }
 
-    /// All sines and cosines: of a joint's own angle after the joint, of a sum of angles after the
-    /// joints.
+    /// All sines and cosines, called after the coordinates that the angles are sums of.
     fn sines_and_cosines(&mut self) -> Option<Statement> {
         for (index, &angle) in (0_u32..).zip(&self.program.angles) {
             let subject = self.subject(angle);
@@ -234,27 +233,27 @@ impl Naming<'_> {
 
     /// What an angle is of: `2`, `2_3` for q₂ + q₃, or the name of a step.
     fn subject(&self, angle: Operand) -> String {
-        match (self.joints_of(angle), angle) {
-            (Some(joints), _) => numbers(&joints),
+        match (self.coordinates_of(angle), angle) {
+            (Some(coordinates), _) => numbers(&coordinates),
             (None, Operand::Step(step)) => self.steps[step as usize].clone(),
             (None, _) => "a".to_owned(),
         }
     }
 
-    /// The joints that an operation sums the coordinates of, if it does nothing else.
+    /// The coordinates that an operation sums, if it does nothing else.
     fn sum(&self, operation: Operation) -> Option<Vec<u16>> {
         let Operation::Add(a, b) = operation else {
             return None;
         };
-        let mut joints = self.joints_of(a)?;
-        joints.extend(self.joints_of(b)?);
-        joints.sort_unstable();
-        Some(joints)
+        let mut coordinates = self.coordinates_of(a)?;
+        coordinates.extend(self.coordinates_of(b)?);
+        coordinates.sort_unstable();
+        Some(coordinates)
     }
 
-    fn joints_of(&self, operand: Operand) -> Option<Vec<u16>> {
+    fn coordinates_of(&self, operand: Operand) -> Option<Vec<u16>> {
         match operand {
-            Operand::Input(Input::Variable(Variable::Q, joint)) => Some(vec![joint]),
+            Operand::Input(Input::Variable(Variable::Q, k)) => Some(vec![k]),
             Operand::Step(step) => self.sums.get(step as usize)?.clone(),
             _ => None,
         }
@@ -268,8 +267,8 @@ fn unbound(operand: Operand) -> Option<(Input, Option<String>)> {
     }
 }
 
-/// Joints as the paper counts them, from 1.
-fn numbers(joints: &[u16]) -> String {
-    let numbers: Vec<_> = joints.iter().map(|joint| (joint + 1).to_string()).collect();
+/// Coordinates as the paper counts them, from 1.
+fn numbers(coordinates: &[u16]) -> String {
+    let numbers: Vec<_> = coordinates.iter().map(|k| (k + 1).to_string()).collect();
     numbers.join("_")
 }

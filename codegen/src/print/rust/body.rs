@@ -44,7 +44,8 @@ pub(super) fn body(
         spaces: &listing.spaces,
         fields: &fields.collect::<Vec<_>>(),
     };
-    let routine = Routine::of(program, &readable, names);
+    let mut routine = Routine::of(program, &readable, names);
+    let returned = returned(&mut routine);
     let loads = routine.fields.iter().zip(&listing.parameters);
     let loads = loads.filter(|(entries, _)| entries.iter().any(Option::is_some));
     let loads: Vec<_> = loads.collect();
@@ -74,9 +75,29 @@ pub(super) fn body(
     }
     statements.extend(writer.statements(&routine.statements));
     let results = routine.results.iter();
+    let results = results.map(|result| writer.read(result));
+    let results = match returned {
+        Some(operation) => vec![writer.operation(&operation)],
+        None => results.collect(),
+    };
     Body {
         statements,
-        results: results.map(|result| writer.read(result)).collect(),
+        results,
+    }
+}
+
+/// The last operation of a routine that has one number for a result, taken out: a name that is bound
+/// only to be returned is a lint.
+fn returned(routine: &mut Routine) -> Option<Operation<Value>> {
+    let [Value::Name(result)] = &*routine.results else {
+        return None;
+    };
+    let last = routine
+        .statements
+        .pop_if(|last| matches!(last, Statement::Operation(name, _) if name == result));
+    match last {
+        Some(Statement::Operation(_, operation)) => Some(operation),
+        _ => None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! The functions that can be generated.
 //!
 //! A shared noun, and the table of all functions: what is known of one stands in its own file, as a
-//! [`Definition`](definition::Definition), and every stage and every door asks it there.
+//! `Definition`, and every stage and every door asks it there.
 
 mod acceleration;
 mod bias;

@@ -144,7 +144,7 @@ const MUTATIONS: [Mutation; 34] = [
     },
     Mutation {
         name: "regrouping: mass beside the axis passed on",
-        file: "codegen/src/layout/regroup.rs",
+        file: "codegen/src/joint/motion.rs",
         from: "Symmetric([zero, zero, zz, zero, zero, zero])",
         to: "Symmetric([zz, zero, zero, zero, zero, zero])",
         noticed_by: engine(CHECKED),

@@ -31,8 +31,8 @@ pub const EQUATIONS: &[Mutation] = &[
     Mutation {
         name: "names: the frame of a branch by the number of its joint",
         file: "codegen/src/model/carry.rs",
-        from: "self.parent.map_or(0, |parent| parent + 1)",
-        to: "self.index",
+        from: "body.parent.map_or(0, |parent| parent + 1)",
+        to: "k",
         noticed_by: Test {
             package: "homogen-tests",
             target: &["--test", "names"],

@@ -205,7 +205,7 @@ impl Builder {
 
     /// The processor that the functions run on; it decides which operations are chosen, and the price
     /// tells its cycles.
-    pub fn target(mut self, processor: Processor) -> Self {
+    pub fn processor(mut self, processor: Processor) -> Self {
         self.request.processor = processor;
         self
     }

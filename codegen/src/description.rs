@@ -26,7 +26,7 @@ use proc_macro2::Span;
 pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;
 use crate::error::{Complaint, Errors, Place};
-use crate::joint::JointKind;
+pub use crate::joint::JointKind;
 pub use crate::number::Number;
 
 /// A robot as it was described: links and joints in the order of the text.

@@ -140,7 +140,7 @@ fn check_processor(request: &Request) -> Result<(), Errors> {
                 "{} computes f64 in software, operation by operation",
                 request.processor.name()
             ),
-            "choose f32 as the scalar, or another target",
+            "choose f32 as the scalar, or another processor",
         );
     }
     errors.into_result(())

@@ -8,31 +8,49 @@
 //!                             numbers                           spaces
 //! ```
 
-pub mod accuracy;
 pub mod builder;
-pub mod chain;
-pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
-mod dense;
 pub mod description;
-pub mod door;
 pub mod error;
-pub mod expand;
-pub mod expression;
 pub mod formulation;
 pub mod function;
-pub mod joint;
-pub mod layout;
-pub mod matrix;
-pub mod model;
-pub mod number;
-pub mod print;
 pub mod processor;
 pub mod real;
 pub mod request;
+
+// Not for users: what the macros call, and the stages and nouns that the project's own tests and
+// reports look at.
+#[doc(hidden)]
+pub mod accuracy;
+#[doc(hidden)]
+pub mod chain;
+#[doc(hidden)]
+pub mod check;
+mod dense;
+#[doc(hidden)]
+pub mod door;
+#[doc(hidden)]
+pub mod expand;
+#[doc(hidden)]
+pub mod expression;
+#[doc(hidden)]
+pub mod joint;
+#[doc(hidden)]
+pub mod layout;
+#[doc(hidden)]
+pub mod matrix;
+#[doc(hidden)]
+pub mod model;
+#[doc(hidden)]
+pub mod number;
+#[doc(hidden)]
+pub mod print;
+#[doc(hidden)]
 pub mod schedule;
+#[doc(hidden)]
 pub mod simplify;
+#[doc(hidden)]
 pub mod space;
 mod wording;
 

@@ -78,7 +78,7 @@ impl Processor {
     pub fn from_name(name: &str) -> Result<Self, String> {
         let mut all = Self::ALL.into_iter();
         all.find(|processor| processor.name() == name)
-            .ok_or_else(|| known(name, "targets", &Self::ALL.map(Self::name)))
+            .ok_or_else(|| known(name, "processors", &Self::ALL.map(Self::name)))
     }
 
     /// Whether it computes in a type of number without calling a library for every operation.
@@ -130,7 +130,7 @@ mod tests {
         assert_eq!(
             Processor::from_name("cortex-m5"),
             Err(
-                "did you mean \"cortex-m4\"? known targets: portable, cortex-m4, cortex-m7, \
+                "did you mean \"cortex-m4\"? known processors: portable, cortex-m4, cortex-m7, \
                  x86-64, x86-64-v3 and aarch64"
                     .to_owned()
             )

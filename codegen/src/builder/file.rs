@@ -120,7 +120,7 @@ impl Builder {
         options.extend(request.exact.then(|| "exact".to_owned()));
         options.extend(request.strict.then(|| "strict".to_owned()));
         let chosen = request.processor != Processor::Portable;
-        options.extend(chosen.then(|| format!("target {}", request.processor.name())));
+        options.extend(chosen.then(|| format!("processor {}", request.processor.name())));
         let prefix = self.library.c_prefix.as_ref();
         options.extend(prefix.map(|prefix| format!("functions {prefix}… for C")));
         options.join(", ")

@@ -51,8 +51,8 @@ pub(super) struct Robot {
     strict: bool,
     /// The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64
     /// [default: portable]
-    #[arg(long, value_name = "NAME", value_parser = target)]
-    target: Option<Processor>,
+    #[arg(long, value_name = "NAME", value_parser = processor)]
+    processor: Option<Processor>,
     /// How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged,
     /// unfused, platform-sines
     /// [default: what the engine chooses]
@@ -116,7 +116,7 @@ impl Robot {
             strict: self.strict,
             functions: functions.iter().map(|item| item.0.clone()).collect(),
             formulation: self.formulation.unwrap_or_default(),
-            processor: self.target.unwrap_or_default(),
+            processor: self.processor.unwrap_or_default(),
             ..Request::default()
         }
     }
@@ -207,8 +207,8 @@ fn gravity(text: &str) -> Result<Gravity, String> {
     entries.map_err(|_| "gravity is three numbers with commas between them, or none".to_owned())
 }
 
-fn target(text: &str) -> Result<Processor, String> {
-    Processor::from_name(text).map_err(|hint| format!("there is no such target\n  hint: {hint}"))
+fn processor(text: &str) -> Result<Processor, String> {
+    Processor::from_name(text).map_err(|hint| format!("there is no such processor\n  hint: {hint}"))
 }
 
 /// The words of attributes, with dashes.

@@ -35,7 +35,7 @@ const WORDS: [&str; 19] = [
     "scalar",
     "generate",
     "formulation",
-    "target",
+    "processor",
     "crate",
     "link",
     "joint",
@@ -140,7 +140,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             let content = in_parentheses(input, &key, "formulation(raw, refined = 1)")?;
             request.formulation = formulation(&content, errors)?;
         }
-        "target" => {
+        "processor" => {
             tokens::separator(input, &key)?;
             request.processor = processor(input)?;
         }
@@ -200,16 +200,16 @@ fn scalar(input: ParseStream) -> Parsed<Real> {
 /// The name of a processor, as a string.
 fn processor(input: ParseStream) -> Parsed<Processor> {
     if !input.peek(LitStr) {
-        let hint = "write target = \"cortex-m4\"";
+        let hint = "write processor = \"cortex-m4\"";
         return Err(complaint_with_hint(
             input.span(),
-            "`target` needs the name of a processor",
+            "`processor` needs the name of a processor",
             hint,
         ));
     }
     let name: LitStr = input.parse()?;
     Processor::from_name(&name.value()).map_err(|hint| {
-        let message = format!("unknown target {}", quoted(&name.value()));
+        let message = format!("unknown processor {}", quoted(&name.value()));
         complaint_with_hint(name.span(), message, hint)
     })
 }

@@ -1,7 +1,7 @@
 //! H, the acceleration matrix (paper, eq. 7), carried by its parts: to rotate ω and ω̇ and rebuild
 //! G costs a third of rotating G.
 
-use super::{Pose, Rotation, Vector};
+use super::{Rotation, Vector};
 use crate::expression::{Graph, Term};
 
 /// An acceleration matrix H: G, a₀; 0, 0 with G = ω̲̇ + ω̲².
@@ -74,12 +74,6 @@ impl<'g> Acceleration<Term<'g>> {
             a: self.point(pole),
             ..self
         }
-    }
-
-    /// M H M⁻¹ (eq. 9): the new pole is the point of the body at the new origin.
-    #[must_use]
-    pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
-        self.rotate(pose.rotation).move_pole(-pose.translation)
     }
 }
 

@@ -133,8 +133,8 @@ fn arguments_that_make_no_sense() {
         ),
         ("check - --gravity 0,0,inf", "`inf` is not a finite number"),
         (
-            "count - --target cortex-m5",
-            "there is no such target\n  hint: did you mean \"cortex-m4\"? known targets: portable,",
+            "count - --processor cortex-m5",
+            "there is no such processor\n  hint: did you mean \"cortex-m4\"? known processors: portable,",
         ),
         ("check - --lock elbow=bent", "`bent` is not a number"),
         ("eval - --function gravity", "--states <FILE>"),

@@ -27,7 +27,7 @@ fn listing(processor: Processor, scalar: Real) -> Result<Listing, Errors> {
 
 fn file(processor: Processor) -> String {
     let builder = Builder::from_urdf(PANDA).generate([Function::InverseDynamics]);
-    let source = builder.target(processor).scalar(Real::F32).to_source();
+    let source = builder.processor(processor).scalar(Real::F32).to_source();
     source
         .unwrap_or_else(|errors| panic!("{errors}"))
         .to_string()
@@ -65,7 +65,7 @@ fn prices_follow_the_processor() {
 }
 
 #[test]
-fn without_a_target_nothing_is_said_of_cycles() {
+fn without_a_processor_nothing_is_said_of_cycles() {
     let portable = listing(Processor::Portable, Real::Generic).expect("it has no mistakes");
     assert!(
         portable
@@ -80,7 +80,7 @@ fn without_a_target_nothing_is_said_of_cycles() {
 fn products_are_fused_where_the_processor_can() {
     let fuses = |processor: &str| {
         let tokens = quote! {
-            #[robot(urdf = #PANDA, tip = "link8", target = #processor, generate(gravity))]
+            #[robot(urdf = #PANDA, tip = "link8", processor = #processor, generate(gravity))]
             struct Panda;
         };
         door::derive(tokens).to_string().contains("mul_add (")
@@ -92,7 +92,10 @@ fn products_are_fused_where_the_processor_can() {
 #[test]
 fn a_file_for_core_counts_on_no_fused_product() {
     let text = file(Processor::AArch64);
-    assert!(text.contains("// Options: f32, target aarch64."), "{text}");
+    assert!(
+        text.contains("// Options: f32, processor aarch64."),
+        "{text}"
+    );
     // 305 products and 278 sums, each for itself, on two units.
     assert!(
         text.contains("on aarch64 292 cycles of arithmetic"),
@@ -107,21 +110,21 @@ fn f64_on_a_processor_without_is_refused() {
     assert_eq!(
         refusal.to_string(),
         "error: cortex-m4 computes f64 in software, operation by operation\n  \
-         hint: choose f32 as the scalar, or another target\n"
+         hint: choose f32 as the scalar, or another processor\n"
     );
 }
 
 #[test]
 fn a_wrong_name_is_told_with_the_right_ones() {
     let refusal = door::derive(quote! {
-        #[robot(urdf = #PANDA, target = "cortexm4")]
+        #[robot(urdf = #PANDA, processor = "cortexm4")]
         struct Panda;
     });
     let text = refusal.to_string();
-    assert!(text.contains("unknown target"), "{text}");
+    assert!(text.contains("unknown processor"), "{text}");
     assert!(text.contains("did you mean"), "{text}");
     let no_name = door::derive(quote! {
-        #[robot(urdf = #PANDA, target = 4)]
+        #[robot(urdf = #PANDA, processor = 4)]
         struct Panda;
     });
     assert!(

@@ -64,6 +64,12 @@ impl Entity {
 }
 
 impl Quantity {
+    /// Whether it is one number by itself.
+    #[must_use]
+    pub fn is_number(&self) -> bool {
+        self.over.is_empty() && self.entity == Entity::Number
+    }
+
     /// How many entries each of its spaces has.
     #[must_use]
     pub fn lengths(&self, spaces: &Spaces) -> Vec<usize> {

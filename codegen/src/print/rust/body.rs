@@ -28,10 +28,11 @@ pub(super) struct Body {
 /// How many fields are loaded in one scope; three numbers of a field take up to four `let`s.
 const FIELDS: usize = LONGEST_SCOPE / 4;
 
-/// Writes a program down that reads these arguments and the fields of the struct.
+/// Writes a program down that reads these arguments and the fields of the struct, and whose result is
+/// one number by itself or in arrays.
 pub(super) fn body(
     program: &Program,
-    arguments: &[Variable],
+    (arguments, returns_number): (&[Variable], bool),
     listing: &Listing,
     dialect: &Dialect,
 ) -> Body {
@@ -45,7 +46,7 @@ pub(super) fn body(
         fields: &fields.collect::<Vec<_>>(),
     };
     let mut routine = Routine::of(program, &readable, names);
-    let returned = returned(&mut routine);
+    let returned = returns_number.then(|| returned(&mut routine)).flatten();
     let loads = routine.fields.iter().zip(&listing.parameters);
     let loads = loads.filter(|(entries, _)| entries.iter().any(Option::is_some));
     let loads: Vec<_> = loads.collect();
@@ -86,8 +87,8 @@ pub(super) fn body(
     }
 }
 
-/// The last operation of a routine that has one number for a result, taken out: a name that is bound
-/// only to be returned is a lint.
+/// The last operation of a routine, taken out where it is the result: a name that is bound only to be
+/// returned is a lint.
 fn returned(routine: &mut Routine) -> Option<Operation<Value>> {
     let [Value::Name(result)] = &*routine.results else {
         return None;

@@ -30,7 +30,7 @@ pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
     let Body {
         statements,
         results,
-    } = body(&data.program, &[], listing, &dialect.of_data());
+    } = body(&data.program, (&[], false), listing, &dialect.of_data());
     let value = value(data, &results, runtime);
 
     let about = doc(&documentation::of_chain(listing));

@@ -28,10 +28,17 @@ pub(super) fn method(
     dialect: &Dialect,
 ) -> TokenStream {
     let arguments = listed.arguments();
+    let is_number = |function: &Function| function.result().is_number();
+    let returns_number = matches!(&*listed.functions, [only] if is_number(only));
     let Body {
         statements,
         results,
-    } = body(&listed.program, &arguments, listing, dialect);
+    } = body(
+        &listed.program,
+        (&arguments, returns_number),
+        listing,
+        dialect,
+    );
     let result = result_value(&listed.functions, &listing.spaces, &results, dialect);
 
     let about = documentation::of_function(listing, listed, dialect.angles().as_ref());

@@ -15,6 +15,7 @@ pub mod physical;
 mod shape;
 #[cfg(test)]
 pub(crate) mod tests;
+mod tree;
 
 use crate::description::{Description, Limits, Source};
 use crate::error::{Complaint, Errors, Place};

@@ -9,9 +9,11 @@ mod choice;
 mod data;
 mod forward;
 mod measured;
+mod program;
 mod solvable;
 
-pub use choice::{expressions_by, program, program_as, program_by, program_for};
+pub use choice::{program, program_as, program_for};
+pub use program::{expressions_by, program_by};
 
 use crate::accuracy::{self, Accuracy, Means};
 use crate::chain::{self, Chain};

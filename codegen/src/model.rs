@@ -13,60 +13,21 @@ pub(crate) mod gravity;
 pub(crate) mod jacobian;
 mod newton_euler;
 pub(crate) mod pose;
+mod state;
 mod turn;
 pub(crate) mod twist;
+mod way;
 
 pub(crate) use self::articulated::{
     INERTIA as ARTICULATED_INERTIA, MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP,
 };
-pub use crate::formulation::{Angles, Forward, Frame};
 
-use crate::expression::{Graph, Input, Term};
+pub(crate) use self::state::State;
+pub use self::way::{Angles, Carried, Forward, Frame, Way};
+
+use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::matrix::Vector;
-use crate::space::Variable;
-
-/// One of several ways to compute the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Way {
-    /// The frame in which the recursions run; the articulated bodies' are those of the links.
-    pub frame: Frame,
-    /// Whether the angles of parallel axes are summed.
-    pub angles: Angles,
-    /// How the pose of a frame is found.
-    pub pose: Carried,
-    /// How accelerations are found from forces.
-    pub forward: Forward,
-}
-
-/// How the pose of a frame is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Carried {
-    /// From the frame to the base, column by column.
-    Inwards {
-        /// Which column is made from the two others, which alone are carried; none where all are.
-        by_product: Option<usize>,
-    },
-    /// From the base to the frame, as the Jacobians are, with which it then shares the work.
-    Outwards,
-}
-
-impl Way {
-    /// Columns all carried inwards, accelerations by the mass matrix.
-    pub const PLAIN: Self = Self {
-        frame: Frame::Link,
-        angles: Angles::Apart,
-        pose: Carried::Inwards { by_product: None },
-        forward: Forward::UNREFINED,
-    };
-
-    /// Everything in frame 0, accelerations by the mass matrix.
-    pub const IN_FRAME_0: Self = Self {
-        frame: Frame::Base,
-        pose: Carried::Outwards,
-        ..Self::PLAIN
-    };
-}
 
 /// What a function is built from: bodies with their frames, a state, and the way.
 pub struct Scene<'s, 'g> {
@@ -177,56 +138,4 @@ pub(crate) fn articulated_steps<'g>(
     let joints = Scene::new(graph, bodies, 0, way).link_joints();
     let steps = joints.iter().map(|joint| articulated::step(joint, entries));
     steps.collect()
-}
-
-/// The arguments of the generated functions.
-pub(crate) struct State<'g> {
-    graph: &'g Graph,
-    /// Whether all rates are zero, whatever the arguments.
-    rest: bool,
-}
-
-impl<'g> State<'g> {
-    const fn of(graph: &'g Graph) -> Self {
-        Self { graph, rest: false }
-    }
-
-    /// Entry `k` of an argument.
-    fn entry(&self, variable: Variable, k: usize) -> Term<'g> {
-        let k = u16::try_from(k).expect("fewer than 65536 joints");
-        self.graph.input(Input::Variable(variable, k))
-    }
-
-    fn q(&self, k: usize) -> Term<'g> {
-        self.entry(Variable::Q, k)
-    }
-
-    pub(crate) fn qd(&self, k: usize) -> Term<'g> {
-        if self.rest {
-            self.zero()
-        } else {
-            self.entry(Variable::Qd, k)
-        }
-    }
-
-    fn qdd(&self, k: usize) -> Term<'g> {
-        self.entry(Variable::Qdd, k)
-    }
-
-    pub(crate) fn tau(&self, k: usize) -> Term<'g> {
-        self.entry(Variable::Tau, k)
-    }
-
-    pub(crate) fn qdds(&self, count: usize) -> Vec<Term<'g>> {
-        (0..count).map(|k| self.qdd(k)).collect()
-    }
-
-    /// A number.
-    pub(crate) fn constant(&self, value: f64) -> Term<'g> {
-        self.graph.constant(value)
-    }
-
-    pub(crate) fn zero(&self) -> Term<'g> {
-        self.graph.constant(0.0)
-    }
 }

@@ -13,12 +13,13 @@ mod tests;
 
 use self::inertias::{FROBENIUS, Outboard, TRUST, around_zero, errors, outboard};
 use self::sizes::{Link, Pair};
+use super::promise::{Accuracy, Means, Worst, backward, computed, error, value};
 use super::solved::{DOUBTFUL, caused, stays, tried, underflow, widened};
-use super::{Accuracy, Given, Means, Worst, backward, computed, error, value};
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::range::Range;
 use crate::chain::Chain;
 use crate::expression::{Expr, Graph, Input, Term};
+use crate::function::Given;
 use crate::layout::{Layout, arrange};
 use crate::model::{self, ARTICULATED_INERTIA, ARTICULATED_MOTION, Way};
 use crate::real::Real;

@@ -15,10 +15,11 @@
 //! Pivots are positive where M + ΔM is positive definite: with a bound S of |ΔM|, and
 //! xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
-use super::{Accuracy, Given, Means, Worst, backward, computed, error};
+use super::promise::{Accuracy, Means, Worst, backward, computed, error};
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::range::Range;
 use crate::chain::Chain;
+use crate::function::Given;
 use crate::layout::Layout;
 use crate::real::Real;
 use crate::schedule::Program;

@@ -8,6 +8,7 @@ use std::collections::HashMap;
 use super::names::Names;
 use super::numbers;
 use super::shape::{Joints, downstream, find_base};
+use super::tree::{Branch, Tree};
 use crate::description::{Description, Name, Number};
 use crate::error::Errors;
 use crate::request::{Request, Target};
@@ -16,35 +17,6 @@ use crate::wording::quoted;
 /// More joints than a robot has. Every number of a chain keeps how it came about, which of a file of
 /// megabytes would fill the memory.
 const MOST: usize = 5000;
-
-/// The part of a description that is modelled.
-#[derive(Debug)]
-pub struct Tree {
-    /// Index of the link taken as fixed.
-    pub base: usize,
-    /// Joints downstream of the base, parents before children and siblings as described, each with
-    /// the links it connects.
-    pub branches: Vec<Branch>,
-    /// The link that poses and Jacobians are of.
-    pub tip: Option<usize>,
-    /// Further links whose frames are asked for.
-    pub frames: Vec<usize>,
-    /// Links that are not modelled.
-    pub dropped: Vec<usize>,
-}
-
-/// A joint of the tree.
-#[derive(Debug)]
-pub struct Branch {
-    /// Index of the joint.
-    pub joint: usize,
-    /// Index of the link it hangs on.
-    pub parent: usize,
-    /// Index of the link it carries.
-    pub child: usize,
-    /// Where it is held still [rad or m]; none where it moves.
-    pub held: Option<Number>,
-}
 
 /// Checks all that connects items, and puts the joints in order.
 ///

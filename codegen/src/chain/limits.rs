@@ -3,7 +3,7 @@
 //! In: the description and its tree. Out: a doubt for each such joint that moves and has limits: they
 //! are left out.
 
-use super::check::Tree;
+use super::tree::Tree;
 use crate::description::Description;
 use crate::error::Complaint;
 use crate::wording::quoted;

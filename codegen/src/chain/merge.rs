@@ -4,7 +4,7 @@
 //! the mass of all that is fixed to them. Struct fields enter here as inputs; from here on they are
 //! scalars like all others. It never drops a mass.
 
-use super::check::{Branch, Tree};
+use super::tree::{Branch, Tree};
 use super::{Chain, Frame, Report, Snapped, angle};
 use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};

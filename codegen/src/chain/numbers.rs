@@ -6,7 +6,7 @@
 //! never changes a number.
 
 use super::Chain;
-use super::check::Tree;
+use super::tree::Tree;
 use crate::description::{Description, Number, Step};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr};

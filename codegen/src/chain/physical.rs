@@ -4,7 +4,7 @@
 //! report, or mistakes where the request is strict. It never changes a number: what no body can have
 //! is computed as given.
 
-use super::check::Tree;
+use super::tree::Tree;
 use super::{Chain, limits};
 use crate::description::{Description, Inertial, Link};
 use crate::error::{Complaint, Errors, Place};

@@ -3,8 +3,8 @@
 //! In: joints and the names of links. Out: a tree below one link; or the joints that make it
 //! something else. It never looks at what the joints allow.
 
-use super::check::Branch;
 use super::names::Names;
+use super::tree::Branch;
 use crate::description::{Description, Name};
 use crate::error::Errors;
 use crate::request::Request;

@@ -37,7 +37,7 @@ pub(super) struct Check {
 impl Check {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let request = self.robot.request(&self.frames.frames, &[]);
+        let request = self.robot.request(&self.frames.frames, Vec::new());
         let chain = expand::understand(&description, &request)?;
         let output = match self.format {
             Format::Text => in_text(&description, &chain),

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Map, Value, json};
 
-use super::functions::{self, Together};
+use super::functions;
 use super::options::{Format, Robot, STANDARD_INPUT, Scalar, is_standard_input, mistake};
 use super::states::State;
 use super::{Answer, Said, json, options, states};
@@ -62,8 +62,7 @@ impl Eval {
         }
         let function = self.function;
         let description = self.robot.description(input)?;
-        let functions = [Together(vec![function])];
-        let mut request = self.robot.request(&self.frame, &functions);
+        let mut request = self.robot.request(&self.frame, vec![vec![function]]);
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
         let (text, file) = self.text(input)?;

@@ -40,7 +40,8 @@ pub(super) struct Together(pub(super) Vec<Function>);
 impl Functions {
     /// What is asked of a robot; no functions where none is named, which means all that it has.
     pub(super) fn request(&self, robot: &Robot) -> Request {
-        robot.request(&self.frames.frames, &self.functions)
+        let functions = self.functions.iter().map(|item| item.0.clone());
+        robot.request(&self.frames.frames, functions.collect())
     }
 
     /// What a person should know about the answer: what the robot cannot have.

@@ -37,7 +37,7 @@ impl Inspect {
         let description = self.robot.description(input)?;
         let mut request = self
             .robot
-            .request(&self.frame, std::slice::from_ref(&self.function));
+            .request(&self.frame, vec![self.function.0.clone()]);
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
         let chain = understand(&description, &request)?;
         let mut listing = expand(&description, &request)?;

@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use super::functions::Together;
 use crate::description::urdf::LARGEST_FILE;
 use crate::description::{self, Description, Name, Number};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
+use crate::function::Function;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
@@ -97,7 +97,7 @@ impl Robot {
     pub(super) fn request<'a>(
         &self,
         frames: impl IntoIterator<Item = &'a String>,
-        functions: &[Together],
+        functions: Vec<Vec<Function>>,
     ) -> Request {
         let named = |text: &String| Name {
             text: text.clone(),
@@ -114,7 +114,7 @@ impl Robot {
             gravity: self.gravity.map(|gravity| gravity.0.map(number)),
             exact: self.exact,
             strict: self.strict,
-            functions: functions.iter().map(|item| item.0.clone()).collect(),
+            functions,
             formulation: self.formulation.unwrap_or_default(),
             processor: self.processor.unwrap_or_default(),
             ..Request::default()

@@ -86,13 +86,6 @@ pub fn read_text(
     }
 }
 
-/// FNV-1a hash of 64 bits.
-pub(super) fn fingerprint(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
-}
-
 /// The bytes of a file of reasonable size, or why there are none, in words that are the same on
 /// every platform where they can be.
 fn load(path: &Path) -> Result<Vec<u8>, String> {
@@ -145,12 +138,6 @@ mod tests {
         let mut errors = Errors::new();
         let _ = read_file(&path, None, &mut errors);
         errors.to_string()
-    }
-
-    #[test]
-    fn fingerprints_are_those_of_fnv_1a() {
-        assert_eq!(fingerprint(b""), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(fingerprint(b"a"), 0xaf63_dc4c_8601_ec8c);
     }
 
     #[test]

@@ -19,8 +19,9 @@ use roxmltree::Node;
 
 use self::element::Reader;
 use self::unmodelled::Unmodelled;
+use super::fingerprint::fingerprint;
 use super::position::Positions;
-use super::{Description, Name, Source, file, names};
+use super::{Description, Name, Source, names};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
@@ -69,7 +70,7 @@ pub fn read(
         description.source = Source {
             file: Some(file.to_owned()),
             anchor,
-            hash: file::fingerprint(text.as_bytes()),
+            hash: fingerprint(text.as_bytes()),
         };
         description.warnings = reader.warnings;
         description.warnings.extend(reader.unmodelled.doubts());

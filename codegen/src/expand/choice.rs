@@ -2,24 +2,22 @@
 //!
 //! In: a chain, the functions that are asked for together, a formulation. Out: the [`Program`] that
 //! costs least on a processor, of all layouts of the frames and all ways that compute them, and of the
-//! forms of forward dynamics that are accurate enough; or the program of one layout and one way. It
-//! never looks at values itself: [`Measure`] tells how far a program is off, and [`forward`] which
-//! forms there are and what is enough.
+//! forms of forward dynamics that are accurate enough. It never looks at values itself: [`Measure`]
+//! tells how far a program is off, and [`forward`] which forms there are and what is enough.
 
 use super::forward;
 use super::measured::Measure;
+use super::program::expressions_by;
 use super::solvable::solvable;
 use crate::chain::Chain;
 use crate::error::Errors;
-use crate::expression::{Expr, Graph, Term};
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
-use crate::layout::{Layout, arrange};
+use crate::layout::Layout;
 use crate::model::Way;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
-use crate::simplify::simplify;
 
 /// The cheapest program found for some functions together, of a frame of the chain.
 ///
@@ -261,35 +259,4 @@ fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
             merged.chain(apart.iter().copied()).collect()
         }
     }
-}
-
-/// The program that a layout and a way give.
-#[must_use]
-pub fn program_by(
-    chain: &Chain,
-    functions: &[Function],
-    frame: usize,
-    layout: Layout,
-    way: Way,
-) -> Program {
-    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
-    schedule(&graph, &results)
-}
-
-/// What that program computes, with all its numbers as they came about.
-#[must_use]
-pub fn expressions_by(
-    chain: &Chain,
-    functions: &[Function],
-    frame: usize,
-    layout: Layout,
-    way: Way,
-) -> (Graph, Vec<Expr>) {
-    let graph = chain.graph.clone();
-    let bodies = arrange(&graph, chain, layout);
-    let results: Vec<Expr> = (functions.iter())
-        .flat_map(|&function| function.build(&graph, &bodies, frame, way))
-        .map(Term::expr)
-        .collect();
-    simplify(&graph, &results)
 }

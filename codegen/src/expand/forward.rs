@@ -4,8 +4,8 @@
 //! be tried, in rounds; a doubt about the form that was asked for, or about a robot for which none is
 //! as good as it should be; or the mistake that no form helps. It never measures or counts.
 
-use super::choice::program_by;
 use super::measured::Measure;
+use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
 use crate::chain::Chain;
 use crate::error::{Complaint, Errors};

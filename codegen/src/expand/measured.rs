@@ -5,7 +5,7 @@
 //! of the robot's range, and held against a hundred bits. It never bounds anything: between the
 //! states, and beyond them, an error may be larger.
 
-use super::choice::expressions_by;
+use super::program::expressions_by;
 use super::solvable::field;
 use crate::accuracy::range::Range;
 use crate::chain::Chain;

@@ -5,9 +5,9 @@
 //! In: the joints and bodies with physical inertias, never regrouped ones. Out: q̈, or M⁻¹. No mass
 //! matrix is formed, and what its conditioning would take is lost only as far as masses differ.
 
-use super::State;
 use super::carry::Joint;
 use super::newton_euler::beyond;
+use super::state::State;
 use crate::expression::Term;
 use crate::joint::Motion;
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};

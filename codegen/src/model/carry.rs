@@ -6,7 +6,7 @@
 //! instant, so no formula minds. Neither does any where all matrices are in frame 0: each L and J is
 //! taken there, and from one body to the next nothing is left to be carried.
 
-use super::State;
+use super::state::State;
 use super::turn::{self, Turn};
 use crate::expression::Term;
 use crate::formulation::{Angles, Frame};

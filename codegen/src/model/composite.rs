@@ -1,8 +1,8 @@
 //! The mass matrix from composite pseudo-inertias: column i is the action skew\[Lᵢ J\] of everything
 //! outboard of joint i, seen by the joints inboard of it.
 
-use super::State;
 use super::carry::Joint;
+use super::state::State;
 use crate::expression::Term;
 use crate::matrix::Action;
 

@@ -1,8 +1,8 @@
 //! Joint forces and torques that hold a robot at rest: the moment of the composite first moments
 //! about each axis. Only masses and first moments enter, and no force has to be carried.
 
-use super::State;
 use super::carry::Joint;
+use super::state::State;
 use crate::expression::Term;
 use crate::matrix::Vector;
 

@@ -1,8 +1,8 @@
 //! Inverse dynamics by Newton and Euler: accelerations H outwards, actions Φ = skew\[H J\] inwards,
 //! each in the frame of its joint's matrices.
 
-use super::State;
 use super::carry::Joint;
+use super::state::State;
 use crate::expression::Term;
 use crate::matrix::{Acceleration, Action, Vector};
 

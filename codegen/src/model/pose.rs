@@ -3,8 +3,8 @@
 //! In: the way from the base to the frame. Out: its pose, carried inwards column by column, or
 //! outwards matrix by matrix.
 
-use super::Carried;
 use super::carry::Path;
+use super::way::Carried;
 use crate::expression::Term;
 use crate::matrix::{Pose, Rotation, Vector};
 

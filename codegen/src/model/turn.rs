@@ -5,7 +5,7 @@
 //! own, and the last of them takes it. A sum of coordinates is rounded to the digits of the largest,
 //! which a product of rotations is not: it is made only where that is asked for.
 
-use super::State;
+use super::state::State;
 use crate::expression::{Graph, Term};
 use crate::formulation::Angles;
 use crate::joint::Motion;

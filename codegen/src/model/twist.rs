@@ -2,9 +2,9 @@
 //! link, so that no pose is needed; or, of matrices that are in frame 0 already, composed outwards, so that
 //! parallel axes, which are most often at the base, meet in the sums.
 
-use super::State;
 use super::carry::{Joint, Path};
 use super::newton_euler::beyond;
+use super::state::State;
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};

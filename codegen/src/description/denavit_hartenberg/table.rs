@@ -14,12 +14,13 @@
 
 use proc_macro2::Span;
 
-use super::{Convention, Row, assemble};
+use super::rows::{Convention, Row, assemble};
+use crate::description::fingerprint::fingerprint;
 use crate::description::kind;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
 use crate::description::{
-    Description, Inertial, Limits, Name, Number, Source, Step, constant, file, names,
+    Description, Inertial, Limits, Name, Number, Source, Step, constant, names,
 };
 use crate::error::{Errors, Place};
 use crate::joint::JointKind;
@@ -117,7 +118,7 @@ pub fn read(
         source: Source {
             file: Some(file.to_owned()),
             anchor,
-            hash: file::fingerprint(text.as_bytes()),
+            hash: fingerprint(text.as_bytes()),
         },
         links,
         joints,

@@ -1,9 +1,10 @@
 //! Both conventions against the products of their book, and every message of the tables.
 
 use super::*;
-use crate::description::Description;
 use crate::description::changed::changed;
-use crate::error::Errors;
+use crate::description::{Axis, Description, Step};
+use crate::error::{Errors, Place};
+use crate::joint::JointKind;
 
 fn try_read(text: &str) -> (Option<Description>, String) {
     let mut errors = Errors::new();

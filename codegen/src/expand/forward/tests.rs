@@ -2,7 +2,8 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::super::choice::{cheapest, program_by};
+use super::super::choice::cheapest;
+use super::super::program::program_by;
 use super::super::understand;
 use crate::chain::{self, Chain};
 use crate::description::{Description, Name, read_text};

@@ -1,0 +1,141 @@
+//! A robot as it was described: links, joints and where everything stands.
+
+use proc_macro2::Span;
+
+use crate::error::{Complaint, Errors, Place};
+use crate::joint::JointKind;
+use crate::number::Number;
+
+/// A robot as it was described: links and joints in the order of the text.
+#[derive(Clone, Debug)]
+pub struct Description {
+    /// The robot's name.
+    pub name: Name,
+    /// Where the text came from.
+    pub source: Source,
+    /// The links, in the order of the text.
+    pub links: Vec<Link>,
+    /// The joints, in the order of the text.
+    pub joints: Vec<Joint>,
+    /// Doubts that do not stop the work.
+    pub warnings: Vec<Complaint>,
+}
+
+/// Where a description came from.
+#[derive(Clone, Debug, Default)]
+pub struct Source {
+    /// The file's name as the user gave it, without the folders of this machine; none for tokens.
+    pub file: Option<String>,
+    /// The token that named the file, for the compiler's messages.
+    pub anchor: Option<Span>,
+    /// FNV-1a hash (64 bits) of the file's text in UTF-8; 0 for tokens.
+    pub hash: u64,
+}
+
+impl Source {
+    /// No mistakes yet, of this text.
+    #[must_use]
+    pub fn errors(&self) -> Errors {
+        let mut errors = Errors::new();
+        if let Some(file) = &self.file {
+            errors.set_file(file.clone(), self.anchor);
+        }
+        errors
+    }
+}
+
+/// A name and its place.
+#[derive(Clone, Debug, Default)]
+pub struct Name {
+    /// The text, as written.
+    pub text: String,
+    /// Where it stands.
+    pub place: Place,
+}
+
+impl From<&str> for Name {
+    /// A name that was written nowhere: a build script's.
+    fn from(text: &str) -> Self {
+        Self {
+            text: text.to_owned(),
+            place: Place::Unknown,
+        }
+    }
+}
+
+/// A rigid body and its frame.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// The link's name.
+    pub name: Name,
+    /// Mass and inertia; none where the text gives none.
+    pub inertial: Option<Inertial>,
+}
+
+/// Mass, centre of mass and inertia tensor of a link.
+#[derive(Clone, Debug)]
+pub struct Inertial {
+    /// From the link's frame to the frame whose origin is the centre of mass and in whose axes
+    /// the tensor is given [m, rad].
+    pub origin: Vec<Step>,
+    /// Mass \[kg\].
+    pub mass: Number,
+    /// The usual inertia tensor about the centre of mass [kg m²]: xx, xy, xz, yy, yz, zz.
+    pub inertia: [Number; 6],
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// One elementary motion of a frame along or about its own axes; a placement is a product of them
+/// from left to right.
+#[derive(Clone, Copy, Debug)]
+pub enum Step {
+    /// Along x, y and z \[m\].
+    Translate([Number; 3]),
+    /// About one axis \[rad\].
+    Rotate(Axis, Number),
+}
+
+/// A coordinate axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The first.
+    X,
+    /// The second.
+    Y,
+    /// The third.
+    Z,
+}
+
+/// A pair of links and the motion it allows.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// The joint's name.
+    pub name: Name,
+    /// What it allows.
+    pub kind: JointKind,
+    /// The link it hangs on.
+    pub parent: Name,
+    /// The link it carries.
+    pub child: Name,
+    /// From the parent's frame to the child's frame at q = 0.
+    pub origin: Vec<Step>,
+    /// Direction of the axis in the child's frame, through its origin; of length 1 to within
+    /// its digits (each reader checks that and normalises). Unused for a fixed joint.
+    pub axis: [Number; 3],
+    /// Range of the coordinate and bound of its rate, where given; of a joint with one coordinate alone.
+    pub limits: Option<Limits>,
+    /// Where the joint is described.
+    pub place: Place,
+}
+
+/// Limits of a coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Smallest value [rad or m].
+    pub lower: f64,
+    /// Largest value [rad or m].
+    pub upper: f64,
+    /// Largest rate [rad/s or m/s]; infinite where not given.
+    pub velocity: f64,
+}

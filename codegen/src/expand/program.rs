@@ -1,0 +1,40 @@
+//! The program of one layout and one way, whatever it costs.
+
+use crate::chain::Chain;
+use crate::expression::{Expr, Graph, Term};
+use crate::function::Function;
+use crate::layout::{Layout, arrange};
+use crate::model::Way;
+use crate::schedule::{Program, schedule};
+use crate::simplify::simplify;
+
+/// The program that a layout and a way give.
+#[must_use]
+pub fn program_by(
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    layout: Layout,
+    way: Way,
+) -> Program {
+    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+    schedule(&graph, &results)
+}
+
+/// What that program computes, with all its numbers as they came about.
+#[must_use]
+pub fn expressions_by(
+    chain: &Chain,
+    functions: &[Function],
+    frame: usize,
+    layout: Layout,
+    way: Way,
+) -> (Graph, Vec<Expr>) {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, layout);
+    let results: Vec<Expr> = (functions.iter())
+        .flat_map(|&function| function.build(&graph, &bodies, frame, way))
+        .map(Term::expr)
+        .collect();
+    simplify(&graph, &results)
+}

@@ -61,6 +61,6 @@ functions! {
     MassMatrix: mass_matrix, "The joint-space inertia matrix.";
     ForwardDynamics: forward_dynamics, "Joint accelerations that forces and torques produce.";
     MassMatrixInverse: mass_matrix_inverse, "The inverse of the joint-space inertia matrix.";
-    KineticEnergy: kinetic_energy, "½ Σ Tr(W J Wᵗ).";
-    PotentialEnergy: potential_energy, "−Σ Tr(H_g J), zero at the origin of frame 0.";
+    KineticEnergy: kinetic_energy, "The kinetic energy ½ Σ Tr(W J Wᵗ) \\[J\\].";
+    PotentialEnergy: potential_energy, "The potential energy −Σ Tr(H_g J) \\[J\\] of what joints move, zero at the origin of frame 0.";
 }

@@ -7,61 +7,28 @@
 //! overflow has none. It never runs the program.
 
 mod combination;
+mod kind;
+mod known;
 mod length;
 mod norm;
+mod reason;
 mod term;
 #[cfg(test)]
 mod tests;
 mod turn;
 mod value;
 
-use self::combination::{Follows, Kind, Names, is_sum};
-use self::length::{Form, Length, Lengths};
+use self::kind::{Follows, Form, Names, is_sum};
+pub use self::known::Conditions;
+use self::known::{Computed, Known};
+use self::length::Lengths;
 pub(crate) use self::norm::root;
+pub use self::reason::Reason;
 use self::term::Term;
-use self::turn::{Place, Turn, Turns};
+use self::turn::{Turn, Turns};
+use self::value::SLACK;
 pub use self::value::Value;
 use super::{Operand, Operation, Program, Step};
-use crate::expression::Input;
-use crate::real::Real;
-
-/// What the bounds are multiplied by for their own rounding, which they do not follow: more than
-/// some million operations of `f64` on positive numbers can lose.
-const SLACK: f64 = 1.0 + 1e-9;
-
-/// What a program runs under.
-pub struct Conditions<'c> {
-    /// The type of number; `f64` where any is meant.
-    pub scalar: Real,
-    /// The greatest magnitude \[rad\] of an angle whose sine and cosine are within one unit in the
-    /// last place.
-    pub angles: f64,
-    /// What each input can be.
-    pub range: &'c dyn Fn(Input) -> Value,
-}
-
-/// Why a result has no bound.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
-    /// Its sines are not promised for every angle that may come.
-    Angle,
-    /// A number may become larger than the type has one.
-    Overflow,
-    /// What is divided by, or the root taken of, may be zero.
-    Divisor,
-}
-
-impl Reason {
-    /// In words.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Angle => "angles leave the range of its sines",
-            Self::Overflow => "it overflows within its range",
-            Self::Divisor => "a divisor may be zero, as far as ranges tell",
-        }
-    }
-}
 
 /// A result: its range and its greatest error, infinite where none can be given, for a reason unless
 /// an input is not known.
@@ -113,71 +80,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
         .collect()
 }
 
-/// The values of a program so far.
-struct Known<'p> {
-    program: &'p Program,
-    conditions: &'p Conditions<'p>,
-    /// Sines and cosines.
-    turns: Turns,
-    steps: Vec<Computed>,
-    names: Names<'p>,
-}
-
-/// What a step computes, and how that came about.
-#[derive(Clone, Copy)]
-struct Computed {
-    value: Value,
-    form: Form,
-    reason: Option<Reason>,
-    /// The turn that it is the sine or the cosine of, if it is one.
-    place: Option<Place>,
-    follows: Follows,
-    kind: Kind,
-}
-
 impl<'p> Known<'p> {
-    const fn scalar(&self) -> Real {
-        self.conditions.scalar
-    }
-
-    /// What an operation reads.
-    fn value(&self, operand: Operand) -> Value {
-        match operand {
-            Operand::Literal(_) | Operand::Input(_) => {
-                let value = self.given(operand);
-                if value.fits(self.scalar()) {
-                    value
-                } else {
-                    Value::UNKNOWN
-                }
-            }
-            Operand::Sin(k) => self.turns.sine(k),
-            Operand::Cos(k) => self.turns.cosine(k),
-            Operand::Step(k) => self.steps[k as usize].value,
-        }
-    }
-
-    /// A number or an argument.
-    fn given(&self, operand: Operand) -> Value {
-        match operand {
-            Operand::Literal(number) => literal(number, self.scalar()),
-            Operand::Input(input) => (self.conditions.range)(input).read(self.scalar()),
-            _ => Value::UNKNOWN,
-        }
-    }
-
-    fn reason(&self, operand: Operand) -> Option<Reason> {
-        match operand {
-            Operand::Literal(_) | Operand::Input(_) => {
-                let value = self.given(operand);
-                let known = value != Value::UNKNOWN;
-                (known && !value.fits(self.scalar())).then_some(Reason::Overflow)
-            }
-            Operand::Sin(k) | Operand::Cos(k) => self.turns.reason(k),
-            Operand::Step(k) => self.steps[k as usize].reason,
-        }
-    }
-
     /// Takes in the sines and cosines.
     fn turn(&mut self) {
         for &angle in &self.program.angles {
@@ -246,14 +149,6 @@ impl<'p> Known<'p> {
         (Some(exact.rounded(self.scalar())), Form::Plain)
     }
 
-    fn product(&self, [a, b]: [Operand; 2]) -> Value {
-        if a == b {
-            self.value(a).squared()
-        } else {
-            self.value(a).times(self.value(b))
-        }
-    }
-
     fn sum(&self, terms: [Term; 2], lengths: &mut Lengths) -> (Option<Value>, Form) {
         // A product is rounded before it is added, or else the error is smaller.
         let [a, b] = terms.map(|term| match (term.whole, term.factors) {
@@ -282,45 +177,11 @@ impl<'p> Known<'p> {
                 .into_iter()
                 .fold(sum, |sum, (left, right)| {
                     let [left, right] = [left, right].map(|pair| lengths.of(self, &pair));
-                    let error = left.across(right) + self.roundings(left, right);
+                    let error = left.across(right) + left.roundings(right, self.scalar());
                     sum.within(left.size * right.size, error)
                 });
         let place = |operand| self.place(operand);
         let turn = Turn::of(place, [x, y], terms[0].minus, [z, w], terms[1].minus);
         (Some(sum), turn.map_or(form, Form::Turned))
-    }
-
-    /// What the roundings of two products and their sum amount to.
-    fn roundings(&self, left: Length, right: Length) -> f64 {
-        let size = (left.size + left.error) * (right.size + right.error);
-        let roundoff = self.scalar().roundoff();
-        (2.0 + roundoff) * roundoff * size + 3.0 * self.scalar().smallest()
-    }
-
-    /// The turn that an operand is the sine or the cosine of.
-    fn place(&self, operand: Operand) -> Option<Place> {
-        match operand {
-            Operand::Sin(angle) => Some(Place { angle, sine: true }),
-            Operand::Cos(angle) => Some(Place { angle, sine: false }),
-            Operand::Step(k) => self.steps[k as usize].place,
-            Operand::Literal(_) | Operand::Input(_) => None,
-        }
-    }
-}
-
-/// A number of the generated code: rounded to `f64` when it was printed, and to the type, as if no
-/// number were one of the type already: so the error in one type is that in another times the ratio
-/// of their roundoffs, and so is every bound.
-fn literal(number: f64, scalar: Real) -> Value {
-    let printed = f64::EPSILON / 2.0;
-    let read = match scalar {
-        Real::F32 => scalar.roundoff(),
-        Real::F64 | Real::Generic => 0.0,
-    };
-    let subnormal = number != 0.0 && number.abs() < 2.0 * scalar.smallest();
-    let lost = if subnormal { scalar.smallest() } else { 0.0 };
-    Value {
-        error: (printed + read) * number.abs() + lost,
-        ..Value::between(number, number)
     }
 }

@@ -7,10 +7,12 @@
 use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 
-use super::combination::{Combination, Kind, Of, ROWS};
+use super::combination::{Combination, ROWS};
+use super::kind::{Form, Kind, Of};
+use super::known::Known;
 use super::norm::{both, norm, root};
-use super::turn::Turn;
-use super::{Known, Value};
+use super::value::Value;
+use crate::real::Real;
 use crate::schedule::Operand;
 
 /// √(a² + b² + …) of exact values, and of their errors.
@@ -22,20 +24,14 @@ pub struct Length {
     pub error: f64,
 }
 
-/// How a value came about, as far as turns are concerned.
-#[derive(Clone, Copy, Debug)]
-pub enum Form {
-    /// An entry of a turned vector.
-    Turned(Turn),
-    /// a ± b.
-    Sum(Operand, Operand),
-    /// The first, plus or minus something of that value that has no place of its own.
-    More(Operand, Value),
-    /// Nothing that helps.
-    Plain,
-}
-
 impl Length {
+    /// What the roundings of two products and their sum amount to, of a vector of this length and another.
+    pub fn roundings(self, other: Self, scalar: Real) -> f64 {
+        let size = (self.size + self.error) * (other.size + other.error);
+        let roundoff = scalar.roundoff();
+        (2.0 + roundoff) * roundoff * size + 3.0 * scalar.smallest()
+    }
+
     const UNKNOWN: Self = Self {
         size: f64::INFINITY,
         error: f64::INFINITY,
@@ -303,7 +299,8 @@ impl Lengths {
                 let length = self.follow(known, &[&rest[..], &before].concat(), true, depth);
                 let turned = self.follow(known, &before, true, depth);
                 let by = of_turn(known, turn.angle);
-                let roundings = known.roundings(by, turned) * if both { SQRT_2 } else { 1.0 };
+                let roundings =
+                    by.roundings(turned, known.scalar()) * if both { SQRT_2 } else { 1.0 };
                 Length {
                     size: length.size * by.size.max(1.0),
                     error: length.error * by.size.max(1.0)

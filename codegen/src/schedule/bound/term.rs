@@ -3,7 +3,8 @@
 //! In: an operation. Out: its terms, each with the factors that it is a product of, wherever these
 //! were multiplied. It never looks at a value.
 
-use super::{Known, Operand, Operation};
+use super::known::Known;
+use crate::schedule::{Operand, Operation};
 
 /// A term of a sum.
 #[derive(Clone, Copy)]

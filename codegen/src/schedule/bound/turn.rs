@@ -4,9 +4,10 @@
 //! given by the program or found on the way as cos(q + φ) = c cos q − s sin q, and which sums are
 //! entries of a vector that such a pair turns. It never looks at how long a vector is.
 
+use super::reason::Reason;
 use super::value::Value;
-use super::{Operand, Reason};
 use crate::real::Real;
+use crate::schedule::Operand;
 
 /// Sine or cosine of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

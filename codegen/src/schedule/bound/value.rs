@@ -1,14 +1,17 @@
 //! Where a number of a program lies, and how far rounding may have taken it from there.
 //!
 //! In: operands. Out: the same for the result of an operation, second-order terms of the error
-//! included. The rounding of these computations themselves is not followed: [`super::SLACK`] covers
+//! included. The rounding of these computations themselves is not followed: [`SLACK`] covers
 //! it.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::SLACK;
 use crate::expression::Double;
 use crate::real::Real;
+
+/// What the bounds are multiplied by for their own rounding, which they do not follow: more than
+/// some million operations of `f64` on positive numbers can lose.
+pub const SLACK: f64 = 1.0 + 1e-9;
 
 /// The exact value is within [`lo`, `hi`], and the computed one within `error` of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

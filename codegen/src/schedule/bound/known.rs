@@ -1,0 +1,134 @@
+//! The values of a program as far as it has been followed.
+//!
+//! In: what a program runs under, and its first steps. Out: range and error of whatever a step may read.
+
+use super::kind::{Follows, Form, Kind, Names, Of};
+use super::reason::Reason;
+use super::turn::{Place, Turns};
+use super::value::Value;
+use crate::expression::Input;
+use crate::real::Real;
+use crate::schedule::{Operand, Program};
+
+/// What a program runs under.
+pub struct Conditions<'c> {
+    /// The type of number; `f64` where any is meant.
+    pub scalar: Real,
+    /// The greatest magnitude \[rad\] of an angle whose sine and cosine are within one unit in the
+    /// last place.
+    pub angles: f64,
+    /// What each input can be.
+    pub range: &'c dyn Fn(Input) -> Value,
+}
+
+/// The values of a program so far.
+pub struct Known<'p> {
+    pub program: &'p Program,
+    pub conditions: &'p Conditions<'p>,
+    /// Sines and cosines.
+    pub turns: Turns,
+    pub steps: Vec<Computed>,
+    pub names: Names<'p>,
+}
+
+/// What a step computes, and how that came about.
+#[derive(Clone, Copy)]
+pub struct Computed {
+    pub value: Value,
+    pub form: Form,
+    pub reason: Option<Reason>,
+    /// The turn that it is the sine or the cosine of, if it is one.
+    pub place: Option<Place>,
+    pub follows: Follows,
+    pub kind: Kind,
+}
+
+impl Known<'_> {
+    pub const fn scalar(&self) -> Real {
+        self.conditions.scalar
+    }
+
+    /// What an operation reads.
+    pub fn value(&self, operand: Operand) -> Value {
+        match operand {
+            Operand::Literal(_) | Operand::Input(_) => {
+                let value = self.given(operand);
+                if value.fits(self.scalar()) {
+                    value
+                } else {
+                    Value::UNKNOWN
+                }
+            }
+            Operand::Sin(k) => self.turns.sine(k),
+            Operand::Cos(k) => self.turns.cosine(k),
+            Operand::Step(k) => self.steps[k as usize].value,
+        }
+    }
+
+    /// A number or an argument.
+    pub fn given(&self, operand: Operand) -> Value {
+        match operand {
+            Operand::Literal(number) => literal(number, self.scalar()),
+            Operand::Input(input) => (self.conditions.range)(input).read(self.scalar()),
+            _ => Value::UNKNOWN,
+        }
+    }
+
+    pub fn reason(&self, operand: Operand) -> Option<Reason> {
+        match operand {
+            Operand::Literal(_) | Operand::Input(_) => {
+                let value = self.given(operand);
+                let known = value != Value::UNKNOWN;
+                (known && !value.fits(self.scalar())).then_some(Reason::Overflow)
+            }
+            Operand::Sin(k) | Operand::Cos(k) => self.turns.reason(k),
+            Operand::Step(k) => self.steps[k as usize].reason,
+        }
+    }
+
+    pub fn product(&self, [a, b]: [Operand; 2]) -> Value {
+        if a == b {
+            self.value(a).squared()
+        } else {
+            self.value(a).times(self.value(b))
+        }
+    }
+
+    /// The turn that an operand is the sine or the cosine of.
+    pub fn place(&self, operand: Operand) -> Option<Place> {
+        match operand {
+            Operand::Sin(angle) => Some(Place { angle, sine: true }),
+            Operand::Cos(angle) => Some(Place { angle, sine: false }),
+            Operand::Step(k) => self.steps[k as usize].place,
+            Operand::Literal(_) | Operand::Input(_) => None,
+        }
+    }
+
+    /// What is to be taken together with a column.
+    pub fn kind_of(&self, column: Of) -> Kind {
+        match column {
+            Of::Product(_, b @ Operand::Input(_)) => Kind::Times(b),
+            Of::Product(a, _) => Kind::Times(a),
+            Of::Whole(Operand::Step(k)) => self.steps[k as usize].kind,
+            Of::Whole(Operand::Sin(angle) | Operand::Cos(angle)) => Kind::Turned(angle),
+            Of::Whole(operand) => Kind::Alone(operand),
+        }
+    }
+}
+
+/// A number of the generated code: rounded to `f64` when it was printed, and to the type, as if no
+/// number were one of the type already: so the error in one type is that in another times the ratio
+/// of their roundoffs, and so is every bound.
+fn literal(number: f64, scalar: Real) -> Value {
+    let printed = f64::EPSILON / 2.0;
+    let read = match scalar {
+        Real::F32 => scalar.roundoff(),
+        Real::F64 | Real::Generic => 0.0,
+    };
+    let subnormal = number != 0.0 && number.abs() < 2.0 * scalar.smallest();
+    let lost = if subnormal { scalar.smallest() } else { 0.0 };
+    Value {
+        error: (printed + read) * number.abs() + lost,
+        ..Value::between(number, number)
+    }
+}

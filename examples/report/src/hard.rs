@@ -14,7 +14,7 @@ use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::{Function, Real};
 use homogen_examples::plot::heat::Map;
-use homogen_examples::states::unit;
+use homogen_random::Random;
 use homogen_tests::subjects::subject;
 
 use crate::truth::{Exact, exact};
@@ -159,14 +159,14 @@ fn row(case: &Case, formulations: &[(&str, Formulation, Real)]) -> Vec<Option<f6
 
 /// q, q̇, q̈ and τ, exact in single precision.
 fn states(case: &Case, joints: usize) -> Vec<Vec<f64>> {
-    let mut seed = 1;
+    let mut random = Random::new(1);
     let changes: [fn(f64) -> f64; 4] = [case.angle, case.rate, |x| 8.0 * x, |x| 16.0 * x];
     let mut state = || {
         let numbers = changes
             .iter()
             .flat_map(|change| std::iter::repeat_n(change, joints));
         numbers
-            .map(|change| single(change(f64::from(unit(&mut seed)))))
+            .map(|change| single(change(f64::from(random.coarse()))))
             .collect()
     };
     (0..STATES).map(|_| state()).collect()

@@ -16,7 +16,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::{Angles, Forward, Frame, Parameters, Products, Sines};
 use homogen_codegen::request::Request;
 use homogen_examples::plot::Color;
-use homogen_examples::states::unit;
+use homogen_random::Random;
 
 use crate::simplified;
 
@@ -392,12 +392,12 @@ fn to(tip: &str) -> Request {
 
 /// Random states whose numbers are exact in single precision, so that both types see the same.
 fn states(joints: usize, range: Range) -> Vec<f64> {
-    let mut seed = 1;
+    let mut random = Random::new(1);
     let mut states = Vec::with_capacity(STATES * 4 * joints);
     for _ in 0..STATES {
         for limit in range.limits {
             states.extend((0..joints).map(|joint| {
-                let number = limit * f64::from(unit(&mut seed));
+                let number = limit * f64::from(random.coarse());
                 if (range.moves)(joint) { number } else { 0.0 }
             }));
         }

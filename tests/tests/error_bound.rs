@@ -3,7 +3,7 @@
 //! In: every robot that ships, and random states of the range that its bounds are for, ends of the
 //! range among them. Out: that no error is beyond its bound, and no bound far beyond the errors.
 //! Programs run as the generated code does, on a target that fuses products with sums and on one that
-//! does not; the reference is the same function in the frames of the description, with 106 bits.
+//! does not; the truth is the same function in the frames of the description, with 106 bits.
 
 use std::fmt::Write;
 

@@ -1,7 +1,7 @@
 //! Programs at random, full of what bounds look for: turns, shifted angles, constant rotations, levers.
 //!
 //! In: seeds. Out: that every value of every step is in its range and no error beyond its bound, in
-//! both types, whether products are fused or not. The reference runs the same program with 106 bits.
+//! both types, whether products are fused or not. The truth is the same program run with 106 bits.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

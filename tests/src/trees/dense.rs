@@ -2,7 +2,9 @@
 //!
 //! In: a [`Robot`], number by number as written. Out: a placement, a screw and an inertia of 256
 //! bits for every joint that hangs on the base, fixed and held ones too. It merges nothing, and
-//! shares nothing with the generator: not even the reading of a number.
+//! shares nothing with the generator: not even the reading of a number. That is why it stands beside
+//! [`oracle::robot`](crate::oracle::robot), which reads what the generator read: one reader for both
+//! would be wrong together with the generator's.
 
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
@@ -13,7 +15,7 @@ use super::written::{Reading, Written};
 
 /// A robot in matrices, and which joint each coordinate is of.
 #[derive(Clone, Debug)]
-pub struct Reference {
+pub struct Dense {
     /// What the oracle evaluates.
     pub robot: oracle::Robot,
     /// The number of the joint of each of its coordinates.
@@ -30,7 +32,7 @@ pub struct Reference {
     pub second: f64,
 }
 
-impl Reference {
+impl Dense {
     /// The part of a robot that is asked for.
     ///
     /// # Panics
@@ -42,7 +44,7 @@ impl Reference {
             entries.each_ref().map(Written::value)
         });
         let gravity = robot.field(Field::Gravity).unwrap_or(gravity);
-        let mut reference = Self {
+        let mut dense = Self {
             robot: oracle::Robot {
                 bodies: Vec::new(),
                 frames: Vec::new(),
@@ -60,10 +62,10 @@ impl Reference {
         // Parents before children, whatever the order of the text.
         while !waiting.is_empty() {
             let before = waiting.len();
-            waiting.retain(|body| !reference.take(robot, body));
+            waiting.retain(|body| !dense.take(robot, body));
             assert!(waiting.len() < before, "the robot is a tree");
         }
-        reference
+        dense
     }
 
     /// The body that carries a link; none for the base.

@@ -14,7 +14,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
-use homogen_tests::metrics::magnitude::{Magnitude, Measure};
+use homogen_magnitude::{Magnitude, Measure};
 
 use crate::scene::Scene;
 

@@ -1,16 +1,15 @@
 //! A number that knows how large it could be if nothing cancelled.
 //!
-//! In: the operations of a program. Out: beside each value S, the same operations on absolute values:
-//! what the roundings of a sum are proportional to, even where the sum is nearly zero. Values are
-//! as exact as the one who measures needs them.
+//! In: the operations of a program, of a generated function or of the library. Out: beside each value
+//! S, the same operations on absolute values: what the roundings of a sum are proportional to, even
+//! where the sum is nearly zero. Values are as exact as the one who measures needs them.
 
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use homogen::Scalar;
 use homogen_codegen::expression::Arithmetic;
-
-use crate::tested::Tested;
 
 /// Whom sizes are measured for.
 pub trait Measure: Copy + Debug {
@@ -23,13 +22,12 @@ pub trait Measure: Copy + Debug {
     fn nearest(value: Self::Value) -> f64;
 }
 
-/// As a type of number sees it: what underflows is off by the type's floor. For sizes alone, values of
-/// `f64` are enough.
-impl<T: Tested> Measure for T {
-    type Value = f64;
-    const FLOOR: f64 = T::FLOOR;
+/// For every type, as long as nothing underflows. For sizes alone, values of `f64` are enough.
+impl Measure for f64 {
+    type Value = Self;
+    const FLOOR: f64 = 0.0;
 
-    fn nearest(value: f64) -> f64 {
+    fn nearest(value: Self) -> f64 {
         value
     }
 }
@@ -144,14 +142,44 @@ impl<M: Measure> Arithmetic for Magnitude<M> {
     }
 }
 
+impl<M: Measure> Scalar for Magnitude<M> {
+    fn constant(value: f64) -> Self {
+        Self::given(value)
+    }
+
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+
+    fn sqrt(self) -> Self {
+        Arithmetic::sqrt(self)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        Arithmetic::sin_cos(self)
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use homogen_codegen::expression::Arithmetic;
+    use homogen::Scalar;
 
-    use super::Magnitude;
-    use crate::tested::{F32, F64, Flushed, Tested};
+    use super::{Magnitude, Measure};
 
-    fn given(x: f64) -> Magnitude<F64> {
+    /// Whoever loses what is smaller than 1e-9.
+    #[derive(Clone, Copy, Debug)]
+    struct Coarse;
+
+    impl Measure for Coarse {
+        type Value = f64;
+        const FLOOR: f64 = 1e-9;
+
+        fn nearest(value: f64) -> f64 {
+            value
+        }
+    }
+
+    fn given(x: f64) -> Magnitude<f64> {
         Magnitude::given(x)
     }
 
@@ -172,8 +200,9 @@ mod tests {
 
     #[test]
     fn nothing_is_smaller_than_what_underflow_loses() {
-        assert_eq!(Magnitude::<F32>::given(0.0).size(), F32::FLOOR);
-        let tiny = Magnitude::<Flushed>::given(1e-30);
-        assert_eq!((tiny * tiny).size(), Flushed::FLOOR);
+        assert_eq!(Magnitude::<Coarse>::given(0.0).size(), 1e-9);
+        let tiny = Magnitude::<Coarse>::given(1e-30);
+        assert_eq!((tiny * tiny).size(), 1e-9);
+        assert!((given(1e-30) * given(1e-30)).size() < 1e-59);
     }
 }

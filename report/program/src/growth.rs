@@ -125,7 +125,7 @@ fn one(
 
 /// A program that prints the time per call.
 fn program(tokens: &str, joints: usize, function: Function) -> String {
-    let timing = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/timing.rs");
+    let timing = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/src/timing.rs");
     let names: Vec<&str> = function.arguments().iter().map(|a| a.name()).collect();
     let (arguments, function) = (names.join(", "), function.name());
     format!(

@@ -50,7 +50,7 @@ fn load_of<T: Scalar + Entries + 'static>(
     function: &str,
     truth: &Truth,
 ) -> Result<Case, Box<dyn Error>> {
-    // SAFETY: the libraries are what `examples/peer/setup.sh` compiled: loading them runs at most the
+    // SAFETY: the libraries are what `report/peer/setup.sh` compiled: loading them runs at most the
     // constructor of a robot.
     let library = unsafe { Library::new(path) }?;
     // SAFETY: all functions in them have this signature.

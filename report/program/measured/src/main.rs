@@ -6,10 +6,10 @@
 //! generated.
 
 mod case;
-#[path = "../../../src/entries.rs"]
+#[path = "../../../../examples/src/entries.rs"]
 mod entries;
 mod peer;
-#[path = "../../../src/timing.rs"]
+#[path = "../../../../examples/src/timing.rs"]
 mod timing;
 mod truth;
 mod with_libm;

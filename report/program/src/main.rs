@@ -45,7 +45,7 @@ struct Options {
     /// Only see that everything runs: one robot, a few batches, nothing written to the repository
     #[arg(long)]
     smoke: bool,
-    /// Other implementations to stand beside ours, as examples/peer/setup.sh sets them up
+    /// Other implementations to stand beside ours, as report/peer/setup.sh sets them up
     #[arg(long, value_name = "FOLDER")]
     peers: Option<PathBuf>,
 }

@@ -1,6 +1,6 @@
 //! Other implementations, where they are installed.
 //!
-//! In: the folder that `examples/peer/setup.sh` made. Out: a scene for each robot in it that does
+//! In: the folder that `report/peer/setup.sh` made. Out: a scene for each robot in it that does
 //! not ship, and for any scene the libraries that stand beside ours: Pinocchio itself, and C that
 //! CasADi wrote from its algorithms. It never builds them.
 
@@ -36,14 +36,14 @@ impl Peers {
             let text = fs::read_to_string(&path);
             text.map_err(|reason| {
                 let path = path.display();
-                format!("{path}: {reason}; examples/peer/setup.sh makes a folder with it")
+                format!("{path}: {reason}; report/peer/setup.sh makes a folder with it")
             })
         };
         let versions = read("versions.txt")?.trim().to_owned();
         let processor = read("processor")?;
         if machine::processor_name() != processor.trim() {
             return Err(format!(
-                "{} was compiled for another processor, {}; run examples/peer/setup.sh here",
+                "{} was compiled for another processor, {}; run report/peer/setup.sh here",
                 folder.display(),
                 processor.trim()
             )
@@ -76,7 +76,7 @@ impl Peers {
                 scenes.push(scene.map_err(told)?);
             } else if fs::read(shipped)? != fs::read(description)? {
                 return Err(
-                    format!("{name}.urdf changed; run examples/peer/setup.sh again").into(),
+                    format!("{name}.urdf changed; run report/peer/setup.sh again").into(),
                 );
             }
         }

@@ -161,7 +161,7 @@ fn peers(measured: &Measured<'_>) -> String {
          {}. One program, one run, the same description, the same states, one thread, everything \
          for this processor. Pinocchio's templates, and the C that CasADi wrote from the same \
          algorithms, are loaded into the program that runs ours, and take turns with it; \
-         `examples/peer` sets them up. CasADi's C is as generated; with right angles made exact and \
+         `report/peer` sets them up. CasADi's C is as generated; with right angles made exact and \
          common parts merged, `snapped`; and with its checks of pointers replaced by `restrict` \
          besides. \
          Mass matrices and accelerations are computed in both of Pinocchio's conventions, and the \

@@ -9,7 +9,7 @@
 use homogen::loop_closure::{self, ClosedChain, NotClosed, Position};
 use homogen::robot::ForwardKinematics;
 use homogen::{Chain, Frame, Inertia, Joint, Pose, Screw, open_chain, rotation};
-use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use homogen_random::Random;
 use std::array::from_fn;
 use std::error::Error;

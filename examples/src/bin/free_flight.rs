@@ -9,7 +9,7 @@
 
 use homogen::open_chain::commutator;
 use homogen::{Acceleration, Inertia, Momentum, Pose, Screw, Velocity, vector};
-use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use nalgebra::{SMatrix, SVector};
 use std::array::from_fn;
 use std::error::Error;

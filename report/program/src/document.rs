@@ -10,7 +10,7 @@ use std::fmt::Write;
 use homogen_codegen::Function;
 use homogen_codegen::schedule::Price;
 use homogen_examples::machine;
-use homogen_examples::plot::heat::Map;
+use homogen_plot::heat::Map;
 
 use cells::{fastest, find, in_units, price, spread, time, units};
 

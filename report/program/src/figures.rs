@@ -1,11 +1,11 @@
 //! The figures.
 //!
-//! In: what was measured. Out: plots, as `homogen_examples::plot` draws them. Colours tell what
+//! In: what was measured. Out: plots, as `homogen_plot` draws them. Colours tell what
 //! computes, symbols the type of number, and whether a symbol is full what it was compiled for.
 
 use homogen_codegen::Function;
-use homogen_examples::plot::grid::Grid;
-use homogen_examples::plot::{Axis, Color, Curve, Panel, Scale, Shape, Style};
+use homogen_plot::grid::Grid;
+use homogen_plot::{Axis, Color, Curve, Panel, Scale, Shape, Style};
 
 use crate::growth::{self, Grown};
 use crate::measure::{Key, Point};

@@ -13,7 +13,7 @@ use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::{Function, Real};
-use homogen_examples::plot::heat::Map;
+use homogen_plot::heat::Map;
 use homogen_random::Random;
 use homogen_tests::subjects::subject;
 
@@ -202,9 +202,7 @@ fn worst<T: Arithmetic + Into<f64>>(
         let found = run(program, |input| {
             T::literal(match input {
                 // A state lists them in this order.
-                Input::Variable(variable, k) => {
-                    state[variable as usize * joints + usize::from(k)]
-                }
+                Input::Variable(variable, k) => state[variable as usize * joints + usize::from(k)],
                 Input::Parameter(..) => unreachable!("no number was left open"),
             })
         });

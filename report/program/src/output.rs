@@ -6,8 +6,8 @@ use std::path::Path;
 use std::{fs, io};
 
 use homogen_codegen::Function::{ForwardDynamics, InverseDynamics};
-use homogen_examples::plot::grid::{self, Grid};
-use homogen_examples::plot::heat;
+use homogen_plot::grid::{self, Grid};
+use homogen_plot::heat;
 
 use crate::document::{self, Measured};
 use crate::figures;

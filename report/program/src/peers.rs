@@ -75,9 +75,7 @@ impl Peers {
                 let scene = scene::beside_peers(name, title?.trim(), &description, tip?.trim());
                 scenes.push(scene.map_err(told)?);
             } else if fs::read(shipped)? != fs::read(description)? {
-                return Err(
-                    format!("{name}.urdf changed; run report/peer/setup.sh again").into(),
-                );
+                return Err(format!("{name}.urdf changed; run report/peer/setup.sh again").into());
             }
         }
         Ok(scenes)

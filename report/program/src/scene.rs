@@ -15,7 +15,7 @@ use homogen_codegen::description::{self, Description, Name};
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::{Angles, Forward, Frame, Parameters, Products, Sines};
 use homogen_codegen::request::Request;
-use homogen_examples::plot::Color;
+use homogen_plot::Color;
 use homogen_random::Random;
 
 use crate::simplified;

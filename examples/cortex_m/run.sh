@@ -57,7 +57,7 @@ if ! { has rustup && { rustup target list --installed | grep -qx "$target" ||
     build_std=(-Zbuild-std=core)
 fi
 if [ "$mode" = --peer ]; then
-    . ../peer/tools.sh
+    . ../../report/peer/tools.sh
     python3 -c 'import ensurepip' 2>/dev/null || packages+=(python3-venv)
     has g++ || packages+=(g++)
     [ -f "$(arm-none-eabi-gcc -print-file-name=libm.a 2>/dev/null)" ] ||
@@ -154,7 +154,7 @@ beside() { # writes the table beside the peer to $seen/peer.md
     generate_peer
     {
         echo "With $("${rustc[@]}" --version | cut -d' ' -f1,2), GCC $(arm-none-eabi-gcc -dumpversion)" \
-            "at \`-O2\`, and Pinocchio and CasADi as in [\`requirements.txt\`](../peer/requirements.txt)," \
+            "at \`-O2\`, and Pinocchio and CasADi as in [\`requirements.txt\`](../../report/peer/requirements.txt)," \
             "M4F / M7:"
         echo
         echo '| arm | function | code | instructions a call | at worst | without sines | text in bytes | stack in bytes | worst error in u |'

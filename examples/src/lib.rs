@@ -1,12 +1,11 @@
 //! What the small programs share.
 //!
 //! Random states, the functions of a robot called by name, times with the machine they were
-//! measured on, and plots. Nothing here is needed to use `homogen`.
+//! measured on. Nothing here is needed to use `homogen`.
 
 pub mod bound;
 pub mod entries;
 pub mod machine;
-pub mod plot;
 pub mod price;
 pub mod states;
 pub mod timing;

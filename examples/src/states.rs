@@ -5,6 +5,8 @@
 
 use std::f32::consts::PI;
 
+use homogen_random::Random;
+
 /// Coordinates, rates, second rates and torques of N joints; rad or m, s, N m or N.
 #[derive(Clone, Copy, Debug)]
 pub struct State<T, const N: usize> {
@@ -33,8 +35,9 @@ impl<const N: usize> State<f32, N> {
 
 /// States with q in ±π, q̇ in ±2, q̈ in ±10 and τ in ±20.
 #[must_use]
-pub fn random<const N: usize>(count: usize, mut seed: u64) -> Vec<State<f32, N>> {
-    let mut within = |limit: f32| std::array::from_fn(|_| limit * unit(&mut seed));
+pub fn random<const N: usize>(count: usize, seed: u64) -> Vec<State<f32, N>> {
+    let mut random = Random::new(seed);
+    let mut within = |limit: f32| std::array::from_fn(|_| limit * random.coarse());
     let state = |_| State {
         q: within(PI),
         qd: within(2.0),
@@ -42,17 +45,4 @@ pub fn random<const N: usize>(count: usize, mut seed: u64) -> Vec<State<f32, N>>
         tau: within(20.0),
     };
     (0..count).map(state).collect()
-}
-
-/// The next number in [−1, 1), exact in 16 bits, from the generator SplitMix64 (Steele, Lea and Flood 2014).
-///
-/// # Panics
-/// Never: 16 bits are left of 64.
-pub fn unit(seed: &mut u64) -> f32 {
-    *seed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *seed;
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    let bits = u16::try_from((z ^ (z >> 31)) >> 48).expect("16 bits");
-    f32::from(bits) / 32768.0 - 1.0
 }

@@ -4,12 +4,12 @@
 //! they agree; else the row that should stand there. It never looks at times and errors: they belong to
 //! the machine that the report names. `homogen report` writes the report anew.
 
-#[path = "../report/src/chain.rs"]
+#[path = "../../report/program/src/chain.rs"]
 mod chain;
 #[expect(dead_code, reason = "states are for measuring")]
-#[path = "../report/src/scene.rs"]
+#[path = "../../report/program/src/scene.rs"]
 mod scene;
-#[path = "../report/src/simplified.rs"]
+#[path = "../../report/program/src/simplified.rs"]
 mod simplified;
 
 use std::path::Path;

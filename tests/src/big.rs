@@ -1,4 +1,4 @@
-//! Numbers of 256 bits, the reference that errors are measured against.
+//! Numbers of 256 bits, which errors are measured against.
 //!
 //! In: numbers of `f64`, exactly. Out: numbers that every operation rounds to 256 bits, so that what
 //! thousands of them lose is out of sight of any type under test. It never rounds to `f64` but in

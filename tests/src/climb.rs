@@ -2,7 +2,7 @@
 //!
 //! In: a description, a function, a type of number. Out: the greatest share of its bound that the error
 //! of a result takes, in corners of the range, anywhere in it, and uphill from the worst of them.
-//! Programs run as the generated code does; the reference is the same function in the frames of the
+//! Programs run as the generated code does; the truth is the same function in the frames of the
 //! description, with 106 bits.
 
 use std::marker::PhantomData;

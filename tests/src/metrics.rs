@@ -6,14 +6,14 @@
 //!
 //! An infinite error stands for a result that is infinite or NaN.
 
-pub mod magnitude;
+use std::marker::PhantomData;
 
 use homogen_codegen::schedule::{Program, run};
+use homogen_magnitude::{Magnitude, Measure};
 
 use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::tested::Tested;
-use magnitude::Magnitude;
 
 /// The results of a program in a type of number, as `f64`, which holds them exactly.
 #[must_use]
@@ -22,10 +22,25 @@ pub fn results<T: Tested>(program: &Program, arguments: &Arguments) -> Vec<f64> 
     found.into_iter().map(T::to_f64).collect()
 }
 
+/// As a type of number sees it: what underflows is off by the type's floor.
+#[derive(Clone, Copy, Debug)]
+struct By<T>(PhantomData<T>);
+
+impl<T: Tested> Measure for By<T> {
+    type Value = f64;
+    const FLOOR: f64 = T::FLOOR;
+
+    fn nearest(value: f64) -> f64 {
+        value
+    }
+}
+
 /// S of each result: the same program on absolute values.
 #[must_use]
 pub fn sizes<T: Tested>(program: &Program, arguments: &Arguments) -> Vec<f64> {
-    let found = run(program, |input| Magnitude::<T>::given(arguments.at(input)));
+    let found = run(program, |input| {
+        Magnitude::<By<T>>::given(arguments.at(input))
+    });
     found.into_iter().map(Magnitude::size).collect()
 }
 

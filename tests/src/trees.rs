@@ -2,17 +2,17 @@
 //! against dense matrices of 256 bits that share nothing with it.
 //!
 //! In: a seed. Out: what was found, or the smallest robot that fails. [`grow`] draws a [`robot`] number
-//! by number; [`text`] writes it and has it read; [`mod@reference`] puts it into matrices; [`cases`] says
+//! by number; [`text`] writes it and has it read; [`dense`] puts it into matrices; [`cases`] says
 //! what is run, [`prepared`] runs it, [`measure`] how wrong it is, and [`mod@examine`] what that amounts to;
 //! [`mod@shrink`] takes away what a failure does not need; [`features`] says what a robot has.
 
 pub mod cases;
+pub mod dense;
 pub mod examine;
 pub mod features;
 pub mod grow;
 pub mod measure;
 pub mod prepared;
-pub mod reference;
 pub mod regular;
 pub mod robot;
 pub mod shrink;

@@ -19,7 +19,7 @@ const STATES: usize = 1000;
 /// In single precision only generated code rounds visibly: the worst is 4.9 u.
 const SINGLE_LIMIT: f64 = 16.0;
 
-/// In double precision the dense products of the reference round more than what they are to judge:
+/// In double precision the dense products of the generic recursions round more than what they are to judge:
 /// the worst is 32 u.
 const DOUBLE_LIMIT: f64 = 64.0;
 

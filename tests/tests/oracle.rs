@@ -180,34 +180,26 @@ fn right_angles_as_written() {
     assert!(worst > TOLERANCE, "{worst:e}: a sine is 1 after all");
 }
 
-/// Every kind of joint about oblique axes, held and free.
+/// The tree of oblique axes of the engine's own tests, and on it more of every kind of joint, held and
+/// free, at right angles in few digits.
 #[test]
 fn a_tree_of_oblique_axes() {
-    let text = "
-        struct Tree { tip: tool, lock(seven = 0.7, eight = -0.4, ten) }
-        link base;
-        joint one: revolute([0.6, 0.0, 0.8]) { from: base, to: a, at: xyz(0.1, 0.2, 0.3) rpy(0.4, 0.5, 0.6) }
-        joint two: screw([0.48, 0.6, -0.64], pitch: 0.037) { from: a, to: b, at: xyz(-0.3, 0.1, 0.2) ry(1.1) }
-        joint three: prismatic([-0.8, 0.36, 0.48]) { from: b, to: c, at: xyz(0.2, 0.3, -0.1) rx(0.7) rz(1.5708) }
-        joint four: revolute(-y) { from: c, to: d, at: xyz(0.05, -0.2, 0.15) rpy(0.1, -0.2, 0.3) }
-        joint five: prismatic(x) { from: a, to: e, at: xyz(0.1, 0.1, 0.1) rz(-3.14159) }
-        joint six: revolute(z) { from: e, to: f, at: xyz(0.3, 0.2, 0.1) rpy(-0.3, 0.2, 0.1) }
-        joint seven: screw([0.0, 0.6, 0.8], pitch: -0.1) { from: f, to: g, at: xyz(0.1, 0, 0) }
+    let tree = include_str!("../../codegen/src/layout/oblique.txt");
+    let held = "tip: tool, lock(seven = 0.7, eight = -0.4, ten)";
+    let text = tree.replace("tip: tool", held)
+        + "
+        joint seven: screw([0.0, 0.6, 0.8], pitch: -0.1) { from: f, to: g, at: xyz(0.1, 0, 0) rz(-3.14159) }
         joint eight: prismatic([0.8, 0.6, 0.0]) { from: g, to: h, at: rx(pi/2) }
         joint nine: cylindrical([0.36, -0.48, 0.8]) { from: b, to: i, at: xyz(0.1, -0.1, 0.2) rpy(0.5, 0.1, -0.2) }
         joint ten: cylindrical(x) { from: i, to: j, at: xyz(0.2, 0.1, 0.05) rz(0.4) }
-        joint weld: fixed { from: d, to: tool, at: xyz(0.1, 0.03, 0.02) rpy(0.2, 0.1, 0.4) }
-        link a { mass: 2.1, com: [0.11, 0.07, -0.05], inertia: [0.031, 0.002, -0.003, 0.043, 0.001, 0.052] }
-        link b { mass: 1.7, com: [-0.03, 0.09, 0.06], inertia: [0.021, 0.003, 0.001, 0.033, -0.002, 0.042] }
-        link c { mass: 1.3, com: [0.05, -0.04, 0.08], inertia: [0.017, -0.001, 0.002, 0.023, 0.003, 0.027] }
-        link d { mass: 0.9, com: [0.02, 0.03, 0.07], inertia: [0.011, 0.001, 0.001, 0.012, 0.002, 0.014] }
-        link e { mass: 1.1, com: [0.06, 0.01, -0.02], inertia: [0.013, 0.002, -0.001, 0.016, 0.001, 0.019] }
-        link f { mass: 0.7, com: [0.01, -0.05, 0.03], inertia: [0.007, 0.001, 0.001, 0.008, 0.001, 0.009] }
+        joint eleven: revolute(y) { from: h, to: k, at: xyz(0.1, 0.1, 0.1) rx(0.7) rz(1.5708) }
+        joint twelve: prismatic(x) { from: k, to: l, at: xyz(0.1, 0.2, 0.1) rz(-3.14159) }
         link g { mass: 0.5, com: [0.02, 0.01, 0.01], inertia: [0.003, 0, 0, 0.004, 0, 0.005] }
         link h { mass: 0.3, com: [0.01, -0.02, 0.01], inertia: [0.002, 0, 0, 0.003, 0, 0.004] }
         link i { mass: 0.6, com: [0.03, 0.02, -0.04], inertia: [0.004, 0.001, 0, 0.006, 0.001, 0.005] }
         link j { mass: 0.2, com: [0.02, -0.01, 0.03], inertia: [0.001, 0, 0, 0.001, 0, 0.0015] }
-        link tool { mass: 0.4, com: [0.01, 0.02, 0.05], inertia: [0.001, 0, 0, 0.001, 0, 0.002] }";
+        link k { mass: 0.4, com: [0.03, 0.01, 0.02], inertia: [0.002, 0, 0, 0.002, 0, 0.003] }
+        link l { mass: 0.2, com: [0.01, 0.02, 0.01], inertia: [0.001, 0, 0, 0.001, 0, 0.001] }";
     let mut errors = Errors::new();
     let tokens = text.parse().expect("tokens");
     let item = inline::read(tokens, Path::new("nowhere"), &mut errors);

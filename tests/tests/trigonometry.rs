@@ -1,7 +1,7 @@
-//! Holds the runtime's sines and cosines, fused and not, against a reference of 256 bits.
+//! Holds the runtime's sines and cosines, fused and not, against 256 bits.
 //!
 //! In: angles at random, next to the multiples of π/2, tiny and huge. Out: nothing but a failed
-//! assertion. The reference itself is held against a table of another library's values, which
+//! assertion. The 256 bits themselves are held against a table of another library's values, which
 //! `reference/trigonometry.py` prints; nothing here measures time.
 
 use core::array::from_fn;
@@ -15,7 +15,7 @@ use homogen::trigonometry::{double, sin_cos_all_f32, sin_cos_all_f64, sin_cos_ea
 use homogen_tests::fused_sines;
 use homogen_tests::states::Random;
 
-/// A number of the reference.
+/// A number of 256 bits.
 type Big = FBig<HalfEven>;
 
 /// Units in the last place: the worst of 2.6·10⁷ angles was 0.806, fused or not.
@@ -25,7 +25,7 @@ const DOUBLE_LIMIT: f64 = 0.85;
 const SINGLE_LIMIT: f64 = 0.92;
 
 #[test]
-fn the_reference_agrees_with_a_second_source() {
+fn the_256_bits_agree_with_a_second_source() {
     let tolerance = big(1e-68);
     for (angle, sine, cosine) in table() {
         let found = sin_cos(angle);
@@ -247,7 +247,7 @@ fn assert_within(angle: f64, found: (f64, f64), expected: (&Big, &Big), limit: f
     }
 }
 
-/// The standard library's double precision is reference enough for single precision.
+/// The standard library's double precision is exact enough for single precision.
 fn check_single(angle: f32) {
     let (sine, cosine) = single::sin_cos(angle);
     let (fused_sine, fused_cosine) = fused_sines::single::sin_cos(angle);

@@ -1,7 +1,7 @@
 //! `homogen report`: speed against error, measured on this machine.
 //!
 //! In: a clone of the repository, somewhere above the current folder. Out: what the crate
-//! `examples/report` writes there. It only finds and starts that crate, which compiles what it
+//! `report/program` writes there. It only finds and starts that crate, which compiles what it
 //! measures.
 
 use std::env;
@@ -18,10 +18,10 @@ use crate::error::{Errors, Place};
 /// Measure speed against error on this machine, and write tables and plots
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
-Everything after `report` goes to the crate examples/report of the repository:
+Everything after `report` goes to the crate report/program of the repository:
   --output FOLDER   where to write [default: report in the repository]
   --long            measure six times as long
-  --peers FOLDER    other implementations beside ours, as examples/peer/setup.sh sets them up
+  --peers FOLDER    other implementations beside ours, as report/peer/setup.sh sets them up
 Example:
   homogen report --output report-of-my-machine")]
 pub(super) struct Report {
@@ -52,10 +52,10 @@ impl Report {
 fn find(folder: &Path) -> Result<PathBuf, Errors> {
     let mut clones = folder.ancestors().filter(|folder| {
         let holds = |path| folder.join(path).is_file();
-        holds("codegen/src/cli/report.rs") && holds("examples/report/Cargo.toml")
+        holds("codegen/src/cli/report.rs") && holds("report/program/Cargo.toml")
     });
     if let Some(clone) = clones.next() {
-        return Ok(clone.join("examples/report/Cargo.toml"));
+        return Ok(clone.join("report/program/Cargo.toml"));
     }
     let mut errors = Errors::new();
     errors.push_with_hint(
@@ -76,7 +76,7 @@ mod tests {
     fn a_clone_is_found_from_inside() {
         let here = Path::new(env!("CARGO_MANIFEST_DIR"));
         let found = find(&here.join("src")).expect("this is a clone");
-        assert!(found.ends_with("examples/report/Cargo.toml"));
+        assert!(found.ends_with("report/program/Cargo.toml"));
         assert!(found.is_file());
     }
 

@@ -3,14 +3,12 @@
 //! In: a text, the bytes that may come into it, a seed. Out: as many changed texts as are taken, the
 //! same for the same seed everywhere.
 
+use homogen_random::Random;
+
 /// Each with one to six changes: a byte replaced, a byte put in, or up to eleven in a row taken out.
 pub fn changed(text: &str, bytes: &[u8], seed: u64) -> impl Iterator<Item = String> {
-    // A linear congruential generator is random enough to break a text.
-    let mut state = seed;
-    let mut random = move |below: usize| {
-        state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(1);
-        usize::try_from(state >> 33).unwrap_or(0) % below
-    };
+    let mut random = Random::new(seed);
+    let mut random = move |below: usize| random.below(below);
     std::iter::repeat_with(move || {
         let mut text = text.as_bytes().to_vec();
         for _ in 0..=random(6) {

@@ -140,23 +140,7 @@ fn compare(name: &str, chain: &Chain, layouts: &[Layout], ways: fn(Function) -> 
 }
 
 /// A tree with every kind of joint about oblique axes, whose numbers have many digits.
-const OBLIQUE: &str = "
-    struct Tree { tip: tool, gravity: [1.1, -2.3, 8.7] }
-    link base;
-    joint one: revolute([0.6, 0.0, 0.8]) { from: base, to: a, at: xyz(0.1, 0.2, 0.3) rpy(0.4, 0.5, 0.6) }
-    joint two: screw([0.48, 0.6, -0.64], pitch: 0.037) { from: a, to: b, at: xyz(-0.3, 0.1, 0.2) ry(1.1) }
-    joint three: prismatic([-0.8, 0.36, 0.48]) { from: b, to: c, at: xyz(0.2, 0.3, -0.1) rx(0.7) rz(0.9) }
-    joint four: revolute(-y) { from: c, to: d, at: xyz(0.05, -0.2, 0.15) rpy(0.1, -0.2, 0.3) }
-    joint five: prismatic(x) { from: a, to: e, at: xyz(0.1, 0.1, 0.1) rz(0.35) }
-    joint six: revolute(z) { from: e, to: f, at: xyz(0.3, 0.2, 0.1) rpy(-0.3, 0.2, 0.1) }
-    joint weld: fixed { from: d, to: tool, at: xyz(0.1, 0.03, 0.02) rpy(0.2, 0.1, 0.4) }
-    link a { mass: 2.1, com: [0.11, 0.07, -0.05], inertia: [0.031, 0.002, -0.003, 0.043, 0.001, 0.052] }
-    link b { mass: 1.7, com: [-0.03, 0.09, 0.06], inertia: [0.021, 0.003, 0.001, 0.033, -0.002, 0.042] }
-    link c { mass: 1.3, com: [0.05, -0.04, 0.08], inertia: [0.017, -0.001, 0.002, 0.023, 0.003, 0.027] }
-    link d { mass: 0.9, com: [0.02, 0.03, 0.07], inertia: [0.011, 0.001, 0.001, 0.012, 0.002, 0.014] }
-    link e { mass: 1.1, com: [0.06, 0.01, -0.02], inertia: [0.013, 0.002, -0.001, 0.016, 0.001, 0.019] }
-    link f { mass: 0.7, com: [0.01, -0.05, 0.03], inertia: [0.007, 0.001, 0.001, 0.008, 0.001, 0.009] }
-    link tool { mass: 0.4, com: [0.01, 0.02, 0.05], inertia: [0.001, 0, 0, 0.001, 0, 0.002] }";
+const OBLIQUE: &str = include_str!("oblique.txt");
 
 fn robot(file: &str, tip: &str) -> Chain {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");

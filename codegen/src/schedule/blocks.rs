@@ -152,6 +152,8 @@ fn cuts(parts: &[Part], read_until: &[u32]) -> Vec<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
+    use homogen_random::Random;
+
     use super::{Block, FLAT, LONGEST_SCOPE, Part, SHORTEST, nested};
     use crate::expression::Input;
     use crate::schedule::{Operand, Operation, Program, Step};
@@ -183,11 +185,9 @@ mod tests {
 
     /// One of the 300 steps before mostly, any other one step in ten.
     fn tangled(steps: usize) -> Program {
-        let mut seed = 1_u64;
-        let mut below = |most: u32| {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            u32::try_from((seed >> 33) % u64::from(most)).expect("below a u32")
-        };
+        let mut random = Random::new(1);
+        let mut below =
+            |end: u32| u32::try_from(random.bits() % u64::from(end)).expect("below a u32");
         program(steps, |k| {
             [(); 2].map(|()| match below(10) {
                 0 => below(k),

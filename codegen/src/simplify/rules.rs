@@ -149,6 +149,8 @@ fn common_factor<'g>(site: &Site<'g>, sum: &Sum<'g>) -> Option<Term<'g>> {
 
 #[cfg(test)]
 mod tests {
+    use homogen_random::Random;
+
     use super::RULES;
     use crate::expression::{Double, Graph, Input, Term};
     use crate::schedule::{Price, Program, run, schedule};
@@ -254,16 +256,10 @@ mod tests {
 
     #[test]
     fn random_expressions_keep_their_value_and_never_become_dearer() {
-        let mut state = 7_u64;
-        let mut next = move |below: usize| {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            usize::try_from(state >> 33).expect("31 bits") % below
-        };
+        let mut random = Random::new(7);
         for _ in 0..300 {
             let choices: Vec<[usize; 3]> = (0..30)
-                .map(|k| [next(5), next(k + 6), next(k + 6)])
+                .map(|k| [5, k + 6, k + 6].map(|end| random.below(end)))
                 .collect();
             let (before, after) = operations(|graph| {
                 let mut terms: Vec<Term<'_>> = (0..3).map(|k| input(graph, k)).collect();

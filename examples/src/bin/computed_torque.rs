@@ -8,8 +8,8 @@ use std::io;
 use std::time::{Duration, Instant};
 
 use homogen::Robot;
-use homogen_examples::plot::{Axis, Color, Curve, Page, Panel, Scale, Style};
-use homogen_examples::{machine, plot};
+use homogen_examples::machine;
+use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use nalgebra::{Cholesky, SMatrix, SVector};
 
 /// The arm as the controller believes it to be, and as it is.

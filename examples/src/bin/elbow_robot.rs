@@ -9,7 +9,8 @@
 use homogen::loop_closure::{self, ClosedChain, NotClosed, Position};
 use homogen::robot::ForwardKinematics;
 use homogen::{Chain, Frame, Inertia, Joint, Pose, Screw, open_chain, rotation};
-use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
+use homogen_random::Random;
 use std::array::from_fn;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -104,14 +105,10 @@ fn follow_circle(robot: &Chain<6, 1>) -> Result<Vec<Position<f64, 6>>, NotClosed
 
 /// Random poses that the robot can reach, all from the same start.
 fn from_anywhere(robot: &Chain<6, 1>, poses: u32) -> Vec<Result<Position<f64, 6>, NotClosed>> {
-    let mut state = 1_u32;
-    let mut random = || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        f64::from(state >> 8) / f64::from(1 << 23) - 1.0
-    };
+    let mut random = Random::new(1);
     (0..poses)
         .map(|_| {
-            let q: [f64; 6] = from_fn(|_| 2.5 * random());
+            let q: [f64; 6] = from_fn(|_| 2.5 * random.unit());
             let closed = ClosedChain::tip_at(*robot, robot.forward_kinematics(&q));
             loop_closure::position(&closed, &[None; 6], &START)
         })

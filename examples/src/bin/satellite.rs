@@ -10,7 +10,7 @@ use homogen::open_chain::{self, commutator};
 use homogen::{
     Chain, Displacement, Error, Inertia, Joint, Pose, Screw, Velocity, newton_euler, vector,
 };
-use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use std::error;
 use std::f64::consts::TAU;
 

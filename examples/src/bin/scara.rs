@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use std::io;
 
 use homogen::{Point, Robot};
-use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 
 /// Reach of the inner and of the outer arm, and the height of the tool at q₃ = 0 \[m\].
 const REACH: [f64; 2] = [0.425, 0.375];

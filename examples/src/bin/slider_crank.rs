@@ -8,7 +8,7 @@
 
 use homogen::loop_closure::{self, NotClosed};
 use homogen::worked_examples::slider_crank::SliderCrank;
-use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use std::error::Error;
 use std::f64::consts::PI;
 
@@ -150,7 +150,7 @@ fn page(turn: &[Station]) -> Page {
 #[cfg(test)]
 mod tests {
     use super::{MECHANISM, SPEED, page, turn};
-    use homogen_examples::plot;
+    use homogen_plot as plot;
 
     #[test]
     fn the_turn_agrees_with_the_closed_form() {

@@ -9,7 +9,7 @@
 use homogen::open_chain::{self, motions};
 use homogen::worked_examples::stanford_arm::{self, OFFSET, SHOULDER};
 use homogen::{Action, Chain, lagrange};
-use homogen_examples::plot::{self, Axis, Color, Curve, Page, Panel, Scale, Style};
+use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use std::array::from_fn;
 use std::error::Error;
 

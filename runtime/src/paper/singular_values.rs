@@ -85,17 +85,13 @@ pub(super) fn dot<T: Real, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
 mod tests {
     use super::{orthogonalize, solve};
     use core::array::from_fn;
+    use homogen_random::Random;
     use nalgebra::{SMatrix, SVector};
 
     /// Entries in (−1, 1) that do not depend on one another in any simple way.
-    fn entries<const R: usize, const N: usize>(seed: u32) -> [[f64; N]; R] {
-        let mut state = seed;
-        from_fn(|_| {
-            from_fn(|_| {
-                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                f64::from(state >> 8) / f64::from(1 << 23) - 1.0
-            })
-        })
+    fn entries<const R: usize, const N: usize>(seed: u64) -> [[f64; N]; R] {
+        let mut random = Random::new(seed);
+        from_fn(|_| from_fn(|_| random.odd()))
     }
 
     #[test]

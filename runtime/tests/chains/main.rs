@@ -8,7 +8,6 @@
 mod jet;
 mod lagrange;
 mod loop_closure;
-mod magnitude;
 mod open_chain;
 mod sample;
 mod slider_crank;

@@ -3,26 +3,17 @@
 use homogen::{Action, Chain, Frame, Inertia, Joint, Pose, Real, Screw, rotation, vector};
 use std::array::from_fn;
 
-/// Splitmix64 (G. L. Steele, D. Lea and C. H. Flood 2014).
-pub struct Random(u64);
+/// Random numbers, and what is made of them.
+pub struct Random(homogen_random::Random);
 
 impl Random {
     pub fn new(seed: u64) -> Self {
-        Self(seed)
+        Self(homogen_random::Random::new(seed))
     }
 
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In (−1, 1).
+    /// In (−1, 1), and never zero.
     pub fn number<T: Real>(&mut self) -> T {
-        let bits = u32::try_from(self.bits() >> 40).expect("24 bits");
-        T::constant((f64::from(bits) + 0.5) / f64::from(1 << 23) - 1.0)
+        T::constant(self.0.odd())
     }
 
     pub fn numbers<T: Real, const N: usize>(&mut self) -> [T; N] {
@@ -65,7 +56,7 @@ impl Random {
 
     /// A tree of seven joints of all kinds; every third seed gives one without branches.
     pub fn chain(&mut self) -> Chain<7, 1> {
-        let branched = !self.bits().is_multiple_of(3);
+        let branched = !self.0.chance(3);
         let joints = from_fn(|i| {
             let parent = i.checked_sub(if branched && i == 4 { 3 } else { 1 });
             let (placement, inertia) = (self.pose(), self.inertia());

@@ -6,26 +6,17 @@ use homogen::{Displacement, Inertia, Pose, Real, Screw, Velocity, rotation, vect
 use std::array::from_fn;
 use std::vec::Vec;
 
-/// Splitmix64 (G. L. Steele, D. Lea and C. H. Flood 2014).
-pub struct Random(u64);
+/// Random numbers, and what is made of them.
+pub struct Random(homogen_random::Random);
 
 impl Random {
     pub fn new(seed: u64) -> Self {
-        Self(seed)
+        Self(homogen_random::Random::new(seed))
     }
 
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In (−1, 1).
+    /// In (−1, 1), and never zero.
     pub fn number<T: Real>(&mut self) -> T {
-        let bits = u32::try_from(self.bits() >> 40).expect("24 bits");
-        T::constant((f64::from(bits) + 0.5) / f64::from(1 << 23) - 1.0)
+        T::constant(self.0.odd())
     }
 
     /// In (0, 1).
@@ -34,7 +25,7 @@ impl Random {
     }
 
     pub fn index(&mut self, below: usize) -> usize {
-        usize::try_from(self.bits() >> 33).expect("31 bits") % below
+        self.0.below(below)
     }
 
     pub fn vector<T: Real>(&mut self) -> [T; 3] {

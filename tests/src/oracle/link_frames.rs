@@ -29,7 +29,7 @@ pub fn expressions(
 
 /// A function in the frames of the description: the plainest of the ways that give the same.
 #[must_use]
-pub fn reference(chain: &Chain, function: Function, frame: usize) -> Evaluation<Big> {
+pub fn truth(chain: &Chain, function: Function, frame: usize) -> Evaluation<Big> {
     expressions(chain, &[function], frame, Layout::DESCRIBED, Way::PLAIN)
 }
 

@@ -2,7 +2,8 @@
 //!
 //! In: a description and a request. Out: a placement, a screw L and an inertia J for every joint that
 //! hangs on the base, fixed and locked ones too: nothing is merged, turned or regrouped. It shares with
-//! the generator the reading of the text and nothing after it.
+//! the generator the reading of the text and nothing after it. Where that is to be contradicted too,
+//! [`trees::dense`](crate::trees::dense) makes the same matrices of numbers as they were drawn.
 
 use std::collections::BTreeSet;
 

@@ -6,7 +6,7 @@
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 
-use super::reference::Reference;
+use super::dense::Dense;
 use super::robot::{Body, Door, Field, Inertial, Kind, Placement, Robot};
 use super::written::{Reading, Written};
 
@@ -143,7 +143,7 @@ pub const FEATURES: [Feature; 52] = [
             body.at.xyz.iter().any(|word| word.value().abs() > 50.0)
         })
     }),
-    ("lengths of 1e-3", |robot| Reference::of(robot).reach < 0.05),
+    ("lengths of 1e-3", |robot| Dense::of(robot).reach < 0.05),
     ("masses of 1e3", |robot| {
         weighs(robot, |inertial| inertial.mass.value() > 50.0)
     }),
@@ -222,9 +222,9 @@ fn taken_back(robot: &Robot) -> bool {
 }
 
 fn placement(robot: &Robot, id: usize) -> Option<Matrix> {
-    let reference = Reference::of(robot);
-    let body = reference.body(id)?;
-    Some(reference.robot.bodies[body].placement.clone())
+    let dense = Dense::of(robot);
+    let body = dense.body(id)?;
+    Some(dense.robot.bodies[body].placement.clone())
 }
 
 fn largest<'b>(entries: impl IntoIterator<Item = &'b Big>) -> f64 {
@@ -265,8 +265,8 @@ struct Pair {
 }
 
 fn pair(robot: &Robot, has: impl Fn(&Pair) -> bool) -> bool {
-    let reference = Reference::of(robot);
-    let bodies = &reference.robot.bodies;
+    let dense = Dense::of(robot);
+    let bodies = &dense.robot.bodies;
     // Of each body its pose where all joints stand at zero, and its axis: point and direction.
     let mut poses: Vec<Matrix> = Vec::new();
     for body in bodies {
@@ -281,15 +281,15 @@ fn pair(robot: &Robot, has: impl Fn(&Pair) -> bool) -> bool {
         let point = poses[body].column().map(|x| x.to_f64());
         (if turn == [0.0; 3] { slide } else { turn }, point)
     };
-    let moves = |body: &usize| reference.moving.contains(&reference.links[*body]);
+    let moves = |body: &usize| dense.moving.contains(&dense.links[*body]);
     let pairs = (0..bodies.len()).filter(moves).filter_map(|body| {
-        let mut before = reference.robot.upwards(Some(body)).skip(1);
+        let mut before = dense.robot.upwards(Some(body)).skip(1);
         before.find(moves).map(|before| (axis(before), axis(body)))
     });
     pairs.into_iter().any(|((u, from), (v, to))| {
         let normal = cross(u, v);
         let offset: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
-        let near = 1e-9 * reference.reach.max(f64::MIN_POSITIVE);
+        let near = 1e-9 * dense.reach.max(f64::MIN_POSITIVE);
         let parallel = length(normal) < 1e-12;
         has(&Pair {
             parallel,

@@ -1,6 +1,6 @@
 //! How wrong a result is, in units of what it is made of.
 //!
-//! In: a result and a state, both by the coordinates of a [`Reference`]. Out: its largest error. Of a
+//! In: a result and a state, both by the coordinates of a [`Dense`]. Out: its largest error. Of a
 //! rotation the unit is 1, of an offset the robot's reach, of rates the sum of the joints' rates; of the
 //! torque of a joint the sum of the sizes of what its bodies ask of it, of an entry of the mass
 //! matrix the root of the two on its diagonal. Both of these can vanish where lever arms cancel, so
@@ -17,7 +17,7 @@ use crate::big::Big;
 use crate::oracle::frame_0;
 use crate::oracle::robot as oracle;
 
-use super::reference::Reference;
+use super::dense::Dense;
 
 /// The truth about a robot and what to measure by.
 pub struct Measure {
@@ -38,21 +38,21 @@ pub struct Measure {
 impl Measure {
     /// Of a link's frame, where a function is of one.
     #[must_use]
-    pub fn of(reference: &Reference, link: Option<usize>, in_frame_0: bool) -> Self {
-        let mut robot = reference.robot.clone();
-        robot.frames = link.iter().map(|&link| reference.body(link)).collect();
+    pub fn of(dense: &Dense, link: Option<usize>, in_frame_0: bool) -> Self {
+        let mut robot = dense.robot.clone();
+        robot.frames = link.iter().map(|&link| dense.body(link)).collect();
         let gravity = robot.gravity.column().map(|entry| entry.to_f64().abs());
-        let reach = reference.reach;
+        let reach = dense.reach;
         let share = if in_frame_0 { 1.0 } else { 0.01 };
-        let first = share * reach * reference.mass;
+        let first = share * reach * dense.mass;
         Self {
             robot,
             reach,
-            slide: reach + reference.slide,
+            slide: reach + dense.slide,
             first,
-            second: share * (share * reach * reach * reference.mass + reference.second),
+            second: share * (share * reach * reach * dense.mass + dense.second),
             gravity: gravity.into_iter().sum(),
-            mass: reference.mass,
+            mass: dense.mass,
         }
     }
 

@@ -19,8 +19,8 @@ use crate::arguments::Arguments;
 use crate::states::Random;
 
 use super::cases::{Case, Choice};
+use super::dense::Dense;
 use super::measure::Measure;
-use super::reference::Reference;
 use super::regular::pivot;
 use super::robot::{Asked, Field, Robot};
 use super::text;
@@ -47,7 +47,7 @@ pub struct Prepared<'r> {
     chain: Chain,
     /// The engine's own judgement, which a user gets with every program.
     check: Check,
-    reference: Reference,
+    dense: Dense,
     states: Vec<Arguments>,
     /// What is left of the mass matrix in each of them.
     pivots: OnceCell<Vec<f64>>,
@@ -65,26 +65,26 @@ impl<'r> Prepared<'r> {
             Check::of(&description, &request, &chain).map(|check| (chain, check))
         })?;
         let (chain, check) = understood.map_err(|errors| format!("refused: {errors}"))?;
-        let reference = Reference::of(robot);
+        let dense = Dense::of(robot);
         let mut names: Vec<usize> = chain.joints.iter().map(|joint| id(&joint.name)).collect();
-        let mut moving = reference.moving.clone();
+        let mut moving = dense.moving.clone();
         names.sort_unstable();
         moving.sort_unstable();
         if names != moving {
             return Err(format!("joints {names:?} move instead of {moving:?}"));
         }
         let of_state = |state| Arguments {
-            q: drawn(&reference.moving, seed, 4 * state),
-            qd: drawn(&reference.moving, seed, 4 * state + 1),
-            qdd: drawn(&reference.moving, seed, 4 * state + 2),
-            tau: drawn(&reference.moving, seed, 4 * state + 3),
+            q: drawn(&dense.moving, seed, 4 * state),
+            qd: drawn(&dense.moving, seed, 4 * state + 1),
+            qdd: drawn(&dense.moving, seed, 4 * state + 2),
+            tau: drawn(&dense.moving, seed, 4 * state + 3),
         };
         let states = (0..states as u64).map(of_state).collect();
         Ok(Self {
             robot,
             chain,
             check,
-            reference,
+            dense,
             states,
             pivots: OnceCell::new(),
         })
@@ -217,7 +217,7 @@ impl<'r> Prepared<'r> {
                     fields,
                     ..self.robot.asked.clone()
                 };
-                Reference::of(&Robot {
+                Dense::of(&Robot {
                     asked,
                     ..self.robot.clone()
                 })
@@ -229,7 +229,7 @@ impl<'r> Prepared<'r> {
             let others = [with(Vec::new()), with(at_the_end.collect())];
             let least = |state| {
                 let others = others.iter().map(|other| pivot(other, state));
-                others.fold(pivot(&self.reference, state), f64::min)
+                others.fold(pivot(&self.dense, state), f64::min)
             };
             self.states.iter().map(least).collect()
         });
@@ -246,10 +246,10 @@ impl<'r> Prepared<'r> {
         }
     }
 
-    /// The reference's coordinate of a joint of the chain.
+    /// The dense robot's coordinate of a joint of the chain.
     fn coordinate(&self, joint: usize) -> usize {
         let id = id(&self.chain.joints[joint].name);
-        let mut moving = self.reference.moving.iter();
+        let mut moving = self.dense.moving.iter();
         moving
             .position(|&known| known == id)
             .expect("the same joints")
@@ -258,12 +258,12 @@ impl<'r> Prepared<'r> {
     /// The largest error of a result, in units of what it is made of.
     fn error(&self, case: Case, frame: usize, found: &[f64], arguments: &Arguments) -> f64 {
         let link = self.chain.frames.get(frame).map(|frame| id(&frame.name));
-        let measure = Measure::of(&self.reference, link, case.in_frame_0());
+        let measure = Measure::of(&self.dense, link, case.in_frame_0());
         let found = self.in_order(case.function, found);
         measure.error(case.function, &found, arguments)
     }
 
-    /// A result by the coordinates of the reference instead of the chain's.
+    /// A result by the coordinates of the dense robot instead of the chain's.
     fn in_order(&self, function: Function, found: &[f64]) -> Vec<f64> {
         let mut joints = vec![0; self.chain.joints.len()];
         for joint in 0..joints.len() {

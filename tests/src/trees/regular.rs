@@ -9,7 +9,7 @@ use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::oracle::frame_0;
 
-use super::reference::Reference;
+use super::dense::Dense;
 
 /// A joint that all mass is nearer to than this part of the reach counts as carrying none.
 const NO_ARM: f64 = 1e-6;
@@ -20,12 +20,12 @@ const NOTHING: f64 = 1e-40;
 /// The least that elimination leaves of a diagonal entry of the mass matrix, beside that entry: 1 of a
 /// diagonal matrix, 0 of a singular one, or where a joint carries nothing.
 #[must_use]
-pub fn pivot(reference: &Reference, arguments: &Arguments) -> f64 {
+pub fn pivot(dense: &Dense, arguments: &Arguments) -> f64 {
     let count = arguments.q.len();
-    let matrix = frame_0::evaluate(&reference.robot, Function::MassMatrix, 0, arguments);
+    let matrix = frame_0::evaluate(&dense.robot, Function::MassMatrix, 0, arguments);
     let mut rows: Vec<Vec<Big>> = matrix.chunks(count).map(<[Big]>::to_vec).collect();
-    let arm = NO_ARM * reference.reach;
-    let nothing = Big::new(reference.mass * arm * arm + NOTHING);
+    let arm = NO_ARM * dense.reach;
+    let nothing = Big::new(dense.mass * arm * arm + NOTHING);
     let mut least: f64 = 1.0;
     for k in 0..count {
         let entry = &matrix[k * count + k];

@@ -117,7 +117,7 @@ fn merged_angle() {
             program.angles.iter().filter(sums).count()
         };
         assert_eq!((sums(&merged), sums(&products)), (parallel - 1, 0));
-        let truth = link_frames::reference(&chain, ForwardKinematics, 0);
+        let truth = link_frames::truth(&chain, ForwardKinematics, 0);
         let mut worst = [[0.0_f64; 2]; 5];
         let mut random = Random::new(24);
         for k in 0..1200 {

@@ -175,12 +175,12 @@ impl Bench {
         let torques = || {
             let torques = Function::InverseDynamics;
             let sizes = program_by(&chain, &[torques], 0, Layout::DESCRIBED, Way::PLAIN);
-            (link_frames::reference(&chain, torques, 0), sizes)
+            (link_frames::truth(&chain, torques, 0), sizes)
         };
         Self {
             label: label.to_owned(),
             robot: Robot::of(&subject.description, &subject.request),
-            truth: link_frames::reference(&chain, function, 0),
+            truth: link_frames::truth(&chain, function, 0),
             torques: (function == Function::ForwardDynamics).then(torques),
             chain,
             function,

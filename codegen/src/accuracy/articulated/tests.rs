@@ -13,7 +13,7 @@ const NEARLY: f64 = 1.0 + 1e-7;
 
 #[test]
 fn no_inertia_is_beyond_its_size_and_some_reach_it() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     let (mut rigid, mut yielding, mut actions) = ([0.0_f64; 3], [0.0_f64; 3], 0.0_f64);
     for turn in 0..1000 {
         let chain = Chain::new(&mut random, 1 + turn % 4);
@@ -61,7 +61,7 @@ fn no_inertia_is_beyond_its_size_and_some_reach_it() {
 /// Errors of inertias that take as much of the energy as is allowed, in the worst shape.
 #[test]
 fn computed_inertias_have_the_sizes_of_exact_ones_but_for_trust() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     let (mut pivots, mut sizes) = (0.0_f64, 0.0_f64);
     for turn in 0..1000 {
         let chain = Chain::new(&mut random, 2 + turn % 4);
@@ -144,7 +144,7 @@ fn summed(a: &[f64], b: &[f64]) -> f64 {
 #[test]
 fn no_joint_loses_more_than_is_counted() {
     let roundoff = f64::from(f32::EPSILON) / 2.0;
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     let (mut residual, mut entries, mut drifted, mut pushed) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     for turn in 0..6_000 {
         let chain = Chain::new(&mut random, 1 + turn % 3);

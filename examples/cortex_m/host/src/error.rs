@@ -10,9 +10,9 @@ use controller::{
     inverse_dynamics, mass_matrix, states,
 };
 use homogen::{Pose, Screw, generic};
+use homogen_magnitude::Magnitude;
 
 use crate::arm::Arm;
-use crate::magnitude::Magnitude;
 
 /// The unit of rounding of single precision.
 const U: f64 = 1.0 / 16_777_216.0;
@@ -60,26 +60,26 @@ fn error(function: &str, state: &State, found: &[f32]) -> f64 {
     if found.len() != truth.len() {
         return f64::NAN;
     }
-    let most = largest(size.iter().map(|size| size.size));
+    let most = largest(size.iter().map(|size| size.size()));
     let entries = found.iter().zip(&truth).zip(&size);
     largest(entries.map(|((found, truth), size)| {
         let error = (f64::from(*found) - truth).abs();
         // What is zero by construction is the sum of nothing: the others tell its size.
-        let size = if size.size < 1e-6 * most {
+        let size = if size.size() < 1e-6 * most {
             most
         } else {
-            size.size
+            size.size()
         };
         error / size / U
     }))
 }
 
 /// What should have been found, and of what sizes it is the sum.
-fn truth(function: &str, state: &State) -> (Vec<f64>, Vec<Magnitude>) {
+fn truth(function: &str, state: &State) -> (Vec<f64>, Vec<Magnitude<f64>>) {
     let chain = Arm::chain();
     let tip = chain.tip();
     let [q, qd, qdd, _] = exact(state);
-    let [a, b, c] = [q, qd, qdd].map(|row| row.map(Magnitude::given));
+    let [a, b, c] = [q, qd, qdd].map(|row| row.map(Magnitude::<f64>::given));
     match function {
         "forward_kinematics" => (
             of_pose(&generic::forward_kinematics(&chain, &tip, &q)),
@@ -114,9 +114,9 @@ fn backward(state: &State, found: &[f32]) -> f64 {
     };
     let found = found.map(f64::from);
     let torques = generic::inverse_dynamics(&Arm::chain(), &q, &qd, &found);
-    let [a, b, c] = [q, qd, found].map(|row| row.map(Magnitude::given));
+    let [a, b, c] = [q, qd, found].map(|row| row.map(Magnitude::<f64>::given));
     let size = Arm.inverse_dynamics(&a, &b, &c);
-    largest((0..JOINTS).map(|i| (torques[i] - tau[i]).abs() / (size[i].size + tau[i].abs()) / U))
+    largest((0..JOINTS).map(|i| (torques[i] - tau[i]).abs() / (size[i].size() + tau[i].abs()) / U))
 }
 
 /// The largest, or NaN where there is one, which `f64::max` overlooks.

@@ -13,7 +13,6 @@ mod error;
 mod expected;
 mod image;
 mod judge;
-mod magnitude;
 mod peer;
 mod sines;
 

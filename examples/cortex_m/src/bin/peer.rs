@@ -1,6 +1,6 @@
 //! A firmware that measures the peer's C as the controller is measured.
 //!
-//! In: the functions that `examples/peer` and a C compiler made, which `build.rs` links where the
+//! In: the functions that `report/peer` and a C compiler made, which `build.rs` links where the
 //! variable `PEER` names them. Out: over semihosting the bits of every result, and instructions
 //! and stack of every function, for `run.sh --peer`.
 #![no_std]

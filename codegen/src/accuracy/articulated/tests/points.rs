@@ -6,16 +6,17 @@
 pub(super) type Twist = [f64; 6];
 pub(super) type Inertia = [Twist; 6];
 
-/// A linear congruence, of whose state the upper half is read.
-pub(super) struct Random(pub(super) u64);
+/// Random numbers, and vectors of them.
+pub(super) struct Random(homogen_random::Random);
 
 impl Random {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(homogen_random::Random::new(seed))
+    }
+
     /// In [−1, 1).
     pub(super) fn unit(&mut self) -> f64 {
-        let next = self.0.wrapping_mul(6_364_136_223_846_793_005);
-        self.0 = next.wrapping_add(1_442_695_040_888_963_407);
-        let bits = u32::try_from(self.0 >> 32).expect("32 bits");
-        f64::from(bits) / f64::from(1_u32 << 31) - 1.0
+        self.0.unit()
     }
 
     pub(super) fn vector(&mut self) -> [f64; 3] {

@@ -1,38 +1,17 @@
 //! Programs at random, full of what bounds look for: turns, shifted angles, constant rotations, levers.
 //!
 //! In: seeds. Out: that every value of every step is in its range and no error beyond its bound, in
-//! both types, whether products are fused or not. The reference runs the same program with 106 bits.
+//! both types, whether products are fused or not. The truth is the same program run with 106 bits.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use homogen_random::Random;
 
 use super::{A, B, Conditions, Value, program, results, step};
 use crate::expression::{Arithmetic, Double, Input};
 use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program, run};
 use crate::space::Variable;
-
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^ (bits >> 31)
-    }
-
-    /// In [−1, 1), a multiple of 2⁻²³.
-    fn unit(&mut self) -> f64 {
-        let bits = u32::try_from(self.bits() >> 40).expect("24 bits");
-        f64::from(bits) / f64::from(1_u32 << 23) - 1.0
-    }
-
-    fn below(&mut self, end: usize) -> usize {
-        usize::try_from(self.bits() % 1_000_003).expect("it is small") % end
-    }
-}
 
 /// A program that is being written.
 struct Draft {
@@ -118,7 +97,7 @@ impl Draft {
 
 fn drawn(seed: u64) -> Program {
     let mut draft = Draft {
-        random: Random(seed),
+        random: Random::new(seed),
         operations: Vec::new(),
         values: vec![
             A,
@@ -201,7 +180,7 @@ fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl
         range: &range,
     };
     let found = results(program, &conditions);
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     for _ in 0..8 {
         let [q, other] = [3.0, size].map(|most| match random.below(3) {
             0 => most,

@@ -1,0 +1,66 @@
+//! Runs every program of one function in turns, and prints what each took and how far it was off.
+//!
+//! In: `SCENE FUNCTION TRUTH BATCHES`, where TRUTH is the folder with the scene's states and exact
+//! results; then, for each peer, `MAKER TYPE SYMBOL LIBRARY`. Out: a line a program: name, type, quartiles of the
+//! time per call in ns, median, 99th percentile and worst of the error. What the programs are was
+//! generated.
+
+mod case;
+#[path = "../../../../examples/src/entries.rs"]
+mod entries;
+mod peer;
+#[path = "../../../../examples/src/timing.rs"]
+mod timing;
+mod truth;
+mod with_libm;
+
+use std::error::Error;
+use std::time::Duration;
+
+use case::Case;
+#[allow(
+    unused_imports,
+    reason = "the generated robots need it, where there are any"
+)]
+use case::State;
+use truth::Truth;
+#[allow(
+    unused_imports,
+    reason = "the generated robots need it, where there are any"
+)]
+use with_libm::Libm;
+
+include!(concat!(env!("OUT_DIR"), "/cases.rs"));
+
+/// Long beside the clock's resolution, short beside what else happens on a machine.
+const SHORTEST: Duration = Duration::from_micros(200);
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [scene, function, folder, batches, peers @ ..] = &arguments[..] else {
+        return Err("measured SCENE FUNCTION TRUTH BATCHES [MAKER TYPE SYMBOL LIBRARY]…".into());
+    };
+    let truth = Truth::read(folder.as_ref(), function)?;
+    let mut cases = cases(scene, function, &truth);
+    for peer in peers.as_chunks().0 {
+        cases.push(peer::load(peer, function, &truth)?);
+    }
+    let batches_of_cases: Vec<&dyn Fn()> = cases.iter().map(|case| &*case.batch).collect();
+    let calls = u32::try_from(truth.states)?;
+    let times = timing::alternate(batches.parse()?, calls, SHORTEST, &batches_of_cases);
+    for (case, time) in cases.iter().zip(times) {
+        let errors = truth.errors(&*case.results, &case.entries);
+        println!(
+            "{} {} {:.3} {:.3} {:.3} {:e} {:e} {:e}",
+            case.name,
+            case.scalar,
+            time.lower,
+            time.median,
+            time.upper,
+            errors.median,
+            errors.rare,
+            errors.worst
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,356 @@
+//! The report as Markdown.
+//!
+//! In: what was measured. Out: tables with the figures between them. Counts are exact, and a test
+//! holds the committed copy to them; times belong to the machine that the first paragraph names.
+
+mod cells;
+
+use std::fmt::Write;
+
+use homogen_codegen::Function;
+use homogen_codegen::schedule::Price;
+use homogen_examples::machine;
+use homogen_plot::heat::Map;
+
+use cells::{fastest, find, in_units, price, spread, time, units};
+
+use crate::growth::{self, Grown};
+use crate::measure::{Effort, Point};
+use crate::peers::MAKERS;
+use crate::program::Flags;
+use crate::scene::{STATES, Scalar, Scene, Variant};
+use crate::source::GENERIC;
+
+/// All that was measured.
+pub struct Measured<'a> {
+    /// How long.
+    pub effort: Effort,
+    /// The robots that ship.
+    pub robots: &'a [Scene],
+    /// The scenes in which a simpler model may do.
+    pub models: &'a [Scene],
+    /// The robots that peers brought.
+    pub beside: &'a [Scene],
+    /// With what the peers were made; empty without any.
+    pub versions: &'a str,
+    /// Every program in every scene.
+    pub points: &'a [Point],
+    /// Scene, variant, function, price.
+    pub prices: &'a [(String, &'static str, Function, Price)],
+    /// Chains.
+    pub grown: &'a [Grown],
+    /// Hard cases by formulation.
+    pub hard: &'a Map,
+}
+
+/// The text of the report.
+pub fn write(measured: &Measured<'_>) -> String {
+    let mut text = String::from("# Speed against error\n\n");
+    text.push_str(&method(measured));
+    text.push_str(&robots(measured));
+    text.push_str(&formulations(measured));
+    if !measured.versions.is_empty() {
+        text.push_str(&peers(measured));
+    }
+    text.push_str(&hard(measured.hard));
+    text.push_str(&models(measured));
+    text.push_str(&grown(measured.grown));
+    text
+}
+
+fn method(measured: &Measured<'_>) -> String {
+    let Effort { rounds, batches } = measured.effort;
+    format!(
+        "Measured with `homogen report` on {processor}; {rustc}, opt-level 3, once for every \
+         processor of the architecture (baseline) and once with `-C target-cpu=native`.\n\
+         One thread. A time is the median of {rounds} rounds, in each of which all programs of a \
+         function take turns {batches} times, and each turn goes through {STATES} random states; \
+         only ratios carry over to another machine.\n\
+         An error is the worst over all entries of a result at all states, against the same \
+         function in 106 bits, in relation to the sum of the magnitudes of the terms that the \
+         entry was summed from; where a mass matrix is inverted, in relation to the largest entry \
+         of the result. u is the unit roundoff, 2⁻⁵³ for `f64` and 2⁻²⁴ for `f32`.\n\
+         Generated code is what the derive writes, for any scalar; the recursions at run time are \
+         those of `homogen::generic`.\n\n",
+        processor = machine::processor(),
+        rustc = machine::COMPILER,
+    )
+}
+
+fn robots(measured: &Measured<'_>) -> String {
+    let mut text = String::from(
+        "## Every function of the robots that ship\n\n\
+         Times in ns; counts are those of the doc comments. Errors of native programs: the median \
+         over the states, what 99 in 100 states do not exceed, and the worst.\n\n",
+    );
+    for scene in measured.robots {
+        let _ = writeln!(
+            text,
+            "### {}\n\n![{0}: time per call against worst error]({}.svg)\n\n\
+             | function | mul | add | div | sin, cos | f64 | native | f32 | native | at run time, native | error f64 | f32 | at run time |\n\
+             |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
+            scene.title, scene.name
+        );
+        for &function in &scene.functions {
+            let price = price(measured, scene, Variant::DEFAULT.name, function);
+            let at =
+                |variant, scalar, flags| find(measured, scene, function, variant, scalar, flags);
+            let default = |scalar, flags| at(Variant::DEFAULT.name, scalar, flags);
+            let generic = at(GENERIC, Scalar::F64, Flags::Native);
+            let _ = writeln!(
+                text,
+                "| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+                function.name(),
+                price.mul,
+                price.add,
+                price.div,
+                price.sin + price.cos,
+                time(default(Scalar::F64, Flags::Baseline)),
+                time(default(Scalar::F64, Flags::Native)),
+                time(default(Scalar::F32, Flags::Baseline)),
+                time(default(Scalar::F32, Flags::Native)),
+                time(generic),
+                spread(default(Scalar::F64, Flags::Native)),
+                spread(default(Scalar::F32, Flags::Native)),
+                spread(generic),
+            );
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn formulations(measured: &Measured<'_>) -> String {
+    let mut text = String::from(
+        "## Formulations\n\n\
+         The same functions by other ways, `f64`; times in ns. Merged angles have no room for all \
+         digits after many turns, which these states do not show.\n\n\
+         ![Formulations: time per call against worst error](formulations.svg)\n\n\
+         | robot | function | formulation | mul | add | div | baseline | native | error, baseline | native |\n\
+         |---|---|---|---:|---:|---:|---:|---:|---:|---:|\n",
+    );
+    for scene in measured.robots {
+        for &function in &scene.functions {
+            for variant in scene.variants.iter().filter(|v| v.serves(function)) {
+                let price = price(measured, scene, variant.name, function);
+                let at = |flags| find(measured, scene, function, variant.name, Scalar::F64, flags);
+                let _ = writeln!(
+                    text,
+                    "| {} | `{}` | {} | {} | {} | {} | {} | {} | {} | {} |",
+                    scene.title,
+                    function.name(),
+                    variant.title,
+                    price.mul,
+                    price.add,
+                    price.div,
+                    time(at(Flags::Baseline)),
+                    time(at(Flags::Native)),
+                    units(at(Flags::Baseline)),
+                    units(at(Flags::Native)),
+                );
+            }
+        }
+    }
+    text.push('\n');
+    text
+}
+
+fn peers(measured: &Measured<'_>) -> String {
+    let mut text = format!(
+        "## Beside others\n\n\
+         {}. One program, one run, the same description, the same states, one thread, everything \
+         for this processor. Pinocchio's templates, and the C that CasADi wrote from the same \
+         algorithms, are loaded into the program that runs ours, and take turns with it; \
+         `report/peer` sets them up. CasADi's C is as generated; with right angles made exact and \
+         common parts merged, `snapped`; and with its checks of pointers replaced by `restrict` \
+         besides. \
+         Mass matrices and accelerations are computed in both of Pinocchio's conventions, and the \
+         faster one counts. It leaves results where its users read them, and of symmetric matrices \
+         the upper triangle; ours and CasADi's are returned whole. \
+         Random states leave the branches in the platform's sines to chance, for all that call \
+         them; along a smooth motion a processor foresees most of them. \
+         Pinocchio and CasADi's plain C take the digits of a right angle literally; where a \
+         description has few of them, that is most of their error.\n\n",
+        measured.versions
+    );
+    let with_peers = |scene: &&Scene| {
+        let mut points = measured.points.iter();
+        points.any(|point| point.scene == scene.name && point.key.is_of_a_peer())
+    };
+    let scenes = measured.robots.iter().chain(measured.beside);
+    for scene in scenes.filter(with_peers) {
+        let _ = writeln!(text, "### {} beside others\n", scene.title);
+        // The figures of those that ship stand above.
+        if !measured.robots.iter().any(|robot| robot.name == scene.name) {
+            let _ = writeln!(
+                text,
+                "![{}: time per call against worst error]({}.svg)\n",
+                scene.title, scene.name
+            );
+        }
+        let _ = writeln!(
+            text,
+            "| function | type | ours | with platform sines | Pinocchio | CasADi | snapped | restrict | ours / best | with platform sines | error of ours | Pinocchio | CasADi | restrict |\n\
+             |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
+        );
+        let refined = scene.variants.iter().find(|way| way.name == "refined_1");
+        for scalar in [Scalar::F64, Scalar::F32] {
+            for &function in &scene.functions {
+                text.push_str(&row_of_peers(
+                    measured,
+                    scene,
+                    function,
+                    &Variant::DEFAULT,
+                    scalar,
+                ));
+                // With as many digits as others have.
+                let refined =
+                    refined.filter(|way| way.serves(function) && way.scalars.contains(&scalar));
+                if let Some(refined) = refined {
+                    text.push_str(&row_of_peers(measured, scene, function, refined, scalar));
+                }
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn row_of_peers(
+    measured: &Measured<'_>,
+    scene: &Scene,
+    function: Function,
+    way: &Variant,
+    scalar: Scalar,
+) -> String {
+    let ours = |variant| find(measured, scene, function, variant, scalar, Flags::Native);
+    let (platform, label) = if way.name == Variant::DEFAULT.name {
+        (ours("platform_sines"), String::new())
+    } else {
+        (None, format!(", {}", way.title))
+    };
+    let ours = ours(way.name);
+    let best = MAKERS.map(|maker| fastest(measured, scene, function, maker, scalar));
+    let times = best.iter().flatten().map(|point| point.time[1]);
+    let least = times.fold(f64::INFINITY, f64::min);
+    let ratio = |ours: Option<&Point>| match ours {
+        Some(ours) if least.is_finite() => format!("{:.2}", ours.time[1] / least),
+        _ => "–".to_owned(),
+    };
+    let [pinocchio, plain, snapped, restrict] = best.map(time);
+    format!(
+        "| `{}`{label} | {} | {} | {} | {pinocchio} | {plain} | {snapped} | {restrict} | {} | {} | {} | {} | {} | {} |\n",
+        function.name(),
+        scalar.name(),
+        time(ours),
+        time(platform),
+        ratio(ours),
+        ratio(platform),
+        units(ours),
+        units(best[0]),
+        units(best[1]),
+        units(best[3]),
+    )
+}
+
+fn hard(hard: &Map) -> String {
+    let mut text = String::from(
+        "## Hard cases\n\n\
+         Worst error over 200 states, in units of rounding of the type, of programs that are run \
+         as they stand; a dash where a formulation makes no difference or is refused. Errors of \
+         forward dynamics are in relation to the largest acceleration. The tests hold these \
+         robots, and more states of them, to limits against 256 bits.\n\n\
+         ![Hard cases by formulation](hard.svg)\n\n| case |",
+    );
+    for column in &hard.columns {
+        let _ = write!(text, " {column} |");
+    }
+    let _ = writeln!(text, "\n|---|{}", "---:|".repeat(hard.columns.len()));
+    for (title, numbers) in &hard.rows {
+        let _ = write!(text, "| {title} |");
+        for number in numbers {
+            let _ = match number {
+                Some(number) => write!(text, " {} |", in_units(*number)),
+                None => write!(text, " – |"),
+            };
+        }
+        text.push('\n');
+    }
+    text.push('\n');
+    text
+}
+
+fn models(measured: &Measured<'_>) -> String {
+    let mut text = String::from(
+        "## What a scene needs\n\n\
+         Simpler models of the Panda-class arm, inverse dynamics, against the full model in 106 \
+         bits; native, times in ns. Terms dropped are coordinates of a centre of mass and entries \
+         of an inertia tensor, small beside the largest of the same link; a symmetric link has its \
+         centre of mass on an axis and equal moments about it. `1.5708 taken literally` is a file \
+         that writes right angles with four decimals, read with `exact`: by default they are right \
+         angles again.\n\n\
+         ![Simpler models: time per call against worst error](models.svg)\n\n\
+         | scene | model | type | mul | add | time | median error | worst error |\n\
+         |---|---|---|---:|---:|---:|---:|---:|\n",
+    );
+    for scene in measured.models {
+        for variant in &scene.variants {
+            for &scalar in variant.scalars {
+                let function = Function::InverseDynamics;
+                let price = price(measured, scene, variant.name, function);
+                let point = find(
+                    measured,
+                    scene,
+                    function,
+                    variant.name,
+                    scalar,
+                    Flags::Native,
+                );
+                let (median, worst) = point.map_or((f64::NAN, f64::NAN), |p| (p.median, p.worst));
+                let _ = writeln!(
+                    text,
+                    "| {} | {} | {} | {} | {} | {} | {median:.0e} | {worst:.0e} |",
+                    scene.title,
+                    variant.title,
+                    scalar.name(),
+                    price.mul,
+                    price.add,
+                    time(point),
+                );
+            }
+        }
+    }
+    text.push('\n');
+    text
+}
+
+fn grown(grown: &[Grown]) -> String {
+    let mut text = String::from(
+        "## Growth\n\n\
+         Chains of like links with full inertia tensors and skew axes, `f64`; each function alone \
+         in a file that needs `core` and brings its own sines, compiled with `-C opt-level=3`. \
+         Expansion is the time from the description to tokens, in a generator built with opt-level \
+         1.\n\n\
+         ![Counts and times of chains of 1 to 64 joints](growth.svg)\n\n\
+         | function | joints | mul | add | div | expansion, ms | compilation, s | call, ns |\n\
+         |---|---:|---:|---:|---:|---:|---:|---:|\n",
+    );
+    for function in growth::FUNCTIONS {
+        for grown in grown.iter().filter(|grown| grown.function == function) {
+            let or_none = |number: Option<f64>, digits: usize| {
+                number.map_or_else(|| "–".to_owned(), |number| format!("{number:.digits$}"))
+            };
+            let Price { mul, add, div, .. } = grown.price;
+            let _ = writeln!(
+                text,
+                "| `{}` | {} | {mul} | {add} | {div} | {:.1} | {} | {} |",
+                function.name(),
+                grown.joints,
+                1e3 * grown.expansion,
+                or_none(grown.compilation, 2),
+                or_none(grown.call, 0),
+            );
+        }
+    }
+    text
+}

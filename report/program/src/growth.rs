@@ -1,0 +1,152 @@
+//! How everything grows with the number of joints.
+//!
+//! In: nothing but how far to go. Out: for chains of 1 to 64 joints what each function costs to
+//! count, to expand, to compile and to call. Each program is compiled alone, as a crate of its own
+//! that needs `core` and the platform's sines.
+
+use std::error::Error;
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+use std::{env, fs};
+
+use homogen_codegen::Function::{
+    self, ForwardDynamics, ForwardKinematics, Gravity, InverseDynamics, MassMatrix,
+};
+use homogen_codegen::description::Description;
+use homogen_codegen::expand::expand;
+use homogen_codegen::print::rust::{self, Item, Library, World};
+use homogen_codegen::real::Real;
+use homogen_codegen::request::Request;
+use homogen_codegen::schedule::Price;
+
+use crate::chain::chain;
+use crate::progress::Progress;
+use crate::truth::told;
+
+/// The functions of which one each kind of growth is seen.
+pub const FUNCTIONS: [Function; 5] = [
+    ForwardKinematics,
+    Gravity,
+    InverseDynamics,
+    MassMatrix,
+    ForwardDynamics,
+];
+
+/// What one function of one chain costs.
+#[derive(Clone, Debug)]
+pub struct Grown {
+    /// How many joints.
+    pub joints: usize,
+    /// What is computed.
+    pub function: Function,
+    /// Its operations.
+    pub price: Price,
+    /// From the description to tokens \[s\].
+    pub expansion: f64,
+    /// From the source to an executable, optimised \[s\]; where it was tried.
+    pub compilation: Option<f64>,
+    /// Time per call, median \[ns\].
+    pub call: Option<f64>,
+}
+
+/// The chains' numbers of joints.
+pub const JOINTS: [usize; 7] = [1, 2, 4, 8, 16, 32, 64];
+
+/// Measures all functions of all chains, except that what has more than `most` operations is only
+/// counted.
+///
+/// # Errors
+/// Where the compiler fails.
+pub fn measure(
+    joints: &[usize],
+    most: usize,
+    folder: &Path,
+    progress: &mut Progress,
+) -> Result<Vec<Grown>, Box<dyn Error>> {
+    fs::create_dir_all(folder)?;
+    let mut grown = Vec::new();
+    for &joints in joints {
+        let description = chain(joints).map_err(told)?;
+        for function in FUNCTIONS {
+            progress.advance(&format!("chain of {joints}: {}", function.name()));
+            grown.push(one(&description, joints, function, most, folder)?);
+        }
+    }
+    Ok(grown)
+}
+
+fn one(
+    description: &Description,
+    joints: usize,
+    function: Function,
+    most: usize,
+    folder: &Path,
+) -> Result<Grown, Box<dyn Error>> {
+    let request = Request {
+        functions: vec![vec![function]],
+        scalar: Real::F64,
+        ..Request::default()
+    };
+    let start = Instant::now();
+    let listing = expand(description, &request).map_err(told)?;
+    let item = Item::named_after("chain");
+    // The file brings its own sines.
+    let tokens = rust::print(&listing, &item, &World::Core(Library::default())).to_string();
+    let expansion = start.elapsed().as_secs_f64();
+    let price = listing.functions[0].price;
+    let mut grown = Grown {
+        joints,
+        function,
+        price,
+        expansion,
+        compilation: None,
+        call: None,
+    };
+    if price.mul + price.add <= most {
+        let name = format!("{}_{joints}", function.name());
+        let path = folder.join(&name).with_extension("rs");
+        fs::write(&path, program(&tokens, joints, function))?;
+        let executable = folder.join(name).with_extension(env::consts::EXE_EXTENSION);
+        let start = Instant::now();
+        let output = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
+            .args(["--edition=2024", "-Copt-level=3", "-Awarnings", "-o"])
+            .args([&executable, &path])
+            .output()?;
+        if !output.status.success() {
+            return Err(String::from_utf8_lossy(&output.stderr).into());
+        }
+        grown.compilation = Some(start.elapsed().as_secs_f64());
+        let said = Command::new(&executable).output()?.stdout;
+        grown.call = Some(String::from_utf8(said)?.trim().parse()?);
+    }
+    Ok(grown)
+}
+
+/// A program that prints the time per call.
+fn program(tokens: &str, joints: usize, function: Function) -> String {
+    let timing = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/src/timing.rs");
+    let names: Vec<&str> = function.arguments().iter().map(|a| a.name()).collect();
+    let (arguments, function) = (names.join(", "), function.name());
+    format!(
+        "#[path = \"{}\"]
+mod timing;
+{tokens}
+fn main() {{
+    let number = |k: usize| (k % 61) as f64 / 16.0 - 1.9;
+    let states: Vec<[[f64; {joints}]; 4]> = (0..256)
+        .map(|k| std::array::from_fn(|i| std::array::from_fn(|j| number(13 * k + 7 * i + 11 * j))))
+        .collect();
+    let batch = || {{
+        for [q, qd, qdd, tau] in &states {{
+            let _ = (q, qd, qdd, tau);
+            std::hint::black_box(&Chain.{function}({arguments}));
+        }}
+    }};
+    let times = timing::alternate(11, 256, std::time::Duration::from_micros(200), &[&batch]);
+    println!(\"{{:.2}}\", times[0].median);
+}}
+",
+        timing.display()
+    )
+}

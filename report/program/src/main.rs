@@ -1,0 +1,152 @@
+//! Measures speed against error on this machine, and writes tables and plots.
+//!
+//! In: the robots of this repository. Out: `report/REPORT.md` with its figures. The way there: the
+//! scenes and their variants are expanded into one program, which is compiled for the baseline and
+//! for this processor; exact results are computed; the programs run in turns; what they say is
+//! drawn and written.
+
+mod chain;
+mod document;
+mod figures;
+mod growth;
+mod hard;
+mod measure;
+mod output;
+mod peers;
+mod program;
+mod progress;
+mod scene;
+mod simplified;
+mod source;
+mod truth;
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::{env, fs};
+
+use clap::Parser;
+use document::Measured;
+use measure::{Effort, Run};
+use peers::Peers;
+use program::Flags;
+use progress::Progress;
+
+/// Measure speed against error on this machine, and write tables and plots
+#[derive(Parser)]
+#[command(name = "homogen report")]
+struct Options {
+    /// Where to write [default: the folder `report` of the repository]
+    #[arg(long, short, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+    /// Measure six times as long
+    #[arg(long, conflicts_with = "smoke")]
+    long: bool,
+    /// Only see that everything runs: one robot, a few batches, nothing written to the repository
+    #[arg(long)]
+    smoke: bool,
+    /// Other implementations to stand beside ours, as report/peer/setup.sh sets them up
+    #[arg(long, value_name = "FOLDER")]
+    peers: Option<PathBuf>,
+}
+
+fn main() -> ExitCode {
+    match run(Options::parse()) {
+        Ok(folder) => {
+            eprintln!("written: {}", folder.join("REPORT.md").display());
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Which chains grow, up to how many operations they are compiled.
+const GROWTH: (&[usize], usize) = (&growth::JOINTS, usize::MAX);
+const GROWTH_IN_SMOKE: (&[usize], usize) = (&[1, 2, 4], 1000);
+
+fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = here.join("../..");
+    let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| here.join("target"), PathBuf::from);
+    let work = target.join("work");
+    fs::create_dir_all(&work)?;
+    let effort = match (options.smoke, options.long) {
+        (true, _) => Effort::SMOKE,
+        (_, false) => Effort::USUAL,
+        (_, true) => Effort::LONG,
+    };
+    let peers = options.peers.map(Peers::find).transpose()?;
+    let mut robots = scene::robots(&root).map_err(truth::told)?;
+    if options.smoke {
+        robots.truncate(1);
+    }
+    let models = scene::models(&root).map_err(truth::told)?;
+    let beside = match &peers {
+        Some(peers) => peers.scenes(&root)?,
+        None => Vec::new(),
+    };
+    let scenes = || robots.iter().chain(&models).chain(&beside);
+    let (joints, most) = if options.smoke {
+        GROWTH_IN_SMOKE
+    } else {
+        GROWTH
+    };
+    let functions: usize = scenes().map(|scene| scene.functions.len()).sum();
+    let mut progress = Progress::new(functions + joints.len() * growth::FUNCTIONS.len());
+
+    progress.stage("expanding the robots");
+    let source = source::source(scenes())?;
+    let path = work.join("cases.rs");
+    fs::write(&path, &source.text)?;
+    progress.stage("computing exact results");
+    let truth = |scene: &scene::Scene| work.join("truth").join(&scene.name);
+    for scene in scenes() {
+        truth::write(scene, &truth(scene))?;
+    }
+    progress.stage("computing hard cases");
+    let hard = hard::map();
+    let mut executables = Vec::new();
+    for flags in Flags::ALL {
+        progress.stage(&format!("compiling, {}", flags.name()));
+        executables.push((
+            flags,
+            program::compile(&path, &target.join("measured"), flags)?,
+        ));
+    }
+    progress.stage("growing chains");
+    let grown = growth::measure(joints, most, &work.join("growth"), &mut progress)?;
+    progress.stage("measuring");
+    let run = |scene| Run {
+        scene,
+        truth: truth(scene),
+        peers: peers.as_ref(),
+    };
+    let runs: Vec<Run<'_>> = scenes().map(run).collect();
+    let points = measure::measure(&executables, &runs, effort, &mut progress)?;
+
+    let folder = options.output.unwrap_or_else(|| {
+        if options.smoke {
+            work.join("smoke")
+        } else {
+            root.join("report")
+        }
+    });
+    output::write(
+        &folder,
+        &Measured {
+            effort,
+            robots: &robots,
+            models: &models,
+            beside: &beside,
+            versions: peers.as_ref().map_or("", |peers| &peers.versions),
+            points: &points,
+            prices: &source.prices,
+            grown: &grown,
+            hard: &hard,
+        },
+    )?;
+    Ok(folder)
+}

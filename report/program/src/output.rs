@@ -1,0 +1,54 @@
+//! The files of the report.
+//!
+//! In: all that was measured. Out: a folder with the Markdown and its figures.
+
+use std::path::Path;
+use std::{fs, io};
+
+use homogen_codegen::Function::{ForwardDynamics, InverseDynamics};
+use homogen_plot::grid::{self, Grid};
+use homogen_plot::heat;
+
+use crate::document::{self, Measured};
+use crate::figures;
+use crate::scene::Scene;
+
+/// Writes them all.
+///
+/// # Errors
+/// Where the folder cannot be written to.
+pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
+    let Measured {
+        robots,
+        models,
+        beside,
+        points,
+        ..
+    } = *measured;
+    fs::create_dir_all(folder)?;
+    let svg = |name: &str, figure: &Grid| {
+        let path = folder.join(name).with_extension("svg");
+        fs::write(path, grid::draw(figure))
+    };
+    let trade = |scene: &Scene, functions: &[_]| {
+        let title = format!("{}: time per call against worst error", scene.title);
+        figures::trade(&title, scene, functions, points)
+    };
+    for scene in robots.iter().chain(beside) {
+        svg(&scene.name, &trade(scene, &scene.functions))?;
+    }
+    // The arm that others know as well, where they are installed.
+    let arms = beside.iter().chain(robots);
+    if let Some(arm) = arms.into_iter().find(|scene| scene.joints == 7) {
+        svg("summary", &trade(arm, &[InverseDynamics, ForwardDynamics]))?;
+    }
+    // Where there is more than one way worth looking at.
+    let large = robots.iter().filter(|scene| scene.joints >= 7);
+    let shown = large.flat_map(|scene| [(scene, InverseDynamics), (scene, ForwardDynamics)]);
+    let shown: Vec<_> = shown.collect();
+    svg("formulations", &figures::formulations(&shown, points))?;
+    svg("models", &figures::models(models, points))?;
+    fs::write(folder.join("hard.svg"), heat::draw(measured.hard))?;
+    svg("growth", &figures::growth(measured.grown))?;
+    fs::write(folder.join("REPORT.md"), document::write(measured))
+}

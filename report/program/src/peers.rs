@@ -1,0 +1,115 @@
+//! Other implementations, where they are installed.
+//!
+//! In: the folder that `report/peer/setup.sh` made. Out: a scene for each robot in it that does
+//! not ship, and for any scene the libraries that stand beside ours: Pinocchio itself, and C that
+//! CasADi wrote from its algorithms. It never builds them.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+use homogen_codegen::Function;
+use homogen_examples::machine;
+
+use crate::scene::{self, Scalar, Scene};
+use crate::truth::told;
+
+/// Who makes libraries: Pinocchio, and CasADi as it writes them; with right angles made exact and
+/// common parts merged; and then with pointers that do not alias in place of a check of each.
+pub const MAKERS: [&str; 4] = ["pinocchio", "plain", "snapped", "restrict"];
+
+/// What a set-up of peers left.
+pub struct Peers {
+    folder: PathBuf,
+    /// With what it was made.
+    pub versions: String,
+}
+
+impl Peers {
+    /// What lies in a folder.
+    ///
+    /// # Errors
+    /// Where it is no such folder, or was compiled for another processor.
+    pub fn find(folder: PathBuf) -> Result<Self, Box<dyn Error>> {
+        let read = |name: &str| {
+            let path = folder.join(name);
+            let text = fs::read_to_string(&path);
+            text.map_err(|reason| {
+                let path = path.display();
+                format!("{path}: {reason}; report/peer/setup.sh makes a folder with it")
+            })
+        };
+        let versions = read("versions.txt")?.trim().to_owned();
+        let processor = read("processor")?;
+        if machine::processor_name() != processor.trim() {
+            return Err(format!(
+                "{} was compiled for another processor, {}; run report/peer/setup.sh here",
+                folder.display(),
+                processor.trim()
+            )
+            .into());
+        }
+        Ok(Self { folder, versions })
+    }
+
+    /// The robots that do not ship, in the order of their names; `root` is the repository.
+    ///
+    /// # Errors
+    /// Where a file cannot be read or has mistakes; where a robot that ships changed since its peers
+    /// were made.
+    pub fn scenes(&self, root: &Path) -> Result<Vec<Scene>, Box<dyn Error>> {
+        let entries = fs::read_dir(&self.folder)?.collect::<io::Result<Vec<_>>>()?;
+        let mut names: Vec<_> = entries.iter().map(fs::DirEntry::file_name).collect();
+        names.sort();
+        let mut scenes = Vec::new();
+        for name in names.iter().filter_map(|name| name.to_str()) {
+            let folder = self.folder.join(name);
+            let description = folder.join("robot.urdf");
+            if !description.exists() {
+                continue;
+            }
+            let shipped = root.join("robots").join(name).with_extension("urdf");
+            if !shipped.exists() {
+                let [title, tip] =
+                    ["title", "frame"].map(|file| fs::read_to_string(folder.join(file)));
+                let scene = scene::beside_peers(name, title?.trim(), &description, tip?.trim());
+                scenes.push(scene.map_err(told)?);
+            } else if fs::read(shipped)? != fs::read(description)? {
+                return Err(format!("{name}.urdf changed; run report/peer/setup.sh again").into());
+            }
+        }
+        Ok(scenes)
+    }
+
+    /// What computes a function beside ours, as `measured` takes it: maker, type of number, symbol and
+    /// library of each.
+    pub fn libraries(&self, scene: &Scene, function: Function) -> Vec<String> {
+        let mut libraries = Vec::new();
+        for maker in MAKERS {
+            for scalar in [Scalar::F64, Scalar::F32] {
+                let file = format!("{maker}.{}.so", scalar.name());
+                let library = self.folder.join(&scene.name).join(file);
+                if !library.exists() {
+                    continue;
+                }
+                for symbol in symbols(function) {
+                    let words = [maker, scalar.name(), &symbol].map(str::to_owned);
+                    libraries.extend(words);
+                    libraries.push(library.display().to_string());
+                }
+            }
+        }
+        libraries
+    }
+}
+
+/// What they call a function, each way they have: in link frames, and in the frame of the base.
+fn symbols(function: Function) -> Vec<String> {
+    let symbol = format!("peer_{}", function.name());
+    match function {
+        Function::MassMatrix | Function::ForwardDynamics => {
+            vec![format!("{symbol}_world"), symbol]
+        }
+        _ => vec![symbol],
+    }
+}

@@ -1,0 +1,406 @@
+//! What is measured: robots, the states they are in, and the ways to compute and to model them.
+//!
+//! In: the folder of the robots. Out: scenes, each with its variants. A table that grows: a further
+//! formulation is a line in [`formulations`], a further simplification one in `simplified.rs`. It
+//! never generates or measures.
+
+use std::path::Path;
+
+use homogen_codegen::Function::{
+    self, Bias, ForwardDynamics, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics,
+    MassMatrix, MassMatrixInverse,
+};
+use homogen_codegen::chain;
+use homogen_codegen::description::{self, Description, Name};
+use homogen_codegen::error::Errors;
+use homogen_codegen::formulation::{Angles, Forward, Frame, Parameters, Products, Sines};
+use homogen_codegen::request::Request;
+use homogen_plot::Color;
+use homogen_random::Random;
+
+use crate::simplified;
+
+/// The functions of the report.
+pub const FUNCTIONS: [Function; 8] = [
+    ForwardKinematics,
+    GeometricJacobian,
+    Gravity,
+    InverseDynamics,
+    Bias,
+    MassMatrix,
+    MassMatrixInverse,
+    ForwardDynamics,
+];
+
+/// How many states each function is timed and judged over.
+pub const STATES: usize = 1024;
+
+/// A robot in some states, and what is compared there.
+pub struct Scene {
+    /// What files and programs call it.
+    pub name: String,
+    /// What readers call it.
+    pub title: String,
+    /// The robot.
+    pub description: Description,
+    /// Its tip, and what is locked.
+    pub request: Request,
+    /// What is computed.
+    pub functions: Vec<Function>,
+    /// In which ways.
+    pub variants: Vec<Variant>,
+    /// Whether the recursions of the runtime are measured beside them.
+    pub generic: bool,
+    /// How many joints move.
+    pub joints: usize,
+    /// q, q̇, q̈ and τ of [`STATES`] states, one after the other.
+    pub states: Vec<f64>,
+}
+
+/// A way to compute or to model.
+#[derive(Clone)]
+pub struct Variant {
+    /// What files and programs call it.
+    pub name: &'static str,
+    /// What readers call it.
+    pub title: &'static str,
+    /// What it makes of robot and request.
+    pub change: fn(&mut Description, &mut Request),
+    /// The types of number that it is measured in.
+    pub scalars: &'static [Scalar],
+    /// The type of `measured` that stands for `f64`, where that is not itself.
+    pub number: Option<&'static str>,
+    /// The joints that still move; all where empty.
+    pub joints: &'static [usize],
+    /// What is computed in place of what was asked for.
+    pub instead: Option<Function>,
+    /// The functions that it makes a difference to; all where empty.
+    pub functions: &'static [Function],
+    /// Its colour in the figures.
+    pub color: Color,
+}
+
+/// A type of number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Scalar {
+    /// Double precision.
+    F64,
+    /// Single precision.
+    F32,
+}
+
+impl Scalar {
+    /// Its name in Rust.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F64 => "f64",
+            Self::F32 => "f32",
+        }
+    }
+}
+
+impl Variant {
+    /// What a user gets who asks for nothing else.
+    pub const DEFAULT: Self = Self {
+        name: "default",
+        title: "default",
+        change: |_, _| {},
+        scalars: &[Scalar::F64, Scalar::F32],
+        number: None,
+        joints: &[],
+        instead: None,
+        functions: &[],
+        color: Color::Blue,
+    };
+
+    /// Whether it is worth measuring for a function.
+    pub fn serves(&self, function: Function) -> bool {
+        self.functions.is_empty() || self.functions.contains(&function)
+    }
+}
+
+/// The ways to compute that are compared.
+pub fn formulations() -> Vec<Variant> {
+    let way = |name, title, color, functions, change| Variant {
+        name,
+        title,
+        change,
+        functions,
+        color,
+        scalars: &[Scalar::F64],
+        ..Variant::DEFAULT
+    };
+    vec![
+        Variant::DEFAULT,
+        way(
+            "frame_0",
+            "frame 0",
+            Color::Black,
+            &RECURSIONS,
+            |_, request| {
+                request.formulation.frame = Frame::Base;
+            },
+        ),
+        way(
+            "raw",
+            "raw parameters",
+            Color::Sky,
+            &DYNAMICS,
+            |_, request| {
+                request.formulation.parameters = Parameters::Raw;
+            },
+        ),
+        way("unfused", "unfused", Color::Green, &[], |_, request| {
+            request.formulation.products = Products::Unfused;
+        }),
+        way(
+            "platform_sines",
+            "platform sines",
+            Color::Orange,
+            &[],
+            |_, request| {
+                request.formulation.sines = Sines::Platform;
+            },
+        ),
+        Variant {
+            number: Some("Libm"),
+            ..way(
+                "libm_sines",
+                "sines of libm",
+                Color::Orange,
+                &SINES,
+                |_, request| {
+                    request.formulation.sines = Sines::Platform;
+                },
+            )
+        },
+        way(
+            "refined_1",
+            "refined once",
+            Color::Purple,
+            &[ForwardDynamics],
+            |_, request| {
+                request.formulation.forward = Some(Forward::MassMatrix { refinements: 1 });
+            },
+        ),
+        way(
+            "refined_2",
+            "refined twice",
+            Color::Purple,
+            &[ForwardDynamics],
+            |_, request| {
+                request.formulation.forward = Some(Forward::MassMatrix { refinements: 2 });
+            },
+        ),
+        way(
+            "articulated",
+            "articulated bodies",
+            Color::Vermilion,
+            &[ForwardDynamics],
+            |_, request| {
+                request.formulation.forward = Some(Forward::Articulated);
+            },
+        ),
+    ]
+}
+
+/// Sums of the angles of parallel axes, for the functions that they make a difference to.
+fn merged(functions: &'static [Function]) -> Variant {
+    Variant {
+        name: "merged",
+        title: "merged angles",
+        change: |_, request| request.formulation.angles = Angles::Merged,
+        functions,
+        color: Color::Wine,
+        scalars: &[Scalar::F64],
+        ..Variant::DEFAULT
+    }
+}
+
+/// A robot that does not ship, as it stands beside others: what does not move the tip is locked, and
+/// ours are computed with our sines, with those that they call as well, and with the digits that they
+/// have.
+///
+/// # Errors
+/// Where its file cannot be read or has mistakes.
+pub fn beside_peers(name: &str, title: &str, path: &Path, tip: &str) -> Result<Scene, Errors> {
+    let request = Request {
+        path_only: true,
+        ..to(tip)
+    };
+    let mut scene = Scene::read(name, title, path, request)?;
+    scene.states = states(scene.joints, Range::WIDE);
+    scene.functions = FUNCTIONS.to_vec();
+    let ways = formulations().into_iter();
+    scene.variants = ways
+        .filter(|way| ["default", "platform_sines", "refined_1"].contains(&way.name))
+        .collect();
+    scene.generic = true;
+    Ok(scene)
+}
+
+/// What the paper writes in frame 0; matrices of joints grow out of proportion there.
+const RECURSIONS: [Function; 5] = [
+    ForwardKinematics,
+    GeometricJacobian,
+    Gravity,
+    InverseDynamics,
+    Bias,
+];
+
+/// The cheapest, what is called most, and the dearest: enough to tell sines apart.
+const SINES: [Function; 3] = [ForwardKinematics, InverseDynamics, ForwardDynamics];
+
+const DYNAMICS: [Function; 6] = [
+    Gravity,
+    InverseDynamics,
+    Bias,
+    MassMatrix,
+    MassMatrixInverse,
+    ForwardDynamics,
+];
+
+/// The robots that ship, each in random states.
+///
+/// # Errors
+/// Where one of their files cannot be read.
+pub fn robots(root: &Path) -> Result<Vec<Scene>, Errors> {
+    [
+        (
+            "two_link",
+            "Two links",
+            "tip",
+            vec![merged(&FUNCTIONS[..3])],
+        ),
+        ("ur5_class", "UR5 class", "tool0", vec![merged(&FUNCTIONS)]),
+        ("panda_class", "Panda class", "link8", Vec::new()),
+        (
+            "quadruped",
+            "Quadruped",
+            "fl_foot",
+            vec![merged(&FUNCTIONS)],
+        ),
+    ]
+    .into_iter()
+    .map(|(name, title, tip, more)| {
+        let path = root.join("robots").join(name).with_extension("urdf");
+        let mut scene = Scene::read(name, title, &path, to(tip))?;
+        scene.states = states(scene.joints, Range::WIDE);
+        scene.functions = FUNCTIONS.to_vec();
+        scene.variants = formulations();
+        scene.variants.extend(more);
+        scene.generic = true;
+        Ok(scene)
+    })
+    .collect()
+}
+
+/// The scenes in which a simpler model may do.
+///
+/// # Errors
+/// Where the robot's file cannot be read.
+pub fn models(root: &Path) -> Result<Vec<Scene>, Errors> {
+    let path = root.join("robots/panda_class.urdf");
+    let scene = |name, title, range, variants| {
+        let scene = Scene::read(name, title, &path, to("link8"))?;
+        Ok(Scene {
+            states: states(scene.joints, range),
+            functions: vec![InverseDynamics],
+            variants,
+            ..scene
+        })
+    };
+    Ok(vec![
+        scene("lively", "any motion", Range::WIDE, simplified::anywhere())?,
+        scene(
+            "slow",
+            "at a hundredth of the speed",
+            Range::SLOW,
+            simplified::slow(),
+        )?,
+        scene(
+            "plane",
+            "in a vertical plane",
+            Range::PLANE,
+            simplified::in_a_plane(),
+        )?,
+    ])
+}
+
+/// Limits of random coordinates, rates, second rates and torques, and the joints that have any.
+#[derive(Clone, Copy)]
+struct Range {
+    limits: [f64; 4],
+    moves: fn(usize) -> bool,
+}
+
+impl Range {
+    const WIDE: Self = Self {
+        limits: [4.0, 2.0, 8.0, 16.0],
+        moves: |_| true,
+    };
+    const SLOW: Self = Self {
+        limits: [4.0, 2.0 / 128.0, 8.0 / 128.0, 16.0],
+        moves: |_| true,
+    };
+    const PLANE: Self = Self {
+        moves: |joint| simplified::PLANE.contains(&joint),
+        ..Self::WIDE
+    };
+}
+
+impl Scene {
+    /// A robot in no state yet, of which nothing is computed.
+    ///
+    /// # Errors
+    /// Where the file cannot be read or has mistakes.
+    pub fn read(name: &str, title: &str, path: &Path, request: Request) -> Result<Self, Errors> {
+        let mut errors = Errors::new();
+        let description = match description::read_file(path, None, &mut errors) {
+            Some(description) => errors.into_result(description)?,
+            None => return Err(errors),
+        };
+        let chain = chain::build(&description, &request)?;
+        Ok(Self {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            description,
+            request,
+            functions: Vec::new(),
+            variants: Vec::new(),
+            generic: false,
+            joints: chain.joints.len(),
+            states: Vec::new(),
+        })
+    }
+
+    /// The robot and the request of a variant.
+    pub fn of(&self, variant: &Variant) -> (Description, Request) {
+        let (mut description, mut request) = (self.description.clone(), self.request.clone());
+        (variant.change)(&mut description, &mut request);
+        (description, request)
+    }
+}
+
+/// Nothing but the tip.
+fn to(tip: &str) -> Request {
+    Request {
+        tip: Some(Name::from(tip)),
+        ..Request::default()
+    }
+}
+
+/// Random states whose numbers are exact in single precision, so that both types see the same.
+fn states(joints: usize, range: Range) -> Vec<f64> {
+    let mut random = Random::new(1);
+    let mut states = Vec::with_capacity(STATES * 4 * joints);
+    for _ in 0..STATES {
+        for limit in range.limits {
+            states.extend((0..joints).map(|joint| {
+                let number = limit * f64::from(random.coarse());
+                if (range.moves)(joint) { number } else { 0.0 }
+            }));
+        }
+    }
+    states
+}

@@ -1,0 +1,98 @@
+//! What functions should return.
+//!
+//! In: a scene. Out: a folder with its states and, for each function, every entry of every result to
+//! 106 bits with the magnitude that an error is measured by, as `measured` reads them. The values are
+//! those of the expressions in the frames and with the parameters of the description, before
+//! anything is regrouped or simplified.
+
+use std::path::Path;
+use std::{fs, io};
+
+use homogen_codegen::Function;
+use homogen_codegen::chain::{self, Chain};
+use homogen_codegen::error::Errors;
+use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
+use homogen_codegen::layout::{Layout, arrange};
+use homogen_codegen::model::Way;
+use homogen_magnitude::{Magnitude, Measure};
+
+use crate::scene::Scene;
+
+/// A number of 106 bits, which keeps what it was summed from; for every type, and so without a floor.
+pub type Exact = Magnitude<OfEveryType>;
+
+/// Whom [`Exact`] is for.
+#[derive(Clone, Copy, Debug)]
+pub struct OfEveryType;
+
+impl Measure for OfEveryType {
+    type Value = Double;
+    const FLOOR: f64 = 0.0;
+
+    fn nearest(value: Double) -> f64 {
+        value.to_f64()
+    }
+}
+
+/// Writes states and exact results to a folder.
+///
+/// # Errors
+/// Where the robot has mistakes; where a file cannot be written.
+pub fn write(scene: &Scene, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    let chain: Chain = chain::build(&scene.description, &scene.request).map_err(told)?;
+    fs::create_dir_all(folder)?;
+    fs::write(folder.join("joints"), scene.joints.to_string())?;
+    save(&folder.join("states"), &scene.states)?;
+    for &function in &scene.functions {
+        let mut numbers = Vec::new();
+        let graph = chain.graph.clone();
+        let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
+        let results = function.build(&graph, &bodies, 0, Way::PLAIN);
+        let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
+        let evaluation = Evaluation::of(&graph, &results);
+        for state in scene.states.chunks_exact(4 * scene.joints) {
+            numbers.extend(exact(&evaluation, function, state).into_iter().flatten());
+        }
+        save(&folder.join(function.name()), &numbers)?;
+    }
+    Ok(())
+}
+
+/// Mistakes as one error.
+#[expect(clippy::needless_pass_by_value, reason = "for `map_err`")]
+pub fn told(errors: Errors) -> Box<dyn std::error::Error> {
+    errors.to_string().into()
+}
+
+/// High part, low part and magnitude of each result at a state. What is found by division has the
+/// largest result for its magnitude, since its terms may be far larger than itself; so has what is
+/// always zero.
+pub fn exact(evaluation: &Evaluation<Exact>, function: Function, state: &[f64]) -> Vec<[f64; 3]> {
+    let joints = state.len() / 4;
+    let results = evaluation.at(|input| {
+        let (part, k) = match input {
+            // A state lists them in this order.
+            Input::Variable(variable, k) => (variable as usize, k),
+            Input::Parameter(..) => unreachable!("no number was left open"),
+        };
+        Exact::given(state[part * joints + usize::from(k)])
+    });
+    let sizes = results.iter().map(|x| x.value().to_f64().abs());
+    let largest = sizes.fold(0.0, f64::max);
+    let divides = matches!(
+        function,
+        Function::ForwardDynamics | Function::MassMatrixInverse
+    );
+    let entry = |x: &Exact| {
+        let (high, low) = x.value().bits();
+        let whole = divides || x.size() == 0.0;
+        let magnitude = if whole { largest } else { x.size() };
+        [f64::from_bits(high), f64::from_bits(low), magnitude]
+    };
+    results.iter().map(entry).collect()
+}
+
+fn save(path: &Path, numbers: &[f64]) -> io::Result<()> {
+    let bytes: Vec<u8> = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
+    fs::write(path, bytes)
+}

@@ -1,0 +1,78 @@
+//! The robots whose bounds are held against errors.
+//!
+//! In: a name, options. Out: descriptions with requests, and chains.
+
+use homogen_codegen::chain::{self, Chain};
+use homogen_codegen::description::{Description, Name, read_file};
+use homogen_codegen::error::Errors;
+use homogen_codegen::formulation::Formulation;
+use homogen_codegen::request::{Parameter, Request, Target};
+use homogen_tests::subjects::{Subject, subject};
+use quote::format_ident;
+
+/// A robot, and how it is asked for.
+#[derive(Clone, Copy)]
+pub struct Asked {
+    pub robot: &'static str,
+    pub tip: &'static str,
+    pub formulation: Formulation,
+    /// Links whose masses are fields.
+    pub loads: &'static [&'static str],
+    /// How many times the worst error that was measured a bound may be.
+    pub farthest: f64,
+}
+
+/// As a robot is asked for without options. The farthest bound is 129 times the worst error, of the
+/// bias of the seven-joint arm: rounding errors of opposite signs cancel, which a bound cannot count
+/// on.
+pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
+    Asked {
+        robot,
+        tip,
+        formulation: Formulation::default(),
+        loads: &[],
+        farthest: 150.0,
+    }
+}
+
+/// A robot that ships, by its name, or one made to be hard, by its label.
+pub fn described(asked: Asked) -> (Description, Request) {
+    if asked.robot.contains('/') {
+        let Subject {
+            description,
+            request,
+        } = subject(asked.robot);
+        let formulation = asked.formulation;
+        return (
+            description,
+            Request {
+                formulation,
+                ..request
+            },
+        );
+    }
+    let path = format!(
+        "{}/../robots/{}.urdf",
+        env!("CARGO_MANIFEST_DIR"),
+        asked.robot
+    );
+    let mut errors = Errors::new();
+    let description = read_file(path.as_ref(), None, &mut errors).expect("it is a robot");
+    let loads = asked.loads.iter().map(|&link| Parameter {
+        field: format_ident!("{link}"),
+        target: Target::MassOf(Name::from(link)),
+        range: None,
+    });
+    let request = Request {
+        tip: Some(Name::from(asked.tip)),
+        parameters: loads.collect(),
+        formulation: asked.formulation,
+        ..Request::default()
+    };
+    (description, request)
+}
+
+pub fn chain_of(asked: Asked) -> Chain {
+    let (description, request) = described(asked);
+    chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
+}

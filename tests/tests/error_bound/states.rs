@@ -1,0 +1,52 @@
+//! States within the range that bounds are for.
+//!
+//! In: a range, random numbers. Out: inputs that are numbers of a type, ends of the range among them.
+
+use homogen_codegen::accuracy::range::Range;
+use homogen_codegen::expression::Input;
+use homogen_codegen::space::Variable;
+use homogen_tests::states::Random;
+use homogen_tests::tested::Tested;
+
+/// How many states are tried, for each robot and type.
+pub const STATES: usize = 1000;
+
+/// A number of the type, within a range and near another.
+fn within<T: Tested>(x: f64, [lo, hi]: [f64; 2]) -> f64 {
+    let near = T::literal(x).to_f64();
+    let step = 2.0 * T::ROUNDOFF * near.abs();
+    let back = if near > hi { near - step } else { near };
+    T::literal(if back < lo { back + step } else { back }).to_f64()
+}
+
+/// Every input somewhere in its range, one in three at an end of it. Fields are of `f64`; all others
+/// are numbers of the type.
+pub fn state<T: Tested>(range: &Range, random: &mut Random) -> impl Fn(Input) -> f64 + use<T> {
+    let mut any = |[lo, hi]: [f64; 2]| match random.below(6) {
+        0 => lo,
+        1 => hi,
+        // Three numbers, so that it has all its digits.
+        _ => {
+            let mut more = |less: f64| (0..3).fold(0.0, |x, _| random.unit() + less * x);
+            lo + (hi - lo) * 0.5 * (1.0 + more(2.0_f64.powi(-24)))
+        }
+    };
+    let mut rounded = |ranges: &[[f64; 2]]| -> Vec<f64> {
+        let ranges = ranges.iter();
+        ranges
+            .map(|&range| within::<T>(any(range), range))
+            .collect()
+    };
+    let [q, qd, qdd] = [&range.q, &range.qd, &range.qdd].map(|ranges| rounded(ranges));
+    let fields = range.fields.iter();
+    let fields: Vec<Vec<f64>> = fields
+        .map(|field| field.iter().map(|&range| any(range)).collect())
+        .collect();
+    move |input| match input {
+        Input::Variable(Variable::Q, k) => q[usize::from(k)],
+        Input::Variable(Variable::Qd, k) => qd[usize::from(k)],
+        Input::Variable(Variable::Qdd, k) => qdd[usize::from(k)],
+        Input::Parameter(field, k) => fields[usize::from(field)][usize::from(k)],
+        Input::Variable(..) => unreachable!("no function here reads it"),
+    }
+}

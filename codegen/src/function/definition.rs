@@ -1,13 +1,8 @@
-//! What is known of a function, and how it is asked for.
-//!
-//! In: a [`Function`]. Out: its name, what it is said to compute, arguments, result, price of dense
-//! matrices, and its expressions. It knows none of it itself: it stands in the function's own file.
+//! What is to be known of a function: a value of this type stands in the file of each.
 
-use super::Function;
 use super::tally::{Size, Tally};
 use crate::dense::{Approximate, Dense};
-use crate::expression::{Graph, Term};
-use crate::layout::Bodies;
+use crate::expression::Term;
 use crate::model::{Scene, Way};
 use crate::space::{Quantity, Variable};
 
@@ -56,91 +51,5 @@ impl Definition {
     /// No alternatives.
     pub(super) fn one_way() -> Vec<Way> {
         vec![Way::PLAIN]
-    }
-}
-
-impl Function {
-    /// The name in generated code, in attributes and on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.definition().name
-    }
-
-    /// The function of that name.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|function| function.name() == name)
-    }
-
-    /// What it computes, with the letters of the paper; `base` is what frame 0 is called, `frame` the
-    /// frame that it is of.
-    pub(crate) fn sentence(self, base: &str, frame: &str) -> String {
-        (self.definition().sentence)(base, frame)
-    }
-
-    /// What it is a function of, in the order of its parameters.
-    #[must_use]
-    pub const fn arguments(self) -> &'static [Variable] {
-        self.definition().arguments
-    }
-
-    /// Its result.
-    #[must_use]
-    pub const fn result(self) -> Quantity {
-        self.definition().result
-    }
-
-    /// Whether it solves for what forces do to accelerations.
-    #[must_use]
-    pub const fn solves(self) -> bool {
-        self.given().is_some()
-    }
-
-    /// What it is a solution for, if it is one.
-    #[must_use]
-    pub const fn given(self) -> Option<Given> {
-        match self.truth() {
-            Truth::Value(_) => None,
-            Truth::Solution(given) => Some(given),
-        }
-    }
-
-    /// What every expansion of it is held against.
-    pub(crate) const fn truth(self) -> Truth {
-        self.definition().truth
-    }
-
-    /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
-    #[must_use]
-    pub const fn of_a_frame(self) -> bool {
-        self.definition().of_a_frame
-    }
-
-    /// The ways to compute it between which only the count decides.
-    #[must_use]
-    pub fn ways(self) -> Vec<Way> {
-        (self.definition().ways)()
-    }
-
-    /// Multiplications and additions by dense 4×4 matrices, for so many joints, of which `path` lead to
-    /// the frame that it is of. Divisions count as multiplications.
-    #[must_use]
-    pub fn dense(self, joints: usize, path: usize) -> (usize, usize) {
-        let Tally { mul, add } = (self.definition().dense)(Size { joints, path });
-        (mul, add)
-    }
-
-    /// Its results in the order of its quantity; of the frame of that index where it is of one.
-    #[must_use]
-    pub fn build<'g>(
-        self,
-        graph: &'g Graph,
-        bodies: &Bodies<'g>,
-        frame: usize,
-        way: Way,
-    ) -> Vec<Term<'g>> {
-        (self.definition().build)(&Scene::new(graph, bodies, frame, way))
     }
 }

@@ -72,6 +72,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         errors.record(clash);
     }
     check_targets(request, &tree, &links, &joints, &mut errors);
+    check_coordinates(description, &joints, &mut errors);
     choose_tip(description, request, &mut tree, &mut errors);
     check_moving(description, request, &tree, &links, &mut errors);
     check_size(description, &tree, &mut errors);
@@ -124,6 +125,23 @@ fn locks(
         }
     }
     locks
+}
+
+/// Coordinates of a joint with several must not be called as another joint is.
+fn check_coordinates(description: &Description, joints: &Names<'_>, errors: &mut Errors) {
+    let several = description.joints.iter();
+    let several = several.filter(|joint| joint.kind.freedoms().len() > 1);
+    for joint in several {
+        for (text, _) in joint.kind.coordinates(&joint.name.text) {
+            let place = joint.name.place;
+            let coordinate = Name { text, place };
+            if joints.get(&coordinate).is_some() {
+                let [name, own] = [&coordinate.text, &joint.name.text].map(|name| quoted(name));
+                let message = format!("joint {name} is called as a coordinate of joint {own}");
+                errors.push_with_hint(place, message, "give one of them another name");
+            }
+        }
+    }
 }
 
 /// What is asked for must be there.

@@ -228,6 +228,18 @@ fn a_joint_with_two_coordinates_has_two_entries_and_is_held_as_one() {
 }
 
 #[test]
+fn no_joint_is_called_as_a_coordinate_of_another() {
+    let clash = plunger("", "").replace("joint tilt", "joint \"quill.shift\"");
+    assert_eq!(
+        said(&clash),
+        lines(&[
+            r#"error: joint "quill.shift" is called as a coordinate of joint "quill""#,
+            "  hint: give one of them another name",
+        ])
+    );
+}
+
+#[test]
 fn limits_of_two_coordinates_are_left_out_with_a_word() {
     let chain = fine(&plunger("", "limits: [-1.0, 1.0]"));
     assert!(chain.joints.iter().all(|joint| joint.limits.is_none()));

@@ -196,7 +196,7 @@ fn list(
     )?;
     let mut accuracy = accuracy_of(&found, chain, &functions, means(request));
     // What would be refused in f32, where it loses as many units, promises nothing there.
-    if request.scalar == Real::Generic && !forward::keeps_half(found.error, Real::F32) {
+    if request.scalar == Real::Generic && !forward::keeps_half(found.off.worst, Real::F32) {
         let promised = accuracy.into_iter().map(|accuracy| match accuracy {
             solved @ Accuracy::Backward(..) => solved.without_single(UNDONE),
             other => other,

@@ -6,7 +6,7 @@
 //! tells how far a program is off, and [`forward`] which forms there are and what is enough.
 
 use super::forward;
-use super::measured::Measure;
+use super::measured::{Measure, Off};
 use super::program::expressions_by;
 use super::solvable::solvable;
 use crate::chain::Chain;
@@ -79,8 +79,8 @@ pub(super) struct Found {
     pub(super) program: Program,
     pub(super) layout: Layout,
     pub(super) way: Way,
-    /// The error that was measured \[u\], where the form was chosen by it.
-    pub(super) error: f64,
+    /// How far off it was measured to be, where the form was chosen by it.
+    pub(super) off: Off,
 }
 
 pub(super) fn cheapest(
@@ -101,7 +101,7 @@ pub(super) fn cheapest(
     }
     let mut measure = Measure::of(chain, functions, worst.loss);
     let mut measured = |mut found: Found| {
-        found.error = measure.error(&found.program, scalar);
+        found.off = measure.error(&found.program, scalar);
         found
     };
     // With its weight, where all layouts have been looked at.
@@ -113,7 +113,7 @@ pub(super) fn cheapest(
             if let Some((_, before)) = tried.first() {
                 let (_, glimpse) = search.within(form, &[before.layout], &[before.way]);
                 let glimpse = measured(glimpse);
-                if glimpse.error > FAR * forward::ENOUGH {
+                if glimpse.off.worst > FAR * forward::ENOUGH {
                     tried.push((None, glimpse));
                     continue;
                 }
@@ -123,7 +123,7 @@ pub(super) fn cheapest(
                 continue;
             }
             let found = measured(found);
-            if found.error <= forward::ENOUGH {
+            if found.off.worst <= forward::ENOUGH {
                 best = Some((weight, found));
             } else {
                 tried.push((Some(weight), found));
@@ -134,17 +134,17 @@ pub(super) fn cheapest(
         }
     }
     // None is accurate enough: what costs least of those that lose little more than the best.
-    let least = (tried.iter()).fold(f64::INFINITY, |least, (_, found)| least.min(found.error));
-    if !forward::keeps_half(least, scalar) {
+    let least = (tried.iter()).fold(Off::INFINITE, |least, (_, found)| least.least(found.off));
+    if !forward::keeps_half(least.eighth, scalar) {
         return Err(forward::hopeless(
             chain,
             worst,
-            least,
+            least.worst,
             functions,
             (scalar, formulation.frame),
         ));
     }
-    let near = (tried.into_iter()).filter(|(_, found)| found.error <= 2.0 * least);
+    let near = (tried.into_iter()).filter(|(_, found)| found.off.worst <= 2.0 * least.worst);
     let searched = near.map(|(weight, found)| {
         if let Some(weight) = weight {
             return (weight, found);
@@ -229,7 +229,7 @@ impl<'a> Search<'a> {
                         program,
                         layout,
                         way,
-                        error: 0.0,
+                        off: Off::NONE,
                     };
                     best = Some((weight, found));
                 }

@@ -4,7 +4,7 @@
 //! be tried, in rounds; a doubt about the form that was asked for, or about a robot for which none is
 //! as good as it should be; or the mistake that no form helps. It never measures or counts.
 
-use super::measured::Measure;
+use super::measured::{Measure, Off};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
 use crate::chain::Chain;
@@ -157,7 +157,7 @@ fn doubt(
             forward,
             ..Way::PLAIN
         };
-        let error = least_error(chain, worst, functions, scalar, [way]);
+        let error = least_error(chain, worst, functions, scalar, [way]).worst;
         let form = Formulation {
             forward: Some(forward),
             ..Formulation::default()
@@ -171,11 +171,11 @@ fn doubt(
         };
         let forms = rounds(chain, functions, request.formulation).into_iter();
         let ways = forms.flatten().map(|forward| Way { forward, ..plain });
-        let error = least_error(chain, worst, functions, scalar, ways);
+        let off = least_error(chain, worst, functions, scalar, ways);
         let hint = "generate it for f64, or model a robot whose masses and lengths differ less";
         // What no form helps is refused, function by function.
-        let error = Some(error).filter(|&error| keeps_half(error, scalar))?;
-        (error, DOUBTFUL, format!("{name} in any form"), hint)
+        let off = Some(off).filter(|off| keeps_half(off.eighth, scalar))?;
+        (off.worst, DOUBTFUL, format!("{name} in any form"), hint)
     } else {
         return None;
     };
@@ -198,13 +198,13 @@ fn least_error(
     functions: &[Function],
     scalar: Real,
     ways: impl IntoIterator<Item = Way>,
-) -> f64 {
+) -> Off {
     let mut measure = Measure::of(chain, functions, worst.loss);
-    let mut least = f64::INFINITY;
+    let mut least = Off::INFINITE;
     for way in ways {
         let program = program_by(chain, functions, 0, Layout::DESCRIBED, way);
-        least = least.min(measure.error(&program, scalar));
-        if least <= ENOUGH {
+        least = least.least(measure.error(&program, scalar));
+        if least.worst <= ENOUGH {
             break;
         }
     }

@@ -47,6 +47,38 @@ pub(super) struct Measure<'c> {
     states: Vec<State>,
 }
 
+/// How far off a program is, beside its largest result \[u\].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Off {
+    /// In the worst of a thousand states, as far as a few tell.
+    pub(super) worst: f64,
+    /// In an eighth of all states at least, to the same scale: what a robot loses that does not only pass
+    /// through a posture in which it is singular.
+    pub(super) eighth: f64,
+}
+
+impl Off {
+    /// Nothing was lost, or nothing measured.
+    pub(super) const NONE: Self = Self {
+        worst: 0.0,
+        eighth: 0.0,
+    };
+
+    /// Nothing is left.
+    pub(super) const INFINITE: Self = Self {
+        worst: f64::INFINITY,
+        eighth: f64::INFINITY,
+    };
+
+    /// The better of two programs.
+    pub(super) const fn least(self, other: Self) -> Self {
+        Self {
+            worst: self.worst.min(other.worst),
+            eighth: self.eighth.min(other.eighth),
+        }
+    }
+}
+
 /// A state, with the exact results of each function that solves something.
 struct State {
     arguments: Arguments,
@@ -91,7 +123,7 @@ impl<'c> Measure<'c> {
 
     /// The error of the worst of a thousand states, as far as a few tell: beside the largest result, in
     /// units of the type's roundoff. Infinite where a result is no number.
-    pub(super) fn error(&mut self, program: &Program, scalar: Real) -> f64 {
+    pub(super) fn error(&mut self, program: &Program, scalar: Real) -> Off {
         let mut errors: Vec<f64> = Vec::new();
         for number in 0..STATES {
             if number == FIRST && errors.iter().all(|&error| error <= NOTHING) {
@@ -111,7 +143,10 @@ impl<'c> Measure<'c> {
         }
         errors.sort_by(f64::total_cmp);
         let worst = &errors[errors.len() - errors.len() / 8..];
-        TAIL * worst.iter().sum::<f64>() / worst.iter().map(|_| 1.0).sum::<f64>()
+        Off {
+            worst: TAIL * worst.iter().sum::<f64>() / worst.iter().map(|_| 1.0).sum::<f64>(),
+            eighth: TAIL * worst[0],
+        }
     }
 
     fn state(&self, number: u32) -> State {

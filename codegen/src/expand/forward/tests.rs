@@ -112,6 +112,22 @@ fn what_no_form_leaves_half_of_the_digits_is_refused() {
     }
 }
 
+/// A mass in a point is held by two axes through one other point: where it lies in their plane, as it
+/// nearly does in the posture of the description, no acceleration of the two is determined, and beside it
+/// hardly one.
+#[test]
+fn a_robot_that_passes_through_a_singular_posture_is_not_refused() {
+    let text = "struct Arm { exact } link base; joint roll: continuous(-x); link fork;
+        joint pitch: continuous([-0.5252502256283673, 0.7901016640150934, -0.31599297618448663]) {
+            at: ry(-1.5707963) rx(1.57080) }
+        link bob { mass: 0.5, com: [0, -0.09, 0], inertia: [0, 0, 0] }";
+    let chain = chain::tests::fine(text);
+    for function in SOLVED {
+        let form = choose(&chain, function, Real::F64);
+        form.unwrap_or_else(|errors| panic!("{errors}"));
+    }
+}
+
 /// What a request with a formulation makes understand of an arm: its doubts.
 fn doubts(links: &[End], words: Formulation, strict: bool) -> Result<Vec<String>, String> {
     let request = Request {

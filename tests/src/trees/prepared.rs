@@ -185,7 +185,9 @@ impl<'r> Prepared<'r> {
             let own = refusal.contains("fault of homogen");
             // Of a small arm far from the base, frame 0 may keep too few digits.
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
-            if far || !own && (0..self.states.len()).any(singular) {
+            let solves = case.function.solves();
+            let states = || (0..self.states.len()).any(singular);
+            if far || !own && (states() || solves && self.is_described_singular()) {
                 Ok(None)
             } else {
                 Err(refusal)
@@ -234,6 +236,17 @@ impl<'r> Prepared<'r> {
             self.states.iter().map(least).collect()
         });
         pivots[state] < REGULAR
+    }
+
+    /// Whether the mass matrix is singular or nearly in the posture of the description, near which the engine
+    /// looks at every eighth state.
+    fn is_described_singular(&self) -> bool {
+        let count = self.states[0].q.len();
+        let described = Arguments {
+            q: vec![0.0; count],
+            ..self.states[0].clone()
+        };
+        pivot(&self.dense, &described) < REGULAR
     }
 
     fn input(&self, input: Input, arguments: &Arguments) -> f64 {

@@ -115,6 +115,12 @@ impl JointKind {
         self.definition().moves()
     }
 
+    /// Whether it has more than one coordinate.
+    #[must_use]
+    pub const fn has_several(self) -> bool {
+        self.freedoms().len() > 1
+    }
+
     /// What it allows, from the link it hangs on outwards.
     #[must_use]
     pub const fn freedoms(self) -> &'static [(&'static str, Freedom)] {

@@ -60,6 +60,11 @@ impl Spaces {
         }
     }
 
+    /// What the entries of one of them are called.
+    pub fn names(&self, space: Space) -> impl Iterator<Item = &str> {
+        self.entries(space).iter().map(|entry| entry.name.as_str())
+    }
+
     /// How many entries one of them has.
     #[must_use]
     pub fn len(&self, space: Space) -> usize {

@@ -114,7 +114,7 @@ fn locks(
                 name.place,
                 format!("joint {called} is fixed and cannot be locked"),
             );
-        } else if value.is_some() && description.joints[joint].kind.freedoms().len() > 1 {
+        } else if value.is_some() && description.joints[joint].kind.has_several() {
             errors.push_with_hint(
                 name.place,
                 format!("joint {called} has several coordinates and is locked at one value"),
@@ -130,7 +130,7 @@ fn locks(
 /// Coordinates of a joint with several must not be called as another joint is.
 fn check_coordinates(description: &Description, joints: &Names<'_>, errors: &mut Errors) {
     let several = description.joints.iter();
-    let several = several.filter(|joint| joint.kind.freedoms().len() > 1);
+    let several = several.filter(|joint| joint.kind.has_several());
     for joint in several {
         for (text, _) in joint.kind.coordinates(&joint.name.text) {
             let place = joint.name.place;

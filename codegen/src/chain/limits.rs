@@ -12,7 +12,7 @@ use crate::wording::quoted;
 pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
     let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
     let joints = moving.map(|branch| &description.joints[branch.joint]);
-    let limited = joints.filter(|joint| joint.limits.is_some() && joint.kind.freedoms().len() > 1);
+    let limited = joints.filter(|joint| joint.limits.is_some() && joint.kind.has_several());
     limited
         .map(|joint| Complaint {
             place: joint.place,

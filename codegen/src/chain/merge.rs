@@ -61,19 +61,20 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
     let joints = bodies
         .into_iter()
-        .map(|body| super::Joint {
-            name: body.coordinate,
-            joint: body.joint,
-            place: description.joints[body.joint].name.place,
-            parent: body.parent,
-            motion: body.motion,
-            placement: body.placement.map(Term::expr),
-            axis: body.axis.map(Term::expr),
-            inertia: body.inertia.map(Term::expr),
-            // Which of several coordinates they are of, no format says.
-            limits: description.joints[body.joint]
-                .limits
-                .filter(|_| description.joints[body.joint].kind.freedoms().len() == 1),
+        .map(|body| {
+            let described = &description.joints[body.joint];
+            super::Joint {
+                name: body.coordinate,
+                joint: body.joint,
+                place: described.name.place,
+                parent: body.parent,
+                motion: body.motion,
+                placement: body.placement.map(Term::expr),
+                axis: body.axis.map(Term::expr),
+                inertia: body.inertia.map(Term::expr),
+                // Which of several coordinates they are of, no format says.
+                limits: described.limits.filter(|_| !described.kind.has_several()),
+            }
         })
         .collect();
     let Reader {

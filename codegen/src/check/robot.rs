@@ -58,31 +58,11 @@ pub(super) fn robot(
     let mut moving = 0;
     for joint in kept {
         let name = &joint.name.text;
-        let parent = seats.get(joint.parent.text.as_str()).copied();
-        let placement = reader.origin(joint)?;
-        let inertia = reader.inertia(&description.links[links[joint.child.text.as_str()]])?;
+        let mut parent = seats.get(joint.parent.text.as_str()).copied();
+        let mut placement = reader.origin(joint)?;
         let held = reader.held(joint, &path);
-        // Of a joint with several coordinates, all but the last move what has no mass.
-        let mut body = Body {
-            parent,
-            placement,
-            screw: [[Scalar::literal(0.0); 3]; 2],
-            moved: Moved::Held(0.0),
-            inertia: Matrix::zero(),
-        };
-        for (k, (coordinate, freedom)) in joint.kind.coordinates(name).enumerate() {
-            if k > 0 {
-                let next = Body {
-                    parent: Some(bodies.len()),
-                    placement: Matrix::identity(),
-                    screw: body.screw,
-                    moved: body.moved,
-                    inertia: Matrix::zero(),
-                };
-                bodies.push(std::mem::replace(&mut body, next));
-            }
-            body.screw = reader.screw(joint, freedom)?;
-            body.moved = match (held, coordinates.get(coordinate.as_str())) {
+        for (coordinate, freedom) in joint.kind.coordinates(name) {
+            let moved = match (held, coordinates.get(coordinate.as_str())) {
                 (Some(at), None) => Moved::Held(at),
                 (None, Some(&k)) => {
                     moving += 1;
@@ -90,10 +70,29 @@ pub(super) fn robot(
                 }
                 _ => return Err(Contradiction(format!("whether joint {name} moves"))),
             };
+            bodies.push(Body {
+                parent,
+                placement,
+                screw: reader.screw(joint, freedom)?,
+                moved,
+                inertia: Matrix::zero(),
+            });
+            (parent, placement) = (Some(bodies.len() - 1), Matrix::identity());
         }
-        body.inertia = inertia;
-        seats.insert(&joint.child.text, bodies.len());
-        bodies.push(body);
+        if !joint.kind.moves() {
+            bodies.push(Body {
+                parent,
+                placement,
+                screw: [[Scalar::literal(0.0); 3]; 2],
+                moved: Moved::Held(0.0),
+                inertia: Matrix::zero(),
+            });
+        }
+        // What the last coordinate moves is the link; what others move has no mass.
+        let link = bodies.len() - 1;
+        let child = joint.child.text.as_str();
+        bodies[link].inertia = reader.inertia(&description.links[links[child]])?;
+        seats.insert(child, link);
     }
     if moving != chain.joints.len() {
         return Err(Contradiction("how many joints move".to_owned()));

@@ -73,10 +73,7 @@ fn tip(chain: &Chain) -> Option<&str> {
 fn in_json(description: &Description, chain: &Chain) -> Value {
     let report = &chain.report;
     let spaces = chain.spaces();
-    let names = |space| -> Value {
-        let entries = spaces.entries(space).iter();
-        entries.map(|entry| entry.name.as_str()).collect()
-    };
+    let names = |space| spaces.names(space).collect::<Value>();
     let merged = report.merged.iter();
     let merged: Value = merged
         .map(|(link, into)| json!({ "link": link, "into": into }))

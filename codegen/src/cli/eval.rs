@@ -141,10 +141,7 @@ impl Eval {
     fn in_json(&self, chain: &Chain, frame: usize, results: &[Vec<f64>]) -> Value {
         let spaces = chain.spaces();
         let quantity = self.function.result();
-        let names = |space| -> Value {
-            let entries = spaces.entries(space).iter();
-            entries.map(|entry| entry.name.as_str()).collect()
-        };
+        let names = |space| spaces.names(space).collect::<Value>();
         let mut answer = Map::new();
         answer.insert("function".into(), json!(self.function.name()));
         answer.insert("coordinates".into(), names(Space::Coordinates));

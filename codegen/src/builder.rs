@@ -110,6 +110,12 @@ impl Builder {
         self
     }
 
+    /// Frees the base: it moves anyhow, as the joint `root`, and is no longer taken as fixed.
+    pub fn floating(mut self) -> Self {
+        self.request.floating = true;
+        self
+    }
+
     /// The link whose frame poses and Jacobians are of.
     pub fn tip(mut self, link: impl Into<String>) -> Self {
         self.request.tip = Some(named(link));

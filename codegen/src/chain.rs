@@ -1,4 +1,4 @@
-//! What a description means: bodies that move against each other, by one coordinate each.
+//! What a description means: bodies that move against each other, by one velocity each.
 //!
 //! In: a [`Description`] and a [`Request`]. Out: a [`Chain`] of the moving joints, parents before
 //! children, in which everything that is held still is part of the body that carries it; every
@@ -9,6 +9,7 @@ mod angle;
 mod check;
 mod limits;
 mod merge;
+mod mimic;
 mod names;
 mod numbers;
 pub mod physical;
@@ -17,21 +18,23 @@ mod shape;
 pub(crate) mod tests;
 mod tree;
 
-use crate::description::{Description, Limits, Source};
+use crate::description::{Description, Limits, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
-use crate::joint::Motion;
+use crate::joint::{Motion, Posture};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
-use crate::space::{Entry, Spaces};
+use crate::space::Spaces;
 
 /// The moving joints of a robot and the bodies they carry.
 #[derive(Clone, Debug)]
 pub struct Chain {
     /// The scalars of all that follows: numbers, and the run-time parameters.
     pub graph: Graph,
-    /// The joints in the order of q, parents before children.
+    /// The freedoms of the joints, parents before children.
     pub joints: Vec<Joint>,
+    /// The lists that arguments and results are over.
+    spaces: Spaces,
     /// The frames asked for: the tip first, where there is one.
     pub frames: Vec<Frame>,
     /// Whether the first of `frames` is the tip.
@@ -49,14 +52,14 @@ pub struct Chain {
     pub source: Source,
 }
 
-/// A coordinate of a joint and the body it moves: of a joint with several, all but the last body carry
+/// A freedom of a joint and the body it moves: of a joint with several, all but the last body carry
 /// nothing but the next.
 #[derive(Clone, Debug)]
 pub struct Joint {
-    /// The coordinate's name: the joint's, where it has no other.
+    /// What its velocity is called: as the joint, where that has no other.
     pub name: String,
-    /// The joint it is of, by its place in the description.
-    pub joint: usize,
+    /// The name of the joint it is of.
+    pub of: String,
     /// Where that stands.
     pub place: Place,
     /// The joint that carries the body it hangs on; none for the fixed base.
@@ -69,8 +72,30 @@ pub struct Joint {
     pub axis: Vector<Expr>,
     /// J of the body in its frame, with all that is fixed to it.
     pub inertia: Inertia<Expr>,
+    /// What its displacement is a function of.
+    pub position: Position,
+    /// Its place among the velocities.
+    pub velocity: usize,
     /// Range of the coordinate and bound of its rate, where described.
     pub limits: Option<Limits>,
+}
+
+/// What the displacement of a body against the one it hangs on is a function of.
+#[derive(Clone, Copy, Debug)]
+pub enum Position {
+    /// An entry of q, times a factor: along the axis. The factor is not 1 of a joint that follows another
+    /// in another measure, and is that of its rates as well.
+    Along {
+        /// The entry.
+        coordinate: usize,
+        /// The factor, a positive number.
+        factor: Expr,
+    },
+    /// The entries of q from here on, with all that come after it of its joint.
+    Posture(Posture, usize),
+    /// Nothing: the first of its joint has taken it along. All of them have the same frame, and their
+    /// velocities are seen in it.
+    Taken,
 }
 
 /// A frame fixed to a body.
@@ -95,6 +120,8 @@ pub struct Report {
     pub joints: Vec<String>,
     /// Links that became part of the body of another: (link, link that carries it).
     pub merged: Vec<(String, String)>,
+    /// Joints that follow others, in the order of the description.
+    pub mimicked: Vec<Mimicked>,
     /// Joints held still, with their coordinate.
     pub locked: Vec<(String, f64)>,
     /// Links that were taken off, or that the base leaves behind.
@@ -103,6 +130,19 @@ pub struct Report {
     pub snapped: Vec<Snapped>,
     /// Doubts, each with its place.
     pub warnings: Vec<Complaint>,
+}
+
+/// A joint that follows another: multiplier · q + offset.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mimicked {
+    /// The joint.
+    pub joint: String,
+    /// The joint whose coordinate q is.
+    pub leader: String,
+    /// What q is multiplied by.
+    pub multiplier: f64,
+    /// What is added [rad or m].
+    pub offset: f64,
 }
 
 /// A number that was taken for a multiple of a right angle, or a residue that was taken for zero.
@@ -128,40 +168,24 @@ impl Report {
     }
 }
 
-impl Joint {
-    /// The range of the coordinate: one point where both limits are equal, but for two zeros, which in a
-    /// URDF stand for limits that were not written.
-    fn reach(&self) -> Option<[f64; 2]> {
-        let limits = self.limits?;
-        let [lower, upper] = [limits.lower, limits.upper];
-        let finite = lower.is_finite() && upper.is_finite() && (upper - lower).is_finite();
-        let written = lower != 0.0 || upper != 0.0;
-        (finite && written && lower <= upper).then_some([lower, upper])
-    }
-
-    /// The range of its rate.
-    fn rates(&self) -> Option<[f64; 2]> {
-        let rate = self.limits?.velocity;
-        (rate > 0.0 && rate.is_finite()).then_some([-rate, rate])
-    }
-}
-
 impl Chain {
     /// The lists that arguments and results are over.
     #[must_use]
-    pub fn spaces(&self) -> Spaces {
-        let list = |range: fn(&Joint) -> Option<[f64; 2]>| {
-            let entries = self.joints.iter().map(|joint| Entry {
-                name: joint.name.clone(),
-                kind: joint.motion.kind(),
-                range: range(joint),
-            });
-            entries.collect()
-        };
-        Spaces {
-            coordinates: list(Joint::reach),
-            velocities: list(Joint::rates),
-        }
+    pub const fn spaces(&self) -> &Spaces {
+        &self.spaces
+    }
+
+    /// The first of `joints` that a velocity moves by itself: not one that follows it.
+    #[must_use]
+    pub fn mover(&self, velocity: usize) -> usize {
+        let of = self
+            .spaces
+            .velocities
+            .get(velocity)
+            .map(|entry| &entry.name);
+        let mut joints = self.joints.iter();
+        let place = joints.position(|joint| Some(&joint.name) == of);
+        place.expect("each velocity has a joint that is called as it is")
     }
 
     /// L of a joint in its body's frame: u, b.
@@ -189,6 +213,7 @@ impl Chain {
 /// # Errors
 /// All the mistakes that are found.
 pub fn build(description: &Description, request: &Request) -> Result<Chain, Errors> {
+    let (description, request) = &freed(description, request);
     let tree = check::check(description, request)?;
     let chain = numbers::check_merged(merge::merge(description, request, &tree))?;
     physical::check(description, request, &tree, chain)

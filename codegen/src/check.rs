@@ -14,7 +14,7 @@ mod tests;
 
 use crate::chain::Chain;
 use crate::dense::{Approximate, Dense, State};
-use crate::description::{Description, Source};
+use crate::description::{Description, Source, freed};
 use crate::error::{Errors, Place};
 use crate::expression::Arithmetic;
 use crate::function::{Function, Given, Truth};
@@ -47,6 +47,7 @@ impl Check {
     /// # Errors
     /// Where they do not agree on which joints move, or on what a number was taken for.
     pub fn of(description: &Description, request: &Request, chain: &Chain) -> Result<Self, Errors> {
+        let (description, request) = &freed(description, request);
         let place = description.name.place;
         let count = if chain.joints.len() > SEVERAL { 1 } else { 2 };
         let judge = |state: State| {
@@ -59,7 +60,7 @@ impl Check {
             Ok(states) => Ok(Self {
                 source: chain.source.clone(),
                 place,
-                spaces: chain.spaces(),
+                spaces: chain.spaces().clone(),
                 states,
             }),
             Err(Contradiction(what)) => {

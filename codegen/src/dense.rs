@@ -13,16 +13,16 @@ use std::cell::OnceCell;
 
 pub(crate) use approximate::Approximate;
 pub(crate) use matrix::Matrix;
-pub(crate) use robot::{Body, Moved, Robot};
+pub(crate) use robot::{Body, Freedom, Moved, Robot};
 
-use crate::expression::Input;
+use crate::expression::{Double, Input};
 use crate::space::Variable;
 use posture::{Posture, Rates};
 
 /// What a program reads.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct State {
-    pub(crate) q: Vec<f64>,
+    pub(crate) q: Vec<Double>,
     pub(crate) qd: Vec<f64>,
     pub(crate) qdd: Vec<f64>,
     pub(crate) tau: Vec<f64>,
@@ -30,15 +30,15 @@ pub(crate) struct State {
 }
 
 impl State {
-    pub(crate) fn get(&self, input: Input) -> f64 {
+    pub(crate) fn get(&self, input: Input) -> Double {
         let (list, k) = match input {
-            Input::Variable(Variable::Q, k) => (&self.q, k),
+            Input::Variable(Variable::Q, k) => return self.q[usize::from(k)],
             Input::Variable(Variable::Qd, k) => (&self.qd, k),
             Input::Variable(Variable::Qdd, k) => (&self.qdd, k),
             Input::Variable(Variable::Tau, k) => (&self.tau, k),
             Input::Parameter(field, k) => (&self.fields[usize::from(field)], k),
         };
-        list[usize::from(k)]
+        list[usize::from(k)].into()
     }
 }
 
@@ -83,7 +83,10 @@ impl Dense {
     ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
         for (k, screw) in self.posture.moving(frame) {
-            columns[6 * k..6 * k + 6].copy_from_slice(&seen(screw).vectors());
+            let column = &mut columns[6 * k..6 * k + 6];
+            for (entry, own) in column.iter_mut().zip(seen(screw).vectors()) {
+                *entry = *entry + own;
+            }
         }
         columns
     }

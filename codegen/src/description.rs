@@ -19,12 +19,16 @@ mod names;
 mod number;
 mod position;
 mod robot;
+mod root;
 mod settings;
 mod tokens;
 pub mod urdf;
 
 pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;
-pub use self::robot::{Axis, Description, Inertial, Joint, Limits, Link, Name, Source, Step};
+pub use self::robot::{
+    Axis, Description, Inertial, Joint, Limits, Link, Mimic, Name, Source, Step,
+};
+pub use self::root::freed;
 pub use crate::joint::JointKind;
 pub use crate::number::Number;

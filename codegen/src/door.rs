@@ -12,6 +12,7 @@ use crate::description::{Description, Item, attributes, inline};
 use crate::error::Errors;
 use crate::expand::expand;
 use crate::print::rust::{self, Declaration, World};
+use crate::space::Spaces;
 use crate::{chain, request};
 
 /// Expands `#[derive(Robot)]`.
@@ -69,8 +70,8 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         }
     }
     let mistakes = errors.to_compile_errors();
-    let joints = read.and_then(|robot| count(robot, &item.request));
-    let stub = rust::stub(&target, &item.request, joints);
+    let spaces = read.and_then(|robot| spaces(robot, &item.request));
+    let stub = rust::stub(&target, &item.request, spaces.as_ref());
     quote! { #mistakes #stub }
 }
 
@@ -93,20 +94,20 @@ fn warning(doubt: &str, at: Span) -> TokenStream {
     }
 }
 
-/// The number of joints, if the description holds together when no more is asked of it than what
-/// decides about that number.
-fn count(description: &Description, request: &request::Request) -> Option<usize> {
+/// The lists of a robot, if the description holds together when no more is asked of it than what
+/// decides about them.
+fn spaces(description: &Description, request: &request::Request) -> Option<Spaces> {
     let shape = request::Request {
         base: request.base.clone(),
+        floating: request.floating,
         lock: request.lock.clone(),
         drop: request.drop.clone(),
         path_only: request.path_only,
         tip: request.tip.clone().filter(|_| request.path_only),
         ..request::Request::default()
     };
-    chain::build(description, &shape)
-        .ok()
-        .map(|chain| chain.joints.len())
+    let chain = chain::build(description, &shape).ok()?;
+    Some(chain.spaces().clone())
 }
 
 fn declaration(item: &Item) -> TokenStream {

@@ -18,7 +18,7 @@ pub use program::{expressions_by, program_by};
 use crate::accuracy::{self, Accuracy, Means};
 use crate::chain::{self, Chain};
 use crate::check::Check;
-use crate::description::Description;
+use crate::description::{Description, freed};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
 use crate::function::{Function, Given};
@@ -35,6 +35,7 @@ use data::data;
 /// # Errors
 /// Every mistake of the description and of the request.
 pub fn expand(description: &Description, request: &Request) -> Result<Listing, Errors> {
+    let (description, request) = &freed(description, request);
     let chain = understand(description, request)?;
     check_size(&chain)?;
     let check = Check::of(description, request, &chain)?;
@@ -68,7 +69,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     };
     errors.into_result(Listing {
         about,
-        spaces: chain.spaces(),
+        spaces: chain.spaces().clone(),
         functions,
         data,
         scalar: request.scalar,

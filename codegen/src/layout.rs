@@ -1,8 +1,8 @@
 //! Which frame each body gets: anywhere along its joint's axis and at any angle about it (structure
 //! rule 6); and which body counts mass that no joint can feel (structure rule 4).
 //!
-//! In: a [`Chain`] and a [`Layout`]. Out: [`Bodies`] whose joints all move about or along z, placed
-//! so that as many entries of the placements as possible are 0 or 1. It never decides which layout
+//! In: a [`Chain`] and a [`Layout`]. Out: [`Bodies`] whose joints of one coordinate move about or along z,
+//! placed so that as many entries of the placements as possible are 0 or 1. It never decides which layout
 //! is best: that is counted, function by function.
 
 mod bodies;
@@ -13,7 +13,7 @@ mod tests;
 
 pub use bodies::{Bodies, Body};
 
-use crate::chain::Chain;
+use crate::chain::{Chain, Position};
 use crate::expression::{Double, Graph};
 use crate::matrix::Pose;
 
@@ -79,7 +79,10 @@ impl Layout {
     }
 
     fn seats(chain: &Chain, all: &[Sliding]) -> Vec<Sliding> {
-        let slides = chain.joints.iter().any(|joint| joint.motion.slides());
+        let slides = chain
+            .joints
+            .iter()
+            .any(|joint| joint.motion.slides() && matches!(joint.position, Position::Along { .. }));
         if slides {
             all.to_vec()
         } else {
@@ -112,14 +115,17 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
     let count = bodies.bodies.len();
     if layout.normals {
         for k in 0..count {
-            if let Some(child) = bodies.first_child(k) {
+            let child = bodies
+                .first_child(k)
+                .filter(|_| bodies.bodies[k].has_own_axis());
+            if let Some(child) = child.filter(|&child| bodies.bodies[child].has_own_axis()) {
                 let to = frames::common_normal(&bodies.bodies[child].placement);
                 bodies.move_frame(k, to);
             }
         }
     }
     for k in 0..count {
-        if bodies.bodies[k].motion.slides() {
+        if bodies.bodies[k].slides_alone() {
             let offset = match layout.sliding {
                 Sliding::AtParent => {
                     let placement = bodies.bodies[k].placement;
@@ -138,13 +144,13 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
     for k in (0..count).rev() {
         let body = bodies.bodies[k];
         if layout.sliding == Sliding::AtMassCenter
-            && body.motion.slides()
+            && body.slides_alone()
             && body.inertia.mass.value().is_some_and(Double::is_sharp)
         {
             let center = body.inertia.q.map(|entry| entry / body.inertia.mass);
             bodies.move_frame(k, Pose::translation(center));
         }
-        if layout.regroup {
+        if layout.regroup && body.has_own_axis() {
             regroup::pass_inboard(&mut bodies, k);
         }
     }
@@ -153,7 +159,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
             let body = bodies.bodies[k];
             let end = bodies.first_child(k).is_none();
             if end
-                && !body.motion.slides()
+                && body.turns_alone()
                 && let Some(turn) = frames::towards_mass_center(&body.inertia)
             {
                 bodies.move_frame(k, turn);
@@ -161,7 +167,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         }
     }
     for body in &mut bodies.bodies {
-        if !body.motion.slides() {
+        if body.turns_alone() {
             let rotation = body.placement.rotation;
             if let Some((offset, rest)) = frames::split_offset(rotation) {
                 body.offset = Some(offset);

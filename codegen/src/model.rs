@@ -16,6 +16,7 @@ pub(crate) mod pose;
 mod state;
 mod turn;
 pub(crate) mod twist;
+mod velocities;
 mod way;
 
 pub(crate) use self::articulated::{
@@ -27,7 +28,8 @@ pub use self::way::{Angles, Carried, Forward, Frame, Way};
 
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
-use crate::matrix::Vector;
+use crate::matrix::{Screw, Vector};
+use crate::space::Variable;
 
 /// What a function is built from: bodies with their frames, a state, and the way.
 pub struct Scene<'s, 'g> {
@@ -40,29 +42,20 @@ pub struct Scene<'s, 'g> {
 
 impl<'s, 'g> Scene<'s, 'g> {
     /// Of the frame of that index, where a function is of one.
-    pub(crate) const fn new(
-        graph: &'g Graph,
-        bodies: &'s Bodies<'g>,
-        frame: usize,
-        way: Way,
-    ) -> Self {
+    pub(crate) fn new(graph: &'g Graph, bodies: &'s Bodies<'g>, frame: usize, way: Way) -> Self {
         Self {
             graph,
             frame,
             bodies,
             way,
-            state: State::of(graph),
+            state: State::of(graph, bodies),
         }
     }
 
-    /// How many joints there are.
-    pub(crate) const fn count(&self) -> usize {
-        self.bodies.bodies.len()
-    }
-
-    /// For each joint the one that carries the body it hangs on.
+    /// For each velocity the one that it is eliminated into: that of the joint which carries the body it
+    /// moves, or, where joints follow others, the nearest that any of its bodies has to do with.
     pub(crate) fn parents(&self) -> Vec<Option<usize>> {
-        self.bodies.bodies.iter().map(|body| body.parent).collect()
+        velocities::parents(self.bodies)
     }
 
     /// The way to the frame, in the frames of the links.
@@ -91,27 +84,66 @@ impl<'s, 'g> Scene<'s, 'g> {
         }
     }
 
-    /// τ of a motion with the given q̈.
+    /// How many velocities there are.
+    pub(crate) fn velocities(&self) -> usize {
+        velocities::count(self.bodies)
+    }
+
+    /// q̈, one entry a velocity.
+    pub(crate) fn qdd(&self) -> Vec<Term<'g>> {
+        let velocities = 0..self.velocities();
+        let entry = |k| self.state.entry(Variable::Qdd, k);
+        velocities.map(entry).collect()
+    }
+
+    /// τ of a motion with the given q̈, one entry a velocity each.
     pub(crate) fn torques(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
-        newton_euler::inverse_dynamics(&self.joints(), self.bodies.gravity, &self.state, qdd)
+        self.against(self.bodies.gravity, &self.state, qdd)
     }
 
     /// M q̈: τ at rest and without gravity.
     pub(crate) fn inertial(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
-        let state = State {
-            graph: self.graph,
-            rest: true,
+        self.against(Vector::zero(self.graph), &self.state.at_rest(), qdd)
+    }
+
+    fn against(
+        &self,
+        gravity: Vector<Term<'g>>,
+        state: &State<'g>,
+        qdd: &[Term<'g>],
+    ) -> Vec<Term<'g>> {
+        let qdd = velocities::shared(state, self.bodies, qdd);
+        let driving = newton_euler::inverse_dynamics(&self.joints(), gravity, state, &qdd);
+        self.forces(&driving)
+    }
+
+    /// τ of what drives each body.
+    pub(crate) fn forces(&self, driving: &[Term<'g>]) -> Vec<Term<'g>> {
+        velocities::gathered(&self.state, self.bodies, driving)
+    }
+
+    /// The columns of a Jacobian, of those for each body.
+    pub(crate) fn columns(&self, screws: &[Screw<Term<'g>>]) -> Vec<Term<'g>> {
+        let entries: Vec<[Term<'g>; 6]> = screws.iter().map(|screw| screw.entries()).collect();
+        let row = |entry: usize| -> Vec<Term<'g>> {
+            let row: Vec<Term<'g>> = entries.iter().map(|screw| screw[entry]).collect();
+            self.forces(&row)
         };
-        newton_euler::inverse_dynamics(&self.joints(), Vector::zero(self.graph), &state, qdd)
+        let rows: [Vec<Term<'g>>; 6] = std::array::from_fn(row);
+        let columns = 0..rows[0].len();
+        columns
+            .flat_map(|k| rows.each_ref().map(|row| row[k]))
+            .collect()
     }
 
     /// M, row by row.
     pub(crate) fn mass_matrix(&self) -> Vec<Term<'g>> {
-        composite::mass_matrix(&self.joints(), &self.state)
+        let matrix = composite::mass_matrix(&self.joints(), &self.state);
+        velocities::gathered_twice(&self.state, self.bodies, matrix)
     }
 }
 
-/// For each joint the diagonal entry of the mass matrix and the pivot that its factors leave of it.
+/// For each velocity the diagonal entry of the mass matrix and the pivot that its factors leave of it.
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
     let scene = Scene::new(graph, bodies, 0, Way::PLAIN);

@@ -11,6 +11,7 @@ pub mod rust;
 use crate::accuracy::Accuracy;
 use crate::formulation::Sines;
 use crate::function::Function;
+use crate::joint::Posture;
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::schedule::{Price, Program};
@@ -115,14 +116,44 @@ fn name(functions: &[Function], frame: Option<&str>) -> String {
 /// A robot as data for the generic recursions of the runtime.
 #[derive(Clone, Debug)]
 pub struct ChainData {
-    /// The joints' names in the order of q.
+    /// The joints' names, parents before children.
     pub names: Vec<String>,
     /// The joint that carries the link on which each joint hangs; none where that is the base.
     pub parents: Vec<Option<u16>>,
+    /// What moves each joint.
+    pub motions: Vec<DataMotion>,
     /// Further frames, the tip's first: name, and the joint that carries it.
     pub frames: Vec<(String, Option<u16>)>,
     /// The numbers, of parameters only. A joint has 28: placement at q = 0 in its parent's frame
     /// (rows of the upper 3×4 block), screw (u, b), pseudo-inertia (xx, yy, zz, xy, xz, yz, the
     /// first moments qx, qy, qz, and m). A frame has 12, its placement. Gravity comes last, 3.
     pub program: Program,
+}
+
+/// What moves a joint of a [`ChainData`], whose coordinates and velocities follow those of the joints before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DataMotion {
+    /// A coordinate of its own, along the screw.
+    Along,
+    /// That of another joint, times a number, along the screw.
+    Follows {
+        /// The joint.
+        leader: u16,
+        /// The number.
+        multiplier: f64,
+    },
+    /// A posture; the screw is that of its first velocity.
+    Posture(Posture),
+}
+
+impl DataMotion {
+    /// How many coordinates and velocities it has.
+    #[must_use]
+    pub const fn counts(self) -> (usize, usize) {
+        match self {
+            Self::Along => (1, 1),
+            Self::Follows { .. } => (0, 0),
+            Self::Posture(posture) => (posture.coordinates().len(), posture.velocities()),
+        }
+    }
 }

@@ -20,6 +20,8 @@ use crate::wording::quoted;
 pub struct Request {
     /// The link taken as fixed; the root where none is named.
     pub base: Option<Name>,
+    /// Free the base: it moves anyhow, as the joint `root`, against a frame 0 that is no link's.
+    pub floating: bool,
     /// The link whose frame poses and Jacobians are of; the last one where there is only one.
     pub tip: Option<Name>,
     /// Lock every joint that does not move the tip.

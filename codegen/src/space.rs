@@ -28,6 +28,8 @@ pub enum Kind {
     Turn,
     /// It slides.
     Slide,
+    /// It is one of the four of a quaternion of unit length, which together turn.
+    Quaternion,
 }
 
 /// An entry of a space.
@@ -63,6 +65,14 @@ impl Spaces {
     /// What the entries of one of them are called.
     pub fn names(&self, space: Space) -> impl Iterator<Item = &str> {
         self.entries(space).iter().map(|entry| entry.name.as_str())
+    }
+
+    /// Where the quaternions of q begin.
+    pub fn quaternions(&self) -> impl Iterator<Item = usize> {
+        let is_quaternion = |entry: &Entry| entry.kind == Kind::Quaternion;
+        let places =
+            (0..self.coordinates.len()).filter(move |&k| is_quaternion(&self.coordinates[k]));
+        places.step_by(4)
     }
 
     /// How many entries one of them has.

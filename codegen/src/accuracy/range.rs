@@ -28,8 +28,8 @@ pub struct Range {
 const fn default(variable: Variable, kind: Kind) -> Option<f64> {
     match (variable, kind) {
         (Variable::Q, Kind::Turn) => Some(PI),
-        (Variable::Q | Variable::Qd, Kind::Slide) => Some(1.0),
-        (Variable::Qd, Kind::Turn) | (Variable::Qdd, _) => Some(10.0),
+        (Variable::Q, Kind::Slide | Kind::Quaternion) | (Variable::Qd, Kind::Slide) => Some(1.0),
+        (Variable::Qd, _) | (Variable::Qdd, _) => Some(10.0),
         (Variable::Tau, _) => None,
     }
 }

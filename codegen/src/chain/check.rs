@@ -3,8 +3,9 @@
 //! In: the description and the request. Out: a [`Tree`] that says for each link how it hangs on
 //! the base; or all the mistakes. Numbers are looked at in [`numbers`].
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
+use super::mimic::{self, Follow};
 use super::names::Names;
 use super::numbers;
 use super::shape::{Joints, downstream, find_base};
@@ -73,7 +74,9 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     }
     check_targets(request, &tree, &links, &joints, &mut errors);
     check_coordinates(description, &joints, &mut errors);
-    choose_tip(description, request, &mut tree, &mut errors);
+    let follows = mimic::follows(description, &tree.branches, &joints, &mut errors);
+    choose_tip(description, request, &follows, &mut tree, &mut errors);
+    mimic::hold(&mut tree.branches, &follows);
     check_moving(description, request, &tree, &links, &mut errors);
     check_size(description, &tree, &mut errors);
     numbers::check(description, request, &tree, &mut errors);
@@ -132,7 +135,14 @@ fn check_coordinates(description: &Description, joints: &Names<'_>, errors: &mut
     let several = description.joints.iter();
     let several = several.filter(|joint| joint.kind.has_several());
     for joint in several {
-        for (text, _) in joint.kind.coordinates(&joint.name.text) {
+        let own = &joint.name.text;
+        let velocities = joint.kind.velocities(own).map(|(name, _)| name);
+        let coordinates = joint
+            .kind
+            .coordinates(own)
+            .into_iter()
+            .map(|(name, _)| name);
+        for text in coordinates.chain(velocities).collect::<BTreeSet<_>>() {
             let place = joint.name.place;
             let coordinate = Name { text, place };
             if joints.get(&coordinate).is_some() {
@@ -250,7 +260,13 @@ fn check_size(description: &Description, tree: &Tree, errors: &mut Errors) {
 
 /// The tip is the one end of the tree where none is named; what needs it says so where there are
 /// several.
-fn choose_tip(description: &Description, request: &Request, tree: &mut Tree, errors: &mut Errors) {
+fn choose_tip(
+    description: &Description,
+    request: &Request,
+    follows: &[Option<Follow>],
+    tree: &mut Tree,
+    errors: &mut Errors,
+) {
     let mut ends = modelled(description, tree.base, &tree.branches, true);
     let mut carries = vec![false; description.links.len()];
     for branch in &tree.branches {
@@ -273,7 +289,7 @@ fn choose_tip(description: &Description, request: &Request, tree: &mut Tree, err
     // A tip that was named and not found has been complained about.
     let unknown = tree.tip.is_none() && request.tip.is_none();
     match tree.tip {
-        Some(tip) if request.path_only => hold_off_path(&mut tree.branches, tree.base, tip),
+        Some(tip) if request.path_only => hold_off_path(tree, follows, tip),
         None if request.path_only && unknown => errors.push_with_hint(
             description.name.place,
             "path_only needs a tip, and the robot has more than one end",
@@ -291,13 +307,24 @@ fn choose_tip(description: &Description, request: &Request, tree: &mut Tree, err
     }
 }
 
-fn hold_off_path(branches: &mut [Branch], base: usize, tip: usize) {
+/// Holds every joint that does not move the tip, itself or through one that follows it.
+fn hold_off_path(tree: &mut Tree, follows: &[Option<Follow>], tip: usize) {
+    let mut moves = vec![false; follows.len()];
     let mut link = tip;
     // Children come after parents, so one walk backwards meets the path in order.
-    for branch in branches.iter_mut().rev() {
-        if branch.child == link && link != base {
+    for branch in tree.branches.iter().rev() {
+        if branch.child == link && link != tree.base {
             link = branch.parent;
-        } else if branch.held.is_none() {
+            moves[branch.joint] = true;
+            if let Some(follow) = follows[branch.joint] {
+                moves[follow.leader] = true;
+            }
+        }
+    }
+    for branch in tree.branches.iter_mut() {
+        // What follows another stands where that takes it.
+        let own = follows[branch.joint].is_none();
+        if own && !moves[branch.joint] && branch.held.is_none() {
             branch.held = Some(Number::default());
         }
     }

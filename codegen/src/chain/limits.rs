@@ -1,12 +1,28 @@
-//! Limits of joints with several coordinates, of which the formats know one pair.
+//! What limits say of the range of a coordinate and of its rate; and that the formats know one pair of
+//! them, of joints with several coordinates as well.
 //!
-//! In: the description and its tree. Out: a doubt for each such joint that moves and has limits: they
-//! are left out.
+//! In: limits, or the description and its tree. Out: a range, or a doubt for each joint with several
+//! coordinates that moves and has limits: they are left out.
 
 use super::tree::Tree;
-use crate::description::Description;
+use crate::description::{Description, Limits};
 use crate::error::Complaint;
 use crate::wording::quoted;
+
+/// The range of the coordinate: one point where both limits are equal, but for two zeros, which in a
+/// URDF stand for limits that were not written.
+pub fn reach(limits: Limits) -> Option<[f64; 2]> {
+    let [lower, upper] = [limits.lower, limits.upper];
+    let finite = lower.is_finite() && upper.is_finite() && (upper - lower).is_finite();
+    let written = lower != 0.0 || upper != 0.0;
+    (finite && written && lower <= upper).then_some([lower, upper])
+}
+
+/// The range of its rate.
+pub fn rates(limits: Limits) -> Option<[f64; 2]> {
+    let rate = limits.velocity;
+    (rate > 0.0 && rate.is_finite()).then_some([-rate, rate])
+}
 
 /// What is left out.
 pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {

@@ -4,13 +4,17 @@
 //! the mass of all that is fixed to them. Struct fields enter here as inputs; from here on they are
 //! scalars like all others. It never drops a mass.
 
+use std::collections::HashMap;
+
+use super::mimic::Follow;
 use super::tree::{Branch, Tree};
-use super::{Chain, Frame, Report, Snapped, angle};
+use super::{Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
 use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
-use crate::joint::{Freedom, JointKind, Motion};
+use crate::joint::{Along, Freedom, JointKind, Motion, Movement, Posture};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
+use crate::space::{Entry, Spaces};
 
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
@@ -22,15 +26,29 @@ struct Seat<'g> {
     pose: Pose<Term<'g>>,
 }
 
-/// A body beyond one coordinate of a joint; only that beyond the last is a link.
+/// A body beyond one freedom of a joint; only that beyond the last is a link.
 struct Body<'g> {
     joint: usize,
-    coordinate: String,
+    velocity: String,
     parent: Option<usize>,
     motion: Motion,
     placement: Pose<Term<'g>>,
     axis: Vector<Term<'g>>,
     inertia: Inertia<Term<'g>>,
+    moved: Moved<'g>,
+}
+
+/// What moves a body.
+#[derive(Clone, Copy)]
+enum Moved<'g> {
+    /// A coordinate of its own.
+    Own,
+    /// That of another joint, times a factor.
+    Follows { leader: usize, factor: Term<'g> },
+    /// Coordinates that move it with all that come after it of its joint.
+    Posture(Posture),
+    /// The body before it.
+    Taken,
 }
 
 /// Merges what does not move.
@@ -59,24 +77,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let modelled = (0..seats.len()).filter(|&link| seats[link].is_some());
     reader.report.links = modelled.map(name).collect();
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
-    let joints = bodies
-        .into_iter()
-        .map(|body| {
-            let described = &description.joints[body.joint];
-            super::Joint {
-                name: body.coordinate,
-                joint: body.joint,
-                place: described.name.place,
-                parent: body.parent,
-                motion: body.motion,
-                placement: body.placement.map(Term::expr),
-                axis: body.axis.map(Term::expr),
-                inertia: body.inertia.map(Term::expr),
-                // Which of several coordinates they are of, no format says.
-                limits: described.limits.filter(|_| !described.kind.has_several()),
-            }
-        })
-        .collect();
+    let (joints, spaces) = listed(description, bodies, &graph);
     let Reader {
         nominal, report, ..
     } = reader;
@@ -84,6 +85,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         nominal,
         parameters: request.parameters.clone(),
         joints,
+        spaces,
         frames,
         has_tip: tree.tip.is_some(),
         gravity,
@@ -93,7 +95,77 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     }
 }
 
-/// Gives every link its seat, and every joint that moves its body.
+/// The bodies with their places in the lists of coordinates and velocities, and those lists.
+fn listed(
+    description: &Description,
+    bodies: Vec<Body<'_>>,
+    graph: &Graph,
+) -> (Vec<super::Joint>, Spaces) {
+    let mut spaces = Spaces::default();
+    // Of each joint with one coordinate, its places among coordinates and velocities.
+    let mut leaders = HashMap::new();
+    let mut places = Vec::with_capacity(bodies.len());
+    for body in &bodies {
+        let described = &description.joints[body.joint];
+        let (coordinate, velocity) = (spaces.coordinates.len(), spaces.velocities.len());
+        places.push((coordinate, velocity));
+        // Which of several coordinates limits are of, no format says.
+        let one = described.limits.filter(|_| !described.kind.has_several());
+        let entry = |name: String, kind, range| Entry { name, kind, range };
+        match body.moved {
+            Moved::Follows { .. } => continue,
+            Moved::Own => {
+                leaders.insert(body.joint, (coordinate, velocity));
+                let (name, kind) = (body.velocity.clone(), body.motion.kind());
+                let range = one.and_then(limits::reach);
+                spaces.coordinates.push(entry(name, kind, range));
+            }
+            Moved::Posture(_) => {
+                let names = described.kind.coordinates(&described.name.text).into_iter();
+                let entries = names.map(|(name, kind)| entry(name, kind, None));
+                spaces.coordinates.extend(entries);
+            }
+            Moved::Taken => {}
+        }
+        let (name, kind) = (body.velocity.clone(), body.motion.kind());
+        let range = one.and_then(limits::rates);
+        spaces.velocities.push(entry(name, kind, range));
+    }
+    let one = graph.constant(1.0).expr();
+    let joint = |(body, (coordinate, velocity)): (Body<'_>, (usize, usize))| {
+        let described = &description.joints[body.joint];
+        let (position, velocity) = match body.moved {
+            Moved::Own => {
+                let factor = one;
+                (Position::Along { coordinate, factor }, velocity)
+            }
+            Moved::Follows { leader, factor } => {
+                let (coordinate, velocity) = leaders[&leader];
+                let factor = factor.expr();
+                (Position::Along { coordinate, factor }, velocity)
+            }
+            Moved::Posture(posture) => (Position::Posture(posture, coordinate), velocity),
+            Moved::Taken => (Position::Taken, velocity),
+        };
+        super::Joint {
+            name: body.velocity,
+            of: described.name.text.clone(),
+            place: described.name.place,
+            parent: body.parent,
+            motion: body.motion,
+            placement: body.placement.map(Term::expr),
+            axis: body.axis.map(Term::expr),
+            inertia: body.inertia.map(Term::expr),
+            position,
+            velocity,
+            limits: described.limits.filter(|_| !described.kind.has_several()),
+        }
+    };
+    let joints = bodies.into_iter().zip(places).map(joint).collect();
+    (joints, spaces)
+}
+
+/// Gives every link its seat, and every joint that moves its bodies.
 fn seat<'g>(
     description: &Description,
     tree: &Tree,
@@ -110,30 +182,24 @@ fn seat<'g>(
         let joint = &description.joints[branch.joint];
         let parent = seats[branch.parent].expect("parents come before children");
         let pose = parent.pose * reader.origin(description, branch);
-        let axis = reader.axis(joint);
+        let axes = reader.axes(joint);
         let seat = if let Some(held) = branch.held {
             Seat {
                 body: parent.body,
-                pose: pose * held_at(graph, joint.kind, axis, &held),
+                pose: pose * held_at(graph, joint.kind, axes, &held),
             }
         } else {
-            reader.report.joints.push(joint.name.text.clone());
-            let (mut parent, mut placement) = (parent.body, pose);
-            for (coordinate, freedom) in joint.kind.coordinates(&joint.name.text) {
-                bodies.push(Body {
-                    joint: branch.joint,
-                    coordinate,
-                    parent,
-                    motion: reader.motion(joint.kind, freedom),
-                    placement,
-                    axis,
-                    inertia: Inertia::zero(graph),
-                });
-                (parent, placement) = (Some(bodies.len() - 1), Pose::identity(graph));
-            }
+            let link = moved(
+                description,
+                branch,
+                (parent.body, pose),
+                axes,
+                &mut bodies,
+                reader,
+            );
             Seat {
                 body: Some(bodies.len() - 1),
-                pose: Pose::identity(graph),
+                pose: link,
             }
         };
         reader.note(description, branch);
@@ -145,6 +211,80 @@ fn seat<'g>(
         seats[branch.child] = Some(seat);
     }
     (seats, bodies)
+}
+
+/// Adds the bodies that a joint moves; where the link that it carries is in the last of them.
+fn moved<'g>(
+    description: &Description,
+    branch: &Branch,
+    (mut parent, mut placement): (Option<usize>, Pose<Term<'g>>),
+    axes: [Vector<Term<'g>>; 2],
+    bodies: &mut Vec<Body<'g>>,
+    reader: &mut Reader<'g, '_>,
+) -> Pose<Term<'g>> {
+    let (graph, joint) = (reader.graph, &description.joints[branch.joint]);
+    let (kind, name) = (joint.kind, &joint.name.text);
+    let mut link = Pose::identity(graph);
+    let mut moved = Moved::Own;
+    let mut sign = 1.0;
+    if let Some(follow) = branch.follows {
+        reader.note_follower(description, branch.joint, follow);
+        sign = follow.multiplier.signum();
+        let offset = Number {
+            value: follow.offset,
+            ..Number::default()
+        };
+        placement = placement * held_at(graph, kind, axes, &offset);
+        moved = Moved::Follows {
+            leader: follow.leader,
+            factor: graph.constant(follow.multiplier.abs()),
+        };
+    } else {
+        reader.report.joints.push(name.clone());
+    }
+    if let Some(posture) = kind.posture() {
+        moved = Moved::Posture(posture);
+        if posture == Posture::Planar {
+            let turn = Pose::rotation(Rotation::with_z(axes[0]));
+            placement = placement * turn;
+            link = turn.inverse();
+        }
+    }
+    for (velocity, freedom) in kind.velocities(name) {
+        let axis = direction(graph, freedom, axes);
+        bodies.push(Body {
+            joint: branch.joint,
+            velocity,
+            parent,
+            motion: reader.motion(kind, freedom),
+            placement,
+            axis: axis.map(|entry| entry * graph.constant(sign)),
+            inertia: Inertia::zero(graph),
+            moved,
+        });
+        (parent, placement) = (Some(bodies.len() - 1), Pose::identity(graph));
+        if kind.posture().is_some() {
+            moved = Moved::Taken;
+        }
+    }
+    link
+}
+
+/// About or along which direction a freedom is, in the frame of the moved body.
+fn direction<'g>(
+    graph: &'g Graph,
+    freedom: Freedom,
+    [axis, second]: [Vector<Term<'g>>; 2],
+) -> Vector<Term<'g>> {
+    match freedom.along {
+        Along::Axis => axis,
+        Along::Second => second,
+        Along::Frame(k) => {
+            let mut entries = [0.0; 3];
+            entries[k] = 1.0;
+            Vector::constant(graph, entries)
+        }
+    }
 }
 
 /// Turns what was written into scalars, and keeps account of it.
@@ -191,7 +331,7 @@ impl<'g> Reader<'g, '_> {
     }
 
     fn motion(&self, kind: JointKind, freedom: Freedom) -> Motion {
-        Motion::of(freedom, || {
+        Motion::of(freedom.movement, || {
             let pitch = kind.pitch().unwrap_or_default();
             self.number(&pitch).expr()
         })
@@ -234,18 +374,17 @@ impl<'g> Reader<'g, '_> {
         self.graph.constant(0.0)
     }
 
-    /// The direction of a joint's axis, of length 1 to all digits; zero of a fixed joint.
-    fn axis(&mut self, joint: &Joint) -> Vector<Term<'g>> {
-        if !joint.kind.moves() {
-            return Vector::zero(self.graph);
+    /// The directions of a joint's axes, of length 1 to all digits; zero of those it has not.
+    fn axes(&mut self, joint: &Joint) -> [Vector<Term<'g>>; 2] {
+        let count = joint.kind.definition().axes();
+        let mut axes = [Vector::zero(self.graph); 2];
+        let described = [joint.axis, joint.second_axis].into_iter();
+        for (axis, described) in axes.iter_mut().zip(described).take(count) {
+            let entries = described.map(|entry| self.component(&joint.name.text, &entry));
+            let direction = Vector(entries).normalized();
+            *axis = direction.expect("an axis without a direction is refused");
         }
-        let axis = Vector(
-            joint
-                .axis
-                .map(|entry| self.component(&joint.name.text, &entry)),
-        );
-        axis.normalized()
-            .expect("an axis without a direction is refused")
+        axes
     }
 
     fn snap(&mut self, item: &str, number: &Number, quarters: i64) {
@@ -300,6 +439,16 @@ impl<'g> Reader<'g, '_> {
             .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin))
     }
 
+    fn note_follower(&mut self, description: &Description, joint: usize, follow: Follow) {
+        let name = |joint: usize| description.joints[joint].name.text.clone();
+        self.report.mimicked.push(Mimicked {
+            joint: name(joint),
+            leader: name(follow.leader),
+            multiplier: follow.multiplier,
+            offset: follow.offset,
+        });
+    }
+
     fn note(&mut self, description: &Description, branch: &Branch) {
         let Some(held) = branch.held else { return };
         let joint = &description.joints[branch.joint];
@@ -318,11 +467,11 @@ impl<'g> Reader<'g, '_> {
 fn held_at<'g>(
     graph: &'g Graph,
     kind: JointKind,
-    axis: Vector<Term<'g>>,
+    axes: [Vector<Term<'g>>; 2],
     at: &Number,
 ) -> Pose<Term<'g>> {
     let q = graph.constant(at.value);
-    let turn = || {
+    let turn = |axis: Vector<Term<'g>>| {
         // R = 1 + u̲ sin φ + u̲² (1 − cos φ)
         let (sine, cosine) = q.sin_cos();
         let versine = graph.constant(1.0) - cosine;
@@ -346,19 +495,22 @@ fn held_at<'g>(
             ],
         ]))
     };
-    let displacement = |freedom: Freedom| match freedom {
-        Freedom::Turn => turn(),
-        Freedom::Slide => Pose::translation(axis * q),
-        Freedom::Helix => {
-            let pitch = kind.pitch().unwrap_or_default();
-            Pose {
-                translation: axis * (q * graph.constant(pitch.value)),
-                ..turn()
+    let displacement = |freedom: &Freedom| {
+        let axis = direction(graph, *freedom, axes);
+        match freedom.movement {
+            Movement::Turn => turn(axis),
+            Movement::Slide => Pose::translation(axis * q),
+            Movement::Helix => {
+                let pitch = kind.pitch().unwrap_or_default();
+                Pose {
+                    translation: axis * (q * graph.constant(pitch.value)),
+                    ..turn(axis)
+                }
             }
         }
     };
     let freedoms = kind.freedoms().iter();
     freedoms
-        .map(|(_, freedom)| displacement(*freedom))
+        .map(displacement)
         .fold(Pose::identity(graph), |pose, next| pose * next)
 }

@@ -40,13 +40,17 @@ pub fn check(description: &Description, request: &Request, tree: &Tree, errors: 
             errors,
         };
         account.steps(&joint.origin);
-        if joint.kind.moves() {
-            account.numbers(&joint.axis);
-            if joint.axis.iter().all(|entry| entry.value == 0.0) {
-                account.refuse(joint.axis[0].place, "has an axis without a direction");
+        let axes = [joint.axis, joint.second_axis];
+        for axis in axes.iter().take(joint.kind.definition().axes()) {
+            account.numbers(axis);
+            if axis.iter().all(|entry| entry.value == 0.0) {
+                account.refuse(axis[0].place, "has an axis without a direction");
             }
         }
         account.numbers(joint.kind.pitch().as_slice());
+        if let Some(mimic) = &joint.mimic {
+            account.numbers(&[mimic.multiplier, mimic.offset]);
+        }
         if let Some(held) = &branch.held {
             account.angle(held);
         }

@@ -132,6 +132,7 @@ pub fn downstream(joints: &Joints, base: usize, dropped: &[usize]) -> Vec<Branch
                 parent,
                 child,
                 held: None,
+                follows: None,
             });
         }
     }

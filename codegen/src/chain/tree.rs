@@ -1,5 +1,6 @@
 //! How links hang on the base: what is left of a description's names once they refer to each other.
 
+use super::mimic::Follow;
 use crate::description::Number;
 
 /// The part of a description that is modelled.
@@ -29,4 +30,6 @@ pub struct Branch {
     pub child: usize,
     /// Where it is held still [rad or m]; none where it moves.
     pub held: Option<Number>,
+    /// What moves it, where it has no coordinate of its own.
+    pub follows: Option<Follow>,
 }

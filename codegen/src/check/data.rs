@@ -3,8 +3,10 @@
 //! In: the numbers that are printed for the generic recursions of the runtime. Out: a [`Robot`] of the
 //! moving joints alone, to be held against the one that was described.
 
-use crate::dense::{Approximate, Body, Matrix, Moved, Robot};
-use crate::print::ChainData;
+use crate::dense::{Approximate, Body, Freedom, Matrix, Moved, Robot};
+use crate::expression::Arithmetic;
+use crate::joint::Posture;
+use crate::print::{ChainData, DataMotion};
 
 /// How many numbers a joint has, and a frame.
 const JOINT: usize = 28;
@@ -14,13 +16,52 @@ const PLACEMENT: usize = 12;
 pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
     let (joints, rest) = numbers.split_at(JOINT * data.parents.len());
     let (frames, gravity) = rest.split_at(PLACEMENT * data.frames.len());
-    let mut bodies: Vec<Body> = (joints.chunks(JOINT).zip(&data.parents).enumerate())
-        .map(|(k, (numbers, parent))| Body {
-            parent: parent.map(usize::from),
-            placement: placement(&numbers[..PLACEMENT]),
-            screw: [three(&numbers[12..15]), three(&numbers[15..18])],
-            moved: Moved::By(k),
-            inertia: inertia(&numbers[18..]),
+    let (mut coordinates, mut velocities) = (0, 0);
+    // Of each joint, where its coordinates and velocities begin.
+    let mut places = Vec::new();
+    for motion in &data.motions {
+        places.push((coordinates, velocities));
+        let (more_coordinates, more_velocities) = motion.counts();
+        coordinates += more_coordinates;
+        velocities += more_velocities;
+    }
+    let joints = joints.chunks(JOINT).zip(&data.parents).zip(&data.motions);
+    let mut bodies: Vec<Body> = (joints.enumerate())
+        .map(|(k, ((numbers, parent), motion))| {
+            let screw = [three(&numbers[12..15]), three(&numbers[15..18])];
+            let along = |(coordinate, velocity), factor| {
+                let freedom = Freedom {
+                    screw,
+                    velocity,
+                    factor,
+                };
+                let moved = Moved::By {
+                    screw,
+                    coordinate,
+                    factor,
+                    offset: Approximate::exact(0.0),
+                };
+                (moved, vec![freedom])
+            };
+            let (moved, freedoms) = match *motion {
+                DataMotion::Along => along(places[k], Approximate::exact(1.0)),
+                DataMotion::Follows { leader, multiplier } => along(
+                    places[usize::from(leader)],
+                    Approximate::literal(multiplier),
+                ),
+                DataMotion::Posture(posture) => {
+                    let (coordinate, velocity) = places[k];
+                    let moved = Moved::Posture(posture, coordinate);
+                    (moved, freedoms(posture, velocity))
+                }
+            };
+            Body {
+                parent: parent.map(usize::from),
+                placement: placement(&numbers[..PLACEMENT]),
+                moved,
+                freedoms,
+                inertia: inertia(&numbers[18..]),
+            }
         })
         .collect();
     let nothing = [Approximate::exact(0.0); 3];
@@ -28,8 +69,8 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         bodies.push(Body {
             parent: body.map(usize::from),
             placement: placement(numbers),
-            screw: [nothing; 2],
-            moved: Moved::Held(0.0),
+            moved: Moved::Held([nothing; 2], 0.0),
+            freedoms: Vec::new(),
             inertia: Matrix::zero(),
         });
         Some(bodies.len() - 1)
@@ -40,9 +81,31 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         .collect();
     Robot {
         bodies,
+        velocities,
         gravity: three(gravity),
         frames,
     }
+}
+
+/// How a body moves on that is in a posture: along the axes of its own frame.
+fn freedoms(posture: Posture, first: usize) -> Vec<Freedom> {
+    let screws: &[usize] = match posture {
+        Posture::Planar => &[3, 4, 2],
+        Posture::Spherical => &[0, 1, 2],
+        Posture::Floating => &[3, 4, 5, 0, 1, 2],
+    };
+    let screws = screws.iter().enumerate();
+    screws
+        .map(|(k, &entry)| {
+            let mut screw = [[Approximate::exact(0.0); 3]; 2];
+            screw[entry / 3][entry % 3] = Approximate::exact(1.0);
+            Freedom {
+                screw,
+                velocity: first + k,
+                factor: Approximate::exact(1.0),
+            }
+        })
+        .collect()
 }
 
 fn three(numbers: &[Approximate]) -> [Approximate; 3] {

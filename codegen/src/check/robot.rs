@@ -10,11 +10,12 @@ use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_2;
 
 use crate::chain::Chain;
-use crate::dense::{Approximate, Body, Matrix, Moved, Robot};
-use crate::description::{Axis, Description, Inertial, Joint, Link, Name, Number, Step};
+use crate::dense::{Approximate, Body, Freedom, Matrix, Moved, Robot};
+use crate::description::{Axis, Description, Inertial, Joint, Link, Mimic, Name, Number, Step};
 use crate::expression::Arithmetic;
-use crate::joint::Freedom;
+use crate::joint::{self, Along, Movement, Posture};
 use crate::request::{Request, Target};
+use crate::space::{Kind, Space};
 
 type Scalar = Approximate;
 
@@ -41,10 +42,9 @@ pub(super) fn robot(
             .collect(),
     };
     let links = by_name(description.links.iter().map(|link| &link.name));
-    let coordinates = chain.joints.iter().enumerate();
-    let coordinates: HashMap<&str, usize> = coordinates
-        .map(|(k, joint)| (joint.name.as_str(), k))
-        .collect();
+    let spaces = chain.spaces();
+    let coordinates = places(spaces.names(Space::Coordinates));
+    let velocities = places(spaces.names(Space::Velocities));
     let base = match &request.base {
         Some(base) => base.text.as_str(),
         None => &chain.report.base,
@@ -56,50 +56,41 @@ pub(super) fn robot(
     let mut bodies: Vec<Body> = Vec::new();
     let mut seats: HashMap<&str, usize> = HashMap::new();
     let mut moving = 0;
-    for joint in kept {
-        let name = &joint.name.text;
-        let mut parent = seats.get(joint.parent.text.as_str()).copied();
-        let mut placement = reader.origin(joint)?;
-        let held = reader.held(joint, &path);
-        for (coordinate, freedom) in joint.kind.coordinates(name) {
-            let moved = match (held, coordinates.get(coordinate.as_str())) {
-                (Some(at), None) => Moved::Held(at),
-                (None, Some(&k)) => {
-                    moving += 1;
-                    Moved::By(k)
-                }
-                _ => return Err(Contradiction(format!("whether joint {name} moves"))),
-            };
-            bodies.push(Body {
-                parent,
-                placement,
-                screw: reader.screw(joint, freedom)?,
-                moved,
-                inertia: Matrix::zero(),
-            });
-            (parent, placement) = (Some(bodies.len() - 1), Matrix::identity());
+    let places = Places {
+        coordinates: &coordinates,
+        velocities: &velocities,
+    };
+    for &joint in &kept {
+        let place = (
+            seats.get(joint.parent.text.as_str()).copied(),
+            reader.origin(joint)?,
+        );
+        let motion = reader.motion(joint, &kept, &path);
+        let own = matches!(motion, Motion::Own);
+        let of_joint = joint.kind.coordinates(&joint.name.text);
+        let is_listed = |(name, _): &(String, Kind)| coordinates.contains_key(name.as_str());
+        if joint.kind.moves() && of_joint.iter().all(is_listed) != own {
+            let name = &joint.name.text;
+            return Err(Contradiction(format!("whether joint {name} moves")));
         }
-        if !joint.kind.moves() {
-            bodies.push(Body {
-                parent,
-                placement,
-                screw: [[Scalar::literal(0.0); 3]; 2],
-                moved: Moved::Held(0.0),
-                inertia: Matrix::zero(),
-            });
+        moving += if own { joint.kind.freedoms().len() } else { 0 };
+        match joint.kind.posture() {
+            Some(posture) if own => reader.placed(joint, posture, place, &places, &mut bodies)?,
+            _ => reader.in_series(joint, motion, place, &places, &mut bodies)?,
         }
-        // What the last coordinate moves is the link; what others move has no mass.
+        // What the last motion moves is the link; what others move has no mass.
         let link = bodies.len() - 1;
         let child = joint.child.text.as_str();
         bodies[link].inertia = reader.inertia(&description.links[links[child]])?;
         seats.insert(child, link);
     }
-    if moving != chain.joints.len() {
+    if moving != spaces.velocities.len() {
         return Err(Contradiction("how many joints move".to_owned()));
     }
     let frames = chain.frames.iter();
     Ok(Robot {
         bodies,
+        velocities: moving,
         gravity: reader.gravity(),
         frames: frames
             .map(|frame| seats.get(frame.name.as_str()).copied())
@@ -108,10 +99,76 @@ pub(super) fn robot(
 }
 
 fn by_name<'d>(names: impl Iterator<Item = &'d Name>) -> HashMap<&'d str, usize> {
-    names
-        .enumerate()
-        .map(|(k, name)| (name.text.as_str(), k))
-        .collect()
+    places(names.map(|name| name.text.as_str()))
+}
+
+fn places<'n>(names: impl Iterator<Item = &'n str>) -> HashMap<&'n str, usize> {
+    names.enumerate().map(|(k, name)| (name, k)).collect()
+}
+
+/// Where coordinates and velocities stand, by name.
+struct Places<'p> {
+    coordinates: &'p HashMap<&'p str, usize>,
+    velocities: &'p HashMap<&'p str, usize>,
+}
+
+impl Places<'_> {
+    /// A body that the coordinate of that name moves along a screw, times a factor and from an offset on.
+    fn along(
+        &self,
+        name: &str,
+        screw: [[Scalar; 3]; 2],
+        (factor, offset): (Scalar, Scalar),
+    ) -> Result<Body, Contradiction> {
+        Ok(Body {
+            parent: None,
+            placement: Matrix::identity(),
+            moved: Moved::By {
+                screw,
+                coordinate: place(self.coordinates, name)?,
+                factor,
+                offset,
+            },
+            freedoms: vec![Freedom {
+                screw,
+                velocity: place(self.velocities, name)?,
+                factor,
+            }],
+            inertia: Matrix::zero(),
+        })
+    }
+}
+
+fn place(places: &HashMap<&str, usize>, name: &str) -> Result<usize, Contradiction> {
+    let place = places.get(name).copied();
+    place.ok_or_else(|| Contradiction(format!("what is called {name}")))
+}
+
+/// A body that stays so far along a screw.
+fn held(
+    parent: Option<usize>,
+    placement: Matrix<Scalar>,
+    screw: [[Scalar; 3]; 2],
+    at: f64,
+) -> Body {
+    Body {
+        parent,
+        placement,
+        moved: Moved::Held(screw, at),
+        freedoms: Vec::new(),
+        inertia: Matrix::zero(),
+    }
+}
+
+/// What moves a joint.
+#[derive(Clone, Copy)]
+enum Motion<'d> {
+    /// Its own coordinates.
+    Own,
+    /// That of a joint of this name, times a factor, and an offset.
+    Follows(&'d str, Scalar, Scalar),
+    /// Nothing: it stays there.
+    Held(f64),
 }
 
 struct Reader<'d> {
@@ -160,16 +217,143 @@ impl<'d> Reader<'d> {
         path
     }
 
-    fn held(&self, joint: &Joint, path: &[&str]) -> Option<f64> {
-        let name = joint.name.text.as_str();
+    /// What moves one of the joints that are kept.
+    fn motion(&self, joint: &'d Joint, kept: &[&'d Joint], path: &[&str]) -> Motion<'d> {
+        if let Some(at) = self.locked(joint) {
+            return Motion::Held(at);
+        }
+        if joint.mimic.is_none() {
+            let leads = |other: &&'d Joint| {
+                let on_path = path.contains(&other.name.text.as_str());
+                on_path && self.leads(joint, other)
+            };
+            let moves = !self.request.path_only || kept.iter().any(leads);
+            return if moves {
+                Motion::Own
+            } else {
+                Motion::Held(0.0)
+            };
+        }
+        let (mut factor, mut offset) = (Scalar::exact(1.0), Scalar::exact(0.0));
+        let (mut value, mut along) = (0.0, 1.0);
+        let mut at = joint;
+        while let Some((mimic, leader)) = self.leader(at) {
+            offset = offset + factor * Scalar::literal(mimic.offset.value);
+            factor = factor * Scalar::literal(mimic.multiplier.value);
+            value += along * mimic.offset.value;
+            along *= mimic.multiplier.value;
+            at = leader;
+        }
+        let there = kept.iter().any(|other| other.name.text == at.name.text);
+        match self.motion(at, kept, path) {
+            Motion::Own if there && along != 0.0 => Motion::Follows(&at.name.text, factor, offset),
+            Motion::Held(held) if there => Motion::Held(along * held + value),
+            _ => Motion::Held(value),
+        }
+    }
+
+    /// What a joint makes of another, and that, where it follows one.
+    fn leader(&self, joint: &'d Joint) -> Option<(&'d Mimic, &'d Joint)> {
+        let mimic = joint
+            .mimic
+            .as_ref()
+            .filter(|_| self.locked(joint).is_none())?;
+        let mut others = self.description.joints.iter();
+        let leader = others.find(|other| other.name.text == mimic.leader.text)?;
+        Some((mimic, leader))
+    }
+
+    /// Whether a joint is another, or moves it.
+    fn leads(&self, joint: &Joint, other: &'d Joint) -> bool {
+        let next = |joint: &&'d Joint| self.leader(joint).map(|(_, leader)| leader);
+        let mut chain = std::iter::successors(Some(other), next);
+        chain.any(|other| other.name.text == joint.name.text)
+    }
+
+    /// Where a joint is held, by its kind or by what was asked.
+    fn locked(&self, joint: &Joint) -> Option<f64> {
         if !joint.kind.moves() {
             return Some(0.0);
         }
         let mut locks = self.request.lock.iter();
-        if let Some((_, at)) = locks.find(|(lock, _)| lock.text == name) {
-            return Some(at.map_or(0.0, |at| at.value));
+        let (_, at) = locks.find(|(lock, _)| lock.text == joint.name.text)?;
+        Some(at.map_or(0.0, |at| at.value))
+    }
+
+    /// Adds the bodies of a joint whose motions come one after the other.
+    fn in_series(
+        &self,
+        joint: &Joint,
+        motion: Motion<'_>,
+        (mut parent, mut placement): (Option<usize>, Matrix<Scalar>),
+        places: &Places<'_>,
+        bodies: &mut Vec<Body>,
+    ) -> Result<(), Contradiction> {
+        if !joint.kind.moves() {
+            let nothing = [[Scalar::literal(0.0); 3]; 2];
+            bodies.push(held(parent, placement, nothing, 0.0));
+            return Ok(());
         }
-        (self.request.path_only && !path.contains(&name)).then_some(0.0)
+        for (own, freedom) in joint.kind.velocities(&joint.name.text) {
+            let screw = self.screw(joint, freedom)?;
+            let one = (Scalar::exact(1.0), Scalar::exact(0.0));
+            bodies.push(match motion {
+                Motion::Held(at) => held(parent, placement, screw, at),
+                Motion::Own => Body {
+                    parent,
+                    placement,
+                    ..places.along(&own, screw, one)?
+                },
+                Motion::Follows(leader, factor, offset) => Body {
+                    parent,
+                    placement,
+                    ..places.along(leader, screw, (factor, offset))?
+                },
+            });
+            (parent, placement) = (Some(bodies.len() - 1), Matrix::identity());
+        }
+        Ok(())
+    }
+
+    /// Adds the bodies of a joint whose coordinates are a posture: its own, and, where that is seen in other
+    /// axes than the link's, the link's.
+    fn placed(
+        &self,
+        joint: &Joint,
+        posture: Posture,
+        (parent, mut placement): (Option<usize>, Matrix<Scalar>),
+        places: &Places<'_>,
+        bodies: &mut Vec<Body>,
+    ) -> Result<(), Contradiction> {
+        let name = &joint.name.text;
+        let turn = match posture {
+            Posture::Planar => Some(across(self.direction(joint, &joint.axis)?)),
+            Posture::Spherical | Posture::Floating => None,
+        };
+        if let Some(turn) = &turn {
+            placement = placement.times(turn);
+        }
+        let coordinates = joint.kind.coordinates(name);
+        let mut freedoms = Vec::new();
+        for (own, freedom) in joint.kind.velocities(name) {
+            freedoms.push(Freedom {
+                screw: self.screw(joint, freedom)?,
+                velocity: place(places.velocities, &own)?,
+                factor: Scalar::exact(1.0),
+            });
+        }
+        bodies.push(Body {
+            parent,
+            placement,
+            moved: Moved::Posture(posture, place(places.coordinates, &coordinates[0].0)?),
+            freedoms,
+            inertia: Matrix::zero(),
+        });
+        if let Some(turn) = turn {
+            let nothing = [[Scalar::literal(0.0); 3]; 2];
+            bodies.push(held(Some(bodies.len() - 1), turn.inverse(), nothing, 0.0));
+        }
+        Ok(())
     }
 
     /// The value of the field that stands for a target.
@@ -270,20 +454,31 @@ impl<'d> Reader<'d> {
         Ok(placement)
     }
 
-    fn screw(&self, joint: &Joint, freedom: Freedom) -> Result<[[Scalar; 3]; 2], Contradiction> {
+    /// A direction, of length 1.
+    fn direction(&self, joint: &Joint, axis: &[Number; 3]) -> Result<[Scalar; 3], Contradiction> {
+        let axis = self.components(&joint.name.text, axis)?;
+        Ok(of_length_1(axis))
+    }
+
+    fn screw(
+        &self,
+        joint: &Joint,
+        freedom: joint::Freedom,
+    ) -> Result<[[Scalar; 3]; 2], Contradiction> {
         let nothing = [Scalar::literal(0.0); 3];
-        let axis = self.components(&joint.name.text, &joint.axis)?;
-        let largest = axis
-            .iter()
-            .fold(0.0_f64, |most, entry| most.max(entry.size()));
-        let axis = axis.map(|entry| entry / Scalar::exact(largest));
-        let [x, y, z] = axis;
-        let length = (x * x + y * y + z * z).sqrt();
-        let axis = axis.map(|entry| entry / length);
-        Ok(match freedom {
-            Freedom::Turn => [axis, nothing],
-            Freedom::Slide => [nothing, axis],
-            Freedom::Helix => {
+        let axis = match freedom.along {
+            Along::Axis => self.direction(joint, &joint.axis)?,
+            Along::Second => self.direction(joint, &joint.second_axis)?,
+            Along::Frame(k) => {
+                let mut axis = nothing;
+                axis[k] = Scalar::literal(1.0);
+                axis
+            }
+        };
+        Ok(match freedom.movement {
+            Movement::Turn => [axis, nothing],
+            Movement::Slide => [nothing, axis],
+            Movement::Helix => {
                 let pitch = Scalar::literal(joint.kind.pitch().unwrap_or_default().value);
                 [axis, axis.map(|entry| entry * pitch)]
             }
@@ -318,4 +513,46 @@ impl<'d> Reader<'d> {
         }
         Ok(origin.times(&central).times(&origin.transposed()))
     }
+}
+
+/// A direction with length 1.
+fn of_length_1(direction: [Scalar; 3]) -> [Scalar; 3] {
+    let sizes = direction.iter().map(|entry| entry.size());
+    let largest = Scalar::exact(sizes.fold(0.0, f64::max));
+    let scaled = direction.map(|entry| entry / largest);
+    let [x, y, z] = scaled;
+    let length = (x * x + y * y + z * z).sqrt();
+    scaled.map(|entry| entry / length)
+}
+
+/// A turn that takes z to the normal of a plane. Along an axis of the frame, x and y go to those that
+/// follow it; else x goes to the product of the normal with the axis that it is farthest from.
+fn across(normal: [Scalar; 3]) -> Matrix<Scalar> {
+    let sizes = normal.map(Scalar::size);
+    let alone = (0..3).find(|&k| sizes[(k + 1) % 3] == 0.0 && sizes[(k + 2) % 3] == 0.0);
+    let mut axes = [[Scalar::literal(0.0); 3]; 3];
+    if let Some(k) = alone {
+        axes[0][(k + 1) % 3] = Scalar::literal(1.0);
+    } else {
+        let least = (0..3).fold(
+            0,
+            |least, k| if sizes[k] < sizes[least] { k } else { least },
+        );
+        let mut farthest = [Scalar::literal(0.0); 3];
+        farthest[least] = Scalar::literal(1.0);
+        axes[0] = of_length_1(cross(farthest, normal));
+    }
+    axes[1] = cross(normal, axes[0]);
+    axes[2] = normal;
+    let mut turn = Matrix::identity();
+    for (column, axis) in axes.into_iter().enumerate() {
+        for (row, entry) in axis.into_iter().enumerate() {
+            turn.0[row][column] = entry;
+        }
+    }
+    turn
+}
+
+fn cross([ax, ay, az]: [Scalar; 3], [bx, by, bz]: [Scalar; 3]) -> [Scalar; 3] {
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }

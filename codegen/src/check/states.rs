@@ -5,8 +5,9 @@
 
 use crate::chain::Chain;
 use crate::dense::State;
-use crate::description::Limits;
+use crate::expression::Double;
 use crate::request::{Request, Target};
+use crate::space::{Entry, Kind};
 
 /// So many states.
 pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<State> {
@@ -17,11 +18,24 @@ pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<Stat
 }
 
 fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
+    let spaces = chain.spaces();
     let mut state = State::default();
-    for joint in &chain.joints {
-        let slides = joint.motion.slides();
-        let [lower, upper] = reach(joint.limits, if slides { 1.0 } else { 3.0 });
-        state.q.push(lower + (upper - lower) * random.unit());
+    for coordinate in &spaces.coordinates {
+        let [lower, upper] = reach(coordinate);
+        let q = lower + (upper - lower) * random.unit();
+        state.q.push(q.into());
+    }
+    for quaternion in spaces.quaternions() {
+        let entries = &mut state.q[quaternion..quaternion + 4];
+        let squares = entries.iter().map(|&entry| entry * entry);
+        let length = squares
+            .fold(Double::ZERO, |sum, square| sum + square)
+            .sqrt();
+        for entry in entries {
+            *entry = *entry / length;
+        }
+    }
+    for _ in &spaces.velocities {
         state.qd.push(4.0 * random.unit() - 2.0);
         state.qdd.push(10.0 * random.unit() - 5.0);
         state.tau.push(20.0 * random.unit() - 10.0);
@@ -44,15 +58,12 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
 
 /// Where a coordinate is drawn from: what is described, as far as that is a range within which a
 /// turn has digits.
-fn reach(limits: Option<Limits>, otherwise: f64) -> [f64; 2] {
+fn reach(coordinate: &Entry) -> [f64; 2] {
     const FARTHEST: f64 = 1e6;
-    match limits {
-        Some(Limits { lower, upper, .. })
-            if lower <= upper && lower.is_finite() && upper.is_finite() =>
-        {
-            [lower, upper].map(|end| end.clamp(-FARTHEST, FARTHEST))
-        }
-        _ => [-otherwise, otherwise],
+    match (coordinate.range, coordinate.kind) {
+        (Some(ends), _) => ends.map(|end| end.clamp(-FARTHEST, FARTHEST)),
+        (None, Kind::Turn) => [-3.0, 3.0],
+        (None, _) => [-1.0, 1.0],
     }
 }
 

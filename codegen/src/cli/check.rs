@@ -14,7 +14,7 @@ use super::functions::Frames;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
 use crate::chain::Chain;
-use crate::description::{Description, Joint};
+use crate::description::{Description, Joint, freed};
 use crate::expand;
 use crate::space::Space;
 use crate::wording::visible;
@@ -39,6 +39,7 @@ impl Check {
         let description = self.robot.description(input)?;
         let request = self.robot.request(&self.frames.frames, Vec::new());
         let chain = expand::understand(&description, &request)?;
+        let (description, _) = freed(&description, &request);
         let output = match self.format {
             Format::Text => in_text(&description, &chain),
             Format::Json => json::text(&in_json(&description, &chain)),
@@ -50,18 +51,21 @@ impl Check {
     }
 }
 
-/// The joints that move, each with the mass of the body that it carries.
+/// The joints that move, each with the mass of the body that it carries; those that follow another among
+/// them.
 fn described<'a>(
     description: &'a Description,
     chain: &'a Chain,
 ) -> impl Iterator<Item = (&'a Joint, f64)> {
-    // Of a joint with several coordinates, the last moves the body.
-    let last = |k: usize| chain.joints.get(k + 1).map(|next| next.joint);
+    // Of a joint with several velocities, the last moves the body.
+    let last = |k: usize| chain.joints.get(k + 1).map(|next| next.of.as_str());
     let bodies = chain.joints.iter().enumerate();
-    let bodies = bodies.filter(move |(k, body)| last(*k) != Some(body.joint));
+    let bodies = bodies.filter(move |(k, body)| last(*k) != Some(&body.of));
     bodies.filter_map(|(_, body)| {
         let mass = chain.graph.value(body.inertia.mass)?.to_f64();
-        Some((&description.joints[body.joint], mass))
+        let mut joints = description.joints.iter();
+        let joint = joints.find(|joint| joint.name.text == body.of)?;
+        Some((joint, mass))
     })
 }
 
@@ -81,6 +85,15 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
     let locked = report.locked.iter();
     let locked: Value = locked
         .map(|(joint, at)| json!({ "joint": joint, "q": at }))
+        .collect();
+    let mimicked = report.mimicked.iter();
+    let mimicked: Value = mimicked
+        .map(|mimic| {
+            json!({
+                "joint": mimic.joint, "of": mimic.leader,
+                "multiplier": mimic.multiplier, "offset": mimic.offset,
+            })
+        })
         .collect();
     let snapped = report.snapped.iter().map(|angle| {
         let (line, column) = json::line_and_column(angle.place);
@@ -117,7 +130,7 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
         "merged": merged,
         "locked": locked,
         "dropped": report.dropped,
-        "mimicked": [],
+        "mimicked": mimicked,
         "snapped": snapped.collect::<Value>(),
         "warnings": json::warnings(&report.warnings),
         "details": {
@@ -167,15 +180,28 @@ fn in_text(description: &Description, chain: &Chain) -> String {
     for (joint, mass) in described(description, chain) {
         let (parent, child) = (&joint.parent.text, &joint.child.text);
         let (name, kind) = (&joint.name.text, joint.kind.word());
-        let names: Vec<String> = joint.kind.coordinates(name).map(|(name, _)| name).collect();
-        let coordinates = match &*names {
-            [_] => String::new(),
-            names => format!(" ({})", names.join(", ")),
+        let names = joint.kind.coordinates(name).into_iter();
+        let names: Vec<String> = names.map(|(name, _)| name).collect();
+        let follows = report.mimicked.iter().find(|mimic| mimic.joint == *name);
+        let coordinates = match (follows, &*names) {
+            (Some(mimic), _) => {
+                let offset = match mimic.offset {
+                    0.0 => String::new(),
+                    offset => format!(" + {offset}"),
+                };
+                format!(" ({} of {}{offset})", mimic.multiplier, mimic.leader)
+            }
+            (None, [_]) => String::new(),
+            (None, names) => format!(" ({})", names.join(", ")),
+        };
+        let place = match follows {
+            Some(_) => "   ".to_owned(),
+            None => format!("{k:3}"),
         };
         line(format!(
-            "  {k:3}  {name}: {kind}{coordinates}, from {parent} to {child}, carries {mass} kg"
+            "  {place}  {name}: {kind}{coordinates}, from {parent} to {child}, carries {mass} kg"
         ));
-        k += names.len();
+        k += if follows.is_some() { 0 } else { names.len() };
     }
     line(counted(
         report.links.len(),

@@ -27,6 +27,10 @@ pub(super) struct Robot {
     /// The link taken as fixed [default: the root]
     #[arg(long, value_name = "LINK")]
     base: Option<String>,
+    /// Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a
+    /// quaternion x, y, z, w) and six velocities in its own frame, linear first
+    #[arg(long)]
+    floating: bool,
     /// The link whose frame poses and Jacobians are of [default: the last link, where there is
     /// only one]
     #[arg(long, value_name = "LINK")]
@@ -106,6 +110,7 @@ impl Robot {
         let lock = |(joint, at): &(String, Option<f64>)| (named(joint), at.map(number));
         Request {
             base: self.base.as_ref().map(named),
+            floating: self.floating,
             tip: self.tip.as_ref().map(named),
             path_only: self.path_only,
             lock: self.lock.iter().map(lock).collect(),

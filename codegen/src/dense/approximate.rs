@@ -19,9 +19,9 @@ const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 impl Approximate {
     /// What is meant as it stands.
-    pub(crate) fn exact(value: f64) -> Self {
+    pub(crate) fn exact(value: impl Into<Double>) -> Self {
         Self {
-            value: Double::from(value),
+            value: value.into(),
             error: 0.0,
         }
     }

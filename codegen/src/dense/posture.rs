@@ -4,17 +4,17 @@
 //! accelerations and actions, and what they add up to.
 
 use super::{Approximate, Matrix, Moved, Robot};
-use crate::expression::Arithmetic;
+use crate::expression::{Arithmetic, Double};
+use crate::joint;
 
 type Scalar = Approximate;
 
 /// A robot in a posture: all matrices of its links, in frame 0.
 pub(super) struct Posture {
     robot: Robot,
-    joints: usize,
     poses: Vec<Matrix<Scalar>>,
-    /// L of the joint that carries each link.
-    screws: Vec<Matrix<Scalar>>,
+    /// Of the joint that carries each link, each L times its factor, with its velocity.
+    screws: Vec<Vec<(usize, Matrix<Scalar>)>>,
     /// J of each link.
     inertias: Vec<Matrix<Scalar>>,
 }
@@ -26,26 +26,36 @@ pub(super) struct Rates {
 }
 
 impl Posture {
-    pub(super) fn of(robot: Robot, q: &[f64]) -> Self {
+    pub(super) fn of(robot: Robot, q: &[Double]) -> Self {
+        let q = |k: usize| Scalar::exact(q[k]);
         let mut poses: Vec<Matrix<Scalar>> = Vec::new();
         let (mut screws, mut inertias) = (Vec::new(), Vec::new());
         for body in &robot.bodies {
-            let [u, b] = body.screw;
-            let at = match body.moved {
-                Moved::By(k) => Scalar::exact(q[k]),
-                Moved::Held(at) => Scalar::literal(at),
+            let displacement = match body.moved {
+                Moved::By {
+                    screw,
+                    coordinate,
+                    factor,
+                    offset,
+                } => displacement(screw, factor * q(coordinate) + offset),
+                Moved::Held(screw, at) => displacement(screw, Scalar::literal(at)),
+                Moved::Posture(posture, first) => placed(posture, |entry| q(first + entry)),
             };
-            let mut pose = body.placement.times(&displacement(u, b, at));
+            let mut pose = body.placement.times(&displacement);
             if let Some(parent) = body.parent {
                 pose = poses[parent].times(&pose);
             }
-            screws.push(pose.carries(&Matrix::screw(u, b)));
+            let freedoms = body.freedoms.iter().map(|freedom| {
+                let [u, b] = freedom.screw;
+                let screw = pose.carries(&Matrix::screw(u, b));
+                (freedom.velocity, screw.scaled(&freedom.factor))
+            });
+            screws.push(freedoms.collect());
             inertias.push(pose.times(&body.inertia).times(&pose.transposed()));
             poses.push(pose);
         }
         Self {
             robot,
-            joints: q.len(),
             poses,
             screws,
             inertias,
@@ -62,7 +72,7 @@ impl Posture {
         let mut moves: Vec<bool> = Vec::new();
         for body in &self.robot.bodies {
             let carried = body.parent.is_some_and(|parent| moves[parent]);
-            moves.push(carried || matches!(body.moved, Moved::By(_)));
+            moves.push(carried || !body.freedoms.is_empty());
         }
         moves
     }
@@ -77,34 +87,36 @@ impl Posture {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
     }
 
-    /// The screws of the joints that move a frame, by their place in q̇.
-    pub(super) fn moving(&self, frame: usize) -> Vec<(usize, &Matrix<Scalar>)> {
+    /// The screws of the joints that move a frame, with their places in q̇.
+    pub(super) fn moving(&self, frame: usize) -> Vec<&(usize, Matrix<Scalar>)> {
         let mut moving = Vec::new();
         let mut at = self.robot.frames[frame];
         while let Some(body) = at {
-            if let Moved::By(k) = self.robot.bodies[body].moved {
-                moving.push((k, &self.screws[body]));
-            }
+            moving.extend(&self.screws[body]);
             at = self.robot.bodies[body].parent;
         }
         moving
     }
 
-    /// W and H of each link: W + L q̇, and H + L q̈ + L² q̇² + 2 W L q̇.
+    /// W and H of each link: W + L q̇, and H + L q̈ + (L q̇)² + 2 W L q̇, where L q̇ is the sum of all that its
+    /// joint does.
     pub(super) fn motions(&self, rates: &Rates) -> Vec<(Matrix<Scalar>, Matrix<Scalar>)> {
         let mut motions: Vec<(Matrix<Scalar>, Matrix<Scalar>)> = Vec::new();
-        for (body, screw) in self.robot.bodies.iter().zip(&self.screws) {
+        for (body, screws) in self.robot.bodies.iter().zip(&self.screws) {
             let (w, h) = match body.parent {
                 Some(parent) => motions[parent].clone(),
                 None => (Matrix::zero(), Matrix::zero()),
             };
-            let Moved::By(k) = body.moved else {
+            let sum = |of: &[Scalar]| {
+                let terms = screws.iter().map(|(k, screw)| screw.scaled(&of[*k]));
+                terms.reduce(|sum, term| sum.plus(&term))
+            };
+            let (Some(own), Some(second)) = (sum(&rates.first), sum(&rates.second)) else {
                 motions.push((w, h));
                 continue;
             };
-            let own = screw.scaled(&rates.first[k]);
             let twice = w.times(&own).scaled(&Scalar::exact(2.0));
-            let second = screw.scaled(&rates.second[k]).plus(&own.times(&own));
+            let second = second.plus(&own.times(&own));
             motions.push((w.plus(&own), h.plus(&second).plus(&twice)));
         }
         motions
@@ -121,7 +133,7 @@ impl Posture {
     /// What every joint feels where each link has the given acceleration: Φ = skew(H J) of all links
     /// outboard, along L.
     fn forces(&self, acceleration: impl Fn(usize) -> Option<Matrix<Scalar>>) -> Vec<Scalar> {
-        let mut forces = vec![Scalar::exact(0.0); self.joints];
+        let mut forces = vec![Scalar::exact(0.0); self.robot.velocities];
         let mut actions: Vec<Option<Matrix<Scalar>>> = (self.inertias.iter().enumerate())
             .map(|(k, inertia)| Some(acceleration(k)?.times(inertia).skew()))
             .collect();
@@ -129,10 +141,10 @@ impl Posture {
             let Some(action) = actions[k].take() else {
                 continue;
             };
-            if let Moved::By(joint) = body.moved {
-                let terms = self.screws[k].vectors().into_iter().zip(action.vectors());
+            for (velocity, screw) in &self.screws[k] {
+                let terms = screw.vectors().into_iter().zip(action.vectors());
                 let along = terms.map(|(screw, action)| screw * action);
-                forces[joint] = along.fold(Scalar::exact(0.0), |sum, term| sum + term);
+                forces[*velocity] = along.fold(forces[*velocity], |sum, term| sum + term);
             }
             if let Some(parent) = body.parent {
                 actions[parent] = Some(match actions[parent].take() {
@@ -152,25 +164,28 @@ impl Posture {
         self.forces(|k| Some(motions[k].1.plus(&falling)))
     }
 
-    /// M, row by row: column k is what the joints feel where H = L of joint k in all links outboard.
+    /// M, row by row: column k is what the joints feel where H is the sum of the L that go with velocity k,
+    /// of all joints inboard of a link.
     pub(super) fn mass_matrix(&self) -> Vec<Vec<Scalar>> {
-        let mut columns = vec![Vec::new(); self.joints];
-        for (joint, body) in self.robot.bodies.iter().enumerate() {
-            let Moved::By(k) = body.moved else { continue };
-            let mut outboard = vec![false; self.robot.bodies.len()];
-            outboard[joint] = true;
-            for (link, body) in self.robot.bodies.iter().enumerate() {
-                outboard[link] |= body.parent.is_some_and(|parent| outboard[parent]);
+        let column = |velocity: usize| {
+            let mut accelerations: Vec<Option<Matrix<Scalar>>> = Vec::new();
+            for (body, screws) in self.robot.bodies.iter().zip(&self.screws) {
+                let outer = body.parent.and_then(|parent| accelerations[parent].clone());
+                let own = screws.iter().filter(|(of, _)| *of == velocity);
+                let own = own.map(|(_, screw)| screw.clone());
+                accelerations.push(outer.into_iter().chain(own).reduce(|a, b| a.plus(&b)));
             }
-            columns[k] = self.forces(|link| outboard[link].then(|| self.screws[joint].clone()));
-        }
+            self.forces(|link| accelerations[link].clone())
+        };
+        let velocities = 0..self.robot.velocities;
+        let columns: Vec<Vec<Scalar>> = velocities.clone().map(column).collect();
         let row = |row: usize| columns.iter().map(|column| column[row]).collect();
-        (0..self.joints).map(row).collect()
+        velocities.map(row).collect()
     }
 }
 
 /// Q of a joint at a coordinate: 1 + u̲ sin q + u̲² (1 − cos q) and b q along the axis.
-fn displacement(u: [Scalar; 3], b: [Scalar; 3], q: Scalar) -> Matrix<Scalar> {
+fn displacement([u, b]: [[Scalar; 3]; 2], q: Scalar) -> Matrix<Scalar> {
     let nothing = [Scalar::exact(0.0); 3];
     let turn = Matrix::screw(u, nothing);
     let (sine, cosine) = q.sin_cos();
@@ -180,4 +195,23 @@ fn displacement(u: [Scalar; 3], b: [Scalar; 3], q: Scalar) -> Matrix<Scalar> {
         .plus(&turn.times(&turn).scaled(&versine));
     displacement.set_column(b.map(|entry| entry * q));
     displacement
+}
+
+/// Q of several coordinates: a translation, and a turn about z or 1 + 2 w v̲ + 2 v̲² of a quaternion v, w.
+fn placed(posture: joint::Posture, q: impl Fn(usize) -> Scalar) -> Matrix<Scalar> {
+    let zero = Scalar::exact(0.0);
+    let turned = |first: usize| {
+        let turn = Matrix::screw([q(first), q(first + 1), q(first + 2)], [zero; 3]);
+        let twice = turn.scaled(&Scalar::exact(2.0));
+        Matrix::identity()
+            .plus(&twice.scaled(&q(first + 3)))
+            .plus(&twice.times(&turn))
+    };
+    match posture {
+        joint::Posture::Planar => {
+            Matrix::translation([q(0), q(1), zero]).times(&Matrix::rotation(2, q(2).sin_cos()))
+        }
+        joint::Posture::Spherical => turned(0),
+        joint::Posture::Floating => Matrix::translation([q(0), q(1), q(2)]).times(&turned(3)),
+    }
 }

@@ -1,6 +1,7 @@
 //! A robot, link by link, as matrices of numbers.
 
 use super::{Approximate, Matrix};
+use crate::joint::Posture;
 
 /// What a link hangs on, and by which motion.
 pub(crate) struct Body {
@@ -8,26 +9,48 @@ pub(crate) struct Body {
     pub(crate) parent: Option<usize>,
     /// M of the joint's frame in the parent link's, at q = 0.
     pub(crate) placement: Matrix<Approximate>,
-    /// u and b of the joint in the link's frame.
-    pub(crate) screw: [[Approximate; 3]; 2],
-    /// Which coordinate moves it; or where it is held.
+    /// Where the joint has taken it from there.
     pub(crate) moved: Moved,
+    /// How it moves on.
+    pub(crate) freedoms: Vec<Freedom>,
     /// J of the link in its frame.
     pub(crate) inertia: Matrix<Approximate>,
 }
 
-/// What gives a joint its coordinate.
-#[derive(Clone, Copy)]
+/// A screw, in the link's frame, and the velocity that it goes with.
+pub(crate) struct Freedom {
+    /// u and b.
+    pub(crate) screw: [[Approximate; 3]; 2],
+    /// The velocity's place in q̇.
+    pub(crate) velocity: usize,
+    /// What the velocity is multiplied by.
+    pub(crate) factor: Approximate,
+}
+
+/// What says how far a joint is displaced.
 pub(crate) enum Moved {
-    /// An entry of q.
-    By(usize),
-    /// Nothing: it stays where it is.
-    Held(f64),
+    /// An entry of q, times a factor, and an offset: so far along a screw.
+    By {
+        /// u and b in the link's frame.
+        screw: [[Approximate; 3]; 2],
+        /// The entry.
+        coordinate: usize,
+        /// What it is multiplied by.
+        factor: Approximate,
+        /// What is added then.
+        offset: Approximate,
+    },
+    /// The entries of q from here on.
+    Posture(Posture, usize),
+    /// Nothing: it stays so far along a screw.
+    Held([[Approximate; 3]; 2], f64),
 }
 
 /// A robot, link by link, parents before children.
 pub(crate) struct Robot {
     pub(crate) bodies: Vec<Body>,
+    /// How many velocities it has.
+    pub(crate) velocities: usize,
     /// Acceleration of gravity in frame 0.
     pub(crate) gravity: [Approximate; 3],
     /// The bodies whose frames are asked for; none for the base.

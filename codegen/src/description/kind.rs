@@ -3,16 +3,14 @@
 //! In: a word of a description. Out: the type it names, or the sentence that refuses it.
 
 use crate::joint::{ALL, Definition};
-use crate::wording::{known, list, quoted};
+use crate::wording::{known, quoted};
 
-/// Types that people ask for and that are not modelled.
-const REFUSED: [&str; 6] = [
-    "floating",
-    "planar",
-    "spherical",
-    "ball",
-    "universal",
-    "mimic",
+/// Other words for what is known by one of its own.
+const OTHERS: [(&str, &str); 4] = [
+    ("ball", "spherical"),
+    ("free", "floating"),
+    ("hinge", "revolute"),
+    ("slide", "prismatic"),
 ];
 
 /// The type a word names, or a message about the subject and a hint.
@@ -21,10 +19,23 @@ pub(super) fn read(word: &str, subject: &str) -> Result<&'static Definition, (St
         return Ok(kind);
     }
     let words = ALL.map(|kind| kind.word);
-    if REFUSED.contains(&word) {
-        let message = format!("{subject} is {word}, and such joints are not modelled");
-        return Err((message, format!("known types: {}", list(words))));
-    }
     let message = format!("{subject} has the unknown type {}", quoted(word));
-    Err((message, known(word, "types", &words)))
+    let hint = match OTHERS.into_iter().find(|(other, _)| *other == word) {
+        Some((_, own)) => format!("it is called {own} here"),
+        None => known(word, "types", &words),
+    };
+    Err((message, hint))
+}
+
+/// The type a word names in a table, whose rows have one axis each.
+pub(super) fn of_one_axis(
+    word: &str,
+    subject: &str,
+) -> Result<&'static Definition, (String, String)> {
+    let kind = read(word, subject)?;
+    if kind.axes() > 1 {
+        let message = format!("{subject} is {word}, and a table gives it one axis");
+        return Err((message, "write two rows that turn".to_owned()));
+    }
+    Ok(kind)
 }

@@ -123,9 +123,26 @@ pub struct Joint {
     /// Direction of the axis in the child's frame, through its origin; of length 1 to within
     /// its digits (each reader checks that and normalises). Unused for a fixed joint.
     pub axis: [Number; 3],
+    /// The second axis of a joint that has two, likewise.
+    pub second_axis: [Number; 3],
     /// Range of the coordinate and bound of its rate, where given; of a joint with one coordinate alone.
     pub limits: Option<Limits>,
+    /// The joint whose coordinate moves it, where it has none of its own.
+    pub mimic: Option<Mimic>,
     /// Where the joint is described.
+    pub place: Place,
+}
+
+/// What a joint makes of the coordinate of another: multiplier · q + offset.
+#[derive(Clone, Debug)]
+pub struct Mimic {
+    /// The joint that has the coordinate, or makes it of that of a third.
+    pub leader: Name,
+    /// What it is multiplied by: \[1, m/rad or rad/m\].
+    pub multiplier: Number,
+    /// What is added then [rad or m].
+    pub offset: Number,
+    /// Where that is said.
     pub place: Place,
 }
 

@@ -20,10 +20,11 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 19] = [
+const WORDS: [&str; 20] = [
     "urdf",
     "dh",
     "base",
+    "floating",
     "tip",
     "path_only",
     "lock",
@@ -43,7 +44,7 @@ const WORDS: [&str; 19] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 16;
+const KEYS: usize = 17;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -99,6 +100,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             tokens::separator(input, &key)?;
             request.tip = Some(tokens::name(input)?);
         }
+        "floating" => request.floating = true,
         "path_only" => request.path_only = true,
         "exact" => request.exact = true,
         "strict" => request.strict = true,

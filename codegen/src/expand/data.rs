@@ -3,39 +3,70 @@
 //! In: a chain. Out: the [`ChainData`] that the generic recursions of the runtime read. It never
 //! sees a function.
 
-use crate::chain::Chain;
-use crate::expression::{Expr, Term};
-use crate::print::ChainData;
+use crate::chain::{Chain, Joint, Position};
+use crate::expression::{Double, Expr, Term};
+use crate::print::{ChainData, DataMotion};
 use crate::schedule::schedule;
 
-/// The chain as data.
+/// The chain as data: one joint of each with a posture, and of others one for each coordinate.
 pub(super) fn data(chain: &Chain) -> ChainData {
     let narrow = |k: usize| u16::try_from(k).expect("fewer than 65536 joints");
+    let mut joints: Vec<(&Joint, DataMotion)> = Vec::new();
+    // Of each body, the place of the joint that it is of.
+    let mut places: Vec<u16> = Vec::with_capacity(chain.joints.len());
+    let mut inertias = Vec::new();
+    for (k, joint) in chain.joints.iter().enumerate() {
+        let leader = chain.mover(joint.velocity);
+        let motion = match joint.position {
+            Position::Along { .. } if leader == k => Some(DataMotion::Along),
+            Position::Along { factor, .. } => Some(DataMotion::Follows {
+                leader: narrow(leader),
+                multiplier: chain.graph.value(factor).map_or(1.0, Double::to_f64),
+            }),
+            Position::Posture(posture, _) => Some(DataMotion::Posture(posture)),
+            Position::Taken => None,
+        };
+        match (motion, inertias.last_mut()) {
+            (None, Some(last)) => *last = joint.inertia,
+            (motion, _) => {
+                joints.extend(motion.map(|motion| (joint, motion)));
+                inertias.push(joint.inertia);
+            }
+        }
+        places.push(narrow(joints.len() - 1));
+    }
     let mut results: Vec<Expr> = Vec::new();
-    for joint in &chain.joints {
+    for ((joint, _), inertia) in joints.iter().zip(&inertias) {
         results.extend(joint.placement.entries());
         results.extend(chain.screw(joint).map(Term::expr));
-        results.extend(joint.inertia.entries());
+        results.extend(inertia.entries());
     }
     for frame in &chain.frames {
         results.extend(frame.placement.entries());
     }
     results.extend(chain.gravity.0);
+    let place = |body: usize| places[body];
+    let name = |(joint, motion): &(&Joint, DataMotion)| match motion {
+        DataMotion::Posture(_) => joint.of.clone(),
+        DataMotion::Along | DataMotion::Follows { .. } => joint.name.clone(),
+    };
+    let motion = |(_, motion): &(&Joint, DataMotion)| match *motion {
+        DataMotion::Follows { leader, multiplier } => DataMotion::Follows {
+            leader: place(leader.into()),
+            multiplier,
+        },
+        motion => motion,
+    };
     ChainData {
-        names: chain
-            .joints
-            .iter()
-            .map(|joint| joint.name.clone())
+        names: joints.iter().map(name).collect(),
+        parents: (joints.iter())
+            .map(|(joint, _)| joint.parent.map(place))
             .collect(),
-        parents: chain
-            .joints
-            .iter()
-            .map(|joint| joint.parent.map(narrow))
-            .collect(),
+        motions: joints.iter().map(motion).collect(),
         frames: chain
             .frames
             .iter()
-            .map(|frame| (frame.name.clone(), frame.body.map(narrow)))
+            .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
         program: schedule(&chain.graph, &results),
     }

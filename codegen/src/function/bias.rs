@@ -26,5 +26,5 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.torques(&vec![scene.state.zero(); scene.count()])
+    scene.torques(&vec![scene.state.zero(); scene.velocities()])
 }

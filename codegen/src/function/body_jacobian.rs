@@ -30,5 +30,5 @@ fn sentence(_: &str, frame: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    jacobian::body(&scene.path())
+    scene.columns(&jacobian::body(&scene.path()))
 }

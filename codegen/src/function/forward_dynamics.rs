@@ -36,7 +36,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
         Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
             &scene.mass_matrix(),
             &scene.parents(),
-            |k| scene.state.tau(k),
+            |k| scene.state.entry(Variable::Tau, k),
             |qdd| scene.torques(qdd),
             refinements,
         ),

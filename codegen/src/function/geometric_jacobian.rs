@@ -32,5 +32,5 @@ fn sentence(base: &str, frame: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    jacobian::geometric(&scene.link_path())
+    scene.columns(&jacobian::geometric(&scene.link_path()))
 }

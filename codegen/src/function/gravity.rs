@@ -29,5 +29,6 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    gravity::gravity(&scene.joints(), scene.bodies.gravity, &scene.state)
+    let driving = gravity::gravity(&scene.joints(), scene.bodies.gravity, &scene.state);
+    scene.forces(&driving)
 }

@@ -25,5 +25,5 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.torques(&scene.state.qdds(scene.count()))
+    scene.torques(&scene.qdd())
 }

@@ -71,16 +71,16 @@ const fn matrix(units: fn(&[Kind]) -> Vec<&'static str>) -> Quantity {
 
 fn by_one(of: &[Kind], turning: &'static str, sliding: &'static str) -> &'static str {
     match of[0] {
-        Kind::Turn => turning,
         Kind::Slide => sliding,
+        _ => turning,
     }
 }
 
 /// Of two entries that turn, of which one does, of which none does.
 fn by_two(of: &[Kind], [both, one, none]: [&'static str; 3]) -> &'static str {
     match [of[0], of[1]] {
-        [Kind::Turn, Kind::Turn] => both,
         [Kind::Slide, Kind::Slide] => none,
-        _ => one,
+        [Kind::Slide, _] | [_, Kind::Slide] => one,
+        _ => both,
     }
 }

@@ -31,5 +31,5 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    jacobian::spatial(&scene.link_path())
+    scene.columns(&jacobian::spatial(&scene.link_path()))
 }

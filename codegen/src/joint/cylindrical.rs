@@ -1,9 +1,13 @@
 //! Turns about its axis and slides along it, each for itself.
 
-use super::{Definition, Freedom, JointKind};
+use super::{Along, Definition, Freedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "cylindrical",
-    freedoms: &[("angle", Freedom::Turn), ("shift", Freedom::Slide)],
+    freedoms: &[
+        Freedom::turn("angle", Along::Axis),
+        Freedom::slide("shift", Along::Axis),
+    ],
+    posture: None,
     make: |_| JointKind::Cylindrical,
 };

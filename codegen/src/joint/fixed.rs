@@ -1,9 +1,10 @@
-//! Does not move.
+//! Holds its links together.
 
 use super::{Definition, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "fixed",
     freedoms: &[],
+    posture: None,
     make: |_| JointKind::Fixed,
 };

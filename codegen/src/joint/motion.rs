@@ -3,7 +3,7 @@
 //! In: the axis, or an inertia. Out: the screw of the motion, and the part of an inertia that it leaves as it
 //! is.
 
-use super::Freedom;
+use super::Movement;
 use crate::expression::{Expr, Term};
 use crate::matrix::{Inertia, Screw, Symmetric, Vector};
 use crate::space::Kind;
@@ -22,11 +22,11 @@ pub enum Motion {
 impl Motion {
     /// That of a freedom, where a helical one has this pitch.
     #[must_use]
-    pub fn of(freedom: Freedom, pitch: impl FnOnce() -> Expr) -> Self {
-        match freedom {
-            Freedom::Turn => Self::Revolute,
-            Freedom::Slide => Self::Prismatic,
-            Freedom::Helix => Self::Screw(pitch()),
+    pub fn of(movement: Movement, pitch: impl FnOnce() -> Expr) -> Self {
+        match movement {
+            Movement::Turn => Self::Revolute,
+            Movement::Slide => Self::Prismatic,
+            Movement::Helix => Self::Screw(pitch()),
         }
     }
 

@@ -1,9 +1,10 @@
 //! Slides along its axis.
 
-use super::{Definition, Freedom, JointKind};
+use super::{Along, Definition, Freedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "prismatic",
-    freedoms: &[("shift", Freedom::Slide)],
+    freedoms: &[Freedom::slide("shift", Along::Axis)],
+    posture: None,
     make: |_| JointKind::Prismatic,
 };

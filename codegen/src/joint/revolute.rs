@@ -1,9 +1,10 @@
 //! Turns about its axis, within limits.
 
-use super::{Definition, Freedom, JointKind};
+use super::{Along, Definition, Freedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "revolute",
-    freedoms: &[("angle", Freedom::Turn)],
+    freedoms: &[Freedom::turn("angle", Along::Axis)],
+    posture: None,
     make: |_| JointKind::Revolute,
 };

@@ -1,9 +1,14 @@
 //! Turns about its axis and slides along it, in a fixed ratio.
 
-use super::{Definition, Freedom, JointKind};
+use super::{Along, Definition, Freedom, JointKind, Movement};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "screw",
-    freedoms: &[("angle", Freedom::Helix)],
+    freedoms: &[Freedom {
+        name: "angle",
+        movement: Movement::Helix,
+        along: Along::Axis,
+    }],
+    posture: None,
     make: |pitch| JointKind::Screw { pitch },
 };

@@ -1,18 +1,17 @@
 //! Bodies with their frames, which may be moved.
 //!
-//! In: a chain. Out: its bodies, each frame turned so that its joint's axis is z, and what replaces a
-//! frame by another one. It never chooses one.
+//! In: a chain. Out: its bodies, each frame turned so that its joint's axis is z where the joint has one
+//! coordinate, and what replaces a frame by another one. It never chooses one.
 
-use super::frames::z_along;
-use crate::chain::Chain;
-use crate::expression::{Graph, Term};
+use crate::chain::{Chain, Position};
+use crate::expression::{Expr, Graph, Term};
 use crate::joint::Motion;
-use crate::matrix::{Inertia, Pose, Vector};
+use crate::matrix::{Inertia, Pose, Rotation, Vector};
 
 /// The bodies of a chain with their frames.
 #[derive(Clone, Debug)]
 pub struct Bodies<'g> {
-    /// In the order of q, parents before children.
+    /// Parents before children, as in the chain.
     pub bodies: Vec<Body<'g>>,
     /// J in frame 0 of what regrouping left to the base.
     pub base: Inertia<Term<'g>>,
@@ -22,19 +21,55 @@ pub struct Bodies<'g> {
     pub gravity: Vector<Term<'g>>,
 }
 
-/// A body whose joint moves it about or along the z axis of its frame.
+/// A body, moved about or along an axis of its frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Body<'g> {
     /// The body it hangs on; none for the fixed base.
     pub parent: Option<usize>,
     /// What its joint lets it do.
     pub motion: Motion,
+    /// About or along which axis of its frame: z, but where the joint has taken the frame anywhere.
+    pub axis: usize,
+    /// What its displacement is a function of.
+    pub position: Position,
+    /// Its place among the velocities.
+    pub velocity: usize,
     /// M from the parent's frame to this one at q + offset = 0.
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of what is added to q to give the angle about z.
     pub offset: Option<(Term<'g>, Term<'g>)>,
     /// J of the body in its frame.
     pub inertia: Inertia<Term<'g>>,
+}
+
+impl Body<'_> {
+    /// Whether one coordinate moves it along its axis: another frame than its own will do then, anywhere that
+    /// the motion leaves as it is.
+    #[must_use]
+    pub const fn has_own_axis(&self) -> bool {
+        matches!(self.position, Position::Along { .. })
+    }
+
+    /// What its rate is the product of with its velocity; none where it is that velocity.
+    #[must_use]
+    pub const fn factor(&self) -> Option<Expr> {
+        match self.position {
+            Position::Along { factor, .. } => Some(factor),
+            Position::Posture(..) | Position::Taken => None,
+        }
+    }
+
+    /// Whether that lets it slide, and never turns it.
+    #[must_use]
+    pub const fn slides_alone(&self) -> bool {
+        self.has_own_axis() && self.motion.slides()
+    }
+
+    /// Whether that turns it.
+    #[must_use]
+    pub const fn turns_alone(&self) -> bool {
+        self.has_own_axis() && !self.motion.slides()
+    }
 }
 
 impl<'g> Bodies<'g> {
@@ -66,7 +101,10 @@ impl<'g> Bodies<'g> {
 pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     let term = |expr| graph.term(expr);
     let turns: Vec<Pose<Term<'g>>> = (chain.joints.iter())
-        .map(|joint| Pose::rotation(z_along(joint.axis.map(term))))
+        .map(|joint| match joint.position {
+            Position::Along { .. } => Pose::rotation(Rotation::with_z(joint.axis.map(term))),
+            Position::Posture(..) | Position::Taken => Pose::identity(graph),
+        })
         .collect();
     let seen_from = |parent: Option<usize>, pose: Pose<Term<'g>>| match parent {
         Some(parent) => turns[parent].inverse() * pose,
@@ -76,6 +114,12 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
         .map(|(joint, &turn)| Body {
             parent: joint.parent,
             motion: joint.motion,
+            axis: match joint.position {
+                Position::Along { .. } => 2,
+                Position::Posture(..) | Position::Taken => along(joint.axis.map(term)),
+            },
+            position: joint.position,
+            velocity: joint.velocity,
             placement: seen_from(joint.parent, joint.placement.map(term) * turn),
             offset: None,
             inertia: joint.inertia.map(term).change_frame(turn.inverse()),
@@ -90,4 +134,12 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
         frames,
         gravity: chain.gravity.map(term),
     }
+}
+
+/// Which axis of the frame a direction is.
+fn along(direction: Vector<Term<'_>>) -> usize {
+    let is = |&k: &usize| direction.0[k].value().is_some_and(|entry| entry.is_one());
+    (0..3)
+        .find(is)
+        .expect("such joints move along the axes of their frame")
 }

@@ -3,32 +3,8 @@
 //! In: a direction, a placement or an inertia. Out: where its frame should go. It never knows a body, and
 //! never moves one.
 
-use crate::expression::{Double, Term};
+use crate::expression::Term;
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
-
-/// A rotation whose third column is the given direction, made of the axes themselves where it can.
-pub(super) fn z_along(direction: Vector<Term<'_>>) -> Rotation<Term<'_>> {
-    let graph = direction.x().graph();
-    let axis = |k: usize| {
-        let mut entries = [0.0; 3];
-        entries[k] = 1.0;
-        Vector::constant(graph, entries)
-    };
-    let size = |k: usize| direction.0[k].value().map_or(0.0, Double::to_f64);
-    for k in 0..3 {
-        let (next, last) = (axis((k + 1) % 3), axis((k + 2) % 3));
-        if direction.0[(k + 1) % 3].is_zero() && direction.0[(k + 2) % 3].is_zero() {
-            let last = if size(k) > 0.0 { last } else { -last };
-            return Rotation::from_columns([next, last, direction]);
-        }
-    }
-    let smallest = (0..3)
-        .min_by(|&a, &b| size(a).abs().total_cmp(&size(b).abs()))
-        .unwrap_or(0);
-    let x = axis(smallest).cross(direction).normalized();
-    let x = x.expect("an axis is not along its smallest entry");
-    Rotation::from_columns([x, direction.cross(x), direction])
-}
 
 /// Squared sine of the angle below which two axes have no normal that is worth having: its foot
 /// stands so far away that digits are lost there, and for an angle of some 1e-16 all of them. Six

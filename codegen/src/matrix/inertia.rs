@@ -82,9 +82,9 @@ impl<'g> Symmetric<Term<'g>> {
         Self([ax * bx, ay * by, az * bz, ax * by, ax * bz, ay * bz])
     }
 
-    /// Makes the third row and column null.
-    pub fn clear_z(&mut self, zero: Term<'g>) {
-        for k in [2, 4, 5] {
+    /// Makes a row and the column of that number null.
+    pub fn clear(&mut self, axis: usize, zero: Term<'g>) {
+        for k in [[0, 3, 4], [1, 3, 5], [2, 4, 5]][axis] {
             self.0[k] = zero;
         }
     }

@@ -4,7 +4,7 @@ use std::array;
 use std::ops::{Add, Mul};
 
 use super::Vector;
-use crate::expression::{Graph, Term};
+use crate::expression::{Double, Graph, Term};
 
 /// A rotation matrix R, row by row.
 #[derive(Clone, Copy, Debug)]
@@ -58,6 +58,32 @@ impl<'g> Rotation<Term<'g>> {
             [sine, cosine, zero],
             [zero, zero, one],
         ])
+    }
+
+    /// The third column is the given direction; made of the axes themselves where it can: about one of them,
+    /// the two columns before it are those that follow it in turn.
+    #[must_use]
+    pub fn with_z(direction: Vector<Term<'g>>) -> Self {
+        let graph = direction.x().graph();
+        let axis = |k: usize| {
+            let mut entries = [0.0; 3];
+            entries[k] = 1.0;
+            Vector::constant(graph, entries)
+        };
+        let size = |k: usize| direction.0[k].value().map_or(0.0, Double::to_f64);
+        for k in 0..3 {
+            let (next, last) = (axis((k + 1) % 3), axis((k + 2) % 3));
+            if direction.0[(k + 1) % 3].is_zero() && direction.0[(k + 2) % 3].is_zero() {
+                let last = if size(k) > 0.0 { last } else { -last };
+                return Self::from_columns([next, last, direction]);
+            }
+        }
+        let smallest = (0..3)
+            .min_by(|&a, &b| size(a).abs().total_cmp(&size(b).abs()))
+            .unwrap_or(0);
+        let x = axis(smallest).cross(direction).normalized();
+        let x = x.expect("an axis is not along its smallest entry");
+        Self::from_columns([x, direction.cross(x), direction])
     }
 
     /// About x by an angle of which sine and cosine are given.

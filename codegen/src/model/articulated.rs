@@ -6,7 +6,7 @@
 //! matrix is formed, and what its conditioning would take is lost only as far as masses differ.
 
 use super::carry::Joint;
-use super::newton_euler::beyond;
+use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::expression::Term;
 use crate::joint::Motion;
@@ -31,7 +31,7 @@ pub fn forward_dynamics<'g>(
     let mut yields = Vec::with_capacity(count);
     for k in (0..count).rev() {
         let (joint, action) = (&joints[k], actions[k]);
-        let given = articulated[k].yielding(joint, joint.motion);
+        let given = articulated[k].yielding(joint);
         let lacking = state.tau(k) - action.along(joint.screw);
         if let Some(parent) = joint.parent {
             let left = given.left;
@@ -72,7 +72,7 @@ pub fn mass_matrix_inverse<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<T
     let mut yields = Vec::with_capacity(count);
     for k in (0..count).rev() {
         let joint = &joints[k];
-        let given = articulated[k].yielding(joint, joint.motion);
+        let given = articulated[k].yielding(joint);
         if let Some(parent) = joint.parent {
             articulated[parent] = articulated[parent] + given.left.passed_on(joint);
         }
@@ -163,7 +163,7 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
         b: Rotation(b),
         m: Symmetric(m),
     };
-    left.clear(joint.motion);
+    left.clear(joint);
     let (left, action) = passed_on(joint, &left, Action { c, f });
     let inertia = left
         .a
@@ -177,14 +177,15 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
 /// What velocities alone do: those of the bodies, the accelerations that each joint adds to them, and
 /// the actions that they take.
 struct Drift<'g> {
-    velocities: Vec<Acceleration<Term<'g>>>,
+    velocities: Vec<Moving<'g>>,
     drifts: Vec<Acceleration<Term<'g>>>,
     actions: Vec<Action<Term<'g>>>,
 }
 
 impl<'g> Drift<'g> {
     fn of(joints: &[Joint<'g>], state: &State<'g>) -> Self {
-        let rest = Acceleration::linear(Vector::zero(state.graph));
+        let still = Acceleration::linear(Vector::zero(state.graph));
+        let rest = Moving::still(still);
         let mut all = Self {
             velocities: Vec::with_capacity(joints.len()),
             drifts: Vec::with_capacity(joints.len()),
@@ -194,12 +195,15 @@ impl<'g> Drift<'g> {
             let outer = joint.parent.map_or(rest, |parent| all.velocities[parent]);
             let drift = beyond(outer, joint, state.qd(k), state.zero());
             let velocity = Acceleration {
-                omega: drift.omega,
-                ..rest
+                omega: drift.h.omega,
+                ..still
             };
             all.actions.push(Action::of(velocity, joint.inertia));
-            all.velocities.push(velocity);
-            all.drifts.push(drift);
+            all.velocities.push(Moving {
+                h: velocity,
+                ..drift
+            });
+            all.drifts.push(drift.h);
         }
         all
     }
@@ -211,17 +215,20 @@ fn outwards<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    velocities: &[Acceleration<Term<'g>>],
+    velocities: &[Moving<'g>],
     mut of_joint: impl FnMut(usize, Acceleration<Term<'g>>) -> Term<'g>,
 ) -> Vec<Acceleration<Term<'g>>> {
-    let base = Acceleration::linear(-gravity);
+    let base = Moving::still(Acceleration::linear(-gravity));
     let mut accelerations: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(joints.len());
     for (k, joint) in joints.iter().enumerate() {
-        let outer = joint.parent.map_or(base, |parent| Acceleration {
-            omega: velocities[parent].omega,
-            ..accelerations[parent]
+        let outer = joint.parent.map_or(base, |parent| Moving {
+            h: Acceleration {
+                omega: velocities[parent].h.omega,
+                ..accelerations[parent]
+            },
+            ..velocities[parent]
         });
-        let carried = beyond(outer, joint, state.qd(k), state.zero());
+        let carried = beyond(outer, joint, state.qd(k), state.zero()).h;
         let acceleration = of_joint(k, carried);
         let (u, b) = (joint.screw.u, joint.screw.b);
         accelerations.push(Acceleration {
@@ -285,8 +292,8 @@ impl<'g> Yielding<'g> {
             along = along.graph().constant(0.0);
         }
         match joint.motion {
-            Motion::Revolute => c.0[2] = along,
-            Motion::Prismatic => f.0[2] = along,
+            Motion::Revolute => c.0[joint.axis] = along,
+            Motion::Prismatic => f.0[joint.axis] = along,
             Motion::Screw(_) => {}
         }
         Action { c, f }
@@ -315,7 +322,7 @@ impl<'g> Articulated<'g> {
 
     /// What a joint takes and leaves: the map minus U Uᵗ / D, of which the joint's own row and
     /// column vanish.
-    fn yielding(&self, joint: &Joint<'g>, motion: Motion) -> Yielding<'g> {
+    fn yielding(&self, joint: &Joint<'g>) -> Yielding<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
         let share = action.along(joint.screw);
         share.label(|| format!("d_{}", joint.index + 1));
@@ -329,7 +336,7 @@ impl<'g> Articulated<'g> {
             })),
             m: self.m - Symmetric::half_product(f, over_f),
         };
-        left.clear(motion);
+        left.clear(joint);
         Yielding {
             action,
             inverse,
@@ -338,17 +345,17 @@ impl<'g> Articulated<'g> {
     }
 
     /// Clears what the joint's motion leaves nothing of.
-    fn clear(&mut self, motion: Motion) {
+    fn clear(&mut self, joint: &Joint<'g>) {
         let zero = self.b.0[0][0].graph().constant(0.0);
-        match motion {
+        match joint.motion {
             Motion::Revolute => {
-                self.a.clear_z(zero);
-                self.b.0[2] = [zero; 3];
+                self.a.clear(joint.axis, zero);
+                self.b.0[joint.axis] = [zero; 3];
             }
             Motion::Prismatic => {
-                self.m.clear_z(zero);
+                self.m.clear(joint.axis, zero);
                 for row in &mut self.b.0 {
-                    row[2] = zero;
+                    row[joint.axis] = zero;
                 }
             }
             Motion::Screw(_) => {}
@@ -357,9 +364,11 @@ impl<'g> Articulated<'g> {
 
     /// In the frame of the body that carries it.
     fn passed_on(&self, joint: &Joint<'g>) -> Self {
-        self.turn(joint.turn())
-            .shift(joint.offset())
-            .inboard(joint.placement)
+        let moved = match joint.posture {
+            Some(posture) => self.inboard(posture),
+            None => self.turn(joint.turn()).shift(joint.offset()),
+        };
+        moved.inboard(joint.placement)
     }
 
     /// In other axes.

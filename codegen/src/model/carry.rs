@@ -8,17 +8,19 @@
 
 use super::state::State;
 use super::turn::{self, Turn};
+use crate::chain::Position;
 use crate::expression::Term;
 use crate::formulation::{Angles, Frame};
 use crate::joint::Motion;
 use crate::layout::{Bodies, Body};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
+use crate::space::Variable;
 
-/// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it;
-/// in frame 0 there is none, and the placement is the identity.
+/// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it,
+/// or a posture; in frame 0 there is none, and the placement is the identity.
 #[derive(Clone, Copy)]
 pub struct Joint<'g> {
-    /// Index of the joint in q.
+    /// Index of the body.
     pub index: usize,
     /// The joint that carries the body it hangs on; none for the fixed base.
     pub parent: Option<usize>,
@@ -34,6 +36,12 @@ pub struct Joint<'g> {
     pub angle: (Term<'g>, Term<'g>),
     /// The slide \[m\].
     pub slide: Term<'g>,
+    /// What stands in the place of both where the body is moved in several ways at once.
+    pub posture: Option<Pose<Term<'g>>>,
+    /// Whether it is moved so by the body before it, whose frame is its own.
+    pub taken: bool,
+    /// About or along which axis of its frame it moves; z where both are its own.
+    pub axis: usize,
     /// L of the joint.
     pub screw: Screw<Term<'g>>,
     /// J of the body.
@@ -52,6 +60,14 @@ impl<'g> Joint<'g> {
             None => turn::of_body(body, k, state, outer).sine_and_cosine(graph),
         };
         let slide = body.motion.slide(|| state.q(k)).unwrap_or(zero);
+        let posture = match body.position {
+            Position::Posture(posture, first) => {
+                Some(posture.displacement(|entry| state.entry(Variable::Q, first + entry)))
+            }
+            Position::Along { .. } | Position::Taken => None,
+        };
+        let mut axis = [zero; 3];
+        axis[body.axis] = one;
         let mut placement = body.placement;
         if let Some(outer) = outer {
             let turned = Rotation::about_z(outer.sine_and_cosine(graph));
@@ -66,7 +82,10 @@ impl<'g> Joint<'g> {
             placement,
             angle,
             slide,
-            screw: body.motion.screw(Vector([zero, zero, one])),
+            posture,
+            taken: matches!(body.position, Position::Taken),
+            axis: body.axis,
+            screw: body.motion.screw(Vector(axis)),
             inertia: match left[k] {
                 Some(turn) => body.inertia.rotate_about_z(turn.sine_and_cosine(graph)),
                 None => body.inertia,
@@ -91,6 +110,7 @@ impl<'g> Joint<'g> {
             placement: Pose::identity(graph),
             angle: (zero, one),
             slide: zero,
+            posture: None,
             screw,
             inertia,
             ..self
@@ -111,13 +131,16 @@ impl<'g> Joint<'g> {
 
     /// The turn as a matrix.
     pub fn turn(&self) -> Rotation<Term<'g>> {
-        Rotation::about_z(self.angle)
+        self.posture
+            .map_or_else(|| Rotation::about_z(self.angle), |posture| posture.rotation)
     }
 
     /// The slide as a vector.
     pub fn offset(&self) -> Vector<Term<'g>> {
         let zero = self.slide.graph().constant(0.0);
-        Vector([zero, zero, self.slide])
+        let slid = || Vector([zero, zero, self.slide]);
+        self.posture
+            .map_or_else(slid, |posture| posture.translation)
     }
 
     /// A vector of the body's axes in its parent's.
@@ -143,10 +166,11 @@ impl<'g> Joint<'g> {
 
     /// J of the body in its parent's frame.
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
-        inertia
-            .rotate_about_z(self.angle)
-            .translate(self.offset())
-            .change_frame(self.placement)
+        let moved = match self.posture {
+            Some(posture) => inertia.change_frame(posture),
+            None => inertia.rotate_about_z(self.angle).translate(self.offset()),
+        };
+        moved.change_frame(self.placement)
     }
 
     /// The displacement as a pose, from where it starts.
@@ -176,7 +200,7 @@ pub fn in_frame_0<'g>(joints: &[Joint<'g>]) -> Vec<Joint<'g>> {
     placed.map(|(joint, pose)| joint.in_frame_0(pose)).collect()
 }
 
-/// All joints, in the order of q.
+/// All joints, in the order of the bodies.
 pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Joint<'g>> {
     let left = turn::left_to_carried(bodies, state, angles, |k| {
         let mut carried = bodies

@@ -1,11 +1,11 @@
-//! The Jacobians: columns L₁ … L_N, one screw a joint, in three frames.
+//! The Jacobians: columns L₁ … L_N, one screw a body, in three frames.
 
 use super::carry::Path;
 use crate::expression::Term;
 use crate::matrix::{Pose, Screw, Vector};
 
 /// Columns in frame 0, pole at its origin.
-pub fn spatial<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
+pub fn spatial<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
     let seen = path.outwards().into_iter();
     columns(
         path,
@@ -14,7 +14,7 @@ pub fn spatial<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
 }
 
 /// Columns in the axes of frame 0, pole at the origin of the frame at the end.
-pub fn geometric<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
+pub fn geometric<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
     let steps = path.outwards();
     let tip = path.pose().translation;
     let seen = steps.into_iter().map(|(joint, pose)| {
@@ -28,7 +28,7 @@ pub fn geometric<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
 }
 
 /// Columns in the frame at the end, pole at its origin.
-pub fn body<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
+pub fn body<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
     // M from the end to each body, inwards.
     let mut pose = path.end.inverse();
     let mut found = Vec::new();
@@ -39,11 +39,11 @@ pub fn body<'g>(path: &Path<'g>) -> Vec<Term<'g>> {
     columns(path, found.into_iter())
 }
 
-/// All columns; those of joints off the path are null.
+/// All columns, one for each body; those of bodies off the path are null.
 fn columns<'g>(
     path: &Path<'g>,
     found: impl Iterator<Item = (usize, Screw<Term<'g>>)>,
-) -> Vec<Term<'g>> {
+) -> Vec<Screw<Term<'g>>> {
     let graph = path.end.translation.x().graph();
     let null = Screw {
         u: Vector::zero(graph),
@@ -53,5 +53,5 @@ fn columns<'g>(
     for (k, screw) in found {
         columns[k] = screw;
     }
-    columns.into_iter().flat_map(Screw::entries).collect()
+    columns
 }

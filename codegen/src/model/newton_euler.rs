@@ -6,7 +6,7 @@ use super::state::State;
 use crate::expression::Term;
 use crate::matrix::{Acceleration, Action, Vector};
 
-/// τ of a motion with the given q̈, one entry a joint.
+/// What drives each body in a motion with the given second rates.
 pub fn inverse_dynamics<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
@@ -15,17 +15,18 @@ pub fn inverse_dynamics<'g>(
 ) -> Vec<Term<'g>> {
     let count = joints.len();
     // Gravity is an acceleration of the base the other way.
-    let base = Acceleration::linear(-gravity);
-    let mut accelerations: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(count);
+    let base = Moving::still(Acceleration::linear(-gravity));
+    let mut motions: Vec<Moving<'g>> = Vec::with_capacity(count);
     let mut actions: Vec<Action<Term<'g>>> = Vec::with_capacity(count);
     for (k, joint) in joints.iter().enumerate() {
-        let outer = joint.parent.map_or(base, |parent| accelerations[parent]);
-        let h = beyond(outer, joint, state.qd(k), qdd[k]);
+        let outer = joint.parent.map_or(base, |parent| motions[parent]);
+        let moving = beyond(outer, joint, state.qd(k), qdd[k]);
+        let h = moving.h;
         let (index, frame) = (k + 1, joint.frame);
         h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
         h.a.label(|| format!("h_0_{index}_in_{frame}_"));
-        accelerations.push(h);
+        motions.push(moving);
         actions.push(Action::of(h, joint.inertia));
     }
     let mut tau = vec![state.zero(); count];
@@ -45,24 +46,69 @@ pub fn inverse_dynamics<'g>(
     tau
 }
 
-/// H of the body beyond a joint, where the joint's matrices are: Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ (eq. 11)
-/// by its parts, of which Hⱼₖ's own ω × v is half a Coriolis term more.
+/// How a body moves, in the frame of its joint's matrices.
+#[derive(Clone, Copy)]
+pub struct Moving<'g> {
+    /// H, by its parts.
+    pub h: Acceleration<Term<'g>>,
+    /// ω of what its joint hangs on, as a whole.
+    pub outer: Vector<Term<'g>>,
+    /// The velocity that its joint has given it so far.
+    pub relative: Vector<Term<'g>>,
+}
+
+impl<'g> Moving<'g> {
+    /// What no joint moves.
+    pub fn still(h: Acceleration<Term<'g>>) -> Self {
+        Self {
+            h,
+            outer: h.omega,
+            relative: Vector::zero(h.a.x().graph()),
+        }
+    }
+}
+
+/// The motion of the body beyond a joint, where the joint's matrices are: Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ
+/// (eq. 11) by its parts, of which Hⱼₖ's own ω × v is half a Coriolis term more.
+///
+/// Of a joint with several velocities, Wⱼₖ = Σ L q̇ is seen in the frame of its last body, where all L
+/// are constant: Hⱼₖ = Σ L q̈ + Wⱼₖ², of which each L adds what it has in common with those before it.
 pub fn beyond<'g>(
-    outer: Acceleration<Term<'g>>,
+    outer: Moving<'g>,
     joint: &Joint<'g>,
     rate: Term<'g>,
     second: Term<'g>,
-) -> Acceleration<Term<'g>> {
-    let carried = outer
+) -> Moving<'g> {
+    let placed = (outer.h)
         .move_pole(joint.placement.translation)
-        .rotate(joint.placement.rotation.transposed())
-        .rotate(joint.turn().transposed());
+        .rotate(joint.placement.rotation.transposed());
+    let (carried, offset) = match joint.posture {
+        Some(posture) => {
+            let moved = placed.move_pole(posture.translation);
+            let turned = moved.rotate(posture.rotation.transposed());
+            (turned, Vector::zero(rate.graph()))
+        }
+        None => (placed.rotate(joint.turn().transposed()), joint.offset()),
+    };
     let (u, b) = (joint.screw.u, joint.screw.b);
-    let half = rate.graph().constant(0.5);
-    let coriolis = (carried.omega + u * rate * half).cross(b * (rate + rate));
-    Acceleration {
-        omega: carried.omega + u * rate,
-        omega_dot: carried.omega_dot + u * second + carried.omega.cross(u * rate),
-        a: carried.point(joint.offset()) + b * second + coriolis,
+    let (turning, sliding) = (u * rate, b * rate);
+    let (base, relative, coriolis) = if joint.taken {
+        let before = carried.omega + outer.outer + turning;
+        let coriolis = turning.cross(outer.relative) + before.cross(sliding);
+        (outer.outer, outer.relative + sliding, coriolis)
+    } else {
+        let half = rate.graph().constant(0.5);
+        let coriolis = (carried.omega + turning * half).cross(b * (rate + rate));
+        (carried.omega, sliding, coriolis)
+    };
+    let h = Acceleration {
+        omega: carried.omega + turning,
+        omega_dot: carried.omega_dot + u * second + base.cross(turning),
+        a: carried.point(offset) + b * second + coriolis,
+    };
+    Moving {
+        h,
+        outer: base,
+        relative,
     }
 }

@@ -1,6 +1,8 @@
-//! The arguments of the generated functions, as expressions.
+//! The arguments of the generated functions, as expressions: what they are for each body.
 
-use crate::expression::{Graph, Input, Term};
+use crate::chain::Position;
+use crate::expression::{Expr, Graph, Input, Term};
+use crate::layout::Bodies;
 use crate::space::Variable;
 
 /// The arguments of the generated functions.
@@ -8,41 +10,87 @@ pub(crate) struct State<'g> {
     pub(super) graph: &'g Graph,
     /// Whether all rates are zero, whatever the arguments.
     pub(super) rest: bool,
+    /// Of each body, its place among the velocities, and what its own rate is times that velocity.
+    rates: Vec<(usize, Option<Expr>)>,
+    /// Of each body, what its displacement is a function of.
+    positions: Vec<Position>,
 }
 
 impl<'g> State<'g> {
-    pub(super) const fn of(graph: &'g Graph) -> Self {
-        Self { graph, rest: false }
+    pub(super) fn of(graph: &'g Graph, bodies: &Bodies<'g>) -> Self {
+        let bodies = bodies.bodies.iter();
+        Self {
+            graph,
+            rest: false,
+            rates: (bodies.clone())
+                .map(|body| (body.velocity, body.factor()))
+                .collect(),
+            positions: bodies.map(|body| body.position).collect(),
+        }
+    }
+
+    /// The same where nothing moves.
+    pub(super) fn at_rest(&self) -> Self {
+        Self {
+            graph: self.graph,
+            rest: true,
+            rates: self.rates.clone(),
+            positions: self.positions.clone(),
+        }
     }
 
     /// Entry `k` of an argument.
-    fn entry(&self, variable: Variable, k: usize) -> Term<'g> {
+    pub(crate) fn entry(&self, variable: Variable, k: usize) -> Term<'g> {
         let k = u16::try_from(k).expect("fewer than 65536 joints");
         self.graph.input(Input::Variable(variable, k))
     }
 
+    /// How far body `k` is moved along its own axis; nothing where it has none.
     pub(super) fn q(&self, k: usize) -> Term<'g> {
-        self.entry(Variable::Q, k)
+        match self.positions[k] {
+            Position::Along { coordinate, factor } => {
+                self.entry(Variable::Q, coordinate) * self.graph.term(factor)
+            }
+            Position::Posture(..) | Position::Taken => self.zero(),
+        }
     }
 
+    /// What body `k` has of a variable that has an entry for each velocity.
+    fn own(&self, variable: Variable, k: usize) -> Term<'g> {
+        let (velocity, _) = self.rates[k];
+        self.times_factor(k, self.entry(variable, velocity))
+    }
+
+    /// An entry for the velocity of body `k`, times what the body makes of it.
+    pub(super) fn times_factor(&self, k: usize, entry: Term<'g>) -> Term<'g> {
+        match self.rates[k].1 {
+            Some(factor) => entry * self.graph.term(factor),
+            None => entry,
+        }
+    }
+
+    /// The place of body `k` among the velocities.
+    pub(super) fn velocity(&self, k: usize) -> usize {
+        self.rates[k].0
+    }
+
+    /// The rate of body `k`.
     pub(crate) fn qd(&self, k: usize) -> Term<'g> {
         if self.rest {
             self.zero()
         } else {
-            self.entry(Variable::Qd, k)
+            self.own(Variable::Qd, k)
         }
     }
 
+    /// Its second rate.
     pub(super) fn qdd(&self, k: usize) -> Term<'g> {
-        self.entry(Variable::Qdd, k)
+        self.own(Variable::Qdd, k)
     }
 
+    /// What drives it, where no other body has its velocity.
     pub(crate) fn tau(&self, k: usize) -> Term<'g> {
-        self.entry(Variable::Tau, k)
-    }
-
-    pub(crate) fn qdds(&self, count: usize) -> Vec<Term<'g>> {
-        (0..count).map(|k| self.qdd(k)).collect()
+        self.own(Variable::Tau, k)
     }
 
     /// A number.

@@ -8,7 +8,6 @@
 use super::state::State;
 use crate::expression::{Graph, Term};
 use crate::formulation::Angles;
-use crate::joint::Motion;
 use crate::layout::{Bodies, Body};
 
 /// A turn about z.
@@ -70,9 +69,10 @@ pub fn of_body<'g>(
     state: &State<'g>,
     outer: Option<Turn<'g>>,
 ) -> Turn<'g> {
-    let own = match body.motion {
-        Motion::Revolute | Motion::Screw(_) => Turn::by(state.q(k), body.offset),
-        Motion::Prismatic => Turn::default(),
+    let own = if body.turns_alone() {
+        Turn::by(state.q(k), body.offset)
+    } else {
+        Turn::default()
     };
     // The axes are parallel where there is an outer turn: which way is all that is open.
     let same = body.placement.rotation.0[2][2]
@@ -94,7 +94,8 @@ pub fn left_to_carried<'g>(
 ) -> Vec<Option<Turn<'g>>> {
     let mut left = vec![None; bodies.bodies.len()];
     if angles == Angles::Merged {
-        for (k, body) in bodies.bodies.iter().enumerate().filter(|&(k, _)| leaves(k)) {
+        let leaves = |&(k, body): &(usize, &Body<'g>)| body.has_own_axis() && leaves(k);
+        for (k, body) in bodies.bodies.iter().enumerate().filter(leaves) {
             let outer = body.parent.and_then(|parent| left[parent]);
             left[k] = Some(of_body(body, k, state, outer));
         }
@@ -105,7 +106,7 @@ pub fn left_to_carried<'g>(
 /// Whether the axis of a body's joint is parallel to that of the joint before it.
 pub fn is_parallel(body: &Body<'_>) -> bool {
     let axis = body.placement.rotation.column(2);
-    axis.x().is_zero() && axis.y().is_zero()
+    body.has_own_axis() && axis.x().is_zero() && axis.y().is_zero()
 }
 
 /// Sine and cosine of a sum of two angles.

@@ -3,7 +3,7 @@
 //! parallel axes, which are most often at the base, meet in the sums.
 
 use super::carry::{Joint, Path};
-use super::newton_euler::beyond;
+use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::expression::Term;
 use crate::formulation::Frame;
@@ -32,9 +32,15 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
 pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
     let rest = Acceleration::linear(Vector::zero(state.graph));
     let h = match path.frame {
-        Frame::Base => path.joints.iter().fold(rest, |h, joint| {
-            beyond(h, joint, state.qd(joint.index), state.qdd(joint.index))
-        }),
+        Frame::Base => {
+            let motion = path
+                .joints
+                .iter()
+                .fold(Moving::still(rest), |outer, joint| {
+                    beyond(outer, joint, state.qd(joint.index), state.qdd(joint.index))
+                });
+            motion.h
+        }
         Frame::Link => inwards(path, state, rest),
     };
     h.entries().to_vec()
@@ -47,18 +53,27 @@ fn inwards<'g>(
     rest: Acceleration<Term<'g>>,
 ) -> Acceleration<Term<'g>> {
     let (mut w, mut h) = (Velocity::zero(state.graph), rest);
-    for joint in path.joints.iter().rev() {
-        let (rate, second) = (state.qd(joint.index), state.qdd(joint.index));
-        let own = Velocity::of_screw(joint.screw, rate);
+    // All bodies of a joint with several velocities have the frame of the last: its own W is their sum.
+    for together in path.joints.chunk_by(|_, next| next.taken).rev() {
+        let mut own = together.iter().map(|joint| {
+            let (rate, second) = (state.qd(joint.index), state.qdd(joint.index));
+            let (u, b) = (joint.screw.u * second, joint.screw.b * second);
+            (Velocity::of_screw(joint.screw, rate), u, b)
+        });
+        let first = own.next().expect("chunks are not empty");
+        let (own, u, b) = own.fold(first, |(sum, u, b), (own, next_u, next_b)| {
+            (sum + own, u + next_u, b + next_b)
+        });
         // Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ by its parts: the skew part of 2 W W is ω×ω', the rest is in
         // the square of the sum.
         let two = state.graph.constant(2.0);
         h = Acceleration {
             omega: own.omega + h.omega,
-            omega_dot: joint.screw.u * second + h.omega_dot + own.omega.cross(w.omega),
-            a: joint.screw.b * second + own.omega.cross(own.v) + h.a + own.omega.cross(w.v) * two,
+            omega_dot: u + h.omega_dot + own.omega.cross(w.omega),
+            a: b + own.omega.cross(own.v) + h.a + own.omega.cross(w.v) * two,
         };
         w = own + w;
+        let joint = &together[0];
         h = inboard(inboard(h, joint.displacement()), joint.placement);
         w = w
             .change_frame(joint.displacement())

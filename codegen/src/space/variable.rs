@@ -57,6 +57,7 @@ impl Variable {
         match (self, kind) {
             (Self::Q, Kind::Turn) => "rad",
             (Self::Q, Kind::Slide) => "m",
+            (_, Kind::Quaternion) => "1",
             (Self::Qd, Kind::Turn) => "rad/s",
             (Self::Qd, Kind::Slide) => "m/s",
             (Self::Qdd, Kind::Turn) => "rad/s²",

@@ -67,14 +67,17 @@ pub(in crate::description) fn assemble(
         let behind = [along(Axis::X, row.a), Step::Rotate(Axis::X, row.alpha)];
         let moves = row.kind.moves();
         let offset = row.a.value != 0.0 || row.alpha.value != 0.0;
+        let axis = [0.0, 0.0, 1.0].map(|value| number::computed(value, row.joint.place));
         let mut joint = Joint {
             name: row.joint.clone(),
             kind: row.kind,
             parent,
             child: link.clone(),
             origin: before.to_vec(),
-            axis: [0.0, 0.0, 1.0].map(|value| number::computed(value, row.joint.place)),
+            axis,
+            second_axis: axis,
             limits: row.limits,
+            mimic: None,
             place: row.joint.place,
         };
         match convention {

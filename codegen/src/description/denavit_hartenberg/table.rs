@@ -301,7 +301,7 @@ impl<'t> Reader<'_, 't> {
             }
             return None;
         };
-        match kind::read(cell.text, &self.subject) {
+        match kind::of_one_axis(cell.text, &self.subject) {
             Ok(kind) => kind
                 .with_pitch(|| {
                     if self.cell("pitch").is_none() {

@@ -210,7 +210,7 @@ fn all_mistakes_are_reported_at_once() {
         errors_in(
             "one  revolut  0 0 0 0\n\
              two  revolute 0 pi/0 x 0,5\n\
-             three floating 0 0 0 0\n\
+             three universal 0 0 0 0\n\
              two fixed 0 0 0 0  -1 0 1 1 1 1 1 inf\n\
              four screw 0 0 - 0\n\
              - fixed 0 0 0 0\n\
@@ -218,13 +218,13 @@ fn all_mistakes_are_reported_at_once() {
         ),
         "error: arm.dh:3:6: joint \"one\" has the unknown type \"revolut\"\n  \
          hint: did you mean \"revolute\"? known types: \
-         revolute, continuous, prismatic, screw, cylindrical and fixed\n\
+         revolute, continuous, prismatic, screw, cylindrical, universal, translation, planar, spherical, floating and fixed\n\
          error: arm.dh:4:17: alpha of joint \"two\" divides by zero: \"pi/0\"\n\
          error: arm.dh:4:22: d of joint \"two\" is not a number: \"x\"\n\
          error: arm.dh:4:24: theta of joint \"two\" is not a number: \"0,5\"\n  \
          hint: write a decimal point, and spaces between numbers\n\
-         error: arm.dh:5:7: joint \"three\" is floating, and such joints are not modelled\n  \
-         hint: known types: revolute, continuous, prismatic, screw, cylindrical and fixed\n\
+         error: arm.dh:5:7: joint \"three\" is universal, and a table gives it one axis\n  \
+         hint: write two rows that turn\n\
          error: arm.dh:6:20: mass of joint \"two\" is negative: -1\n\
          error: arm.dh:6:35: izz of joint \"two\" is infinite: \"inf\"\n\
          error: arm.dh:7:6: joint \"four\" has no pitch\n  \

@@ -1,7 +1,9 @@
 //! `joint NAME: revolute(z) { from: …, to: …, at: …, limits: […], velocity: … }`.
 //!
 //! In: tokens. Out: a joint whose links may still be open. The axis is `x`, `y`, `z`, `-z` and so
-//! on, or a vector (of another length than 1 with a doubt); a screw joint adds `pitch: 0.01`, in metres per radian.
+//! on, or a vector (of another length than 1 with a doubt); a screw joint adds `pitch: 0.01`, in metres per radian,
+//! a universal one its second axis; translation, spherical and floating have none. A joint that follows another
+//! has `mimic: leader, multiplier: -1.0, offset: 0.1`.
 
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -9,7 +11,7 @@ use syn::{Token, token};
 use super::body;
 use crate::description::kind;
 use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
-use crate::description::{Axis, Limits, Name, Number, Step, axis, number};
+use crate::description::{Axis, Limits, Mimic, Name, Number, Step, axis, number};
 use crate::error::{Complaint, Errors, Place};
 use crate::joint::{Definition, JointKind};
 use crate::wording::{known, quoted};
@@ -22,15 +24,16 @@ pub(super) struct Joint {
     pub(super) to: Option<Name>,
     origin: Vec<Step>,
     limits: Option<Limits>,
+    mimic: Option<Mimic>,
     /// What is doubtful about it.
     pub(super) doubts: Vec<Complaint>,
 }
 
-/// What a joint allows, and along or about which axis.
+/// What a joint allows, and along or about which axes.
 struct Motion {
     kind: JointKind,
-    axis: [Number; 3],
-    doubt: Option<Complaint>,
+    axes: [[Number; 3]; 2],
+    doubts: Vec<Complaint>,
 }
 
 /// Reads a joint behind the word `joint`.
@@ -45,28 +48,43 @@ pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
     input.parse::<Token![:]>()?;
     let mut motion = motion(input, &subject, errors)?;
     body::end(input, &subject)?;
-    let doubt = motion.as_mut().and_then(|motion| motion.doubt.take());
+    let doubts = motion
+        .as_mut()
+        .map(|motion| std::mem::take(&mut motion.doubts));
     let mut joint = Joint {
         name,
         motion,
-        doubts: doubt.into_iter().collect(),
+        doubts: doubts.unwrap_or_default(),
         from: None,
         to: None,
         origin: Vec::new(),
         limits: None,
+        mimic: None,
     };
     let mut range = Range::default();
-    let keys = ["from", "to", "at", "limits", "velocity"];
+    let mut follows = Follows::default();
+    let keys = [
+        "from",
+        "to",
+        "at",
+        "limits",
+        "velocity",
+        "mimic",
+        "multiplier",
+        "offset",
+    ];
     tokens::fields(input, &subject, &keys, errors, |key, input| {
         match key {
             "from" => joint.from = Some(tokens::name(input)?),
             "to" => joint.to = Some(tokens::name(input)?),
             "at" => joint.origin = placement(input, &subject)?,
+            "mimic" | "multiplier" | "offset" => follows.read(key, input, &subject)?,
             _ => range.read(key, input, &subject)?,
         }
         Ok(())
     })?;
     joint.limits = range.finish();
+    joint.mimic = follows.finish(&joint.name, errors);
     Ok(joint)
 }
 
@@ -92,17 +110,20 @@ impl Joint {
         }
         let motion = self.motion.unwrap_or_else(|| Motion {
             kind: JointKind::Fixed,
-            axis: [1.0, 0.0, 0.0].map(|value| number::computed(value, place)),
-            doubt: None,
+            axes: [along_x(place); 2],
+            doubts: Vec::new(),
         });
+        let [axis, second_axis] = motion.axes;
         Some(crate::description::Joint {
             name: self.name,
             kind: motion.kind,
             parent,
             child,
             origin: self.origin,
-            axis: motion.axis,
+            axis,
+            second_axis,
             limits: self.limits,
+            mimic: self.mimic,
             place,
         })
     }
@@ -122,18 +143,17 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
             return Ok(None);
         }
     };
-    let x = [1.0, 0.0, 0.0].map(|value| number::computed(value, Place::Token(word.span())));
     if !input.peek(token::Paren) {
-        if !kind.moves() {
-            let kind = JointKind::Fixed;
+        if kind.axes() == 0 {
             return Ok(Some(Motion {
-                kind,
-                axis: x,
-                doubt: None,
+                kind: kind.with_pitch(|| Ok::<_, Complaint>(Number::default()))?,
+                axes: [along_x(Place::Token(word.span())); 2],
+                doubts: Vec::new(),
             }));
         }
         let message = format!("{subject} has no axis");
-        let hint = format!("write {word}(z)");
+        let axes = ["z", "x, y"][kind.axes() - 1];
+        let hint = format!("write {word}({axes})");
         tokens::push(errors, complaint_with_hint(word.span(), message, hint));
         return Ok(None);
     }
@@ -146,11 +166,24 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
 }
 
 fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parsed<Motion> {
-    if !kind.moves() {
-        let message = format!("{subject} is fixed and has no axis");
+    if kind.axes() == 0 {
+        let message = format!("{subject} is {} and has no axis", kind.word);
         return Err(complaint(input.span(), message));
     }
     let (axis, doubt) = direction(input, subject)?;
+    let mut axes = [axis; 2];
+    let mut doubts: Vec<Complaint> = doubt.into_iter().collect();
+    if kind.axes() == 2 {
+        let hint = format!("write {}(x, y)", kind.word);
+        let missing = format!("{subject} has no second axis");
+        let span = input.span();
+        input
+            .parse::<Token![,]>()
+            .map_err(|_| complaint_with_hint(span, missing, hint))?;
+        let (second, doubt) = direction(input, subject)?;
+        axes[1] = second;
+        doubts.extend(doubt);
+    }
     let kind = kind.with_pitch(|| -> Parsed<Number> {
         let hint = "write screw(z, pitch: 0.01), in metres per radian";
         let missing = || complaint_with_hint(input.span(), format!("{subject} has no pitch"), hint);
@@ -166,7 +199,11 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         let message = format!("expected `)` after the axis of {subject}");
         return Err(complaint(input.span(), message));
     }
-    Ok(Motion { kind, axis, doubt })
+    Ok(Motion { kind, axes, doubts })
+}
+
+fn along_x(place: Place) -> [Number; 3] {
+    [1.0, 0.0, 0.0].map(|value| number::computed(value, place))
 }
 
 /// `z`, `-z`, or a vector; and a doubt where that is not of length 1.
@@ -230,6 +267,48 @@ fn placement(input: ParseStream, subject: &str) -> Parsed<Vec<Step>> {
 fn turn(axis: Axis, input: ParseStream, subject: &str) -> Parsed<Step> {
     let [angle] = tokens::arguments(input, subject)?;
     Ok(Step::Rotate(axis, angle))
+}
+
+/// What was given of the joint that moves this one.
+#[derive(Default)]
+struct Follows {
+    leader: Option<Name>,
+    multiplier: Option<Number>,
+    offset: Option<Number>,
+}
+
+impl Follows {
+    /// Reads the value of `mimic`, `multiplier` or `offset`.
+    fn read(&mut self, key: &str, input: ParseStream, subject: &str) -> Parsed<()> {
+        let number = || tokens::number(input, &format!("the {key} of {subject}"));
+        match key {
+            "mimic" => self.leader = Some(tokens::name(input)?),
+            "multiplier" => self.multiplier = Some(number()?),
+            _ => self.offset = Some(number()?),
+        }
+        Ok(())
+    }
+
+    /// The whole, where a leader was given.
+    fn finish(self, joint: &Name, errors: &mut Errors) -> Option<Mimic> {
+        let place = joint.place;
+        let Some(leader) = self.leader else {
+            if self.multiplier.is_some() || self.offset.is_some() {
+                errors.push_with_hint(
+                    place,
+                    format!("joint {} follows no other joint", quoted(&joint.text)),
+                    "name it, mimic: finger",
+                );
+            }
+            return None;
+        };
+        Some(Mimic {
+            place: leader.place,
+            leader,
+            multiplier: self.multiplier.unwrap_or(number::computed(1.0, place)),
+            offset: self.offset.unwrap_or(number::computed(0.0, place)),
+        })
+    }
 }
 
 /// What was given of the limits.

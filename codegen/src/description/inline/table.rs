@@ -82,7 +82,7 @@ fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
     }
     input.parse::<Token![:]>()?;
     let word = tokens::word(input)?;
-    let kind = kind::read(&word.to_string(), &subject)
+    let kind = kind::of_one_axis(&word.to_string(), &subject)
         .map_err(|(message, hint)| {
             tokens::push(errors, complaint_with_hint(word.span(), message, hint));
         })

@@ -161,7 +161,7 @@ fn all_mistakes_are_reported_at_once() {
     );
     assert_eq!(
         said,
-        "1:18: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, tip, \
+        "1:18: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, floating, tip, \
          path_only, lock, drop, frames, gravity, exact, strict, scalar, generate, formulation, processor, crate, link, joint and denavit_hartenberg\n\
          2:19: the mass of link \"base\" is negative: -1\n\
          2:28: the centre of mass of link \"base\" has 2 numbers instead of 3\n\
@@ -171,16 +171,16 @@ fn all_mistakes_are_reported_at_once() {
          hint: known keys: mass, com, inertia and inertia_rpy\n\
          3:12: joint \"one\" has the unknown type \"revolut\"\n  \
          hint: did you mean \"revolute\"? known types: \
-         revolute, continuous, prismatic, screw, cylindrical and fixed\n\
+         revolute, continuous, prismatic, screw, cylindrical, universal, translation, planar, spherical, floating and fixed\n\
          3:32: xyz of joint \"one\" has 2 numbers instead of 3\n\
          4:21: the axis of joint \"two\" is zero\n  \
          hint: give it a direction, such as 0 0 1\n\
          4:34: joint \"two\" has the unknown key \"form\"\n  \
-         hint: did you mean \"from\"? known keys: from, to, at, limits and velocity\n\
+         hint: did you mean \"from\"? known keys: from, to, at, limits, velocity, mimic, multiplier and offset\n\
          4:54: the lower limit of joint \"two\", 1, is above the upper one, -1\n\
-         5:14: joint \"three\" is planar, and such joints are not modelled\n  \
-         hint: known types: revolute, continuous, prismatic, screw, cylindrical and fixed\n\
-         6:1: unknown key \"jiont\"\n  hint: did you mean \"joint\"? known keys: urdf, dh, base, tip, \
+         5:14: joint \"three\" has no axis\n  \
+         hint: write planar(z)\n\
+         6:1: unknown key \"jiont\"\n  hint: did you mean \"joint\"? known keys: urdf, dh, base, floating, tip, \
          path_only, lock, drop, frames, gravity, exact, strict, scalar, generate, formulation, processor, crate, link, joint and denavit_hartenberg\n\
          7:6: link \"tool\" has a mass but no inertia\n  \
          hint: add inertia: [0.01, 0.01, 0.01], with zeros for a mass in a point\n\
@@ -326,8 +326,8 @@ fn tables_are_refused_with_what_to_write() {
              five: fixed { mass: -1 }\n\
              }"
         ),
-        "3:6: joint \"one\" is ball, and such joints are not modelled\n  \
-         hint: known types: revolute, continuous, prismatic, screw, cylindrical and fixed\n\
+        "3:6: joint \"one\" has the unknown type \"ball\"\n  \
+         hint: it is called spherical here\n\
          4:17: joint \"two\" has the unknown key \"alfa\"\n  \
          hint: did you mean \"alpha\"? known keys: mass, com, inertia, inertia_rpy, a, alpha, d, \
          theta, pitch, link, limits and velocity\n\

@@ -1,24 +1,26 @@
 //! `<joint>`: what moves, about or along which axis, from which link to which.
 //!
-//! In: one element. Out: a [`Joint`], as far as it could be read, and complaints. The joints that
-//! are not modelled are refused by name, friction is passed over with a doubt, and what tells a
-//! controller (soft limits, calibration) without one; a screw joint has `<thread pitch="…"/>` in metres per
-//! radian, since URDF itself knows none.
+//! In: one element. Out: a [`Joint`], as far as it could be read, and complaints. Friction is passed
+//! over with a doubt, and what tells a controller (soft limits, calibration) without one. URDF itself
+//! knows no screw joints, which have `<thread pitch="…"/>` in metres per radian, and no universal ones,
+//! which have `<axis2 xyz="…"/>`.
 
 use roxmltree::Node;
 
 use super::element::Reader;
 use crate::description::kind;
-use crate::description::{Joint, Limits, Name, Number, axis, number};
+use crate::description::{Joint, Limits, Mimic, Name, Number, axis, number};
+use crate::error::Place;
 use crate::joint::JointKind;
 use crate::wording::quoted;
 
 /// What a joint may hold, mechanics or not.
-const PARTS: [&str; 10] = [
+const PARTS: [&str; 11] = [
     "origin",
     "parent",
     "child",
     "axis",
+    "axis2",
     "limit",
     "thread",
     "mimic",
@@ -49,8 +51,9 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
     let origin = reader.only(&children, "origin", &subject);
     let origin = reader.origin(origin, &subject);
     let axis = axis(reader, node, &children, kind, &subject);
+    let second_axis = second_axis(reader, node, &children, kind, &subject);
     let limits = limits(reader, &children, kind, &subject);
-    mimic(reader, &children, kind, &subject);
+    let mimic = mimic(reader, &children, kind, &subject);
     friction(reader, &children, kind, &subject);
     Some(Joint {
         name: name?,
@@ -59,7 +62,9 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
         child: child?,
         origin,
         axis,
+        second_axis,
         limits,
+        mimic,
         place: reader.place(node),
     })
 }
@@ -104,32 +109,36 @@ fn end<'t>(
     reader.name(element, "link", &format!("the {end} of {subject}"))
 }
 
-/// A joint that moves with another is refused; one that does not move mimics nothing.
+/// The joint that moves this one, if one does; a joint that does not move mimics nothing.
 fn mimic<'t>(
     reader: &mut Reader<'_, 't>,
     children: &[Node<'_, 't>],
     kind: Option<JointKind>,
     subject: &str,
-) {
-    let Some(mimic) = reader.only(children, "mimic", subject) else {
-        return;
-    };
-    let place = reader.place(mimic);
-    if matches!(kind, Some(JointKind::Fixed)) {
+) -> Option<Mimic> {
+    let node = reader.only(children, "mimic", subject)?;
+    let place = reader.place(node);
+    let kind = kind?;
+    if !kind.moves() {
         let message = format!("{subject} is fixed, and its <mimic> is ignored");
         reader.warn(place, message, None);
-        return;
+        return None;
     }
-    let other = mimic.attribute_node("joint");
-    let other = other.map(|other| reader.value(&other)).unwrap_or_default();
-    reader.errors.push_with_hint(
-        place,
-        format!(
-            "{subject} mimics joint {}, and mimic joints are not modelled",
-            quoted(&other)
+    let leader = reader.name(node, "joint", &format!("the <mimic> of {subject}"))?;
+    let mut number = |name: &str, otherwise: f64| match node.attribute(name) {
+        Some(_) => reader.number(
+            node,
+            name,
+            &format!("the {name} of the <mimic> of {subject}"),
         ),
-        "make it fixed, or remove <mimic> to give it a coordinate of its own",
-    );
+        None => Some(number::computed(otherwise, place)),
+    };
+    Some(Mimic {
+        leader,
+        multiplier: number("multiplier", 1.0)?,
+        offset: number("offset", 0.0)?,
+        place,
+    })
 }
 
 /// Takes note of friction, damping and whatever else `<dynamics>` says, if it is not zero.
@@ -169,10 +178,9 @@ fn axis<'t>(
     kind: Option<JointKind>,
     subject: &str,
 ) -> [Number; 3] {
-    let along_x = |place| [1.0, 0.0, 0.0].map(|value| number::computed(value, place));
     let element = reader.only(children, "axis", subject);
-    // The axis of a fixed joint means nothing, and is often written as zero.
-    if !kind.is_some_and(JointKind::moves) {
+    // The axis of a joint that needs none means nothing, and is often written as zero.
+    if kind.is_none_or(|kind| kind.definition().axes() == 0) {
         return along_x(reader.place(node));
     }
     let Some(element) = element else {
@@ -184,7 +192,33 @@ fn axis<'t>(
         );
         return along_x(place);
     };
-    let subject = format!("the axis of {subject}");
+    direction(reader, element, &format!("the axis of {subject}"))
+}
+
+/// The second axis with length 1, of a joint that has two.
+fn second_axis<'t>(
+    reader: &mut Reader<'_, 't>,
+    node: Node<'_, 't>,
+    children: &[Node<'_, 't>],
+    kind: Option<JointKind>,
+    subject: &str,
+) -> [Number; 3] {
+    if kind.is_none_or(|kind| kind.definition().axes() < 2) {
+        return along_x(reader.place(node));
+    }
+    let hint = "<axis2 xyz=\"0 1 0\"/>, in the frame of its child";
+    match reader.required(node, children, "axis2", subject, hint) {
+        Some(element) => direction(reader, element, &format!("the second axis of {subject}")),
+        None => along_x(reader.place(node)),
+    }
+}
+
+fn along_x(place: Place) -> [Number; 3] {
+    [1.0, 0.0, 0.0].map(|value| number::computed(value, place))
+}
+
+/// What an element says of a direction; along x where that is nothing.
+fn direction<'t>(reader: &mut Reader<'_, 't>, element: Node<'_, 't>, subject: &str) -> [Number; 3] {
     let place = reader.place(element);
     let Some(xyz) = element.attribute_node("xyz") else {
         reader.errors.push_with_hint(
@@ -194,7 +228,7 @@ fn axis<'t>(
         );
         return along_x(place);
     };
-    let Some(numbers) = reader.numbers(&xyz, &subject) else {
+    let Some(numbers) = reader.numbers(&xyz, subject) else {
         return along_x(place);
     };
     let place = reader.value_place(&xyz);

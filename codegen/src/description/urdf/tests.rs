@@ -177,7 +177,7 @@ fn all_mistakes_are_reported_at_once() {
   <joint name="elbow" type="hinge">
     <child link="upper"/>
   </joint>
-  <joint name="wrist" type="floating">
+  <joint name="wrist" type="ball">
     <parent link="base"/>
     <child link="upper"/>
   </joint>
@@ -191,11 +191,11 @@ error: arm.urdf:9:21: ixx of link "upper" is not finite: "nan"
 error: arm.urdf:9:7: ixz of link "upper" is missing
 error: arm.urdf:9:55: izz of link "upper" is too large for 64 bits: "1e999"
 error: arm.urdf:12:29: joint "elbow" has the unknown type "hinge"
-  hint: known types: revolute, continuous, prismatic, screw, cylindrical and fixed
+  hint: it is called revolute here
 error: arm.urdf:12:3: joint "elbow" has no <parent>
   hint: add <parent link="…"/>
-error: arm.urdf:15:29: joint "wrist" is floating, and such joints are not modelled
-  hint: known types: revolute, continuous, prismatic, screw, cylindrical and fixed
+error: arm.urdf:15:29: joint "wrist" has the unknown type "ball"
+  hint: it is called spherical here
 error: arm.urdf:3:15: there is another link "base"
   hint: the other one is in line 2
 "#

@@ -11,10 +11,13 @@ use super::body::{Body, body};
 use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
-use super::lengths::literal;
+use super::lengths::{Lengths, known, literal};
+use super::literals::Numerals;
 use super::results::{square_and_column, two_vectors};
 use super::world::World;
-use crate::print::{ChainData, Listing, documentation};
+use crate::joint::Posture;
+use crate::print::{ChainData, DataMotion, Listing, documentation};
+use crate::space::Space;
 
 /// How many numbers a joint has, and how many of them are its placement and its screw.
 const JOINT: usize = 28;
@@ -35,9 +38,13 @@ pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
 
     let about = doc(&documentation::of_chain(listing));
     let visibility = &item.visibility;
+    let lengths = known(&listing.spaces);
     let signature = signature(
-        &literal(data.names.len()),
-        &literal(data.frames.len()),
+        (
+            &lengths,
+            &literal(data.names.len()),
+            &literal(data.frames.len()),
+        ),
         None,
         !listing.parameters.is_empty(),
         runtime,
@@ -51,25 +58,35 @@ pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
     }
 }
 
-/// The function's signature, for so many joints and frames; `unknown` is a generic parameter
-/// that stands for a number.
+/// The function's signature, for lists so long and so many joints and frames; `unknown` is a generic
+/// parameter that stands for a number.
 pub(super) fn signature(
-    joints: &TokenStream,
-    frames: &TokenStream,
+    (lengths, joints, frames): (Lengths<'_>, &TokenStream, &TokenStream),
     unknown: Option<&TokenStream>,
     reads_fields: bool,
     runtime: &TokenStream,
 ) -> TokenStream {
     let this = reads_fields.then(|| quote! { &self });
     let generics = unknown.map(|unknown| quote! { <#unknown> });
-    quote! { fn chain #generics(#this) -> #runtime::Chain<#joints, #frames> }
+    let [coordinates, velocities] = [Space::Coordinates, Space::Velocities].map(lengths);
+    let same = |a: &TokenStream, b: &TokenStream| a.to_string() == b.to_string();
+    // Where every joint has one coordinate of its own, one number says all.
+    let others = if same(&coordinates, &velocities) && same(joints, &velocities) {
+        None
+    } else {
+        Some(quote! { , #coordinates, #joints })
+    };
+    quote! { fn chain #generics(#this) -> #runtime::Chain<#velocities, #frames #others> }
 }
 
 fn value(data: &ChainData, numbers: &[TokenStream], runtime: &TokenStream) -> TokenStream {
     let (joints, rest) = numbers.split_at((data.names.len() * JOINT).min(numbers.len()));
     let (frames, gravity) = rest.split_at((data.frames.len() * PLACEMENT).min(rest.len()));
-    let joints = joints.chunks(JOINT).zip(&data.names).zip(&data.parents);
-    let joints = joints.map(|((numbers, name), parent)| joint(name, *parent, numbers, runtime));
+    let names = data.names.iter().zip(&data.parents).zip(&data.motions);
+    let joints = joints.chunks(JOINT).zip(names);
+    let joints = joints.map(|(numbers, ((name, parent), motion))| {
+        joint((name, index(*parent)), *motion, numbers, runtime)
+    });
     let frames = frames.chunks(PLACEMENT).zip(&data.frames);
     let frames = frames.map(|(numbers, (name, body))| {
         let (body, placement) = (index(*body), square_and_column(numbers));
@@ -79,8 +96,8 @@ fn value(data: &ChainData, numbers: &[TokenStream], runtime: &TokenStream) -> To
 }
 
 fn joint(
-    name: &str,
-    parent: Option<u16>,
+    (name, parent): (&str, TokenStream),
+    motion: DataMotion,
     numbers: &[TokenStream],
     runtime: &TokenStream,
 ) -> TokenStream {
@@ -88,16 +105,28 @@ fn joint(
     let (screw, inertia) = rest.split_at(SCREW);
     let (second, first_and_mass) = inertia.split_at(6);
     let (first, mass) = first_and_mass.split_at(3);
-    let (parent, placement) = (index(parent), square_and_column(placement));
+    let placement = square_and_column(placement);
+    let placement = quote! { #runtime::Pose::new(#placement) };
+    let inertia = quote! { #runtime::Inertia::new([#(#second),*], [#(#first),*], #(#mass),*) };
     let screw = two_vectors(screw);
-    quote! {
-        #runtime::Joint::new(
-            #name,
-            #parent,
-            #runtime::Pose::new(#placement),
-            #runtime::Screw::new(#screw),
-            #runtime::Inertia::new([#(#second),*], [#(#first),*], #(#mass),*),
-        )
+    let along = quote! {
+        #runtime::Joint::new(#name, #parent, #placement, #runtime::Screw::new(#screw), #inertia)
+    };
+    match motion {
+        DataMotion::Along => along,
+        DataMotion::Follows { leader, multiplier } => {
+            let leader = literal(leader.into());
+            let multiplier = Numerals::Bare.write(multiplier);
+            quote! { #along.following(#leader, #multiplier) }
+        }
+        DataMotion::Posture(posture) => {
+            let posture = match posture {
+                Posture::Planar => quote! { planar },
+                Posture::Spherical => quote! { spherical },
+                Posture::Floating => quote! { floating },
+            };
+            quote! { #runtime::Joint::#posture(#name, #parent, #placement, #inertia) }
+        }
     }
 }
 

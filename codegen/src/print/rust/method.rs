@@ -84,8 +84,10 @@ pub(super) fn implementation(
     let number = &dialect.number;
     // The traits are called as the functions are, in the case of types.
     let name = format_ident!("{function:?}");
-    let count = lengths(Space::Velocities);
-    let of = quote! { #runtime::robot::#name<#count, #number> };
+    let [count, coordinates] = [Space::Velocities, Space::Coordinates].map(lengths);
+    let same = count.to_string() == coordinates.to_string();
+    let coordinates = (!same).then(|| quote! { , #coordinates });
+    let of = quote! { #runtime::robot::#name<#count, #number #coordinates> };
     let head = declaration::implementation(item, &of, &generics(unknown, dialect));
     let method = ident(function.name());
     let parameters = parameters(&[function], lengths, dialect);

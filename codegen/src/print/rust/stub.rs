@@ -15,23 +15,25 @@ use super::world::World;
 use super::{chain, declaration, method};
 use crate::print;
 use crate::request::Request;
+use crate::space::{Space, Spaces};
 
 /// Every method, trait and `chain` that was asked for, for a crate that has the runtime.
 ///
-/// Where the number of joints is unknown, because the description was not good enough to tell it, it
+/// Where the lists of coordinates are unknown, because the description was not good enough to tell, their length
 /// is a parameter of each function, so that calls with arrays of any length type-check.
 #[must_use]
-pub fn stub(item: &Item, request: &Request, joints: Option<usize>) -> TokenStream {
+pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStream {
     let world = World::runtime(request.runtime.as_ref());
     let dialect = Dialect::of(request.scalar, request.formulation.sines, item, &world);
     let unnamed = || ident(&dialect.names.clone().alone("N"));
-    let unknown = joints.is_none().then(unnamed);
-    let count = match (&unknown, joints) {
-        (None, Some(joints)) => literal(joints),
-        (name, _) => quote! { #name },
+    let unknown = spaces.is_none().then(unnamed);
+    let lengths = |space: Space| match spaces {
+        Some(spaces) => literal(spaces.len(space)),
+        None => quote! { #unknown },
     };
-    let lengths = |_| count.clone();
-    let parameter = unknown.map(|name| quote! { const #name: ::core::primitive::usize });
+    let parameter = unknown
+        .as_ref()
+        .map(|name| quote! { const #name: ::core::primitive::usize });
 
     let mut methods = TokenStream::new();
     let mut traits = TokenStream::new();
@@ -63,12 +65,21 @@ pub fn stub(item: &Item, request: &Request, joints: Option<usize>) -> TokenStrea
     if let World::Runtime(runtime) = &dialect.world {
         let reads_fields = !request.parameters.is_empty();
         let frames = literal(request.frames.len() + 1);
-        let signature =
-            chain::signature(&count, &frames, parameter.as_ref(), reads_fields, runtime);
+        let joints = lengths(Space::Velocities);
+        let signature = chain::signature(
+            (&lengths, &joints, &frames),
+            parameter.as_ref(),
+            reads_fields,
+            runtime,
+        );
         // What may be called in constants must still be after a mistake.
         let constant = (!reads_fields).then(|| quote! { const });
         let signature = quote! { #constant #signature };
-        methods.extend(absent(item, &signature, &nothing(&count, &frames, runtime)));
+        methods.extend(absent(
+            item,
+            &signature,
+            &nothing(&joints, &frames, runtime),
+        ));
     }
     let declaration = match &item.declaration {
         Declaration::Written(tokens) => tokens.clone(),

@@ -9,7 +9,7 @@ use crate::description::Name;
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
-use crate::print::{About, ChainData, Listed, Listing};
+use crate::print::{About, ChainData, DataMotion, Listed, Listing};
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Operand, Operation, Price, Program, Step};
@@ -131,6 +131,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
         data: ChainData {
             names: vec!["shoulder".to_owned(), "elbow".to_owned()],
             parents: vec![None, Some(0)],
+            motions: vec![DataMotion::Along; 2],
             frames: vec![("rod-2".to_owned(), Some(1))],
             program: constant(&data),
         },
@@ -319,8 +320,8 @@ fn a_stub_has_the_signatures_of_what_was_asked_for() {
         frames: vec![name("eye")],
         ..Request::default()
     };
-    let text = |joints| {
-        let text = pretty(&stub(&item, &request, joints));
+    let text = |spaces: Option<&Spaces>| {
+        let text = pretty(&stub(&item, &request, spaces));
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let unknown = text(None);
@@ -332,7 +333,8 @@ fn a_stub_has_the_signatures_of_what_was_asked_for() {
     ] {
         assert!(unknown.contains(signature), "{unknown}");
     }
-    let known = text(Some(2));
+    let two = turning(["one", "other"].map(str::to_owned));
+    let known = text(Some(&two));
     assert!(
         known.contains("const fn chain() -> ::homogen::Chain<2, 2>"),
         "{known}"

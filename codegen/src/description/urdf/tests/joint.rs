@@ -2,34 +2,49 @@
 
 use super::{doubts_in_joint, errors_in, errors_in_joint, fine};
 use crate::error::Place;
+use crate::joint::ALL;
+use crate::wording::list;
 
 #[test]
-fn joints_that_are_not_modelled_are_refused_by_name() {
-    for kind in ["floating", "planar", "spherical"] {
-        assert_eq!(
-            errors_in_joint(kind, ""),
-            format!(
-                "error: arm.urdf:1:71: joint \"j\" is {kind}, and such joints are not modelled\n  \
-                 hint: known types: revolute, continuous, prismatic, screw, cylindrical and fixed\n"
-            )
-        );
-    }
-    assert_eq!(
-        errors_in_joint("revolute", r#"<axis xyz="0 0 1"/><mimic joint="k"/>"#),
-        "error: arm.urdf:2:20: joint \"j\" mimics joint \"k\", and mimic joints are not modelled\n  \
-         hint: make it fixed, or remove <mimic> to give it a coordinate of its own\n"
-    );
+fn types_that_are_not_known_are_refused_by_name() {
+    let types = list(ALL.map(|kind| kind.word));
     assert_eq!(
         errors_in_joint("revolut", ""),
-        "error: arm.urdf:1:71: joint \"j\" has the unknown type \"revolut\"\n  \
-         hint: did you mean \"revolute\"? known types: \
-         revolute, continuous, prismatic, screw, cylindrical and fixed\n"
+        format!(
+            "error: arm.urdf:1:71: joint \"j\" has the unknown type \"revolut\"\n  \
+             hint: did you mean \"revolute\"? known types: {types}\n"
+        )
+    );
+    assert_eq!(
+        errors_in_joint("ball", ""),
+        "error: arm.urdf:1:71: joint \"j\" has the unknown type \"ball\"\n  \
+         hint: it is called spherical here\n"
     );
     assert_eq!(
         errors_in_joint("screw", r#"<axis xyz="0 0 1"/>"#),
         "error: arm.urdf:1:49: joint \"j\" has no <thread>\n  \
          hint: add <thread pitch=\"…\"/>, in metres per radian\n"
     );
+    assert_eq!(
+        errors_in_joint("universal", r#"<axis xyz="0 0 1"/>"#),
+        "error: arm.urdf:1:49: joint \"j\" has no <axis2>\n  \
+         hint: add <axis2 xyz=\"0 1 0\"/>, in the frame of its child\n"
+    );
+}
+
+#[test]
+fn a_joint_may_follow_another() {
+    let axis = r#"<axis xyz="0 0 1"/>"#;
+    assert_eq!(
+        errors_in_joint("revolute", &format!("{axis}<mimic/>")),
+        "error: arm.urdf:2:20: the <mimic> of joint \"j\" has no attribute \"joint\"\n"
+    );
+    let mimic = r#"<mimic joint="k" multiplier="half" offset="nan"/>"#;
+    assert_eq!(
+        errors_in_joint("revolute", &format!("{axis}{mimic}")),
+        "error: arm.urdf:2:49: the multiplier of the <mimic> of joint \"j\" is not a number: \"half\"\n"
+    );
+    assert_eq!(errors_in_joint("spherical", r#"<axis xyz="0 0 0"/>"#), "");
 }
 
 #[test]

@@ -1,9 +1,9 @@
-//! A joint with six degrees of freedom, which this version does not model.
+//! Joints that follow each other, and one that follows what has several coordinates.
 
 use homogen::Robot;
 
 #[derive(Robot)]
-#[robot(urdf = "rejected/floating_joint.urdf", generate(inverse_dynamics, gravity))]
+#[robot(urdf = "rejected/follows_itself.urdf", generate(inverse_dynamics, gravity))]
 struct Arm;
 
 fn main() {

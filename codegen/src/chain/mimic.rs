@@ -1,0 +1,160 @@
+//! Joints that follow others.
+//!
+//! In: the description and its tree. Out: of each joint that follows another, directly or through
+//! others, the one whose coordinate moves it, and by how much; mistakes, where that is no joint that can
+//! lead; and which of them stand still with their leader. It never moves anything.
+
+use super::names::Names;
+use super::tree::{Branch, Tree};
+use crate::description::{Description, Joint, Number};
+use crate::error::{Complaint, Errors};
+use crate::wording::quoted;
+
+/// What moves a joint that follows: multiplier · q + offset.
+#[derive(Clone, Copy, Debug)]
+pub struct Follow {
+    /// The joint that has the coordinate q, by its place in the description.
+    pub leader: usize,
+    /// What q is multiplied by.
+    pub multiplier: f64,
+    /// What is added [rad or m].
+    pub offset: f64,
+}
+
+/// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are held
+/// or not there follow nothing.
+pub fn follows(
+    description: &Description,
+    branches: &[Branch],
+    joints: &Names<'_>,
+    errors: &mut Errors,
+) -> Vec<Option<Follow>> {
+    let mut leaders: Vec<Option<usize>> = vec![None; description.joints.len()];
+    let mut refused = false;
+    for branch in branches.iter().filter(|branch| branch.held.is_none()) {
+        let joint = &description.joints[branch.joint];
+        let Some(mimic) = &joint.mimic else { continue };
+        leaders[branch.joint] = joints.find(&mimic.leader, errors);
+        let several = |joint: &Joint| joint.kind.has_several();
+        let leader = leaders[branch.joint].map(|leader| &description.joints[leader]);
+        let several = [Some(joint), leader]
+            .into_iter()
+            .flatten()
+            .find(|&joint| several(joint));
+        if let Some(several) = several {
+            errors.push_with_hint(
+                mimic.place,
+                format!(
+                    "joint {} follows joint {}, and {} has several coordinates",
+                    quoted(&joint.name.text),
+                    quoted(&mimic.leader.text),
+                    quoted(&several.name.text)
+                ),
+                "only joints with one coordinate can lead and follow",
+            );
+            refused = true;
+        }
+        refused |= leader.is_none();
+    }
+    refused |= refuse_cycles(description, &leaders, errors);
+    let follow = |joint: usize| {
+        leaders[joint].filter(|_| !refused)?;
+        let mut follow = Follow {
+            leader: joint,
+            multiplier: 1.0,
+            offset: 0.0,
+        };
+        while let (Some(next), Some(mimic)) = (
+            leaders[follow.leader],
+            &description.joints[follow.leader].mimic,
+        ) {
+            follow.offset += follow.multiplier * mimic.offset.value;
+            follow.multiplier *= mimic.multiplier.value;
+            follow.leader = next;
+        }
+        Some(follow)
+    };
+    (0..leaders.len()).map(follow).collect()
+}
+
+/// Refuses joints that follow themselves, directly or through others; whether there are any.
+fn refuse_cycles(
+    description: &Description,
+    leaders: &[Option<usize>],
+    errors: &mut Errors,
+) -> bool {
+    let mut refused = false;
+    // 0: not seen, otherwise the walk that saw it; each joint is walked over once.
+    let mut seen = vec![0; leaders.len()];
+    for start in 0..leaders.len() {
+        let mut at = start;
+        while seen[at] == 0 {
+            seen[at] = start + 1;
+            let Some(next) = leaders[at] else { break };
+            if seen[next] == start + 1 {
+                let joint = &description.joints[next];
+                let name = quoted(&joint.name.text);
+                let message = if next == at {
+                    format!("joint {name} follows itself")
+                } else {
+                    format!("joint {name} follows itself through others")
+                };
+                let place = joint
+                    .mimic
+                    .as_ref()
+                    .map_or(joint.place, |mimic| mimic.place);
+                errors.push_with_hint(place, message, "one of them must have its own coordinate");
+                refused = true;
+            }
+            at = next;
+        }
+    }
+    refused
+}
+
+/// Notes what each joint follows, and holds what follows a joint that is held or not there (a
+/// coordinate that is not there counts as zero), or follows it by nothing.
+pub fn hold(branches: &mut [Branch], follows: &[Option<Follow>]) {
+    let mut held: Vec<Option<f64>> = vec![Some(0.0); follows.len()];
+    for branch in branches.iter() {
+        held[branch.joint] = branch.held.map(|held| held.value);
+    }
+    for branch in branches.iter_mut().filter(|branch| branch.held.is_none()) {
+        branch.follows = follows[branch.joint];
+        let Some(follow) = branch.follows else {
+            continue;
+        };
+        let still = (follow.multiplier == 0.0).then_some(0.0);
+        if let Some(at) = held[follow.leader].or(still) {
+            branch.held = Some(Number {
+                value: follow.multiplier * at + follow.offset,
+                ..Number::default()
+            });
+        }
+    }
+}
+
+/// That a joint is held whose leader was left out, or never moves.
+pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
+    let moves = |joint: usize| {
+        let mut there = tree.branches.iter();
+        there.any(|branch| branch.joint == joint) && description.joints[joint].kind.moves()
+    };
+    let follow = |branch: &Branch| Some((branch.joint, branch.follows?));
+    let follows = tree.branches.iter().filter_map(follow);
+    let alone = follows.filter(|(_, follow)| !moves(follow.leader));
+    alone
+        .map(|(joint, follow)| {
+            let name = |joint: usize| quoted(&description.joints[joint].name.text);
+            let (own, leader) = (name(joint), name(follow.leader));
+            Complaint {
+                place: description.joints[joint].place,
+                message: format!(
+                    "joint {own} follows joint {leader}, which has no coordinate here: held where \
+                     zero would take it"
+                ),
+                hint: Some(format!("lock {own} where it should be, or keep {leader}")),
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,85 @@
+//! Where the freedoms of a joint together have taken its body, as coordinates that are no angles and
+//! shifts one after the other.
+//!
+//! In: coordinates. Out: their names and kinds, and the displacement Q that they are. The layouts of
+//! `Spherical` and `Floating` are Pinocchio's, so that states can be exchanged as they are.
+
+use crate::expression::Term;
+use crate::matrix::{Pose, Rotation, Vector};
+use crate::space::Kind;
+
+/// What the coordinates of a joint are whose velocities are seen in the frame of the moved body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Posture {
+    /// x, y and the angle about z.
+    Planar,
+    /// A quaternion of unit length, its scalar last.
+    Spherical,
+    /// x, y, z and such a quaternion.
+    Floating,
+}
+
+impl Posture {
+    /// The names and kinds of its coordinates.
+    #[must_use]
+    pub const fn coordinates(self) -> &'static [(&'static str, Kind)] {
+        const FLOATING: [(&str, Kind); 7] = [
+            ("x", Kind::Slide),
+            ("y", Kind::Slide),
+            ("z", Kind::Slide),
+            ("qx", Kind::Quaternion),
+            ("qy", Kind::Quaternion),
+            ("qz", Kind::Quaternion),
+            ("qw", Kind::Quaternion),
+        ];
+        const PLANAR: [(&str, Kind); 3] = [
+            ("x", Kind::Slide),
+            ("y", Kind::Slide),
+            ("angle", Kind::Turn),
+        ];
+        match self {
+            Self::Planar => &PLANAR,
+            Self::Spherical => FLOATING.split_at(3).1,
+            Self::Floating => &FLOATING,
+        }
+    }
+
+    /// How many velocities there are with them.
+    #[must_use]
+    pub const fn velocities(self) -> usize {
+        match self {
+            Self::Planar | Self::Spherical => 3,
+            Self::Floating => 6,
+        }
+    }
+
+    /// Q: from where the body is at rest to where these coordinates have taken it.
+    #[must_use]
+    pub fn displacement<'g>(self, q: impl Fn(usize) -> Term<'g>) -> Pose<Term<'g>> {
+        match self {
+            Self::Planar => Pose {
+                rotation: Rotation::about_z(q(2).sin_cos()),
+                translation: Vector([q(0), q(1), q(0).graph().constant(0.0)]),
+            },
+            Self::Spherical => Pose::rotation(turned([q(0), q(1), q(2)], q(3))),
+            Self::Floating => Pose {
+                rotation: turned([q(3), q(4), q(5)], q(6)),
+                translation: Vector([q(0), q(1), q(2)]),
+            },
+        }
+    }
+}
+
+/// R = 1 + 2 w v̲ + 2 v̲² of a quaternion v, w of unit length.
+fn turned<'g>([x, y, z]: [Term<'g>; 3], w: Term<'g>) -> Rotation<Term<'g>> {
+    let one = w.graph().constant(1.0);
+    let [twice_x, twice_y, twice_z] = [x + x, y + y, z + z];
+    let (xx, yy, zz) = (twice_x * x, twice_y * y, twice_z * z);
+    let (xy, xz, yz) = (twice_y * x, twice_z * x, twice_z * y);
+    let (wx, wy, wz) = (twice_x * w, twice_y * w, twice_z * w);
+    Rotation([
+        [one - (yy + zz), xy - wz, xz + wy],
+        [xy + wz, one - (xx + zz), yz - wx],
+        [xz - wy, yz + wx, one - (xx + yy)],
+    ])
+}

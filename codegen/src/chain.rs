@@ -188,6 +188,19 @@ impl Chain {
         place.expect("each velocity has a joint that is called as it is")
     }
 
+    /// Whether every body has a velocity of its own, and none follows another.
+    #[must_use]
+    pub fn all_lead(&self) -> bool {
+        self.joints.len() == self.spaces.velocities.len()
+    }
+
+    /// Whether every body has a coordinate of its own as well.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let along = |joint: &Joint| matches!(joint.position, Position::Along { .. });
+        self.all_lead() && self.joints.iter().all(along)
+    }
+
     /// L of a joint in its body's frame: u, b.
     #[must_use]
     pub fn screw(&self, joint: &Joint) -> [Term<'_>; 6] {

@@ -33,9 +33,13 @@ const LEAST_MARGIN: f64 = 1e-3;
 /// Of accelerations by articulated bodies.
 #[must_use]
 pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> Accuracy {
+    let range = Range::of(chain);
+    let mobility = match mobility(chain, layout, &range) {
+        Ok(mobility) => mobility,
+        Err(reason) => return Accuracy::Unknown(reason),
+    };
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
-    let range = Range::of(chain);
     let links = bodies.bodies.iter().zip(&range.q);
     let links: Option<Vec<Link>> = links.map(|(body, q)| Link::of(body, *q)).collect();
     let read = chain.nominal.iter().all(Vec::is_empty);
@@ -43,10 +47,6 @@ pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> 
         return Accuracy::Unknown(
             "neither screws nor fields nor inertias that no body has are followed",
         );
-    };
-    let mobility = match mobility(chain, layout, &range) {
-        Ok(mobility) => mobility,
-        Err(reason) => return Accuracy::Unknown(reason),
     };
     let compiled = |results: &[Term<'_>]| -> Program {
         let results: Vec<Expr> = results.iter().map(|result| result.expr()).collect();

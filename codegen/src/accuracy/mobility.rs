@@ -33,6 +33,9 @@ pub struct Mobility {
 /// Why it is not known: kinetic energy may be negative with an inertia that no body has; centres of
 /// mass and offsets are known at run time only.
 pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility, &'static str> {
+    if !chain.is_plain() {
+        return Err("joints with quaternions, in a plane or that follow others are not followed");
+    }
     let moves = |target: &Target| matches!(target, Target::CenterOfMassOf(_) | Target::OriginOf(_));
     let read = chain.parameters.iter().zip(&chain.nominal);
     let read = read.filter(|(_, nominal)| !nominal.is_empty());

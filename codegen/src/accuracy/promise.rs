@@ -129,7 +129,7 @@ pub(super) fn promise(
     let bounds = order.into_iter().map(|owner @ (joint, unit)| {
         let [double, single] = all[&owner];
         Bound {
-            joint: joint.map(|joint| chain.joints[joint].name.clone()),
+            joint: joint.map(|joint| chain.spaces().velocities[joint].name.clone()),
             unit,
             double,
             single,

@@ -19,6 +19,8 @@ pub struct Range {
     pub qd: Vec<[f64; 2]>,
     /// Of each second rate [rad/s² or m/s²].
     pub qdd: Vec<[f64; 2]>,
+    /// Where the quaternions of q begin.
+    pub(super) quaternions: Vec<usize>,
     /// Of the entries of each struct field, in the units of what it stands for.
     pub fields: Vec<Vec<[f64; 2]>>,
 }
@@ -67,12 +69,23 @@ impl Range {
     pub fn of(chain: &Chain) -> Self {
         let spaces = chain.spaces();
         Self {
-            q: ranges(&spaces, Variable::Q),
-            qd: ranges(&spaces, Variable::Qd),
-            qdd: ranges(&spaces, Variable::Qdd),
+            quaternions: spaces.quaternions().collect(),
+            q: ranges(spaces, Variable::Q),
+            qd: ranges(spaces, Variable::Qd),
+            qdd: ranges(spaces, Variable::Qdd),
             fields: (chain.parameters.iter().zip(&chain.nominal))
                 .map(|(field, nominal)| vec![within(field, nominal); nominal.len()])
                 .collect(),
+        }
+    }
+
+    /// Makes of the quaternions of some coordinates ones that have length 1 to the last digit: all entries are
+    /// ½ or −½, as their signs were.
+    pub fn upright(&self, q: &mut [f64]) {
+        for &first in &self.quaternions {
+            for entry in &mut q[first..first + 4] {
+                *entry = 0.5_f64.copysign(*entry);
+            }
         }
     }
 
@@ -110,6 +123,7 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(usize) -> boo
         if !has.is_empty() {
             within_limits.push(letter);
         }
+        // A quaternion is what it is.
         let kinds = [Kind::Turn, Kind::Slide].into_iter();
         let kinds = kinds.filter(|&kind| lacks.iter().any(|entry| entry.kind == kind));
         let kinds = kinds.filter_map(|kind| {

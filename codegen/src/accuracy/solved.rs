@@ -37,7 +37,7 @@ const SPOILT: f64 = 0.5;
 #[must_use]
 pub fn of_inverse(chain: &Chain, program: &Program, means: Means) -> Accuracy {
     let range = Range::of(chain);
-    let count = chain.joints.len();
+    let count = chain.spaces().velocities.len();
     let mobility = mobility(chain, Layout::DESCRIBED, &range);
     let worst = |scalar: Real| -> Worst {
         let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;

@@ -97,6 +97,7 @@ pub(super) fn cheapest(
     }
     let worst = solvable(chain)?;
     if let Some(asked) = formulation.forward {
+        forward::check(chain, asked)?;
         return Ok(search.best(asked).1);
     }
     let mut measure = Measure::of(chain, functions, worst.loss);

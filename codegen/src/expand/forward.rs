@@ -8,7 +8,7 @@ use super::measured::{Measure, Off};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
 use crate::chain::Chain;
-use crate::error::{Complaint, Errors};
+use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
@@ -44,7 +44,9 @@ pub(super) fn rounds(
     const COMPARED: usize = 8;
     const DEARER: usize = 20;
     let [once, twice] = REFINED;
-    let bodies = (formulation.frame == Frame::Link).then_some(Forward::Articulated);
+    // A joint that follows another closes a loop, over which articulated bodies do not go.
+    let open = formulation.frame == Frame::Link && chain.all_lead();
+    let bodies = open.then_some(Forward::Articulated);
     let first = match (longest(chain), bodies) {
         (DEARER.., Some(bodies)) => vec![bodies],
         (COMPARED.., Some(bodies)) => vec![Forward::UNREFINED, bodies],
@@ -63,6 +65,28 @@ pub(super) fn rounds(
         .into_iter()
         .filter(|round| !round.is_empty())
         .collect()
+}
+
+/// Refuses a form that a chain has not.
+///
+/// # Errors
+/// Articulated bodies where a joint follows another.
+pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
+    let mut errors = chain.source.errors();
+    if asked == Forward::Articulated
+        && let Some(mimic) = chain.report.mimicked.first()
+    {
+        errors.push_with_hint(
+            Place::Unknown,
+            format!(
+                "articulated bodies do not go over the loop that joint \"{}\" closes, which follows \
+                 joint \"{}\"",
+                mimic.joint, mimic.leader
+            ),
+            "leave the form to the engine, or lock the joint",
+        );
+    }
+    errors.into_result(())
 }
 
 /// The most joints that stand in a row.

@@ -150,7 +150,7 @@ impl<'c> Measure<'c> {
     }
 
     fn state(&self, number: u32) -> State {
-        let arguments = Arguments::new(&self.range, self.chain.joints.len(), number);
+        let arguments = Arguments::new(&self.range, number);
         let input = |input| Double::from(arguments.at(self.chain, &self.range, input));
         let exact = self.solved.iter().map(|(function, _)| function.at(input));
         State {
@@ -186,7 +186,7 @@ impl<'c> Measure<'c> {
 impl Arguments {
     /// Of a sequence that fills the range evenly: multiples of the golden ratio and of roots. Every eighth
     /// state is near the posture of the description, in which axes and links are in line.
-    fn new(range: &Range, joints: usize, number: u32) -> Self {
+    fn new(range: &Range, number: u32) -> Self {
         let near = |&[lower, upper]: &[f64; 2]| {
             let zero = 0.0_f64.clamp(lower, upper);
             [lower, upper].map(|end| zero + NEAR * (end - zero))
@@ -204,11 +204,13 @@ impl Arguments {
             single(lower + (upper - lower) * share.fract())
         };
         let mut all = |ranges: &[[f64; 2]]| ranges.iter().map(|&ends| next(ends)).collect();
-        Self {
+        let mut arguments = Self {
             q: all(&q),
             qd: all(&range.qd),
-            tau: all(&vec![[-TORQUE, TORQUE]; joints]),
-        }
+            tau: all(&vec![[-TORQUE, TORQUE]; range.qd.len()]),
+        };
+        range.upright(&mut arguments.q);
+        arguments
     }
 
     fn at(&self, chain: &Chain, range: &Range, input: Input) -> f64 {

@@ -166,14 +166,18 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
         joint: 0,
         against: None,
     };
-    let count = chain.joints.len();
+    let count = chain.spaces().velocities.len();
     // A joint that is singular in one posture may only be passing through it.
     let mut least = vec![f64::INFINITY; count];
     let mut always = vec![true; count];
     for posture in 0..POSTURES {
+        let coordinates = (0..).zip(&range.q);
+        let coordinates = coordinates.map(|(k, ends)| coordinate(*ends, k, posture));
+        let mut q: Vec<f64> = coordinates.collect();
+        range.upright(&mut q);
         let values = pivots.at(|input| {
             Double::from(match input {
-                Input::Variable(Variable::Q, k) => coordinate(&range, k, posture),
+                Input::Variable(Variable::Q, k) => q[usize::from(k)],
                 _ => field(input),
             })
         });
@@ -200,15 +204,19 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
         }
     }
     // Outermost first: what is outboard spoils what is inboard of it.
-    for joint in (0..count).rev() {
-        if always[joint] {
-            return Err(Lack::Sign(joint));
+    for velocity in (0..count).rev() {
+        if always[velocity] {
+            return Err(Lack::Sign(chain.mover(velocity)));
         }
-        if least[joint] > SINGULAR {
-            return Err(Lack::Inertia(joint));
+        if least[velocity] > SINGULAR {
+            return Err(Lack::Inertia(chain.mover(velocity)));
         }
     }
-    Ok(worst)
+    Ok(Worst {
+        joint: chain.mover(worst.joint),
+        against: worst.against.map(|velocity| chain.mover(velocity)),
+        ..worst
+    })
 }
 
 /// A diagonal entry and its pivot, for each joint.
@@ -224,8 +232,7 @@ fn pivots(graph: &Graph, chain: &Chain) -> Vec<Expr> {
 
 /// A coordinate of a posture, from a sequence that fills the range evenly: multiples of the golden
 /// ratio and of roots.
-fn coordinate(range: &Range, k: u16, posture: u32) -> f64 {
-    let [lower, upper] = range.q[usize::from(k)];
+fn coordinate([lower, upper]: [f64; 2], k: u16, posture: u32) -> f64 {
     let step = 0.618_033_988_749_895 * f64::from(k + 1).sqrt();
     lower + (upper - lower) * (0.5 + f64::from(posture) * step).fract()
 }

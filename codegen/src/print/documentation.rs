@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 use super::{About, LeftOut, Listed, Listing};
 use crate::request::Target;
-use crate::space::{Kind, Variable};
+use crate::space::{Kind, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
 /// For which angles a function without the runtime is precise.
@@ -44,6 +44,7 @@ pub(super) fn of_function(
     }
     lines.push(String::new());
     lines.push(arguments(&listed.arguments()));
+    lines.extend(postures(&listing.spaces, &listed.arguments()));
     if let Some(angles) = angles {
         let results = listed.functions.iter().map(|function| function.result());
         let layouts = results.filter_map(|result| result.entity.layout());
@@ -138,6 +139,28 @@ fn arguments(arguments: &[Variable]) -> String {
     };
     let all = arguments.iter().map(units);
     format!("{}.", all.collect::<Vec<_>>().join(", "))
+}
+
+/// What quaternions must be, and in whose axes those velocities are that are no rates of coordinates.
+fn postures(spaces: &Spaces, arguments: &[Variable]) -> Vec<String> {
+    let mut lines = Vec::new();
+    let reads = |space: Space| arguments.iter().any(|argument| argument.space() == space);
+    if reads(Space::Coordinates) && spaces.quaternions().next().is_some() {
+        lines.push(
+            "Quaternions (x, y, z, w) have length 1; one of length 1 + ε stands for a matrix that is off \
+             by 4 ε from a rotation."
+                .to_owned(),
+        );
+    }
+    let seen: Vec<String> = (spaces.names(Space::Velocities))
+        .filter(|name| spaces.names(Space::Coordinates).all(|other| other != *name))
+        .map(code)
+        .collect();
+    if reads(Space::Velocities) && !seen.is_empty() {
+        let seen = seen.join(", ");
+        lines.push(format!("In the axes of the body that they move: {seen}."));
+    }
+    lines
 }
 
 /// Robot, file and coordinates.

@@ -17,6 +17,7 @@ use crate::wording::quoted;
 
 /// Everything that is asked for.
 #[derive(Clone, Debug, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a word of its own")]
 pub struct Request {
     /// The link taken as fixed; the root where none is named.
     pub base: Option<Name>,

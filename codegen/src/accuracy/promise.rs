@@ -71,9 +71,9 @@ pub(super) type Owner = (Option<usize>, &'static str);
 /// Those of all results of a function.
 pub(super) fn owners(chain: &Chain, function: Function) -> Vec<Owner> {
     let (quantity, spaces) = (function.result(), chain.spaces());
-    let units = quantity.units(&spaces).into_iter().enumerate();
+    let units = quantity.units(spaces).into_iter().enumerate();
     units
-        .map(|(k, unit)| (quantity.owner(&spaces, k), unit))
+        .map(|(k, unit)| (quantity.owner(spaces, k), unit))
         .collect()
 }
 

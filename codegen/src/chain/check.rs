@@ -5,11 +5,11 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use super::mimic::{self, Follow};
+use super::mimic;
 use super::names::Names;
 use super::numbers;
 use super::shape::{Joints, downstream, find_base};
-use super::tree::{Branch, Tree};
+use super::tree::{Branch, Follow, Tree};
 use crate::description::{Description, Name, Number};
 use crate::error::Errors;
 use crate::request::{Request, Target};
@@ -321,7 +321,7 @@ fn hold_off_path(tree: &mut Tree, follows: &[Option<Follow>], tip: usize) {
             }
         }
     }
-    for branch in tree.branches.iter_mut() {
+    for branch in &mut tree.branches {
         // What follows another stands where that takes it.
         let own = follows[branch.joint].is_none();
         if own && !moves[branch.joint] && branch.held.is_none() {

@@ -6,8 +6,7 @@
 
 use std::collections::HashMap;
 
-use super::mimic::Follow;
-use super::tree::{Branch, Tree};
+use super::tree::{Branch, Follow, Tree};
 use super::{Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
 use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};

@@ -5,21 +5,10 @@
 //! lead; and which of them stand still with their leader. It never moves anything.
 
 use super::names::Names;
-use super::tree::{Branch, Tree};
+use super::tree::{Branch, Follow, Tree};
 use crate::description::{Description, Joint, Number};
 use crate::error::{Complaint, Errors};
 use crate::wording::quoted;
-
-/// What moves a joint that follows: multiplier · q + offset.
-#[derive(Clone, Copy, Debug)]
-pub struct Follow {
-    /// The joint that has the coordinate q, by its place in the description.
-    pub leader: usize,
-    /// What q is multiplied by.
-    pub multiplier: f64,
-    /// What is added [rad or m].
-    pub offset: f64,
-}
 
 /// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are held
 /// or not there follow nothing.

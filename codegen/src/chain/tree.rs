@@ -1,6 +1,5 @@
 //! How links hang on the base: what is left of a description's names once they refer to each other.
 
-use super::mimic::Follow;
 use crate::description::Number;
 
 /// The part of a description that is modelled.
@@ -32,4 +31,15 @@ pub struct Branch {
     pub held: Option<Number>,
     /// What moves it, where it has no coordinate of its own.
     pub follows: Option<Follow>,
+}
+
+/// What moves a joint that follows: multiplier · q + offset.
+#[derive(Clone, Copy, Debug)]
+pub struct Follow {
+    /// The joint that has the coordinate q, by its place in the description.
+    pub leader: usize,
+    /// What q is multiplied by.
+    pub multiplier: f64,
+    /// What is added [rad or m].
+    pub offset: f64,
 }

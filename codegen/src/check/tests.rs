@@ -7,7 +7,6 @@ use crate::chain::Chain;
 use crate::description::{Description, inline, read_file, read_text};
 use crate::error::Errors;
 use crate::expand::{expand, understand};
-use crate::expression::Double;
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::request::{Parameter, Request, Target};
@@ -102,8 +101,7 @@ fn shifted(operation: Operation, by: f64) -> Option<Operation> {
 /// looked at.
 fn differ(check: &Check, one: &Program, other: &Program, least: f64) -> bool {
     check.states.iter().any(|judge| {
-        let results =
-            |program: &Program| run(program, |input| Double::from(judge.state.get(input)));
+        let results = |program: &Program| run(program, |input| judge.state.get(input));
         let (one, other) = (results(one), results(other));
         let largest = one
             .iter()

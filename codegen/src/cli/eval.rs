@@ -66,7 +66,7 @@ impl Eval {
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
         let (text, file) = self.text(input)?;
-        let states = states::read(&text, &file, function.arguments(), &chain.spaces())?;
+        let states = states::read(&text, &file, function.arguments(), chain.spaces())?;
 
         // Further frames come after the tip's.
         let frame = chain.frames.len().saturating_sub(1);
@@ -151,14 +151,14 @@ impl Eval {
             answer.insert("base".into(), json!(chain.report.base));
             answer.insert("frame".into(), json!(chain.frames[frame].name));
         }
-        answer.insert("shape".into(), json!(dimensions(&quantity, &spaces)));
+        answer.insert("shape".into(), json!(dimensions(&quantity, spaces)));
         if quantity.entity == Entity::Screw {
             answer.insert("rows".into(), json!(SCREW));
         }
         answer.insert("warnings".into(), json::warnings(&chain.report.warnings));
         let results =
             results.iter().map(
-                |numbers| match (rows(&quantity, &spaces, numbers), &**numbers) {
+                |numbers| match (rows(&quantity, spaces, numbers), &**numbers) {
                     (Some(rows), _) => json!(rows),
                     (None, [number]) if quantity.over.is_empty() => json!(number),
                     (None, numbers) => json!(numbers),
@@ -251,14 +251,14 @@ fn in_text(chain: &Chain, function: Function, results: &[Vec<f64>]) -> String {
     for (index, numbers) in results.iter().enumerate() {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{} of state {index}", function.name());
-        if let Some(rows) = rows(&quantity, &spaces, numbers) {
+        if let Some(rows) = rows(&quantity, spaces, numbers) {
             for row in rows {
                 let row: Vec<String> = row.iter().map(|number| format!("{number:>24?}")).collect();
                 let _ = writeln!(text, "{}", row.concat());
             }
         } else {
             for (k, number) in numbers.iter().enumerate() {
-                let owner = quantity.owner(&spaces, k);
+                let owner = quantity.owner(spaces, k);
                 let entry = owner.map(|owner| &spaces.entries(quantity.over[0])[owner]);
                 let name =
                     entry.map_or(String::new(), |entry| format!("  {}", visible(&entry.name)));

@@ -20,6 +20,7 @@ use crate::request::Request;
 use crate::wording::visible;
 
 /// Which robot, and which part of it.
+#[expect(clippy::struct_excessive_bools, reason = "a switch is a bool")]
 #[derive(Args, Clone, Debug)]
 pub(super) struct Robot {
     /// A URDF file or a Denavit–Hartenberg table; `-` reads standard input

@@ -34,13 +34,10 @@ pub fn freed<'a>(
     description
         .joints
         .retain(|joint| joint.child.text != base.text);
-    let links = description.links.iter().map(|link| &link.name);
-    let ground = new_name(&LINKS, links, &base);
-    let root = new_name(
-        &JOINTS,
-        description.joints.iter().map(|joint| &joint.name),
-        &base,
-    );
+    let links: Vec<&Name> = description.links.iter().map(|link| &link.name).collect();
+    let joints: Vec<&Name> = description.joints.iter().map(|joint| &joint.name).collect();
+    let ground = new_name(&LINKS, &links, &base);
+    let root = new_name(&JOINTS, &joints, &base);
     let place = base.place;
     description.links.push(Link {
         name: ground.clone(),
@@ -85,8 +82,8 @@ fn base(description: &Description, request: &Request) -> Option<Name> {
 }
 
 /// The first of some names that is not taken, where something stands.
-fn new_name<'n>(names: &[&str], taken: impl Iterator<Item = &'n Name> + Clone, at: &Name) -> Name {
-    let free = |name: &&&str| taken.clone().all(|other| other.text != ***name);
+fn new_name(names: &[&str], taken: &[&Name], at: &Name) -> Name {
+    let free = |name: &&&str| taken.iter().all(|other| other.text != **name);
     let name = names.iter().find(free).or(names.last());
     Name {
         text: (*name.unwrap_or(&"")).to_owned(),

@@ -106,7 +106,7 @@ impl<'c> Measure<'c> {
         let mut end = 0;
         for &function in functions {
             let start = end;
-            end += function.result().size(&chain.spaces());
+            end += function.result().size(chain.spaces());
             if function.solves() {
                 let (graph, results) =
                     expressions_by(chain, &[function], 0, Layout::DESCRIBED, way);

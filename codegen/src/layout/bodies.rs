@@ -4,7 +4,7 @@
 //! coordinate, and what replaces a frame by another one. It never chooses one.
 
 use crate::chain::{Chain, Position};
-use crate::expression::{Expr, Graph, Term};
+use crate::expression::{Double, Expr, Graph, Term};
 use crate::joint::Motion;
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
 
@@ -138,7 +138,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
 
 /// Which axis of the frame a direction is.
 fn along(direction: Vector<Term<'_>>) -> usize {
-    let is = |&k: &usize| direction.0[k].value().is_some_and(|entry| entry.is_one());
+    let is = |&k: &usize| direction.0[k].value().is_some_and(Double::is_one);
     (0..3)
         .find(is)
         .expect("such joints move along the axes of their frame")

@@ -27,9 +27,9 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     let dialect = Dialect::of(request.scalar, request.formulation.sines, item, &world);
     let unnamed = || ident(&dialect.names.clone().alone("N"));
     let unknown = spaces.is_none().then(unnamed);
-    let lengths = |space: Space| match spaces {
-        Some(spaces) => literal(spaces.len(space)),
-        None => quote! { #unknown },
+    let lengths = |space: Space| {
+        let known = spaces.map(|spaces| literal(spaces.len(space)));
+        known.unwrap_or_else(|| quote! { #unknown })
     };
     let parameter = unknown
         .as_ref()

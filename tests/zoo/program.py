@@ -57,12 +57,12 @@ class Program:
         what = f"took more than {MOST} s" if done.returncode in (-9, -24) else f"ended with {done.returncode}"
         raise Failed(f"{arguments[0]} {what}: {done.stderr.strip()[-200:]}")
 
-    def check(self, file, exact):
+    def check(self, file, how):
         """What became of a description."""
-        return json.loads(self.run("check", file, "--format", "json", *["--exact"] * exact))
+        return json.loads(self.run("check", file, "--format", "json", *how.options))
 
-    def eval(self, file, exact, function, states, link=None):
+    def eval(self, file, how, function, states, link=None):
         """A function's values at all states."""
         options = ["--function", function, "--states", states, "--format", "json"]
         options += ["--tip", link] if link else []
-        return json.loads(self.run("eval", file, *options, *["--exact"] * exact))["results"]
+        return json.loads(self.run("eval", file, *options, *how.options))["results"]

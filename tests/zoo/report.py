@@ -16,12 +16,11 @@ HEAD = """\
 What `homogen check` and `homogen eval` make of robot descriptions as vendors and simulators ship them,
 untouched, beside Pinocchio {pinocchio} (written by `tests/zoo/run.sh`, on {machine}).
 
-Every file of the packages below is read by both; what is not modelled yet is left out for both (a joint
-that mimics another gets a coordinate of its own, one of several coordinates is held). Of a link that
-Pinocchio cannot read it complains, and goes on with zeros: that counts as refused. Each of the {functions}
-functions is evaluated at {states} random states, in f64, once with right angles and zeros taken for what they are and
-once as written (`--exact`), and compared with Pinocchio; for the first, Pinocchio is given the same file
-with those numbers in full. Poses are compared at up to {ends} ends of a tree. An error is relative: of a
+Every file of the packages below is read by both. Of a link that Pinocchio cannot read it complains, and
+goes on with zeros: that counts as refused. Each of the {functions} functions is evaluated at {states} random
+states, in f64, once with right angles and zeros taken for what they are, once as written (`--exact`) and
+once so with a free base (`--floating`), and compared with Pinocchio; for the first, Pinocchio is given the
+same file with those numbers in full. Of a joint that mimics another, Pinocchio's full model is projected. Poses are compared at up to {ends} ends of a tree. An error is relative: of a
 torque, in units of the largest of its joint at these states (and of a thousandth of the largest of all);
 of M, of √(Mᵢᵢ Mⱼⱼ); of poses, Jacobians, velocities and accelerations, of the largest entry of the block
 that turns and of the one that slides; of what was solved for, what it leaves of the equation, in units
@@ -31,8 +30,8 @@ of what that is summed of. More than {limit:.0e} is a failure.
 """
 
 ROBOTS = """
-| file | joints | left out | functions | worst error | worst error, as written |
-| --- | --- | --- | --- | --- | --- |
+| file | joints | besides | functions | worst error | as written | with a free base |
+| --- | --- | --- | --- | --- | --- | --- |
 """
 
 REFUSED = """
@@ -45,26 +44,26 @@ Refused:
 
 def line(verdict):
     """A file in one line."""
-    if verdict.joints:
+    if any(verdict.errors.values()):
         reason = f" ({verdict.reason})" if verdict.reason else ""
-        return f"{verdict.name}: {verdict.joints} joints{reason}: {error(verdict, False)}, {error(verdict, True)}"
+        return f"{verdict.name}: {verdict.joints} joints{reason}: {', '.join(errors(verdict))}"
     return f"{verdict.name}: {verdict.outcome}: {verdict.reason}"
 
 
-def error(verdict, exact):
-    """The largest of a file."""
-    worst = max(verdict.errors[exact].values(), default=None)
-    return "not compared" if worst is None else f"{worst:.0e}"
+def errors(verdict):
+    """The largest of a file, in each way."""
+    worst = [max(errors.values(), default=None) for errors in verdict.errors.values()]
+    return ["not compared" if error is None else f"{error:.0e}" for error in worst]
 
 
 def summary(verdicts):
     """All in a sentence or two."""
     counted = Counter(verdict.outcome for verdict in verdicts)
-    compared = [verdict for verdict in verdicts if verdict.errors[True]]
+    compared = [verdict for verdict in verdicts if any(verdict.errors.values())]
     worst = max((max(v.errors[k].values()) for v in compared for k in v.errors if v.errors[k]), default=0.0)
     failed = sum(bool(verdict.failures) for verdict in verdicts)
     words = ", ".join(f"{count} {outcome}" for outcome, count in sorted(counted.items()))
-    values = sum(len(verdict.errors[exact]) for verdict in verdicts for exact in verdict.errors)
+    values = sum(len(errors) for verdict in verdicts for errors in verdict.errors.values())
     return (
         f"{len(verdicts)} files: {words}. {len(compared)} compared, {values} comparisons, worst error {worst:.0e}; "
         f"{failed} with failures."
@@ -86,7 +85,7 @@ def document(verdicts, states, ends, functions, limit):
         verdicts = list(verdicts)
         folder = os.path.commonpath([str(Path(verdict.name).parent) for verdict in verdicts])
         text += f"\n## {package.replace('==', ' ')}\n"
-        read = [verdict for verdict in verdicts if verdict.joints]
+        read = [verdict for verdict in verdicts if any(verdict.errors.values()) or verdict.joints]
         if read:
             text += ROBOTS + "".join(row(verdict, folder, functions) for verdict in read)
         refused = [verdict for verdict in verdicts if "refused" in verdict.outcome]
@@ -94,18 +93,17 @@ def document(verdicts, states, ends, functions, limit):
             text += REFUSED + "".join(refusal(verdict, folder) for verdict in refused)
         still = sum(verdict.outcome == "nothing moves" for verdict in verdicts)
         if still:
-            text += f"\nNothing moves in {still} more.\n"
+            text += f"\nNothing moves in {still} of them but a free base.\n"
     return text
 
 
 def row(verdict, folder, functions):
-    compared = len(verdict.errors[True])
+    compared = max(map(len, verdict.errors.values()))
     count = f"{compared}" if compared == functions else f"{compared} of {functions}"
     if verdict.least is not None:
         count += f" (M singular to {verdict.least:.0e})"
     failed = f"; {'; '.join(verdict.failures)}" if verdict.failures else ""
-    errors = [error(verdict, exact) for exact in (False, True)]
-    return cells(short(verdict, folder), verdict.joints, verdict.reason, count + failed, *errors)
+    return cells(short(verdict, folder), verdict.joints, verdict.reason, count + failed, *errors(verdict))
 
 
 def refusal(verdict, folder):

@@ -1,7 +1,7 @@
 """One description, from the file to a verdict.
 
-In: a file. Out: whether both read it, and how far every function is from the peer's, with right angles
-and zeros taken for what they are and as written. It never lets one file's failure end the run.
+In: a file. Out: whether both read it, and how far every function is from the peer's: with right angles
+and zeros taken for what they are, as written, and with a free base. It never lets one file's failure end the run.
 """
 
 import json
@@ -42,8 +42,23 @@ KINEMATICS = [
     "acceleration",
 ]
 
-NOT_MODELLED = re.compile(r"mimic joints are not modelled|is (floating|planar|spherical), and such joints are not modelled")
 NOTHING_MOVES = re.compile(r"no joint of .* moves")
+
+
+@dataclass(frozen=True)
+class How:
+    """One of the ways in which a file is read."""
+
+    words: str
+    options: tuple
+    floating: bool = False
+
+
+WAYS = [
+    How("with right angles", ()),
+    How("as written", ("--exact",)),
+    How("with a free base", ("--exact", "--floating"), True),
+]
 
 
 @dataclass
@@ -51,14 +66,14 @@ class Verdict:
     """What became of a file."""
 
     name: str
-    # "read", "read but for what is not modelled", "nothing moves", "refused", "refused by both"
+    # "read", "nothing moves", "refused", "refused by both"
     outcome: str = "read"
     # Why not, or what was left out.
     reason: str = ""
     joints: int = 0
     warnings: int = 0
-    # The largest error of each function, with right angles taken for what they are and as written.
-    errors: dict = field(default_factory=lambda: {False: {}, True: {}})
+    # The largest error of each function, in each way.
+    errors: dict = field(default_factory=lambda: {how: {} for how in WAYS})
     # Of a robot without forward dynamics, how near to singular its mass matrix comes.
     least: float = None
     # What must not be.
@@ -79,34 +94,23 @@ def judge(program, file, name):
 
 
 def examine(program, file, folder, verdict):
-    try:
-        program.run("check", file)
-    except Refused as refused:
-        if not all(NOT_MODELLED.search(mistake) for mistake in refused.mistakes):
-            refuse(file, refused, verdict)
-            return
-        verdict.outcome = "read but for what is not modelled"
-        verdict.reason = kinds(refused.mistakes)
-        changed = folder / "reduced.urdf"
-        changed.write_text(urdf.reduced(urdf.read(file)), "utf-8")
-        file = changed
+    for how in WAYS:
         try:
-            program.run("check", file)
+            program.run("check", file, *how.options)
         except Refused as refused:
-            refuse(file, refused, verdict)
-            return
-    for exact in (False, True):
-        measure(program, file, folder, exact, verdict)
+            refuse(file, how, refused, verdict)
+            continue
+        measure(program, file, folder, how, verdict)
 
 
-def refuse(file, refused, verdict):
+def refuse(file, how, refused, verdict):
     """A refusal is a failure where the peer reads the file."""
     if any(NOTHING_MOVES.search(mistake) for mistake in refused.mistakes):
         verdict.outcome = "nothing moves"
         return
     verdict.outcome, verdict.reason = "refused by both", str(refused)
     try:
-        peer = Peer(file)
+        peer = Peer(file, how.floating)
         if not peer.is_sure:
             return
     except Unreadable:
@@ -115,72 +119,74 @@ def refuse(file, refused, verdict):
         verdict.outcome = "nothing moves"
         return
     verdict.outcome = "refused"
-    verdict.failures.append(f"refused: {refused}")
+    verdict.failures.append(f"refused {how.words}: {refused}")
 
 
-def kinds(mistakes):
-    """How many joints there are of each kind that is not modelled."""
-    words = [(NOT_MODELLED.search(mistake).group(1) or "mimic") for mistake in mistakes]
-    return ", ".join(f"{words.count(word)} {word}" for word in sorted(set(words)))
-
-
-def measure(program, file, folder, exact, verdict):
+def measure(program, file, folder, how, verdict):
     """Compares every function."""
-    how = "as written" if exact else "with right angles"
-    found = program.check(file, exact)
-    verdict.joints, verdict.warnings = len(found["joints"]), len(found["warnings"])
+    found = program.check(file, how)
+    if not how.floating:
+        verdict.joints, verdict.warnings = len(found["joints"]), len(found["warnings"])
+        verdict.reason = f"{len(found['mimicked'])} mimic" if found["mimicked"] else ""
     same = folder / "same.urdf"
     same.write_text(urdf.with_right_angles(urdf.read(file), found["snapped"]), "utf-8")
     try:
-        peer = Peer(same)
+        peer = Peer(same, how.floating)
     except Unreadable:
-        verdict.reason = "; ".join(filter(None, [verdict.reason, "not read by Pinocchio"]))
+        verdict.reason = "not read by Pinocchio"
         return
-    peer.order(found["joints"])
-    states = random_states(peer.slides())
+    peer.order(found["coordinates"], found["velocities"])
+    states = random_states(peer.slides(), peer.quaternions(), len(found["velocities"]))
     listed = folder / "states.json"
     listed.write_text(json.dumps({"states": states}))
 
     theirs = [{**peer.dynamics(state), "tau": np.array(state["tau"])} for state in states]
     for function in DYNAMICS:
         try:
-            ours = program.eval(file, exact, function, listed)
+            ours = program.eval(file, how, function, listed)
         except Refused as refused:
             if function in SOLVED:
                 verdict.least = peer.least_conditioned() if verdict.least is None else verdict.least
             if function not in SOLVED or verdict.least > SINGULAR:
-                verdict.failures.append(f"{function} {how}: {refused}")
+                verdict.failures.append(f"{function} {how.words}: {refused}")
             continue
-        record(verdict, exact, function, compare.dynamics(function, ours, theirs), "")
+        record(verdict, how, function, compare.dynamics(function, ours, theirs), "")
     for end, link in enumerate(peer.leaves()[:ENDS]):
         theirs = [peer.kinematics(state, link) for state in states]
         for function in KINEMATICS if end == 0 else KINEMATICS[:1]:
             try:
-                ours = program.eval(file, exact, function, listed, link)
+                ours = program.eval(file, how, function, listed, link)
             except Refused as refused:
-                verdict.failures.append(f"{function} of {link} {how}: {refused}")
+                verdict.failures.append(f"{function} of {link} {how.words}: {refused}")
                 continue
-            record(verdict, exact, function, compare.kinematics(function, ours, theirs), f" of {link}")
+            record(verdict, how, function, compare.kinematics(function, ours, theirs), f" of {link}")
 
 
-def record(verdict, exact, function, error, whose):
-    errors = verdict.errors[exact]
+def record(verdict, how, function, error, whose):
+    errors = verdict.errors[how]
     errors[function] = max(error, errors.get(function, 0.0))
     if not error <= LIMIT:
-        how = "as written" if exact else "with right angles"
-        verdict.failures.append(f"{function}{whose} differs by {error:.1e} {how}")
+        verdict.failures.append(f"{function}{whose} differs by {error:.1e} {how.words}")
 
 
-def random_states(slides):
-    """The same for every robot with as many joints: q in ±π or ±0.5 m, q̇ in ±2, q̈ in ±5, τ in ±20."""
+def random_states(slides, quaternions, velocities):
+    """The same for every robot with as many joints: q in ±π or ±0.5 m, quaternions of length 1, q̇ in ±2, q̈
+    in ±5, τ in ±20."""
     rng = np.random.default_rng(len(slides))
     reach = np.where(slides, 0.5, np.pi)
+
+    def posture():
+        q = rng.uniform(-reach, reach)
+        for first in quaternions:
+            q[first : first + 4] /= np.linalg.norm(q[first : first + 4])
+        return list(q)
+
     return [
         {
-            "q": list(rng.uniform(-reach, reach)),
-            "qd": list(rng.uniform(-2, 2, len(slides))),
-            "qdd": list(rng.uniform(-5, 5, len(slides))),
-            "tau": list(rng.uniform(-20, 20, len(slides))),
+            "q": posture(),
+            "qd": list(rng.uniform(-2, 2, velocities)),
+            "qdd": list(rng.uniform(-5, 5, velocities)),
+            "tau": list(rng.uniform(-20, 20, velocities)),
         }
         for _ in range(STATES)
     ]

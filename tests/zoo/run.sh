@@ -7,8 +7,8 @@
 #   run.sh FOLDER PATH  only the files whose path contains PATH, without the report
 #
 # Fetches the packages of packages.txt (some 600 MB) and Pinocchio from PyPI, builds `homogen`, writes
-# report/ZOO.md. Fails if a number differs, if a file is refused that Pinocchio reads (unless it asks
-# for something that is not modelled yet), and if anything crashes or takes more than ten seconds.
+# report/ZOO.md. Fails if a number differs, if a file is refused that Pinocchio reads, and if anything
+# crashes or takes more than ten seconds.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 root="$(cd "$here/../.." && pwd)"

@@ -1,7 +1,7 @@
 """Changes to the text of a URDF file, so that two readers can be asked the same.
 
 In: a file. Out: another text. It never parses XML: what is changed stands where the
-command line said that it stands, or is one tag.
+command line said that it stands.
 """
 
 import math
@@ -30,10 +30,3 @@ def with_right_angles(text, snapped):
         exact = repr(angle["quarter_turns"] * math.pi / 2)
         lines[line] = lines[line][:column] + exact + lines[line][column + len(word) :]
     return "\n".join(lines)
-
-
-def reduced(text):
-    """What is not modelled yet is left out: a joint that mimics another gets a coordinate of its own,
-    and one with several coordinates is held."""
-    text = re.sub(r"<mimic\b[^>]*?/>|<mimic\b[^>]*>.*?</mimic>", "", text, flags=re.DOTALL)
-    return re.sub(r"""type\s*=\s*["'](floating|planar|spherical)["']""", 'type="fixed"', text)

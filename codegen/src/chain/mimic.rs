@@ -7,7 +7,7 @@
 use super::names::Names;
 use super::tree::{Branch, Follow, Tree};
 use crate::description::{Description, Joint, Number};
-use crate::error::{Complaint, Errors};
+use crate::error::{Complaint, Errors, Place};
 use crate::wording::quoted;
 
 /// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are held
@@ -23,7 +23,11 @@ pub fn follows(
     for branch in branches.iter().filter(|branch| branch.held.is_none()) {
         let joint = &description.joints[branch.joint];
         let Some(mimic) = &joint.mimic else { continue };
-        leaders[branch.joint] = joints.find(&mimic.leader, errors);
+        leaders[branch.joint] = joints.get(&mimic.leader);
+        // In a vendor's file it is a slip that other readers pass over, and in a grammar of our own a mistake.
+        if leaders[branch.joint].is_none() && !matches!(mimic.place, Place::File { .. }) {
+            refused |= joints.find(&mimic.leader, errors).is_none();
+        }
         let several = |joint: &Joint| joint.kind.has_several();
         let leader = leaders[branch.joint].map(|leader| &description.joints[leader]);
         let several = [Some(joint), leader]
@@ -43,7 +47,6 @@ pub fn follows(
             );
             refused = true;
         }
-        refused |= leader.is_none();
     }
     refused |= refuse_cycles(description, &leaders, errors);
     let follow = |joint: usize| {
@@ -123,27 +126,40 @@ pub fn hold(branches: &mut [Branch], follows: &[Option<Follow>]) {
     }
 }
 
-/// That a joint is held whose leader was left out, or never moves.
+/// That a joint is held whose leader was left out, or never moves; that one has its own coordinate whose
+/// leader is nowhere.
 pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
     let moves = |joint: usize| {
         let mut there = tree.branches.iter();
         there.any(|branch| branch.joint == joint) && description.joints[joint].kind.moves()
     };
+    let orphans = tree.branches.iter().filter(|branch| branch.held.is_none());
+    let orphans = orphans.filter_map(|branch| {
+        let joint = &description.joints[branch.joint];
+        let mimic = joint.mimic.as_ref().filter(|_| branch.follows.is_none())?;
+        let [own, leader] = [&joint.name.text, &mimic.leader.text].map(|name| quoted(name));
+        Some(Complaint {
+            place: mimic.place,
+            message: format!(
+                "joint {own} follows joint {leader}, which there is none of: it has a coordinate of its own"
+            ),
+            hint: Some("name the joint that leads, or leave <mimic> out".to_owned()),
+        })
+    });
     let follow = |branch: &Branch| Some((branch.joint, branch.follows?));
     let follows = tree.branches.iter().filter_map(follow);
     let alone = follows.filter(|(_, follow)| !moves(follow.leader));
-    alone
-        .map(|(joint, follow)| {
-            let name = |joint: usize| quoted(&description.joints[joint].name.text);
-            let (own, leader) = (name(joint), name(follow.leader));
-            Complaint {
-                place: description.joints[joint].place,
-                message: format!(
-                    "joint {own} follows joint {leader}, which has no coordinate here: held where \
+    let alone = alone.map(|(joint, follow)| {
+        let name = |joint: usize| quoted(&description.joints[joint].name.text);
+        let (own, leader) = (name(joint), name(follow.leader));
+        Complaint {
+            place: description.joints[joint].place,
+            message: format!(
+                "joint {own} follows joint {leader}, which has no coordinate here: held where \
                      zero would take it"
-                ),
-                hint: Some(format!("lock {own} where it should be, or keep {leader}")),
-            }
-        })
-        .collect()
+            ),
+            hint: Some(format!("lock {own} where it should be, or keep {leader}")),
+        }
+    });
+    orphans.chain(alone).collect()
 }

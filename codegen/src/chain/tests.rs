@@ -3,6 +3,7 @@
 //! What can be seen in one item alone is refused by the readers and tested there.
 
 mod bodies;
+mod joints;
 
 use std::path::Path;
 

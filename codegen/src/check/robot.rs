@@ -222,7 +222,7 @@ impl<'d> Reader<'d> {
         if let Some(at) = self.locked(joint) {
             return Motion::Held(at);
         }
-        if joint.mimic.is_none() {
+        if self.leader(joint).is_none() {
             let leads = |other: &&'d Joint| {
                 let on_path = path.contains(&other.name.text.as_str());
                 on_path && self.leads(joint, other)

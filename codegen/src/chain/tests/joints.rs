@@ -1,0 +1,235 @@
+//! Joints with several coordinates, joints that follow others, and a free base: which entries they have,
+//! and what is said of those that cannot be.
+
+use super::{fine, lines, read, said};
+use crate::chain::{Chain, Mimicked, Position, build};
+use crate::description::read_text;
+use crate::error::Errors;
+use crate::expand::expand;
+use crate::request::Request;
+use crate::space::Space;
+
+fn entries(chain: &Chain, space: Space) -> Vec<&str> {
+    chain.spaces().names(space).collect()
+}
+
+fn doubts(chain: &Chain) -> Vec<&str> {
+    let doubts = chain.report.warnings.iter();
+    doubts.map(|doubt| doubt.message.as_str()).collect()
+}
+
+/// A body on a joint of a kind, of which more may be said, and another beyond it.
+fn joint_of(kind: &str, more: &str) -> String {
+    let body = "{ mass: 2.0, com: [0.1, 0.2, 0.3], inertia: [0.3, 0.01, 0.02, 0.4, 0.03, 0.5] }";
+    format!(
+        "struct Arm;
+         link base; joint turn: revolute([0.0, 0.6, 0.8]); link carrier {body}
+         joint j: {kind} {{ {more} at: xyz(0.1, 0.2, 0.3) rpy(0.1, 0.2, 0.3) }} link one {body}
+         joint next: revolute(x) {{ at: xyz(0.3, 0.1, 0.2) }} link two {body}"
+    )
+}
+
+#[test]
+fn each_kind_has_its_coordinates_and_velocities() {
+    let kinds: [(&str, &[&str], &[&str]); 6] = [
+        (
+            "universal(x, y)",
+            &["j.first", "j.second"],
+            &["j.first", "j.second"],
+        ),
+        (
+            "translation",
+            &["j.x", "j.y", "j.z"],
+            &["j.x", "j.y", "j.z"],
+        ),
+        (
+            "planar(z)",
+            &["j.x", "j.y", "j.angle"],
+            &["j.vx", "j.vy", "j.wz"],
+        ),
+        (
+            "planar([0.6, 0.0, 0.8])",
+            &["j.x", "j.y", "j.angle"],
+            &["j.vx", "j.vy", "j.wz"],
+        ),
+        (
+            "spherical",
+            &["j.qx", "j.qy", "j.qz", "j.qw"],
+            &["j.wx", "j.wy", "j.wz"],
+        ),
+        (
+            "floating",
+            &["j.x", "j.y", "j.z", "j.qx", "j.qy", "j.qz", "j.qw"],
+            &["j.vx", "j.vy", "j.vz", "j.wx", "j.wy", "j.wz"],
+        ),
+    ];
+    for (kind, coordinates, velocities) in kinds {
+        let chain = fine(&joint_of(kind, ""));
+        let between = |own: &[&'static str]| [&["turn"], own, &["next"]].concat();
+        assert_eq!(
+            entries(&chain, Space::Coordinates),
+            between(coordinates),
+            "{kind}"
+        );
+        assert_eq!(
+            entries(&chain, Space::Velocities),
+            between(velocities),
+            "{kind}"
+        );
+        assert_eq!(chain.report.joints, ["turn", "j", "next"]);
+    }
+}
+
+/// The check of every expansion holds each function against products of matrices that know nothing of
+/// the chain.
+#[test]
+fn every_kind_has_every_function() {
+    for kind in [
+        "universal(x, [0.0, 0.6, 0.8])",
+        "translation",
+        "planar(-x)",
+        "planar([0.6, 0.0, 0.8])",
+        "spherical",
+        "floating",
+        "cylindrical(y)",
+        "screw(z, pitch: 0.02)",
+        "prismatic(y)",
+    ] {
+        let follows = "mimic: turn, multiplier: -2.0, offset: 0.3,";
+        let alone = kind.starts_with("screw") || kind.starts_with("prismatic");
+        let (description, request) = read(&joint_of(kind, if alone { follows } else { "" }));
+        let listing = expand(&description, &request);
+        let listing = listing.unwrap_or_else(|errors| panic!("{kind}: {errors}"));
+        assert!(
+            listing.about.left_out.is_empty(),
+            "{kind}: {:?}",
+            listing.about.left_out
+        );
+    }
+}
+
+/// Two fingers on a hand, of which one follows the other.
+fn hand(settings: &str, finger: &str) -> String {
+    format!(
+        "struct Hand {{ {settings} }} link base; link palm {{ mass: 1.0, inertia: [1, 1, 1] }}
+         link left {{ mass: 0.1, inertia: [1, 1, 1] }} link right {{ mass: 0.1, inertia: [1, 1, 1] }}
+         joint wrist: revolute(z) {{ from: base, to: palm }}
+         joint one: prismatic(y) {{ from: palm, to: left }}
+         joint other: prismatic(y) {{ from: palm, to: right, {finger} }}"
+    )
+}
+
+#[test]
+fn a_follower_has_no_entries_and_tells_what_moves_it() {
+    let chain = fine(&hand("", "mimic: one, multiplier: -2.0, offset: 0.1"));
+    assert_eq!(entries(&chain, Space::Coordinates), ["wrist", "one"]);
+    assert_eq!(entries(&chain, Space::Velocities), ["wrist", "one"]);
+    let mimicked = Mimicked {
+        joint: "other".to_owned(),
+        leader: "one".to_owned(),
+        multiplier: -2.0,
+        offset: 0.1,
+    };
+    assert_eq!(chain.report.mimicked, [mimicked]);
+    let Position::Along { coordinate, factor } = chain.joints[2].position else {
+        panic!("{:?}", chain.joints[2]);
+    };
+    assert_eq!((coordinate, chain.joints[2].velocity), (1, 1));
+    // The sign is in the direction of the axis.
+    assert_eq!(
+        chain.graph.value(factor).unwrap().to_f64().to_bits(),
+        2.0_f64.to_bits()
+    );
+}
+
+#[test]
+fn a_follower_stands_still_with_its_leader() {
+    let follower = "mimic: one, multiplier: 2.0, offset: 0.1";
+    let locked = fine(&hand("lock(one = 0.2)", follower));
+    assert_eq!(entries(&locked, Space::Coordinates), ["wrist"]);
+    assert_eq!(
+        locked.report.locked,
+        [("one".to_owned(), 0.2), ("other".to_owned(), 0.5)]
+    );
+    let dropped = fine(&hand("drop(left)", follower));
+    assert_eq!(dropped.report.locked, [("other".to_owned(), 0.1)]);
+    let said = "joint \"other\" follows joint \"one\", which has no coordinate here: held where zero \
+                would take it";
+    assert!(doubts(&dropped).contains(&said), "{:?}", doubts(&dropped));
+    // What moves the tip by way of another joint is not locked.
+    let path = fine(&hand("tip = right, path_only", follower));
+    assert_eq!(entries(&path, Space::Coordinates), ["wrist", "one"]);
+    let beside = fine(&hand("tip = palm, path_only", follower));
+    assert_eq!(entries(&beside, Space::Coordinates), ["wrist"]);
+    // Held by itself, it follows nobody, who need not be there.
+    let alone = fine(&hand("lock(other)", "mimic: nobody"));
+    assert_eq!(entries(&alone, Space::Coordinates), ["wrist", "one"]);
+}
+
+#[test]
+fn who_follows_must_be_able_to() {
+    assert_eq!(
+        said(&hand("", "mimic: on")),
+        lines(&[
+            r#"error: there is no joint "on""#,
+            r#"  hint: did you mean "one"?"#
+        ])
+    );
+    assert_eq!(
+        said(&hand("", "mimic: other")),
+        lines(&[
+            r#"error: joint "other" follows itself"#,
+            "  hint: one of them must have its own coordinate",
+        ])
+    );
+    let ball = hand("", "mimic: one").replace("one: prismatic(y)", "one: spherical");
+    assert_eq!(
+        said(&ball),
+        lines(&[
+            r#"error: joint "other" follows joint "one", and "one" has several coordinates"#,
+            "  hint: only joints with one coordinate can lead and follow",
+        ])
+    );
+}
+
+#[test]
+fn in_a_file_who_follows_nobody_goes_alone_with_a_doubt() {
+    let text = r#"<robot name="r"><link name="a"/><link name="b"/>
+        <joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+        <mimic joint="k"/></joint></robot>"#;
+    let mut errors = Errors::new();
+    let description = read_text(text, "r.urdf", None, &mut errors).expect("a robot");
+    let chain = build(&description, &Request::default()).expect("a chain");
+    assert_eq!(entries(&chain, Space::Coordinates), ["j"]);
+    let said =
+        "joint \"j\" follows joint \"k\", which there is none of: it has a coordinate of its own";
+    assert!(doubts(&chain).contains(&said), "{:?}", doubts(&chain));
+}
+
+#[test]
+fn a_free_base_hangs_on_a_frame_of_no_link() {
+    let free = fine(&hand("floating", "mimic: one"));
+    assert_eq!(free.report.base, "world");
+    assert_eq!(free.report.joints, ["root", "wrist", "one"]);
+    assert_eq!(
+        entries(&free, Space::Velocities)[..2],
+        ["root.vx", "root.vy"]
+    );
+    // What carried the base is left behind.
+    let palm = fine(&hand("floating, base = palm", "mimic: one"));
+    assert_eq!(palm.report.joints, ["root", "one"]);
+    assert_eq!(palm.report.dropped, ["base"]);
+    // Names that are taken are not taken again.
+    let taken = hand("floating", "")
+        .replace("base", "world")
+        .replace("wrist", "root");
+    let taken = fine(&taken);
+    assert_eq!(taken.report.base, "ground");
+    assert_eq!(taken.report.joints, ["root_joint", "root", "one", "other"]);
+}
+
+#[test]
+fn a_robot_without_joints_moves_where_its_base_is_free() {
+    let chain = fine("struct Drone { floating } link frame { mass: 1.0, inertia: [1, 1, 1] }");
+    assert_eq!(chain.spaces().velocities.len(), 6);
+}

@@ -18,6 +18,7 @@ mod names;
 mod pretty;
 mod results;
 mod sines;
+mod steps;
 mod stub;
 #[cfg(all(test, feature = "pretty"))]
 pub(crate) mod tests;
@@ -53,6 +54,7 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
         }
     }
     methods.extend(chain::chain(listing, item, &dialect));
+    methods.extend(steps::steps(listing, item, &dialect));
     methods.extend(dialect.own_sines(listing));
     beside.extend(extern_c::functions(listing, item, &dialect));
     let declaration = declaration::declaration(listing, item, &dialect);

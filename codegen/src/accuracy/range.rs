@@ -79,6 +79,14 @@ impl Range {
         }
     }
 
+    /// The range of each coordinate, as far as a turn has digits in it: some vendors write limits of 1e16.
+    #[must_use]
+    pub fn turns_with_digits(&self) -> Vec<[f64; 2]> {
+        const FARTHEST: f64 = 1e6;
+        let ends = |ends: &[f64; 2]| ends.map(|end| end.clamp(-FARTHEST, FARTHEST));
+        self.q.iter().map(ends).collect()
+    }
+
     /// Makes of the quaternions of some coordinates ones that have length 1 to the last digit: all entries are
     /// ½ or −½, as their signs were.
     pub fn upright(&self, q: &mut [f64]) {

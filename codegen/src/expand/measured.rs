@@ -191,10 +191,11 @@ impl Arguments {
             let zero = 0.0_f64.clamp(lower, upper);
             [lower, upper].map(|end| zero + NEAR * (end - zero))
         };
+        let q = range.turns_with_digits();
         let q: Vec<[f64; 2]> = if number % 8 == 7 {
-            range.q.iter().map(near).collect()
+            q.iter().map(near).collect()
         } else {
-            range.q.clone()
+            q
         };
         let number = f64::from(number + 1);
         let mut entry = 0.0_f64;

@@ -171,8 +171,8 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     let mut least = vec![f64::INFINITY; count];
     let mut always = vec![true; count];
     for posture in 0..POSTURES {
-        let coordinates = (0..).zip(&range.q);
-        let coordinates = coordinates.map(|(k, ends)| coordinate(*ends, k, posture));
+        let coordinates = (0..).zip(range.turns_with_digits());
+        let coordinates = coordinates.map(|(k, ends)| coordinate(ends, k, posture));
         let mut q: Vec<f64> = coordinates.collect();
         range.upright(&mut q);
         let values = pivots.at(|input| {

@@ -57,6 +57,23 @@ pub enum Error {
         /// The index of what it stands on.
         parent: usize,
     },
+    /// A joint of a chain follows another that is not there or does not move along a screw by a coordinate
+    /// of its own.
+    NotALeader {
+        /// The name of the joint that follows.
+        joint: &'static str,
+        /// The index of the one that it follows.
+        leader: usize,
+    },
+    /// The joints of a chain do not have as many coordinates or velocities as its type says.
+    WrongCount {
+        /// Which of the two.
+        quantity: &'static str,
+        /// How many the type says.
+        stated: usize,
+        /// How many the joints have.
+        found: usize,
+    },
     /// A 4×4 matrix is not of the form asked for.
     NotOfForm {
         /// The form.
@@ -97,6 +114,20 @@ impl Display for Error {
                     f,
                     "{joint} stands on body {parent}, which does not come before it"
                 )
+            }
+            Self::NotALeader { joint, leader } => {
+                write!(
+                    f,
+                    "{joint} follows joint {leader}, which does not move along a screw by a coordinate \
+                     of its own"
+                )
+            }
+            Self::WrongCount {
+                quantity,
+                stated,
+                found,
+            } => {
+                write!(f, "the joints have {found} {quantity}, not {stated}")
             }
             Self::NotOfForm { quantity, value } => {
                 write!(

@@ -27,8 +27,9 @@ pub use paper::{
 };
 #[cfg(feature = "nalgebra")]
 pub use reference::generic;
-pub use robot::chain::{Chain, Frame, Joint};
+pub use robot::chain::{Chain, Frame};
 pub use robot::jacobian::Jacobian;
+pub use robot::joint::{Joint, Motion};
 pub use scalar::{Real, Scalar, trigonometry};
 
 #[cfg(feature = "derive")]

@@ -1,8 +1,11 @@
 //! One small trait for each function of a robot.
 //!
-//! In: joint coordinates `q`, their rates `qd` and second rates `qdd` (rad or m, and seconds). Out:
+//! In: joint coordinates `q`, velocities `qd` and accelerations `qdd` (rad or m, and seconds). Out:
 //! arrays and typed matrices. Generated robots and [`crate::Chain`] implement these traits, so that
 //! a controller can be written for any robot that has the functions it needs.
+//!
+//! `N` is the number of velocities, and `Q` of coordinates: the same where every joint has one, and
+//! then need not be written. What they are of each kind of joint is said by [`Motion`](crate::Motion).
 //!
 //! ```
 //! use homogen::robot::{Gravity, InverseDynamics};
@@ -19,6 +22,9 @@ pub(crate) mod chain;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod check;
 pub(crate) mod jacobian;
+pub(crate) mod joint;
+pub mod posture;
+mod step;
 
 /// Calls a macro with every function: what it is; what it returns, in which units; whether it is of the
 /// tip, of the whole robot or a solution for it; its trait and its method with the arguments and the
@@ -77,6 +83,17 @@ macro_rules! every_function {
     };
 }
 
+/// What an argument lists: `q` an entry for each coordinate, all others one for each velocity.
+macro_rules! list_of {
+    (q) => {
+        [T; Q]
+    };
+    ($other:ident) => {
+        [T; N]
+    };
+}
+pub(crate) use list_of;
+
 macro_rules! traits {
     ($(
         #[doc = $noun:literal]
@@ -84,10 +101,10 @@ macro_rules! traits {
         $kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty;
     )*) => {$(
         #[doc = $noun]
-        pub trait $name<const N: usize, T = f64> {
+        pub trait $name<const N: usize, T = f64, const Q: usize = N> {
             $(#[doc = $sentence])+
             #[must_use]
-            fn $method(&self, $($argument: &[T; N]),*) -> $result;
+            fn $method(&self, $($argument: &$crate::robot::list_of!($argument)),*) -> $result;
         }
     )*};
 }

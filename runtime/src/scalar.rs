@@ -58,6 +58,17 @@ pub trait Scalar:
         self - sine
     }
 
+    /// 1 with the sign of `self`; 1 of zero.
+    ///
+    /// By default x/√x² of x = `self` + 10⁻¹⁸, which needs no order, and takes for zero what is no nearer to
+    /// 1 than a rounding is; `f32` and `f64` compare.
+    #[inline]
+    #[must_use]
+    fn sign(self) -> Self {
+        let x = self + Self::constant(1e-18);
+        x / (x * x).sqrt()
+    }
+
     /// The sines and the cosines of all angles of a call \[rad\].
     ///
     /// Evaluating them together lets an implementation vectorise them, as

@@ -2,12 +2,14 @@
 //!
 //! In: a [`Chain`] and its state, or the motions of single joints. Out: M, W and H of every body,
 //! H̃ by recursion and as a closed sum, and the action through every joint with external actions on
-//! the bodies (Part II, open chains and Newton–Euler). It never leaves out a term because it is zero;
-//! that is the business of generated code.
+//! the bodies (Part II, open chains and Newton–Euler). Every joint moves along a screw by a coordinate
+//! of its own, as in the paper. It never leaves out a term because it is zero; that is the business of
+//! generated code.
 
 use crate::matrix::vector::{add, cross};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Screw, Velocity};
-use crate::robot::chain::{Chain, Joint};
+use crate::robot::chain::Chain;
+use crate::robot::joint::Joint;
 use crate::scalar::Scalar;
 use core::array::from_fn;
 

@@ -4,7 +4,7 @@
 //! its formula in the paper. It knows none of the typed matrices.
 
 use core::array::from_fn;
-use nalgebra::{Matrix4, RealField};
+use nalgebra::{Matrix3, Matrix4, RealField};
 
 /// exp(L φ) = I + L φ + L² (1 − cos φ) + L³ (φ − sin φ), the series of § 5 summed by u̲ⁿ⁺² = −u̲ⁿ.
 ///
@@ -22,6 +22,13 @@ pub(super) fn exponential<T: RealField + Copy>(l: &Matrix4<T>, phi: T) -> Matrix
         q[(i, 3)] = translation[(i, 3)];
     }
     q
+}
+
+/// R = 1 + 2 w v̲ + 2 v̲² of a quaternion v, w of unit length, with no translation.
+pub(super) fn turned<T: RealField + Copy>([x, y, z]: [T; 3], w: T) -> Matrix4<T> {
+    let two: T = nalgebra::convert(2.0);
+    let skew = Matrix3::new(T::zero(), -z, y, z, T::zero(), -x, -y, x, T::zero());
+    (Matrix3::identity() + skew * (two * w) + skew * skew * two).to_homogeneous()
 }
 
 /// M⁻¹ = (Rᵗ, −Rᵗ t; 0, 1) (§ 2.2).

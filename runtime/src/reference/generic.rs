@@ -4,13 +4,15 @@
 //! (Part II). It is the reference: short enough to be compared with the paper line by line, free of
 //! any simplification, and therefore slow. It shares nothing with the code generator.
 //!
+//! A chain that [`check`](Chain::check) refuses gives numbers that mean nothing, and no panic.
+//!
 //! ```
 //! use homogen::{Chain, Inertia, Joint, Pose, Screw, generic};
 //!
 //! // A pendulum: 2 kg at 0.5 m below a hinge about y, in the frame of the hinge.
 //! let hinge = Screw::new([0.0, 1.0, 0.0], [0.0; 3]);
 //! let bob = Inertia::of_particle(2.0, [0.0, 0.0, -0.5]);
-//! let chain = Chain::new(
+//! let chain: Chain<1, 0> = Chain::new(
 //!     [Joint::new("hinge", None, Pose::identity(), hinge, bob)],
 //!     [],
 //!     [0.0, 0.0, -9.81],
@@ -21,7 +23,7 @@
 //! ```
 
 use super::dense::{axial, block, column, gravity_matrix, inverse, pseudo_scalar_product};
-use super::motion::{Motion, Positions};
+use super::motion::{Freedom, Motion, Positions};
 use crate::matrix::{Acceleration, Pose, Screw, Velocity};
 use crate::robot::chain::{Chain, Frame};
 use core::array::from_fn;
@@ -31,41 +33,66 @@ use nalgebra::{Cholesky, Const, Matrix4, RealField, SMatrix, SVector};
 ///
 /// SPACELIB: what its programs for serial robots compute as direct kinematics.
 #[must_use]
-pub fn forward_kinematics<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
+pub fn forward_kinematics<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
     frame: &Frame,
-    q: &[T; N],
+    q: &[T; Q],
 ) -> Pose<T> {
     let m = Positions::at(chain, q).pose_of(frame);
     Pose::new(block(&m), column(&m))
 }
 
-/// L₁ … L_N in frame 0, pole at its origin; zero for joints that do not move the frame.
+/// L₁ … L_N in frame 0, pole at its origin; zero for velocities that do not move the frame, and a sum
+/// for those that several joints have.
 #[must_use]
-pub fn spatial_jacobian<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
+pub fn spatial_jacobian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
     frame: &Frame,
-    q: &[T; N],
+    q: &[T; Q],
 ) -> [Screw<T>; N] {
     jacobian(chain, frame, q, |_| Matrix4::identity())
 }
 
 /// L₁ … L_N in `frame`, pole at its origin.
 #[must_use]
-pub fn body_jacobian<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
+pub fn body_jacobian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
     frame: &Frame,
-    q: &[T; N],
+    q: &[T; Q],
 ) -> [Screw<T>; N] {
     jacobian(chain, frame, q, |m_0_frame| inverse(m_0_frame))
 }
 
 /// L₁ … L_N with the axes of frame 0, pole at the origin of `frame`.
 #[must_use]
-pub fn geometric_jacobian<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
+pub fn geometric_jacobian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
     frame: &Frame,
-    q: &[T; N],
+    q: &[T; Q],
 ) -> [Screw<T>; N] {
     jacobian(chain, frame, q, |m_0_frame| {
         // The frame with the axes of (0) and its origin in that of `frame`, seen from there.
@@ -75,10 +102,16 @@ pub fn geometric_jacobian<T: RealField + Copy, const N: usize, const F: usize>(
 
 /// W₀,frame₍₀₎ [rad/s, m/s].
 #[must_use]
-pub fn velocity<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
+pub fn velocity<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
     frame: &Frame,
-    q: &[T; N],
+    q: &[T; Q],
     qd: &[T; N],
 ) -> Velocity<T> {
     let rest = [T::zero(); N];
@@ -88,10 +121,16 @@ pub fn velocity<T: RealField + Copy, const N: usize, const F: usize>(
 
 /// H₀,frame₍₀₎ [rad/s², m/s²], without gravity.
 #[must_use]
-pub fn acceleration<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
+pub fn acceleration<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
     frame: &Frame,
-    q: &[T; N],
+    q: &[T; Q],
     qd: &[T; N],
     qdd: &[T; N],
 ) -> Acceleration<T> {
@@ -104,35 +143,53 @@ pub fn acceleration<T: RealField + Copy, const N: usize, const F: usize>(
 /// The action through joint i is the sum of Φ = skew[(H − H_g) J] over the bodies it carries, its
 /// torque the pseudo scalar product L ⊗ Φ.
 #[must_use]
-pub fn inverse_dynamics<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+pub fn inverse_dynamics<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
     qd: &[T; N],
     qdd: &[T; N],
 ) -> [T; N] {
     let motion = Motion::at(chain, q, qd, qdd);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
     // Φ of each body, then the sum carried by each joint: children come after their parents.
-    let mut phi: [Matrix4<T>; N] = from_fn(|i| {
+    let mut phi: [Matrix4<T>; B] = from_fn(|i| {
         let (h, j) = (motion.h[i] - h_g, positions.j[i]);
         h * j - j * h.transpose()
     });
-    for i in (0..N).rev() {
+    for i in (0..B).rev() {
         if let Some(parent) = chain.parent(i) {
             let carried = phi[i];
             phi[parent] += carried;
         }
     }
-    from_fn(|i| pseudo_scalar_product(&positions.l[i], &phi[i]))
+    let mut torques = [T::zero(); N];
+    for Freedom { body, velocity, l } in positions.freedoms() {
+        if let Some(torque) = torques.get_mut(velocity) {
+            *torque += pseudo_scalar_product(&l, &phi[body]);
+        }
+    }
+    torques
 }
 
 /// Inverse dynamics at rest: what holds the robot against gravity [N m, N].
 ///
 /// As virtual work: −Σ Tr(H_g Jₕ Lₘᵗ) over the bodies h that joint m carries (Part II, Lagrange).
 #[must_use]
-pub fn gravity<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+pub fn gravity<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
 ) -> [T; N] {
     let rest = [T::zero(); N];
     bias(chain, q, &rest)
@@ -141,38 +198,52 @@ pub fn gravity<T: RealField + Copy, const N: usize, const F: usize>(
 /// Inverse dynamics at q̈ = 0: C\[m\] = Tr(Σ (H̃ₕ − H_g) Jₕ Lₘᵗ) over the bodies h that joint m
 /// carries (Part II, Lagrange).
 #[must_use]
-pub fn bias<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+pub fn bias<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
     qd: &[T; N],
 ) -> [T; N] {
     let rest = [T::zero(); N];
     let motion = Motion::at(chain, q, qd, &rest);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
-    from_fn(|m| {
-        sum((0..N).filter(|h| chain.carries(m, Some(*h))).map(|h| {
-            let work = (motion.h[h] - h_g) * positions.j[h] * positions.l[m].transpose();
-            work.trace()
-        }))
-    })
+    let mut torques = [T::zero(); N];
+    for Freedom { body, velocity, l } in positions.freedoms() {
+        let carried = (0..B).filter(|h| chain.carries(body, Some(*h)));
+        let work = carried.map(|h| (motion.h[h] - h_g) * positions.j[h] * l.transpose());
+        if let Some(torque) = torques.get_mut(velocity) {
+            *torque += sum(work.map(|work| work.trace()));
+        }
+    }
+    torques
 }
 
 /// The joint-space inertia M\[i\]\[m\] = Tr(Σ Lᵢ Jₕ Lₘᵗ), over the bodies h that both joints carry
 /// (Part II, Lagrange).
 #[must_use]
-pub fn mass_matrix<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+pub fn mass_matrix<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
 ) -> [[T; N]; N] {
     let positions = Positions::at(chain, q);
     let carries = |joint: usize, body: usize| chain.carries(joint, Some(body));
-    from_fn(|i| {
-        from_fn(|m| {
-            sum((0..N)
-                .filter(|h| carries(i, *h) && carries(m, *h))
-                .map(|h| (positions.l[i] * positions.j[h] * positions.l[m].transpose()).trace()))
-        })
-    })
+    let mut rows = [[T::zero(); N]; N];
+    for one in positions.freedoms() {
+        for other in positions.freedoms() {
+            let both = (0..B).filter(|h| carries(one.body, *h) && carries(other.body, *h));
+            let work = both.map(|h| (one.l * positions.j[h] * other.l.transpose()).trace());
+            let row = rows.get_mut(one.velocity);
+            if let Some(entry) = row.and_then(|row| row.get_mut(other.velocity)) {
+                *entry += sum(work);
+            }
+        }
+    }
+    rows
 }
 
 /// The joint accelerations [rad/s², m/s²] that the torques \[N m\] and forces \[N\] `tau` produce:
@@ -180,9 +251,15 @@ pub fn mass_matrix<T: RealField + Copy, const N: usize, const F: usize>(
 ///
 /// NaN where M is not positive definite.
 #[must_use]
-pub fn forward_dynamics<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+pub fn forward_dynamics<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
     qd: &[T; N],
     tau: &[T; N],
 ) -> [T; N] {
@@ -196,9 +273,15 @@ pub fn forward_dynamics<T: RealField + Copy, const N: usize, const F: usize>(
 ///
 /// NaN where M is not positive definite.
 #[must_use]
-pub fn mass_matrix_inverse<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+pub fn mass_matrix_inverse<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
 ) -> [[T; N]; N] {
     let found = mass_matrix_factors(chain, q).map(|factors| factors.inverse());
     from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
@@ -206,15 +289,21 @@ pub fn mass_matrix_inverse<T: RealField + Copy, const N: usize, const F: usize>(
 
 /// The kinetic energy Σ ½ Tr(W J Wᵗ) \[J\] (22).
 #[must_use]
-pub fn kinetic_energy<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+pub fn kinetic_energy<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
     qd: &[T; N],
 ) -> T {
     let rest = [T::zero(); N];
     let motion = Motion::at(chain, q, qd, &rest);
     let half: T = nalgebra::convert(0.5);
-    sum((0..N).map(|i| {
+    sum((0..B).map(|i| {
         let w = motion.w[i];
         half * (w * motion.positions.j[i] * w.transpose()).trace()
     }))
@@ -222,9 +311,15 @@ pub fn kinetic_energy<T: RealField + Copy, const N: usize, const F: usize>(
 
 /// The potential energy Σ −Tr(H_g J) \[J\], zero at the origin of frame 0 (§ 4.5).
 #[must_use]
-pub fn potential_energy<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+pub fn potential_energy<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
 ) -> T {
     let h_g = gravity_matrix::<T>(chain.gravity);
     let positions = Positions::at(chain, q);
@@ -232,28 +327,35 @@ pub fn potential_energy<T: RealField + Copy, const N: usize, const F: usize>(
 }
 
 /// The columns M L₍₀₎ M⁻¹, M being the change of frame that `m_from_0` makes of M₀,frame.
-fn jacobian<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
+fn jacobian<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
+    chain: &Chain<N, F, Q, B>,
     frame: &Frame,
-    q: &[T; N],
+    q: &[T; Q],
     m_from_0: impl Fn(&Matrix4<T>) -> Matrix4<T>,
 ) -> [Screw<T>; N] {
     let positions = Positions::at(chain, q);
     let m = m_from_0(&positions.pose_of(frame));
-    from_fn(|i| {
-        let l = if chain.carries(i, frame.body) {
-            m * positions.l[i] * inverse(&m)
-        } else {
-            Matrix4::zeros()
-        };
-        Screw::new(axial(&l), column(&l))
-    })
+    let mut columns = [Matrix4::zeros(); N];
+    for Freedom { body, velocity, l } in positions.freedoms() {
+        if let Some(column) = columns.get_mut(velocity)
+            && chain.carries(body, frame.body)
+        {
+            *column += m * l * inverse(&m);
+        }
+    }
+    columns.map(|l| Screw::new(axial(&l), column(&l)))
 }
 
 /// M by Cholesky; `None` where it is not positive definite.
-fn mass_matrix_factors<T: RealField + Copy, const N: usize, const F: usize>(
-    chain: &Chain<N, F>,
-    q: &[T; N],
+fn mass_matrix_factors<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
 ) -> Option<Cholesky<T, Const<N>>> {
     let rows = mass_matrix(chain, q);
     SMatrix::<T, N, N>::from_fn(|i, m| rows[i][m]).cholesky()

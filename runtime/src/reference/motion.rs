@@ -3,33 +3,65 @@
 //! In: a [`Chain`] and its state. Out: M, L and J, and with the rates W and H, of every body as dense
 //! matrices in frame 0 (Part II, open chains). It knows no forces.
 
-use super::dense::{dense, exponential, inverse};
+use super::dense::{dense, exponential, inverse, turned};
+use crate::matrix::Screw;
 use crate::robot::chain::{Chain, Frame};
+use crate::robot::joint::{Joint, Motion as Allowed};
 use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
+/// The most velocities of a joint.
+const MOST: usize = 6;
+
 /// What depends on q alone, in frame 0.
-pub(super) struct Positions<T, const N: usize> {
+pub(super) struct Positions<T, const B: usize> {
     /// M₀ᵢ.
-    pub(super) m: [Matrix4<T>; N],
-    /// Lᵢ₍₀₎.
-    pub(super) l: [Matrix4<T>; N],
+    pub(super) m: [Matrix4<T>; B],
     /// Jᵢ₍₀₎.
-    pub(super) j: [Matrix4<T>; N],
+    pub(super) j: [Matrix4<T>; B],
+    /// Lᵢ₍₀₎ of each velocity of the joint, and of the multiplier times it where another's moves it.
+    l: [[Matrix4<T>; MOST]; B],
+    /// Where the velocities of the joint begin, and how many they are.
+    velocities: [(usize, usize); B],
 }
 
-impl<T: RealField + Copy, const N: usize> Positions<T, N> {
-    /// M₀ᵢ = M₀,parent · placement · exp(Lᵢ qᵢ), and the frame changes to frame 0.
-    pub(super) fn at<const F: usize>(chain: &Chain<N, F>, q: &[T; N]) -> Self {
-        let mut m = [Matrix4::identity(); N];
+/// A motion that one velocity gives to a body, and to all that it carries.
+pub(super) struct Freedom<T> {
+    /// The body.
+    pub(super) body: usize,
+    /// The place of the velocity.
+    pub(super) velocity: usize,
+    /// L₍₀₎.
+    pub(super) l: Matrix4<T>,
+}
+
+impl<T: RealField + Copy, const B: usize> Positions<T, B> {
+    /// M₀ᵢ = M₀,parent · placement · Q of the joint, and the frame changes to frame 0.
+    pub(super) fn at<const N: usize, const F: usize, const Q: usize>(
+        chain: &Chain<N, F, Q, B>,
+        q: &[T; Q],
+    ) -> Self {
+        let mut m = [Matrix4::identity(); B];
         for (i, joint) in chain.joints.iter().enumerate() {
             let m_0_parent = chain.parent(i).map_or_else(Matrix4::identity, |p| m[p]);
-            let l = dense(joint.screw.to_matrix());
-            m[i] = m_0_parent * dense(joint.placement.to_matrix()) * exponential(&l, q[i]);
+            let own = q.get(chain.coordinates(i)).unwrap_or(&[]);
+            m[i] = m_0_parent * dense(joint.placement.to_matrix()) * displacement(joint, own);
         }
-        let l = from_fn(|i| m[i] * dense(chain.joints[i].screw.to_matrix()) * inverse(&m[i]));
+        let l = from_fn(|i| {
+            let screws = screws(&chain.joints[i]);
+            screws.map(|screw| m[i] * screw * inverse(&m[i]))
+        });
         let j = from_fn(|i| m[i] * dense(chain.joints[i].inertia.to_matrix()) * m[i].transpose());
-        Self { m, l, j }
+        let velocities = from_fn(|i| {
+            let velocities = chain.velocities(i);
+            (velocities.start, velocities.len().min(MOST))
+        });
+        Self {
+            m,
+            j,
+            l,
+            velocities,
+        }
     }
 
     /// M₀,frame.
@@ -37,36 +69,57 @@ impl<T: RealField + Copy, const N: usize> Positions<T, N> {
         let carrier = frame.body.and_then(|i| self.m.get(i));
         carrier.copied().unwrap_or_else(Matrix4::identity) * dense(frame.placement.to_matrix())
     }
+
+    /// What each velocity moves: several bodies, where joints follow others.
+    pub(super) fn freedoms(&self) -> impl Iterator<Item = Freedom<T>> {
+        (0..B).flat_map(|body| self.of(body))
+    }
+
+    /// What the velocities of one joint do to its body.
+    fn of(&self, body: usize) -> impl Iterator<Item = Freedom<T>> {
+        let (start, count) = self.velocities[body];
+        (0..count).map(move |k| Freedom {
+            body,
+            velocity: start + k,
+            l: self.l[body][k],
+        })
+    }
 }
 
 /// What depends on the rates as well, in frame 0.
-pub(super) struct Motion<T, const N: usize> {
-    pub(super) positions: Positions<T, N>,
+pub(super) struct Motion<T, const B: usize> {
+    pub(super) positions: Positions<T, B>,
     /// W₀ᵢ₍₀₎.
-    pub(super) w: [Matrix4<T>; N],
+    pub(super) w: [Matrix4<T>; B],
     /// H₀ᵢ₍₀₎.
-    pub(super) h: [Matrix4<T>; N],
+    pub(super) h: [Matrix4<T>; B],
 }
 
-impl<T: RealField + Copy, const N: usize> Motion<T, N> {
-    /// Of one joint W = L q̇ and H = L q̈ + L² q̇² (Part II); composed by (12) and (13).
-    pub(super) fn at<const F: usize>(
-        chain: &Chain<N, F>,
-        q: &[T; N],
+impl<T: RealField + Copy, const B: usize> Motion<T, B> {
+    /// Of one joint W = Σ L q̇ and H = Σ L q̈ + W², because its screws are constant in the frame of the
+    /// moved body: of one velocity that is L q̈ + L² q̇² (Part II). Composed by (12) and (13).
+    pub(super) fn at<const N: usize, const F: usize, const Q: usize>(
+        chain: &Chain<N, F, Q, B>,
+        q: &[T; Q],
         qd: &[T; N],
         qdd: &[T; N],
     ) -> Self {
         let positions = Positions::at(chain, q);
-        let mut w = [Matrix4::zeros(); N];
-        let mut h = [Matrix4::zeros(); N];
+        let mut w = [Matrix4::zeros(); B];
+        let mut h = [Matrix4::zeros(); B];
         let two: T = nalgebra::convert(2.0);
-        for i in 0..N {
+        for i in 0..B {
             let (w_0_parent, h_0_parent) = chain
                 .parent(i)
                 .map_or_else(|| (Matrix4::zeros(), Matrix4::zeros()), |p| (w[p], h[p]));
-            let l = positions.l[i];
-            let w_joint = l * qd[i];
-            let h_joint = l * qdd[i] + l * l * (qd[i] * qd[i]);
+            let along = |rates: &[T; N]| {
+                let each = positions.of(i);
+                each.fold(Matrix4::zeros(), |sum, freedom| {
+                    sum + freedom.l * rates.get(freedom.velocity).copied().unwrap_or(T::zero())
+                })
+            };
+            let w_joint = along(qd);
+            let h_joint = along(qdd) + w_joint * w_joint;
             w[i] = w_0_parent + w_joint;
             h[i] = h_0_parent + h_joint + w_0_parent * w_joint * two;
         }
@@ -81,5 +134,46 @@ impl<T: RealField + Copy, const N: usize> Motion<T, N> {
     pub(super) fn acceleration_of(&self, body: Option<usize>) -> Matrix4<T> {
         let h = body.and_then(|i| self.h.get(i));
         h.copied().unwrap_or_else(Matrix4::zeros)
+    }
+}
+
+/// Q of a joint at its coordinates; of one that follows another, at those of the other. None where there
+/// are not as many as there should be.
+fn displacement<T: RealField + Copy>(joint: &Joint, q: &[T]) -> Matrix4<T> {
+    let l = dense(joint.screw.to_matrix());
+    match (joint.motion, q) {
+        (Allowed::Along, &[q]) => exponential(&l, q),
+        (Allowed::Following { multiplier, .. }, &[q]) => {
+            exponential(&l, q * nalgebra::convert(multiplier))
+        }
+        (Allowed::Planar, &[x, y, angle]) => {
+            let about_z = dense(Screw::new([0.0, 0.0, 1.0], [0.0; 3]).to_matrix());
+            let turn = exponential(&about_z, angle);
+            Matrix4::new_translation(&[x, y, T::zero()].into()) * turn
+        }
+        (Allowed::Spherical, &[x, y, z, w]) => turned([x, y, z], w),
+        (Allowed::Floating, &[x, y, z, v_x, v_y, v_z, w]) => {
+            Matrix4::new_translation(&[x, y, z].into()) * turned([v_x, v_y, v_z], w)
+        }
+        _ => Matrix4::identity(),
+    }
+}
+
+/// L of each velocity of a joint in the frame of its body, times the multiplier where it follows another.
+fn screws<T: RealField + Copy>(joint: &Joint) -> [Matrix4<T>; MOST] {
+    let own = dense(joint.screw.to_matrix());
+    let axis = |k: usize| from_fn(|i| if i == k { 1.0 } else { 0.0 });
+    let turn = |k| dense(Screw::new(axis(k), [0.0; 3]).to_matrix());
+    let slide = |k| dense(Screw::new([0.0; 3], axis(k)).to_matrix());
+    let none = Matrix4::zeros();
+    match joint.motion {
+        Allowed::Along => [own, none, none, none, none, none],
+        Allowed::Following { multiplier, .. } => {
+            let times = own * nalgebra::convert::<f64, T>(multiplier);
+            [times, none, none, none, none, none]
+        }
+        Allowed::Planar => [slide(0), slide(1), turn(2), none, none, none],
+        Allowed::Spherical => [turn(0), turn(1), turn(2), none, none, none],
+        Allowed::Floating => [slide(0), slide(1), slide(2), turn(0), turn(1), turn(2)],
     }
 }

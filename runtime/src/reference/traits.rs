@@ -14,10 +14,12 @@ macro_rules! of_a_chain {
         $(#[doc = $about:literal])+
         $kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty;
     )*) => {$(
-        impl<T: RealField + Copy, const N: usize, const F: usize> robot::$name<N, T>
-            for Chain<N, F>
+        impl<T, const N: usize, const F: usize, const Q: usize, const B: usize>
+            robot::$name<N, T, Q> for Chain<N, F, Q, B>
+        where
+            T: RealField + Copy,
         {
-            fn $method(&self, $($argument: &[T; N]),*) -> $result {
+            fn $method(&self, $($argument: &robot::list_of!($argument)),*) -> $result {
                 call!($kind self.$method($($argument),*))
             }
         }

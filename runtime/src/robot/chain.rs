@@ -1,16 +1,20 @@
 //! A robot as data.
 //!
-//! In: joints with their placements, screws and inertias, and named frames. Out: a constant that
-//! the recursions at run time read ([`crate::generic`]) and that generated code carries beside its
-//! straight-line functions; and who carries whom. It computes nothing itself.
+//! In: joints and named frames. Out: a constant that the recursions at run time read
+//! ([`crate::generic`]) and that generated code carries beside its straight-line functions; who
+//! carries whom, and which entries of q and of q̇ are whose. It computes nothing itself.
 
-use crate::matrix::{Inertia, Pose, Screw};
+use super::joint::{Joint, Motion};
+use crate::matrix::Pose;
+use core::ops::Range;
 
-/// A tree of bodies and joints of one degree of freedom each, parents before children.
+/// A tree of bodies and joints, parents before children.
 ///
 /// Body i is what joint i carries, and frame (i) is fixed in it; frame (0), the base, is what has no
-/// joint. `N` is the number of joints, `F` of named frames. Numbers are f64 whatever the type that a
-/// function is asked for.
+/// joint. `N` is the number of velocities (and of accelerations, torques and forces), `F` of named
+/// frames, `Q` of coordinates and `B` of joints; the last two need not be written where every joint has
+/// one coordinate of its own. What they are of each joint is said by [`Motion`]. Numbers are f64 whatever
+/// the type that a function is asked for.
 ///
 /// ```
 /// use homogen::{Chain, Frame, Inertia, Joint, Pose, Screw};
@@ -30,28 +34,13 @@ use crate::matrix::{Inertia, Pose, Screw};
 /// assert_eq!(LIFT.check(1e-9), Ok(()));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Chain<const N: usize, const F: usize> {
-    /// The joints, parents before children; their order is that of q.
-    pub joints: [Joint; N],
+pub struct Chain<const N: usize, const F: usize, const Q: usize = N, const B: usize = N> {
+    /// The joints, parents before children; their order is that of q and of q̇.
+    pub joints: [Joint; B],
     /// Named frames; the first one is the tip.
     pub frames: [Frame; F],
     /// The acceleration of gravity in frame (0) [m/s²].
     pub gravity: [f64; 3],
-}
-
-/// A joint and the body that it carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
-    /// Its name.
-    pub name: &'static str,
-    /// The joint that carries the body it stands on; `None` is the base.
-    pub parent: Option<usize>,
-    /// M_parent,i at q = 0 \[m\].
-    pub placement: Pose<f64>,
-    /// L of the joint, in frame (i).
-    pub screw: Screw<f64>,
-    /// J of body i, in frame (i).
-    pub inertia: Inertia<f64>,
 }
 
 /// A frame that is fixed in a body.
@@ -65,11 +54,11 @@ pub struct Frame {
     pub placement: Pose<f64>,
 }
 
-impl<const N: usize, const F: usize> Chain<N, F> {
+impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F, Q, B> {
     /// A robot; nothing is checked, so that it can be a constant (`check` does, when asked).
     #[inline]
     #[must_use]
-    pub const fn new(joints: [Joint; N], frames: [Frame; F], gravity: [f64; 3]) -> Self {
+    pub const fn new(joints: [Joint; B], frames: [Frame; F], gravity: [f64; 3]) -> Self {
         Self {
             joints,
             frames,
@@ -82,7 +71,7 @@ impl<const N: usize, const F: usize> Chain<N, F> {
     pub fn tip(&self) -> Frame {
         self.frames.first().copied().unwrap_or(Frame {
             name: self.joints.last().map_or("base", |joint| joint.name),
-            body: N.checked_sub(1),
+            body: B.checked_sub(1),
             placement: UNMOVED,
         })
     }
@@ -108,34 +97,41 @@ impl<const N: usize, const F: usize> Chain<N, F> {
         false
     }
 
+    /// Which entries of q say where joint `joint` is: its own, or the one of the joint it follows; none
+    /// where there is no such joint.
+    #[must_use]
+    pub fn coordinates(&self, joint: usize) -> Range<usize> {
+        self.entries(joint, Motion::coordinates)
+    }
+
+    /// Which entries of q̇, and with other units of q̈ and τ, belong to joint `joint`: its own, or the one of
+    /// the joint it follows; none where there is no such joint.
+    #[must_use]
+    pub fn velocities(&self, joint: usize) -> Range<usize> {
+        self.entries(joint, Motion::velocities)
+    }
+
+    /// The entries of a joint in a list of which each joint has so many of its own.
+    fn entries(&self, joint: usize, own: fn(Motion) -> usize) -> Range<usize> {
+        let Some(Joint { motion, .. }) = self.joints.get(joint) else {
+            return 0..0;
+        };
+        let mover = match *motion {
+            Motion::Following { leader, .. } => leader,
+            _ => joint,
+        };
+        let before = self.joints.iter().take(mover);
+        let start = before.map(|joint| own(joint.motion)).sum();
+        let count = self.joints.get(mover).map_or(0, |mover| own(mover.motion));
+        start..start + count
+    }
+
     /// The parent of joint `i`, where it comes before it.
     pub(crate) fn parent(&self, i: usize) -> Option<usize> {
         self.joints
             .get(i)
             .and_then(|joint| joint.parent)
             .filter(|parent| *parent < i)
-    }
-}
-
-impl Joint {
-    /// A joint: `placement` is M_parent,i at q = 0, `screw` its L in frame (i), `inertia` the J of
-    /// body i in frame (i).
-    #[inline]
-    #[must_use]
-    pub const fn new(
-        name: &'static str,
-        parent: Option<usize>,
-        placement: Pose<f64>,
-        screw: Screw<f64>,
-        inertia: Inertia<f64>,
-    ) -> Self {
-        Self {
-            name,
-            parent,
-            placement,
-            screw,
-            inertia,
-        }
     }
 }
 

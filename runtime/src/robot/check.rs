@@ -4,17 +4,20 @@
 //! that is. It never repairs anything.
 
 use super::chain::Chain;
+use super::joint::Motion;
 use crate::error::{Error, finite};
 use crate::matrix::{Pose, Screw};
 
-impl<const N: usize, const F: usize> Chain<N, F> {
+impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F, Q, B> {
     /// Refuses a chain that the recursions cannot be right for: parents must come before children,
-    /// placements be poses, screws have unit vectors, and bodies be possible, to within `tolerance`.
+    /// placements be poses, screws have unit vectors, bodies be possible, to within `tolerance`; who leads
+    /// must move along a screw by a coordinate of its own; and all joints together must have `Q` coordinates
+    /// and `N` velocities.
     ///
     /// # Errors
     ///
-    /// [`Error::NotATree`], or those of [`Pose::checked`], [`Screw::checked`] and
-    /// [`Inertia::check`](crate::Inertia::check); the first one found.
+    /// [`Error::NotATree`], [`Error::NotALeader`], [`Error::WrongCount`], or those of [`Pose::checked`],
+    /// [`Screw::checked`] and [`Inertia::check`](crate::Inertia::check); the first one found.
     pub fn check(&self, tolerance: f64) -> Result<(), Error> {
         finite("a component of gravity", &self.gravity)?;
         for (i, joint) in self.joints.iter().enumerate() {
@@ -24,16 +27,47 @@ impl<const N: usize, const F: usize> Chain<N, F> {
             }
             let place = &joint.placement;
             Pose::checked(*place.rotation(), place.translation(), tolerance)?;
-            Screw::checked(joint.screw.u(), joint.screw.b(), tolerance)?;
+            if let Motion::Following { leader, multiplier } = joint.motion {
+                finite("a multiplier", &[multiplier])?;
+                let leads = self.joints.get(leader);
+                if leads.is_none_or(|leads| leads.motion != Motion::Along) {
+                    let joint = joint.name;
+                    return Err(Error::NotALeader { joint, leader });
+                }
+            }
+            if matches!(joint.motion, Motion::Along | Motion::Following { .. }) {
+                Screw::checked(joint.screw.u(), joint.screw.b(), tolerance)?;
+            }
             joint.inertia.check(tolerance)?;
         }
         for frame in &self.frames {
-            if let Some(parent) = frame.body.filter(|body| *body >= N) {
+            if let Some(parent) = frame.body.filter(|body| *body >= B) {
                 let joint = frame.name;
                 return Err(Error::NotATree { joint, parent });
             }
             let place = &frame.placement;
             Pose::checked(*place.rotation(), place.translation(), tolerance)?;
+        }
+        self.check_counts()
+    }
+
+    fn check_counts(&self) -> Result<(), Error> {
+        let count = |own: fn(Motion) -> usize| {
+            let each = self.joints.iter().map(|joint| own(joint.motion));
+            each.sum::<usize>()
+        };
+        let lists = [
+            ("coordinates", Q, count(Motion::coordinates)),
+            ("velocities", N, count(Motion::velocities)),
+        ];
+        for (quantity, stated, found) in lists {
+            if stated != found {
+                return Err(Error::WrongCount {
+                    quantity,
+                    stated,
+                    found,
+                });
+            }
         }
         Ok(())
     }

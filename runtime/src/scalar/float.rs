@@ -52,6 +52,11 @@ macro_rules! implement {
             }
 
             #[inline]
+            fn sign(self) -> Self {
+                if self < 0.0 { -1.0 } else { 1.0 }
+            }
+
+            #[inline]
             fn less_sine(self, sine: Self) -> Self {
                 let series = arc_less_sine::<Self, $terms>(self);
                 // Both are computed, and one is taken.

@@ -91,7 +91,7 @@ fn two_loops() -> ClosedChain<7, 4, 2> {
     let joint = |name, parent, placement, screw| {
         Joint::new(name, parent, placement, screw, Inertia::zero())
     };
-    let chain = Chain::new(
+    let chain = Chain::<7, 4>::new(
         [
             joint("crank", None, at(0.0, 0.0), hinge),
             joint("coupler", Some(0), at(0.5, 0.0), hinge),

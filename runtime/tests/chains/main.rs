@@ -10,5 +10,7 @@ mod lagrange;
 mod loop_closure;
 mod open_chain;
 mod sample;
+mod several;
 mod slider_crank;
 mod stanford_arm;
+mod steps;

@@ -143,7 +143,7 @@ fn chains_that_are_no_trees() {
     let frame = |body| Frame::new("tip", body, place);
     let chain = |parent, screw, mass, body| {
         let joints = [joint("a", None, z, 1.0), joint("b", parent, screw, mass)];
-        Chain::new(joints, [frame(body)], [0.0, 0.0, -9.81])
+        Chain::<2, 1>::new(joints, [frame(body)], [0.0, 0.0, -9.81])
     };
     assert_eq!(chain(Some(0), z, 1.0, Some(1)).check(1e-9), Ok(()));
     let refused = chain(Some(1), z, 1.0, None).check(1e-9).unwrap_err();

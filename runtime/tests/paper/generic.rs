@@ -255,7 +255,7 @@ fn two_link_arm_in_closed_form() {
     let along = |x: f64| Pose::from_translation([x, 0.0, 0.0]);
     let z = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]);
     let bob = |m: f64, x: f64| Inertia::of_particle(m, [x, 0.0, 0.0]);
-    let chain = Chain::new(
+    let chain = Chain::<2, 0>::new(
         [
             Joint::new("shoulder", None, along(0.0), z, bob(m1, l1)),
             Joint::new("elbow", Some(0), along(l1), z, bob(m2, l2)),

@@ -241,7 +241,7 @@ fn every_item_exists() {
                     // A method: in a file that implements its type.
                     declares(&all, &types, owner)
                         && sources.iter().any(|source| {
-                            [" {owner}<T> {", " {owner}<N, F> {", "impl {owner} {"]
+                            [" {owner}<T> {", " {owner}<N, F, Q, B> {", "impl {owner} {"]
                                 .iter()
                                 .any(|head| source.text.contains(&head.replace("{owner}", owner)))
                                 && declares(&source.text, &functions, item)

@@ -7,7 +7,8 @@
 
 use crate::matrix::{Inertia, Pose, Screw};
 use crate::paper::loop_closure::ClosedChain;
-use crate::robot::chain::{Chain, Joint};
+use crate::robot::chain::Chain;
+use crate::robot::joint::Joint;
 use crate::scalar::Real;
 use core::array::from_fn;
 

@@ -11,7 +11,8 @@
 
 use crate::matrix::vector::{add, cross, scale};
 use crate::matrix::{Acceleration, Inertia, Pose, Screw, Velocity};
-use crate::robot::chain::{Chain, Frame, Joint};
+use crate::robot::chain::{Chain, Frame};
+use crate::robot::joint::Joint;
 use crate::scalar::Scalar;
 
 /// The height of the shoulder above the base \[m\].

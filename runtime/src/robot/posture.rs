@@ -1,0 +1,206 @@
+//! Steps between postures that no list of angles and shifts can describe.
+//!
+//! In: quaternions x, y, z, w and coordinates of planar, spherical and floating joints, and motions of a
+//! body in its own frame that last for one unit of time. Out: where they lead, and which one leads from one
+//! posture to another, the shortest. Everything is free of branches and generic over [`Scalar`], and holds
+//! its digits near rest and near half a turn. It knows no chain; [`Chain::integrate`](crate::Chain::integrate)
+//! does.
+//!
+//! ```
+//! use homogen::robot::posture::{log, turn};
+//! let half: [f64; 4] = turn([0.0, 0.0, core::f64::consts::PI]);
+//! assert!((half[2] - 1.0).abs() < 1e-15 && half[3].abs() < 1e-15);
+//! assert!((log(half)[2].abs() - core::f64::consts::PI).abs() < 1e-15);
+//! ```
+
+use crate::matrix::rotation::from_quaternion;
+use crate::matrix::vector::{add, cross, dot, product, scale, sub, transposed_product};
+use crate::scalar::Scalar;
+
+/// What is added to the square of an angle \[rad²\], so that nothing is divided by zero: no rounding sees it.
+const LEAST: f64 = 1e-20;
+
+/// The product a b of quaternions x, y, z, w: the turn b, then a, both about axes that stay; or a, then b
+/// about the axes that a has turned.
+#[inline]
+#[must_use]
+pub fn times<T: Scalar>([ax, ay, az, aw]: [T; 4], [bx, by, bz, bw]: [T; 4]) -> [T; 4] {
+    let (a, b) = ([ax, ay, az], [bx, by, bz]);
+    let [x, y, z] = add(add(scale(aw, b), scale(bw, a)), cross(a, b));
+    [x, y, z, aw * bw - dot(a, b)]
+}
+
+/// The turn back of a quaternion x, y, z, w of unit length.
+#[inline]
+#[must_use]
+pub fn back<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 4] {
+    [-x, -y, -z, w]
+}
+
+/// The quaternion x, y, z, w with length 1. It must have a length whose square is a number above zero.
+#[inline]
+#[must_use]
+pub fn normalized<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
+    let [x, y, z, w] = quaternion;
+    let length = (x * x + y * y + z * z + w * w).sqrt();
+    quaternion.map(|entry| entry / length)
+}
+
+/// The quaternion x, y, z, w of a turn by the vector `omega` \[rad\], exp ω̲.
+///
+/// v = ω sin(φ/2)/φ and w = cos(φ/2), φ = ‖ω‖.
+#[inline]
+#[must_use]
+pub fn turn<T: Scalar>(omega: [T; 3]) -> [T; 4] {
+    let angle = angle(omega);
+    let ([sine], [cosine]) = T::sin_cos_all([T::constant(0.5) * angle]);
+    let [x, y, z] = scale(sine / angle, omega);
+    [x, y, z, cosine]
+}
+
+/// The shortest vector \[rad\] that turns as a quaternion v, w does, whatever its length: ω with
+/// R = exp ω̲ and ‖ω‖ ≤ π. Of a turn by half a circle it is either of the two.
+///
+/// ω = ±2 v α/‖v‖ with α = atan(‖v‖/|w|), an angle that is halved three times by
+/// tan α/2 = tan α/(1 + √(1 + tan² α)) before its series is summed.
+#[inline]
+#[must_use]
+pub fn log<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 3] {
+    let v = [x, y, z];
+    scale(T::constant(2.0) * w.sign() * half_angle(v, w), v)
+}
+
+/// V(ω) v with exp (ω̲, v; 0, 0) = (exp ω̲, V(ω) v; 0, 1): how far a body has gone \[m\] that moves by
+/// `v` \[m\] and turns by `omega` \[rad\], both in its own frame, seen from where it was.
+///
+/// V = 1 + ω̲ (1 − cos φ)/φ² + ω̲² (φ − sin φ)/φ³, φ = ‖ω‖ (§ 5).
+#[inline]
+#[must_use]
+pub fn way<T: Scalar>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
+    let (half, two) = (T::constant(0.5), T::constant(2.0));
+    let angle = angle(omega);
+    let ([sine, half_sine], _) = T::sin_cos_all([angle, half * angle]);
+    let ratio = half_sine / angle;
+    let bulge = angle.less_sine(sine) / (angle * angle * angle);
+    let across = cross(omega, v);
+    let turned = add(
+        scale(two * ratio * ratio, across),
+        scale(bulge, cross(omega, across)),
+    );
+    add(v, turned)
+}
+
+/// The motion (ω, v) in the frame of a body, within one unit of time, that turns it as the quaternion and takes
+/// its origin by `t` \[m\], seen from where it was; ω = [`log`] and V(ω) v = t.
+///
+/// V⁻¹ = 1 − ½ ω̲ + ω̲² (1 − α cot α)/φ², α = φ/2.
+#[inline]
+#[must_use]
+pub fn motion<T: Scalar>(quaternion: [T; 4], t: [T; 3]) -> ([T; 3], [T; 3]) {
+    let [x, y, z, w] = quaternion;
+    let omega = log(quaternion);
+    // α cot α = (α/‖v‖) |w|, whatever the length.
+    let cotangent = half_angle([x, y, z], w) * w.sign() * w;
+    let square = dot(omega, omega) + T::constant(LEAST);
+    let across = cross(omega, t);
+    let bent = scale(
+        (T::constant(1.0) - cotangent) / square,
+        cross(omega, across),
+    );
+    (omega, add(sub(t, scale(T::constant(0.5), across)), bent))
+}
+
+/// Where a planar joint at `q` gets to that moves by v_x, v_y, ω_z.
+#[inline]
+#[must_use]
+pub fn integrate_planar<T: Scalar>([x, y, angle]: [T; 3], [vx, vy, wz]: [T; 3]) -> [T; 3] {
+    let zero = T::constant(0.0);
+    let [ahead, aside, _] = way([zero, zero, wz], [vx, vy, zero]);
+    let ([sine], [cosine]) = T::sin_cos_all([angle]);
+    [
+        x + (cosine * ahead - sine * aside),
+        y + (sine * ahead + cosine * aside),
+        angle + wz,
+    ]
+}
+
+/// Where a spherical joint at `q` gets to that turns by `omega`; an error of the length of `q` is squared.
+#[inline]
+#[must_use]
+pub fn integrate_spherical<T: Scalar>(q: [T; 4], omega: [T; 3]) -> [T; 4] {
+    let [x, y, z, w] = times(q, turn(omega));
+    let square = x * x + y * y + z * z + w * w;
+    // 1/√(1 + ε) to the first order, which is exact beside rounding.
+    let mend = T::constant(1.5) - T::constant(0.5) * square;
+    [x, y, z, w].map(|entry| mend * entry)
+}
+
+/// Where a floating joint at `q` gets to that moves by v, ω.
+#[inline]
+#[must_use]
+pub fn integrate_floating<T: Scalar>(q: [T; 7], motion: [T; 6]) -> [T; 7] {
+    let ([x, y, z, qx, qy, qz, qw], [vx, vy, vz, wx, wy, wz]) = (q, motion);
+    let omega = [wx, wy, wz];
+    let turned = from_quaternion([qw, qx, qy, qz]);
+    let gone = product(&turned, way(omega, [vx, vy, vz]));
+    let [x, y, z] = add([x, y, z], gone);
+    let [qx, qy, qz, qw] = integrate_spherical([qx, qy, qz, qw], omega);
+    [x, y, z, qx, qy, qz, qw]
+}
+
+/// v_x, v_y, ω_z by which a planar joint gets from `from` to `to`, |ω_z| ≤ π.
+#[inline]
+#[must_use]
+pub fn difference_planar<T: Scalar>(from: [T; 3], to: [T; 3]) -> [T; 3] {
+    let zero = T::constant(0.0);
+    let [dx, dy, turned] = sub(to, from);
+    let half = T::constant(0.5) * turned;
+    let ([sine, half_sine], [cosine, half_cosine]) = T::sin_cos_all([from[2], half]);
+    let seen = [cosine * dx + sine * dy, cosine * dy - sine * dx, zero];
+    let ([.., wz], [vx, vy, _]) = motion([zero, zero, half_sine, half_cosine], seen);
+    [vx, vy, wz]
+}
+
+/// ω by which a spherical joint gets from `from` to `to`, ‖ω‖ ≤ π.
+#[inline]
+#[must_use]
+pub fn difference_spherical<T: Scalar>(from: [T; 4], to: [T; 4]) -> [T; 3] {
+    log(times(back(from), to))
+}
+
+/// v, ω by which a floating joint gets from `from` to `to`, ‖ω‖ ≤ π.
+#[inline]
+#[must_use]
+pub fn difference_floating<T: Scalar>(from: [T; 7], to: [T; 7]) -> [T; 6] {
+    let [x, y, z, qx, qy, qz, qw] = from;
+    let [to_x, to_y, to_z, to_quaternion @ ..] = to;
+    let turned = from_quaternion([qw, qx, qy, qz]);
+    let seen = transposed_product(&turned, sub([to_x, to_y, to_z], [x, y, z]));
+    let turn = times(back([qx, qy, qz, qw]), to_quaternion);
+    let ([wx, wy, wz], [vx, vy, vz]) = motion(turn, seen);
+    [vx, vy, vz, wx, wy, wz]
+}
+
+/// ‖ω‖, and not quite zero where it is.
+#[inline]
+fn angle<T: Scalar>(omega: [T; 3]) -> T {
+    (dot(omega, omega) + T::constant(LEAST)).sqrt()
+}
+
+/// α/‖v‖ with α = atan(‖v‖/|w|) in \[0, π/2\], which has no zero to divide by.
+#[inline]
+fn half_angle<T: Scalar>(v: [T; 3], w: T) -> T {
+    /// So many terms of the series are beside those that `f64` sees, up to π/16.
+    const TERMS: u8 = 12;
+    let one = T::constant(1.0);
+    let square = dot(v, v);
+    // tan(α/2)/‖v‖, tan(α/4)/‖v‖, tan(α/8)/‖v‖.
+    let half = one / ((square + w * w).sqrt() + w.sign() * w);
+    let quarter = half / (one + (one + square * half * half).sqrt());
+    let eighth = quarter / (one + (one + square * quarter * quarter).sqrt());
+    let tangent = square * eighth * eighth;
+    let series = (0..TERMS).rev().fold(T::constant(0.0), |sum, k| {
+        T::constant(1.0 / (2.0 * f64::from(k) + 1.0)) - tangent * sum
+    });
+    T::constant(8.0) * eighth * series
+}

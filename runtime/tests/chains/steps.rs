@@ -1,0 +1,286 @@
+//! Steps between postures: against the exponential and the logarithm of screws, and back again.
+//!
+//! In: motions from nothing to several turns. Fails where a step or what leads back to it is off by more
+//! than some units of rounding, near rest and near half a turn as elsewhere.
+
+use crate::sample::{Random, agree, largest};
+use homogen::robot::posture::{
+    difference_floating, difference_planar, difference_spherical, integrate_floating,
+    integrate_planar, integrate_spherical, log, normalized, turn,
+};
+use homogen::{Chain, Inertia, Joint, Pose, Real, Scalar, Screw, Velocity, rotation, vector};
+use std::f64::consts::PI;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Angles at which a careless formula loses something.
+const ANGLES: [f64; 14] = [
+    0.0, 1e-300, 1e-160, 1e-40, 1e-20, 1e-10, 1e-8, 1e-5, 1e-3, 0.1, 1.0, 2.0, 3.0, 3.14,
+];
+
+/// How far from half a turn.
+const SHORT_OF_PI: [f64; 6] = [1e-2, 1e-5, 1e-8, 1e-12, 1e-15, 0.0];
+
+fn pose<T: Real>([x, y, z, qx, qy, qz, qw]: [T; 7]) -> Pose<T> {
+    Pose::new(rotation::from_quaternion([qw, qx, qy, qz]), [x, y, z])
+}
+
+fn entries<T: Real>(pose: &Pose<T>) -> Vec<T> {
+    [pose.rotation().as_flattened(), &pose.translation()].concat()
+}
+
+fn anywhere<T: Real>(random: &mut Random) -> [T; 7] {
+    let [x, y, z, a, b, c, d]: [T; 7] = random.numbers();
+    let [a, b, c, d] = normalized([a, b, c, d]);
+    [x, y, z, a, b, c, d]
+}
+
+fn scaled<T: Real, const N: usize>(by: f64, vector: [f64; N]) -> [T; N] {
+    vector.map(|entry| T::constant(by * entry))
+}
+
+/// M exp(W): by the paper's screws, which know no quaternion.
+fn a_step_is_the_exponential_of_a_velocity<T: Real>() {
+    let mut random = Random::new(41);
+    for angle in ANGLES.into_iter().chain([4.0, 6.28, 7.0, 100.0]) {
+        let (q, axis, v) = (anywhere::<T>(&mut random), random.unit(), random.numbers());
+        let omega: [T; 3] = scaled(angle, axis);
+        let [vx, vy, vz]: [T; 3] = v;
+        let there = integrate_floating(q, [vx, vy, vz, omega[0], omega[1], omega[2]]);
+        let motion = Velocity::new(omega, v).displacement(T::constant(1.0));
+        let expected = pose(q) * motion.to_relative_pose();
+        // Of a hundred radians the angle itself has lost two digits.
+        let size = 1.0f64.max(angle);
+        agree(&entries(&pose(there)), &entries(&expected), 16.0, size);
+        let turned = integrate_spherical([q[3], q[4], q[5], q[6]], omega);
+        agree(&turned, &there[3..], 0.0, 1.0);
+    }
+}
+
+/// What a step was is found again, up to half a turn; its angle to its own digits.
+fn a_difference_is_the_step<T: Real>() {
+    let mut random = Random::new(42);
+    let near = SHORT_OF_PI.map(|short| PI - short);
+    for angle in ANGLES.into_iter().chain(near) {
+        for _ in 0..20 {
+            let (q, axis) = (anywhere::<T>(&mut random), random.unit());
+            let omega: [T; 3] = scaled(angle, axis);
+            let v: [T; 3] = random.numbers();
+            let step = [v[0], v[1], v[2], omega[0], omega[1], omega[2]];
+            let there = integrate_floating(q, step);
+            let found = difference_floating(q, there);
+            let (found_v, found_omega) = found.split_at(3);
+            // Half a turn is a turn either way: what leads there does.
+            let again = integrate_floating(q, found);
+            agree(&entries(&pose(again)), &entries(&pose(there)), 24.0, 2.0);
+            if angle < 3.1 {
+                agree(found_omega, &omega, 16.0, 1.0);
+                agree(found_v, &v, 32.0, 1.0);
+                agree(
+                    &difference_spherical(
+                        [q[3], q[4], q[5], q[6]],
+                        [there[3], there[4], there[5], there[6]],
+                    ),
+                    found_omega,
+                    0.0,
+                    1.0,
+                );
+            } else {
+                let size = vector::norm([found[3], found[4], found[5]]).to_f64();
+                assert!((size - PI).abs() < 0.1, "{size}");
+            }
+        }
+    }
+}
+
+/// Of nothing but a quaternion and back, in units of the vector itself.
+fn logarithms_keep_their_digits<T: Real>() {
+    let mut random = Random::new(43);
+    for angle in ANGLES {
+        let omega: [T; 3] = scaled(angle, random.unit());
+        let found = log(turn(omega));
+        agree(&found, &omega, 12.0, largest(&omega));
+        // A quaternion and its opposite are one turn, and its length does not matter.
+        let opposite = turn(omega).map(|entry| -(entry + entry));
+        agree(&log(opposite), &found, 4.0, largest(&omega));
+    }
+    let half = [0.6, 0.0, -0.8, 0.0].map(T::constant);
+    agree(&log(half), &scaled(PI, [0.6, 0.0, -0.8]), 8.0, PI);
+}
+
+fn planar_steps<T: Real>() {
+    let mut random = Random::new(44);
+    for angle in ANGLES.into_iter().chain([PI, 4.0, -6.0, 7.0]) {
+        let q: [T; 3] = random.numbers();
+        let [vx, vy]: [T; 2] = random.numbers();
+        let there = integrate_planar(q, [vx, vy, T::constant(angle)]);
+        let about_z = Screw::new([0.0, 0.0, 1.0].map(T::constant), [T::constant(0.0); 3]);
+        let turn = |angle: T, x: T, y: T| {
+            let turn = about_z.exp(angle).to_relative_pose();
+            Pose::from_translation([x, y, T::constant(0.0)]) * turn
+        };
+        let zero = T::constant(0.0);
+        let velocity = Velocity::new([zero, zero, T::constant(angle)], [vx, vy, zero]);
+        let motion = velocity.displacement(T::constant(1.0));
+        let expected = turn(q[2], q[0], q[1]) * motion.to_relative_pose();
+        agree(
+            &entries(&turn(there[2], there[0], there[1])),
+            &entries(&expected),
+            24.0,
+            2.0,
+        );
+        let found = difference_planar(q, there);
+        if angle.abs() < PI {
+            agree(&found, &[vx, vy, T::constant(angle)], 32.0, 2.0);
+        }
+        assert!(found[2].abs().to_f64() < PI + 1e-6);
+        let again = integrate_planar(q, found);
+        agree(
+            &entries(&turn(again[2], again[0], again[1])),
+            &entries(&expected),
+            48.0,
+            2.0,
+        );
+    }
+}
+
+#[test]
+fn steps_in_double_precision() {
+    a_step_is_the_exponential_of_a_velocity::<f64>();
+    a_difference_is_the_step::<f64>();
+    logarithms_keep_their_digits::<f64>();
+    planar_steps::<f64>();
+}
+
+#[test]
+fn steps_in_single_precision() {
+    a_step_is_the_exponential_of_a_velocity::<f32>();
+    a_difference_is_the_step::<f32>();
+    logarithms_keep_their_digits::<f32>();
+    planar_steps::<f32>();
+}
+
+/// A number that cannot be compared, as a pack of several cannot.
+#[derive(Clone, Copy, Debug)]
+struct Unordered(f64);
+
+macro_rules! operation {
+    ($trait:ident $method:ident $operator:tt) => {
+        impl $trait for Unordered {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                Self(self.0 $operator other.0)
+            }
+        }
+    };
+}
+operation!(Add add +);
+operation!(Sub sub -);
+operation!(Mul mul *);
+operation!(Div div /);
+
+impl Neg for Unordered {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Scalar for Unordered {
+    fn constant(value: f64) -> Self {
+        Self(value)
+    }
+
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.0.sin_cos();
+        (Self(sine), Self(cosine))
+    }
+}
+
+/// By the default methods of [`Scalar`], among them the sign.
+#[test]
+fn numbers_without_an_order_take_the_same_steps() {
+    let mut random = Random::new(45);
+    for angle in ANGLES
+        .into_iter()
+        .chain(SHORT_OF_PI.map(|short| PI - short))
+    {
+        let q = anywhere::<f64>(&mut random);
+        let omega: [f64; 3] = scaled(angle, random.unit());
+        let step = [0.5, -0.25, 1.0, omega[0], omega[1], omega[2]];
+        let there = integrate_floating(q, step);
+        let unordered = integrate_floating(q.map(Unordered), step.map(Unordered));
+        agree(&unordered.map(|x| x.0), &there, 8.0, 2.0);
+        let found = difference_floating(q.map(Unordered), unordered).map(|x| x.0);
+        let again = integrate_floating(q, found);
+        agree(&entries(&pose(again)), &entries(&pose(there)), 32.0, 2.0);
+    }
+    for (number, sign) in [
+        (2.0, 1.0),
+        (-1e-15, -1.0),
+        (0.0, 1.0),
+        (-0.0, 1.0),
+        (-3.0, -1.0),
+    ] {
+        assert_eq!((Unordered(number).sign().0, number.sign()), (sign, sign));
+    }
+}
+
+/// All kinds of joints, one of them without a coordinate of its own.
+fn chain(random: &mut Random) -> Chain<13, 0, 15, 6> {
+    let here = random.pose();
+    let inertia = Inertia::zero();
+    let hinge = |name, parent| {
+        let z = Screw::new([0.0, 0.0, 1.0], [0.0; 3]);
+        Joint::new(name, parent, here, z, inertia)
+    };
+    Chain::new(
+        [
+            Joint::floating("root", None, here, inertia),
+            hinge("follower", Some(0)).following(3, -2.0),
+            Joint::spherical("ball", Some(1), here, inertia),
+            hinge("leader", Some(2)),
+            Joint::planar("puck", Some(0), here, inertia),
+            hinge("slow", Some(4)).following(3, 0.5),
+        ],
+        [],
+        [0.0; 3],
+    )
+}
+
+#[test]
+fn a_chain_steps_joint_by_joint() {
+    let mut random = Random::new(46);
+    let chain = chain(&mut random);
+    let lists = |joint| (chain.coordinates(joint), chain.velocities(joint));
+    assert_eq!(lists(0), (0..7, 0..6));
+    assert_eq!(lists(1), (11..12, 9..10));
+    assert_eq!(lists(2), (7..11, 6..9));
+    assert_eq!(lists(4), (12..15, 10..13));
+    let mut neutral = [0.0; 15];
+    (neutral[6], neutral[10]) = (1.0, 1.0);
+    assert_eq!(chain.neutral::<f64>(), neutral);
+
+    let wild: [f64; 15] = random.numbers();
+    let q = chain.normalize(&wild);
+    for quaternion in [3, 7] {
+        let entries = &q[quaternion..quaternion + 4];
+        let square: f64 = entries.iter().map(|entry| entry * entry).sum();
+        agree(&[square], &[1.0], 8.0, 1.0);
+    }
+    assert_eq!((&q[..3], &q[11..]), (&wild[..3], &wild[11..]));
+    let v: [f64; 13] = random.numbers();
+    let there = chain.integrate(&q, &v);
+    agree(&chain.difference(&q, &there), &v, 32.0, 1.0);
+    agree(&there[11..12], &[q[11] + v[9]], 0.0, 1.0);
+    agree(&chain.difference(&q, &q), &[0.0; 13], 4.0, 1.0);
+}

@@ -1,0 +1,63 @@
+//! The table of joints and functions in the README, computed anew.
+//!
+//! In: the tables of joints and of functions, and one body on a joint of each kind. Out: nothing where the
+//! README has the operations of each function for each joint; else the table that should stand there.
+
+use homogen_codegen::Function;
+use homogen_codegen::description::read_text;
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::expand;
+use homogen_codegen::joint;
+use homogen_codegen::request::Request;
+
+const README: &str = include_str!("../../README.md");
+
+/// A body with a general inertia on a joint of a kind.
+fn robot(kind: &str) -> String {
+    format!(
+        r#"<robot name="body"><link name="base"/><link name="body"><inertial>
+        <origin xyz="0.1 0.2 0.3"/><mass value="2"/>
+        <inertia ixx="0.3" ixy="0.01" ixz="0.02" iyy="0.4" iyz="0.03" izz="0.5"/></inertial></link>
+        <joint name="j" type="{kind}"><parent link="base"/><child link="body"/>
+        <axis xyz="0 0 1"/><axis2 xyz="0 1 0"/><thread pitch="0.01"/></joint></robot>"#
+    )
+}
+
+/// Multiplications and additions of every function, in the order of the table.
+fn operations(kind: &str) -> Vec<usize> {
+    let mut errors = Errors::new();
+    let description = read_text(&robot(kind), "body.urdf", None, &mut errors);
+    assert!(errors.is_empty(), "{errors}");
+    let request = Request {
+        functions: Function::ALL.map(|function| vec![function]).to_vec(),
+        ..Request::default()
+    };
+    let description = description.expect("there are no mistakes");
+    let listing =
+        expand(&description, &request).unwrap_or_else(|errors| panic!("{kind}: {errors}"));
+    let prices = listing.functions.iter().map(|listed| &listed.price);
+    prices.map(|price| price.mul + price.add).collect()
+}
+
+#[test]
+fn every_function_has_a_price_for_every_joint() {
+    let kinds = joint::ALL.iter().filter(|kind| kind.moves());
+    let kinds: Vec<&str> = kinds.map(|kind| kind.word).collect();
+    let columns: Vec<Vec<usize>> = kinds.iter().map(|kind| operations(kind)).collect();
+    let mut table = format!(
+        "| | {} |\n|---|{}\n",
+        kinds.join(" | "),
+        "---:|".repeat(kinds.len())
+    );
+    for (row, function) in Function::ALL.into_iter().enumerate() {
+        let prices = columns.iter().map(|column| column[row].to_string());
+        let prices: Vec<String> = prices.collect();
+        table.push_str(&format!(
+            "| `{}` | {} |\n",
+            function.name(),
+            prices.join(" | ")
+        ));
+    }
+    let marked = format!("<!-- joints -->\n{table}");
+    assert!(README.contains(&marked), "the README should have\n{marked}");
+}

@@ -108,6 +108,27 @@ fn every_kind_has_every_function() {
     }
 }
 
+/// A joint of one branch leads one of another: to eliminate its velocity couples the two.
+#[test]
+fn branches_that_only_a_follower_connects_are_coupled() {
+    let body = "{ mass: 2.0, com: [0.1, 0.2, 0.3], inertia: [0.3, 0.4, 0.5] }";
+    let text = format!(
+        "struct Arms {{ tip = d, formulation(refined = 0) }}
+         link base; link a {body} link b {body} link c {body} link d {body}
+         joint x: revolute(z) {{ from: base, to: a }}
+         joint y: revolute(x) {{ from: base, to: b }}
+         joint leads: revolute(y) {{ from: a, to: c, at: xyz(0.3, 0.1, 0.0) }}
+         joint follows: revolute(y) {{ from: b, to: d, at: xyz(0.1, 0.3, 0.2), mimic: leads, multiplier: -0.5 }}"
+    );
+    let (description, request) = read(&text);
+    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    assert!(
+        listing.about.left_out.is_empty(),
+        "{:?}",
+        listing.about.left_out
+    );
+}
+
 /// Two fingers on a hand, of which one follows the other.
 fn hand(settings: &str, finger: &str) -> String {
     format!(

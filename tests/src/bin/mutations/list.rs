@@ -43,9 +43,37 @@ const MUTATIONS: [Mutation; 34] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
-        from: "u * second + carried.omega.cross(u * rate)",
-        to: "u * second - carried.omega.cross(u * rate)",
+        from: "u * second + base.cross(turning)",
+        to: "u * second - base.cross(turning)",
         noticed_by: engine(OBLIQUE),
+    },
+    Mutation {
+        name: "Newton-Euler: of a joint with several velocities, ω × v left out",
+        file: "codegen/src/model/newton_euler.rs",
+        from: "let coriolis = turning.cross(outer.relative) + before.cross(sliding);",
+        to: "let coriolis = before.cross(sliding);",
+        noticed_by: engine(KINDS),
+    },
+    Mutation {
+        name: "followers: the torque of one without its factor",
+        file: "codegen/src/model/velocities.rs",
+        from: "let term = state.times_factor(k, term);",
+        to: "",
+        noticed_by: engine(KINDS),
+    },
+    Mutation {
+        name: "followers: factors of the mass matrix without what is filled in",
+        file: "codegen/src/model/velocities.rs",
+        from: "before[parent].extend(row);",
+        to: "",
+        noticed_by: engine(FOLLOWERS),
+    },
+    Mutation {
+        name: "quaternions: the turn the other way",
+        file: "codegen/src/joint/posture.rs",
+        from: "let (wx, wy, wz) = (twice_x * w, twice_y * w, twice_z * w);",
+        to: "let (wx, wy, wz) = (-twice_x * w, -twice_y * w, -twice_z * w);",
+        noticed_by: engine(KINDS),
     },
     Mutation {
         name: "Newton-Euler: gravity with the other sign",
@@ -116,7 +144,7 @@ const MUTATIONS: [Mutation; 34] = [
     },
     Mutation {
         name: "layout: the axis of a joint against itself",
-        file: "codegen/src/layout/frames.rs",
+        file: "codegen/src/matrix/pose.rs",
         from: "let last = if size(k) > 0.0 { last } else { -last };",
         to: "let last = if size(k) > 0.0 { -last } else { last };",
         noticed_by: engine(CHECKED),
@@ -152,7 +180,7 @@ const MUTATIONS: [Mutation; 34] = [
     Mutation {
         name: "merging: a held joint not moved to where it is held",
         file: "codegen/src/chain/merge.rs",
-        from: "pose: pose * held_at(graph, joint.kind, axis, &held),",
+        from: "pose: pose * held_at(graph, joint.kind, axes, &held),",
         to: "pose,",
         noticed_by: engine(CHECKED),
     },
@@ -296,6 +324,10 @@ const MUTATIONS: [Mutation; 34] = [
 
 /// What makes expansion itself fail, whatever else would notice.
 const CHECKED: &str = "check::tests::every_function_of_many_robots_is_what_the_description_says";
+
+const KINDS: &str = "chain::tests::joints::every_kind_has_every_function";
+
+const FOLLOWERS: &str = "chain::tests::joints::branches_that_only_a_follower_connects_are_coupled";
 
 const OBLIQUE: &str = "layout::tests::a_tree_of_oblique_axes_has_the_same_torques_in_every_layout";
 

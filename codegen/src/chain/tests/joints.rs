@@ -115,8 +115,8 @@ fn branches_that_only_a_follower_connects_are_coupled() {
     let text = format!(
         "struct Arms {{ tip = d, formulation(refined = 0) }}
          link base; link a {body} link b {body} link c {body} link d {body}
-         joint x: revolute(z) {{ from: base, to: a }}
          joint y: revolute(x) {{ from: base, to: b }}
+         joint x: revolute(z) {{ from: base, to: a }}
          joint leads: revolute(y) {{ from: a, to: c, at: xyz(0.3, 0.1, 0.0) }}
          joint follows: revolute(y) {{ from: b, to: d, at: xyz(0.1, 0.3, 0.2), mimic: leads, multiplier: -0.5 }}"
     );

@@ -33,6 +33,11 @@ const LEAST_MARGIN: f64 = 1e-3;
 /// Of accelerations by articulated bodies.
 #[must_use]
 pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> Accuracy {
+    if !chain.is_plain() {
+        return Accuracy::Unknown(
+            "none is derived of articulated bodies with a quaternion, in a plane or that follow others",
+        );
+    }
     let range = Range::of(chain);
     let mobility = match mobility(chain, layout, &range) {
         Ok(mobility) => mobility,

@@ -7,7 +7,7 @@
 //! others do. A mass in a field is taken at its least: more of it only adds energy.
 
 use super::range::Range;
-use crate::chain::Chain;
+use crate::chain::{Chain, Position};
 use crate::expression::{Double, Expr, Input, Term, evaluate};
 use crate::joint::Motion;
 use crate::layout::{Body, Layout, arrange};
@@ -33,8 +33,8 @@ pub struct Mobility {
 /// Why it is not known: kinetic energy may be negative with an inertia that no body has; centres of
 /// mass and offsets are known at run time only.
 pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility, &'static str> {
-    if !chain.is_plain() {
-        return Err("joints with quaternions, in a plane or that follow others are not followed");
+    if !chain.all_lead() {
+        return Err("joints that follow others are not followed");
     }
     let moves = |target: &Target| matches!(target, Target::CenterOfMassOf(_) | Target::OriginOf(_));
     let read = chain.parameters.iter().zip(&chain.nominal);
@@ -56,13 +56,31 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     });
     let mut solids: Vec<Solid> = Vec::with_capacity(bodies.len());
     for (body, numbers) in bodies.iter().zip(numbers.chunks(NUMBERS)) {
+        if matches!(body.position, Position::Posture(..)) && body.parent.is_some() {
+            return Err("joints with quaternions or in a plane are followed on the base alone");
+        }
         let carrier = body
             .parent
             .map_or(Spin::Still, |parent| solids[parent].spin);
         let solid = Solid::of(body, numbers, carrier);
         solids.push(solid.ok_or("an inertia is none that a body has, as far as its digits tell")?);
     }
-    let joint = |solid: &Solid| match solid.parent {
+    // The bodies before the last of a joint that takes it anywhere are nothing by themselves.
+    let last = |k: usize| {
+        let taken = bodies[k + 1..].iter();
+        let taken = taken.take_while(|body| matches!(body.position, Position::Taken));
+        k + taken.count()
+    };
+    let whole: Vec<&Solid> = (0..bodies.len()).map(|k| &solids[last(k)]).collect();
+    let joint = |(body, solid): (&Body<'_>, &&Solid)| match solid.parent {
+        _ if solid.free => {
+            let axis = AXES[body.axis];
+            if body.motion.slides() {
+                solid.slides(axis, [0.0; 3])
+            } else {
+                solid.turns(axis)
+            }
+        }
         None => solid.on_the_base,
         Some(parent) => {
             let parent = &solids[parent];
@@ -77,19 +95,21 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
             }
         }
     };
-    let joints = solids.iter().map(joint).collect();
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], Z];
-    let body = |solid: &Solid| {
-        let turns = axes.iter().map(|&axis| solid.turns(axis));
-        let slides = axes.iter().map(|&axis| solid.slides(axis, [0.0; 3]));
+    let joints = bodies.iter().zip(&whole).map(joint).collect();
+    let body = |solid: &&Solid| {
+        let turns = AXES.iter().map(|&axis| solid.turns(axis));
+        let slides = AXES.iter().map(|&axis| solid.slides(axis, [0.0; 3]));
         [turns.sum(), slides.sum()]
     };
-    let bodies = solids.iter().map(body).collect();
+    let bodies = whole.iter().map(body).collect();
     Ok(Mobility { joints, bodies })
 }
 
 /// The axis of a joint in the frame of its body.
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// The axes of a frame.
+const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], Z];
 
 /// How far from parallel axes may be that are taken for parallel: a rounding in extended precision.
 const PARALLEL: f64 = 1e-28;
@@ -125,6 +145,8 @@ struct Solid {
     parent: Option<usize>,
     slides: bool,
     screws: bool,
+    /// Whether its joint takes it anywhere, or anywhere in a plane.
+    free: bool,
     /// R by rows and t of the placement.
     placement: [f64; 12],
     mass: f64,
@@ -179,11 +201,16 @@ impl Solid {
             parent: body.parent,
             slides,
             screws: matches!(body.motion, Motion::Screw(_)),
+            free: !body.has_own_axis(),
             placement,
             mass,
             centre,
             inertia,
-            spin: carrier.carried(&placement, slides),
+            spin: if body.has_own_axis() {
+                carrier.carried(&placement, slides)
+            } else {
+                Spin::Any
+            },
             on_the_base,
         })
     }
@@ -212,7 +239,7 @@ impl Solid {
 
     /// a of v² ≤ 2a T, where v is the velocity, along an axis, of what is at a point.
     fn slides(&self, axis: [f64; 3], point: [f64; 3]) -> f64 {
-        if self.parent.is_none() && !self.slides {
+        if self.parent.is_none() && !self.slides && !self.free {
             let across = axis[1] * point[0] - axis[0] * point[1];
             let about = if across == 0.0 {
                 0.0

@@ -4,7 +4,7 @@
 //! language, which has a room of its own below and finds here what every language shares. It never
 //! computes a number, changes an operation or chooses an order.
 
-mod c;
+pub mod c;
 mod documentation;
 pub mod rust;
 

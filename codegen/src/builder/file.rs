@@ -30,15 +30,22 @@ impl Builder {
     /// All the mistakes of the description and of the request, each of which cargo shows; a file
     /// that cannot be written.
     pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
+        self.telling(|| {
+            let listing = self.listing()?;
+            doubt(&listing);
+            write(file.as_ref(), &self.source(&listing).to_string())
+        })
+    }
+
+    /// Writes, and tells cargo which file to watch and every mistake.
+    pub(super) fn telling(
+        &self,
+        writes: impl FnOnce() -> Result<(), Errors>,
+    ) -> Result<(), Errors> {
         if let Origin::File(path) = &self.origin {
             println!("cargo::rerun-if-changed={}", path.display());
         }
-        let written = self.listing().and_then(|listing| {
-            for warning in &listing.about.warnings {
-                println!("cargo::warning={warning}");
-            }
-            write(file.as_ref(), &self.source(&listing).to_string())
-        });
+        let written = writes();
         if let Err(errors) = &written {
             for line in errors.to_string().lines() {
                 println!("cargo::error={}", line.trim_start_matches("error: "));
@@ -75,7 +82,7 @@ impl Builder {
     }
 
     /// What was asked for, as the command line would say it.
-    fn options(&self) -> String {
+    pub(super) fn options(&self) -> String {
         let request = &self.request;
         let number = match (request.scalar, &request.runtime) {
             (Real::F32, _) => "f32",
@@ -127,7 +134,14 @@ impl Builder {
     }
 }
 
-fn write(file: &Path, text: &str) -> Result<(), Errors> {
+/// Tells cargo every doubt.
+pub(super) fn doubt(listing: &Listing) {
+    for warning in &listing.about.warnings {
+        println!("cargo::warning={warning}");
+    }
+}
+
+pub(super) fn write(file: &Path, text: &str) -> Result<(), Errors> {
     let refuse = |message: String| {
         let mut errors = Errors::new();
         errors.push(Place::Unknown, message);

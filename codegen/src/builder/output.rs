@@ -14,6 +14,13 @@ use crate::print::rust::{self, Item, Library, World};
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 
+/// What is written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Language {
+    Rust,
+    C,
+}
+
 impl Builder {
     /// The struct and its methods.
     ///
@@ -53,6 +60,11 @@ impl Builder {
     }
 
     pub(crate) fn listing(&self) -> Result<Listing, Errors> {
+        self.listing_in(Language::Rust)
+    }
+
+    /// What is printed in a language.
+    pub(super) fn listing_in(&self, language: Language) -> Result<Listing, Errors> {
         let mut errors = self.mistakes.clone();
         let description = match self.description(&mut errors) {
             Some(description) if errors.is_empty() => description,
@@ -68,7 +80,8 @@ impl Builder {
             (None, None) => Trigonometry::Own,
         };
         // `core` has no fused product: a price that counted on it would be wrong.
-        if request.runtime.is_none() && request.processor != Processor::Portable {
+        let core = language == Language::Rust && request.runtime.is_none();
+        if core && request.processor != Processor::Portable {
             request.formulation.products = Products::Unfused;
         }
         if request.runtime.is_some() && self.library.c_prefix.is_some() {

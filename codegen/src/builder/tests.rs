@@ -7,6 +7,7 @@ use crate::formulation::{Formulation, Products, Sines};
 use crate::function::Function;
 use crate::print::Listing;
 use crate::print::rust::tests::listing;
+use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::{Request, Target};
 
@@ -221,6 +222,61 @@ fn c_has_names_of_its_own_and_no_runtime() {
     assert!(header.contains(options), "{header}");
     let none = arm(as_asked).to_c_header().expect("no mistakes");
     assert_eq!(none, "");
+}
+
+#[test]
+fn the_same_in_c() {
+    let builder = arm(as_asked).generate([Function::Gravity]).tip("rod-2");
+    let source = builder.to_c("arm.h").expect("no mistakes");
+    assert!(source.header.contains(" * Options: f64, tip rod-2.\n"));
+    assert!(source.text.contains("#include \"arm.h\"\n"));
+    let name = |builder: Builder| builder.to_c("arm.h").expect("no mistakes").header;
+    for (builder, function) in [
+        (
+            builder.clone(),
+            "void double_pendulum_gravity(const double q[2]",
+        ),
+        (
+            builder.clone().name("Arm").scalar(Real::F32),
+            "void arm_gravity(const float q[2]",
+        ),
+        (
+            builder.clone().name("Arm").extern_c("left_"),
+            "void left_gravity(",
+        ),
+    ] {
+        let header = name(builder);
+        assert!(header.contains(function), "{header}");
+    }
+    let errors = builder.runtime("::homogen").sin_cos("crate::sin_cos");
+    let errors = errors.to_c("arm.h").expect_err("two mistakes").to_string();
+    assert!(errors.contains("the runtime is Rust's"), "{errors}");
+    assert!(errors.contains("can be named in Rust only"), "{errors}");
+}
+
+#[test]
+fn products_fuse_in_c_where_the_processor_can_and_never_in_core() {
+    let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);
+    for (processor, fuses) in [
+        (Processor::Portable, false),
+        (Processor::CortexM7, false),
+        (Processor::AArch64, true),
+    ] {
+        let builder = builder.clone().processor(processor);
+        let source = builder.to_c("arm.h").expect("no mistakes");
+        assert_eq!(source.text.contains("HOMOGEN_FMA"), fuses, "{processor:?}");
+        assert!(!text(&builder).contains("mul_add"));
+    }
+}
+
+#[test]
+fn a_header_stands_beside_its_source() {
+    let beside = |file: &str| super::c::header_beside(file.as_ref());
+    let found = beside("src/arm.cu").expect("a name");
+    assert_eq!(found, ("src/arm.h".into(), "arm.h".to_owned()));
+    for file in ["arm.h", "a\"b.c", "a\\.c", "a??.c", "a\nb.c", "/"] {
+        assert!(beside(file).is_err(), "{file}");
+    }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! `homogen generate`: a file of Rust that needs `core` and nothing else.
+//! `homogen generate`: a file of Rust that needs `core` and nothing else, or one of C with its header.
 //!
 //! In: a description and names of functions. Out: what the builder of a build script writes, with
 //! the same tokens. It never writes a file before everything is known to be right.
@@ -6,25 +6,36 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
 use super::{Answer, Said, options};
-use crate::builder::Builder;
+use crate::builder::{Builder, header_beside};
 use crate::error::Errors;
 use crate::expand;
 
-/// Write the functions of a robot as a file of Rust that needs core and nothing else
+/// What is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Language {
+    Rust,
+    C,
+}
+
+/// Write the functions of a robot as a file of Rust that needs core and nothing else, or of C
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
-Example:
-  homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs")]
+Examples:
+  homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs
+  homogen generate arm.urdf --language c -o arm.c")]
 pub(super) struct Generate {
     #[command(flatten)]
     robot: Robot,
     #[command(flatten)]
     functions: Functions,
+    /// What the file is written in; c is C99, with a header beside the file (arm.h beside arm.c)
+    #[arg(long, value_enum, default_value = "rust")]
+    language: Language,
     /// The type of number
     #[arg(long, value_enum, default_value = "f64")]
     scalar: Scalar,
@@ -32,13 +43,14 @@ pub(super) struct Generate {
     /// [default: the file brings its own]
     #[arg(long, value_name = "PATH")]
     sin_cos: Option<String>,
-    /// Functions for C as well, whose names begin with this
+    /// Functions for C as well, whose names begin with this; in C all names begin so
+    /// [default there: the robot's name]
     #[arg(long, value_name = "PREFIX")]
     extern_c: Option<String>,
     /// The file to write the header of the functions for C to
     #[arg(long, value_name = "OUT", requires = "extern_c")]
     c_header: Option<PathBuf>,
-    /// The name of the struct [default: the robot's]
+    /// The name of the struct, or of the robot in C [default: the robot's]
     #[arg(long)]
     name: Option<String>,
     /// The file to write; `-` is standard output
@@ -63,21 +75,52 @@ impl Generate {
         if let Some(prefix) = &self.extern_c {
             builder = builder.extern_c(prefix);
         }
-        let listing = builder.listing()?;
-        remarks.push_str(&Functions::remarks(&listing));
-        let mut output = builder.source(&listing).to_string();
-        if let Some(path) = &self.c_header {
-            write(path, &builder.c_header(&listing))?;
-        }
-        if !is_standard_input(&self.output) {
-            write(&self.output, &output)?;
-            output.clear();
-        }
+        let output = match self.language {
+            Language::Rust => self.rust(&builder, &mut remarks)?,
+            Language::C => self.c(&builder, &mut remarks)?,
+        };
         Ok(Answer {
             output,
             remarks,
             code: 0,
         })
+    }
+
+    /// Writes a file of Rust, or returns its text.
+    fn rust(&self, builder: &Builder, remarks: &mut String) -> Result<String, Errors> {
+        let listing = builder.listing()?;
+        remarks.push_str(&Functions::remarks(&listing));
+        let text = builder.source(&listing).to_string();
+        if let Some(path) = &self.c_header {
+            write(path, &builder.c_header(&listing))?;
+        }
+        if is_standard_input(&self.output) {
+            return Ok(text);
+        }
+        write(&self.output, &text)?;
+        Ok(String::new())
+    }
+
+    /// Writes a file of C and its header, or returns both as one text.
+    fn c(&self, builder: &Builder, remarks: &mut String) -> Result<String, Errors> {
+        if self.c_header.is_some() {
+            let message = "--c-header is the header of functions that are written in Rust";
+            let mut errors = mistake(message);
+            errors.append(builder.c_listing().err().unwrap_or_default());
+            return Err(errors);
+        }
+        let to_file = !is_standard_input(&self.output);
+        let beside = to_file.then(|| header_beside(&self.output)).transpose()?;
+        let listing = builder.c_listing()?;
+        remarks.push_str(&Functions::remarks(&listing));
+        let Some((path, name)) = beside else {
+            let source = builder.c(&listing, "robot.h");
+            return Ok(format!("{}\n{}", source.header, source.text));
+        };
+        let source = builder.c(&listing, &name);
+        write(&path, &source.header)?;
+        write(&self.output, &source.text)?;
+        Ok(String::new())
     }
 }
 

@@ -9,6 +9,7 @@ mod error;
 use std::fmt::Write;
 
 use super::{About, LeftOut, Listed, Listing};
+use crate::real::Real;
 use crate::request::Target;
 use crate::space::{Kind, Space, Spaces, Variable};
 use crate::wording::{code, list};
@@ -19,6 +20,16 @@ pub(super) enum Angles {
     UpTo(&'static str),
     /// Those for which the function at this path is.
     As(String),
+}
+
+impl Angles {
+    /// Those for which the sines are precise that code brings along.
+    pub fn own(real: Real) -> Self {
+        Self::UpTo(match real {
+            Real::F32 => "3200 rad",
+            Real::F64 | Real::Generic => "2e5 rad",
+        })
+    }
 }
 
 /// What is said of a function; `angles` where its results are plain arrays.

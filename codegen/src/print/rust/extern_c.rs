@@ -42,11 +42,13 @@ pub fn c_header(
     options: &str,
     library: &Library,
 ) -> Option<String> {
+    let prefix = library.c_prefix.as_deref()?;
     let header = c::Header {
-        prefix: library.c_prefix.as_deref()?,
-        robot: &item.ident.unraw().to_string(),
+        prefix,
+        guard: &format!("{prefix}{}_", item.ident.unraw()),
         options,
         angles: &library.angles(listing.scalar),
+        needs: None,
     };
     Some(header.text(listing))
 }

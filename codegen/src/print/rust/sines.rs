@@ -1,7 +1,7 @@
 //! The sines and cosines that a file for `core` alone brings along.
 //!
 //! In: the type of number. Out: a function that becomes a private one of the struct, as text that
-//! is a file of its own here, and what there is to be said about its range. They are the straight
+//! is a file of its own here. They are the straight
 //! halves of `homogen::trigonometry`, which explains them line by line; the tests of the workspace
 //! hold the two together bit for bit.
 
@@ -22,14 +22,6 @@ pub(super) fn function(real: Real) -> TokenStream {
     };
     // The text is Rust: it is compiled below.
     TokenStream::from_str(text).unwrap_or_default()
-}
-
-/// Up to which angle it is precise.
-pub(super) const fn range(real: Real) -> &'static str {
-    match real {
-        Real::F32 => "3200 rad",
-        Real::F64 | Real::Generic => "2e5 rad",
-    }
 }
 
 #[cfg(test)]

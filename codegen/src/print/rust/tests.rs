@@ -23,12 +23,12 @@ const Q: [Operand; 2] = [
     Operand::Input(Input::Variable(Variable::Q, 1)),
 ];
 
-fn step(label: &str, operation: Operation) -> Step {
+pub(crate) fn step(label: &str, operation: Operation) -> Step {
     let label = (!label.is_empty()).then(|| label.to_owned());
     Step { label, operation }
 }
 
-fn literal(value: f64) -> Operand {
+pub(crate) fn literal(value: f64) -> Operand {
     Operand::Literal(value)
 }
 
@@ -57,7 +57,7 @@ fn gravity(mass: Operand) -> Program {
     }
 }
 
-fn listed(functions: &[Function], program: Program) -> Listed {
+pub(crate) fn listed(functions: &[Function], program: Program) -> Listed {
     let price = Price::of(&program).beside_dense(384, 288);
     Listed {
         functions: functions.to_vec(),
@@ -87,7 +87,7 @@ fn constant(results: &[f64]) -> Program {
 }
 
 /// The spaces of joints of those names, all of which turn.
-fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
+pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
     let entry = |name| Entry {
         name,
         kind: Kind::Turn,
@@ -162,7 +162,7 @@ fn pretty(tokens: &TokenStream) -> String {
 }
 
 /// The listing with the mass of the second rod as a field.
-fn with_payload(mut listing: Listing) -> Listing {
+pub(crate) fn with_payload(mut listing: Listing) -> Listing {
     let payload = Operand::Input(Input::Parameter(0, 0));
     listing.functions = vec![listed(&[Function::Gravity], gravity(payload))];
     listing.parameters = vec![Parameter {

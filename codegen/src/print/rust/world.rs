@@ -5,7 +5,6 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::sines;
 use crate::print::documentation::Angles;
 use crate::real::Real;
 
@@ -47,7 +46,7 @@ impl Library {
     /// For which angles its sines and cosines are precise.
     pub(super) fn angles(&self, real: Real) -> Angles {
         match &self.sin_cos {
-            None => Angles::UpTo(sines::range(real)),
+            None => Angles::own(real),
             Some(path) => Angles::As(spelled(path)),
         }
     }

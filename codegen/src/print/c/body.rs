@@ -1,0 +1,231 @@
+//! From a routine to statements.
+//!
+//! In: a [`Listed`] function of a [`Listing`], and how it is written. Out: a constant for each statement
+//! of its [`Routine`], and its results in the arrays of the caller. It never branches, and calls
+//! nothing but sines, cosines, roots and fused products.
+
+use std::fmt::Write;
+
+use super::Writing;
+use super::declarations::{lengths, members, number};
+use super::literals::literal;
+use super::names::unscoped;
+use crate::formulation::Sines;
+use crate::print::{Listed, Listing};
+use crate::real::Real;
+use crate::request::Parameter;
+use crate::schedule::{Angle, Names, Operation, Readable, Routine, Statement, Value};
+
+/// The lines within the braces of a function.
+pub(super) fn body(listing: &Listing, listed: &Listed, writing: &Writing<'_>) -> String {
+    let fields = listing.parameters.iter().map(Parameter::entries);
+    let readable = Readable {
+        arguments: &listed.arguments(),
+        spaces: &listing.spaces,
+        fields: &fields.collect::<Vec<_>>(),
+    };
+    let routine = Routine::of(&listed.program, &readable, names(listed, writing));
+    let mut writer = Writer {
+        writing,
+        real: listing.scalar,
+        sines: listing.sines,
+        text: String::new(),
+        names: routine.names.clone(),
+    };
+    writer.load(&routine, listing);
+    writer.statements(&routine.statements);
+    writer.store(&routine, listing, listed);
+    writer.text
+}
+
+/// What nothing in a function can be called.
+fn names(listed: &Listed, writing: &Writing<'_>) -> Names {
+    let mut names = unscoped();
+    let results = listed.functions.iter().map(|function| function.name());
+    let library = ["cos", "cosf", "robot", "sin", "sinf", "sqrt", "sqrtf"];
+    for name in results.chain(library) {
+        names.take(name);
+    }
+    for own in ["sin_cos", "turn"] {
+        names.take(&writing.own(own));
+    }
+    names
+}
+
+/// The spelling of what routines are made of.
+struct Writer<'w> {
+    writing: &'w Writing<'w>,
+    real: Real,
+    sines: Sines,
+    text: String,
+    names: Names,
+}
+
+impl Writer<'_> {
+    /// `const double name = value;`.
+    fn constant(&mut self, name: &str, value: &str) {
+        let number = number(self.real);
+        self.line(&format!("const {number} {name} = {value};"));
+    }
+
+    fn line(&mut self, statement: &str) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "    {statement}");
+    }
+
+    /// All that is read of arguments and fields, before anything is written.
+    fn load(&mut self, routine: &Routine, listing: &Listing) {
+        for (argument, entries) in &routine.arguments {
+            let read = entries.iter().enumerate();
+            for (k, name) in read.filter_map(|(k, name)| Some((k, name.as_ref()?))) {
+                self.constant(name, &format!("{}[{k}]", argument.name()));
+            }
+            if entries.iter().all(Option::is_none) {
+                self.line(&format!("(void){};", argument.name()));
+            }
+        }
+        let mut unread = !listing.parameters.is_empty();
+        for (entries, member) in routine.fields.iter().zip(members(listing)) {
+            for (k, name) in entries.iter().enumerate() {
+                let Some(name) = name else { continue };
+                unread = false;
+                match &**entries {
+                    [_] => self.constant(name, &format!("robot->{member}")),
+                    _ => self.constant(name, &format!("robot->{member}[{k}]")),
+                }
+            }
+        }
+        if unread {
+            self.line("(void)robot;");
+        }
+    }
+
+    /// What stands in blocks stands among the others: names are those of one scope already, and C
+    /// compilers take any number of them.
+    fn statements(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            match statement {
+                Statement::Operation(name, operation) => {
+                    let value = self.operation(operation);
+                    self.constant(name, &value);
+                }
+                Statement::SinesAndCosines(angles) => {
+                    for angle in angles {
+                        self.sine_and_cosine(angle);
+                    }
+                }
+                Statement::Block { statements, .. } => self.statements(statements),
+            }
+        }
+    }
+
+    /// A value as an expression that binds tighter than any infix operator.
+    fn read(&self, value: &Value) -> String {
+        match value {
+            Value::Literal(value) => literal(*value, self.real),
+            Value::Name(name) => name.clone(),
+        }
+    }
+
+    /// Products with sums, rounded once where the file fuses them.
+    fn operation(&self, operation: &Operation<Value>) -> String {
+        let fused = self.writing.fused.then(|| self.writing.mul_add());
+        match (operation.clone().map(|value| self.read(&value)), fused) {
+            (Operation::Add(a, b), _) => format!("{a} + {b}"),
+            (Operation::Sub(a, b), _) => format!("{a} - {b}"),
+            (Operation::Mul(a, b), _) => format!("{a} * {b}"),
+            (Operation::Div(a, b), _) => format!("{a} / {b}"),
+            (Operation::Sqrt(a), _) => self.call("sqrt", &a),
+            (Operation::Neg(a), _) => negative(&a),
+            (Operation::MulAdd(a, b, c), Some(fused)) => format!("{fused}({a}, {b}, {c})"),
+            (Operation::MulSub(a, b, c), Some(fused)) => {
+                format!("{fused}({a}, {b}, {})", negative(&c))
+            }
+            (Operation::NegMulAdd(a, b, c), Some(fused)) => {
+                format!("{fused}({}, {b}, {c})", negative(&a))
+            }
+            (Operation::MulAdd(a, b, c), None) => format!("{a} * {b} + {c}"),
+            (Operation::MulSub(a, b, c), None) => format!("{a} * {b} - {c}"),
+            (Operation::NegMulAdd(a, b, c), None) => format!("{c} - {a} * {b}"),
+        }
+    }
+
+    /// A function of the library in the type of number.
+    fn call(&self, function: &str, value: &str) -> String {
+        match self.real {
+            Real::F32 => format!("{function}f({value})"),
+            Real::F64 | Real::Generic => format!("{function}({value})"),
+        }
+    }
+
+    fn sine_and_cosine(&mut self, angle: &Angle) {
+        let value = self.read(&angle.value);
+        let parts = [
+            (&angle.sine, "sin", "sine"),
+            (&angle.cosine, "cos", "cosine"),
+        ];
+        let parts = parts.into_iter().filter_map(|(name, function, member)| {
+            name.as_ref().map(|name| (name, function, member))
+        });
+        if self.sines == Sines::Platform {
+            for (name, function, _) in parts {
+                let value = self.call(function, &value);
+                self.constant(name, &value);
+            }
+            return;
+        }
+        let [turn, sin_cos] = ["turn", "sin_cos"].map(|name| self.writing.own(name));
+        // `s_1` and `c_1` are parts of `turn_1`.
+        let subject = parts.clone().next().map_or("", |(name, ..)| &name[1..]);
+        let both = self.names.fresh(&format!("turn{subject}"));
+        self.line(&format!("const {turn} {both} = {sin_cos}({value});"));
+        for (name, _, member) in parts {
+            self.constant(name, &format!("{both}.{member}"));
+        }
+    }
+
+    /// The results, one after the other.
+    fn store(&mut self, routine: &Routine, listing: &Listing, listed: &Listed) {
+        let mut values = routine.results.iter();
+        for function in &listed.functions {
+            let lengths = lengths(*function, &listing.spaces);
+            let name = function.name();
+            let size = lengths.iter().product::<usize>();
+            for (k, value) in values.by_ref().take(size).enumerate() {
+                let value = self.read(value);
+                let place = place(name, k, &lengths);
+                self.line(&format!("{place} = {value};"));
+            }
+            if size == 0 {
+                self.line(&format!("(void){name};"));
+            }
+        }
+    }
+}
+
+/// −a, which is no decrement.
+fn negative(value: &str) -> String {
+    if value.starts_with('-') {
+        format!("-({value})")
+    } else {
+        format!("-{value}")
+    }
+}
+
+/// Where a result's number of that index is: `gravity[3]`, `mass_matrix[1][2]`, `*kinetic_energy`.
+fn place(name: &str, index: usize, lengths: &[usize]) -> String {
+    if lengths.is_empty() {
+        return format!("*{name}");
+    }
+    let mut rest = index;
+    let indices = lengths.iter().rev().map(|length| {
+        let index = rest % length;
+        rest /= length;
+        index
+    });
+    let indices: Vec<_> = indices.collect();
+    indices
+        .iter()
+        .rev()
+        .fold(name.to_owned(), |place, index| format!("{place}[{index}]"))
+}

@@ -1,0 +1,50 @@
+//! What stands above C.
+//!
+//! In: lines. Out: comments. They say nothing that the lines do not, and nothing in them is read as code.
+
+use crate::wording::visible;
+
+/// Lines as a comment of their own.
+pub(super) fn comment(lines: &[String]) -> String {
+    let lines: Vec<_> = lines.iter().map(|line| harmless(line)).collect();
+    format!("/* {}\n */\n", lines.join("\n * ").replace(" \n", "\n"))
+}
+
+/// A text that neither ends the comment around it nor seems to begin another, holds no trigraph, and
+/// does not continue on the next line.
+pub(super) fn harmless(text: &str) -> String {
+    let mut harmless = String::with_capacity(text.len());
+    let mut last = ' ';
+    for letter in visible(text).chars() {
+        if matches!((last, letter), ('*', '/') | ('/', '*') | ('?', '?')) {
+            harmless.push(' ');
+        }
+        harmless.push(letter);
+        last = letter;
+    }
+    if last == '\\' {
+        harmless.push('.');
+    }
+    harmless
+}
+
+#[cfg(test)]
+mod tests {
+    use super::harmless;
+
+    #[test]
+    fn nothing_in_a_comment_is_code() {
+        for (text, shown) in [
+            ("a */ b /* c", "a * / b / * c"),
+            ("/*/", "/ * /"),
+            ("**//", "** //"),
+            ("??/", "? ?/"),
+            ("???/", "? ? ?/"),
+            ("*??/\n/", "*? ?/\\u{a}/"),
+            ("so on \\", "so on \\."),
+            ("\"q̈\" in rad/s²", "\"q̈\" in rad/s²"),
+        ] {
+            assert_eq!(harmless(text), shown);
+        }
+    }
+}

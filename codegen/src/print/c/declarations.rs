@@ -1,0 +1,117 @@
+//! What C is told of functions before it calls them.
+//!
+//! In: a [`Listing`], how names begin. Out: the struct of fields, the parameters of a function, the
+//! entries of spaces as constants. It never looks at what a function does.
+
+use std::fmt::Write;
+
+use super::comments::harmless;
+use super::names::{ascii, constants, unscoped};
+use crate::function::Function;
+use crate::print::{Listed, Listing, documentation};
+use crate::real::Real;
+use crate::space::{Space, Spaces, Variable};
+use crate::wording::code;
+
+/// The type of number.
+pub(super) const fn number(real: Real) -> &'static str {
+    match real {
+        Real::F32 => "float",
+        Real::F64 | Real::Generic => "double",
+    }
+}
+
+/// The struct, where it has fields.
+pub(super) fn structure(text: &mut String, listing: &Listing, prefix: &str) {
+    if listing.parameters.is_empty() {
+        return;
+    }
+    let number = number(listing.scalar);
+    text.push_str("typedef struct {\n");
+    for (parameter, member) in listing.parameters.iter().zip(members(listing)) {
+        let about = documentation::of_field(&parameter.target);
+        let size = match parameter.target.entries() {
+            1 => String::new(),
+            entries => format!("[{entries}]"),
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "    {number} {member}{size}; /* {} */",
+            harmless(&about)
+        );
+    }
+    let _ = writeln!(text, "}} {prefix}robot;\n");
+}
+
+/// The names of the fields.
+///
+/// What a field of a struct in another language is called does not matter: only its place is that of
+/// its definition.
+pub(super) fn members(listing: &Listing) -> Vec<String> {
+    let mut names = unscoped();
+    let parameters = listing.parameters.iter();
+    parameters
+        .map(|parameter| names.alone(&ascii(&parameter.name())))
+        .collect()
+}
+
+/// The entries of coordinates and velocities, by which arguments and results are indexed, and how many
+/// there are.
+pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
+    let spaces = [(Space::Coordinates, "Q"), (Space::Velocities, "V")];
+    for (space, letter) in spaces {
+        let variables = Variable::ALL.into_iter();
+        let variables: Vec<_> = variables.filter(|of| of.space() == space).collect();
+        let letters: Vec<_> = variables.iter().map(|of| of.letter()).collect();
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "/* The entries of {}. */\nenum {{",
+            letters.join(", ")
+        );
+        let names = constants(&listing.spaces, space, &format!("{prefix}{letter}_"));
+        for (name, entry) in names.iter().zip(listing.spaces.entries(space)) {
+            let units = variables.iter().map(|of| of.unit(entry.kind));
+            let units = units.collect::<Vec<_>>().join(", ");
+            let about = harmless(&format!("{} in {units}", code(&entry.name)));
+            let _ = writeln!(text, "    {name}, /* {about} */");
+        }
+        let count = format!("{prefix}N{letter}").to_uppercase();
+        let _ = writeln!(text, "    {count}\n}};\n");
+    }
+}
+
+/// `const float q[6], float gravity[6]`.
+pub(super) fn parameters(listing: &Listing, listed: &Listed, prefix: &str) -> String {
+    let spaces = &listing.spaces;
+    let number = number(listing.scalar);
+    let robot = (!listing.parameters.is_empty()).then(|| format!("const {prefix}robot *robot"));
+    let arguments = listed.arguments().into_iter();
+    let arguments = arguments
+        .map(|argument| declarator(argument.name(), &[spaces.len(argument.space())]))
+        .map(|argument| format!("const {number} {argument}"));
+    let results = listed.functions.iter();
+    let results = results
+        .map(|function| declarator(function.name(), &lengths(*function, spaces)))
+        .map(|result| format!("{number} {result}"));
+    let all: Vec<_> = robot.into_iter().chain(arguments).chain(results).collect();
+    all.join(", ")
+}
+
+/// How long the arrays within arrays are that hold a result, the outermost first; a number is in none.
+pub(super) fn lengths(function: Function, spaces: &Spaces) -> Vec<usize> {
+    let quantity = function.result();
+    [&*quantity.lengths(spaces), quantity.entity.dimensions()].concat()
+}
+
+/// `forward_kinematics[3][4]`; a pointer where there is no array, or one without entries, which C has
+/// not.
+fn declarator(name: &str, lengths: &[usize]) -> String {
+    if lengths.is_empty() || lengths.contains(&0) {
+        return format!("*{name}");
+    }
+    lengths
+        .iter()
+        .fold(name.to_owned(), |name, length| format!("{name}[{length}]"))
+}

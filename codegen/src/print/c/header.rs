@@ -1,0 +1,75 @@
+//! The header: what there is to be called.
+//!
+//! In: a [`Listing`], and where its functions are written. Out: declarations with their comments. It
+//! never knows how a function computes.
+
+use std::fmt::Write;
+
+use super::comments::comment;
+use super::declarations::{indices, parameters, structure};
+use super::names::{ascii, symbols};
+use crate::print::Listing;
+use crate::print::documentation::{self, Angles};
+
+/// What a header tells besides what the listing does.
+pub(in crate::print) struct Header<'a> {
+    /// How the names of the functions begin.
+    pub prefix: &'a str,
+    /// How the name of the macro begins that keeps it from being read twice.
+    pub guard: &'a str,
+    /// What was asked for.
+    pub options: &'a str,
+    /// For which angles they are precise.
+    pub angles: &'a Angles,
+    /// What they need to be compiled, where they are written in C.
+    pub needs: Option<&'a str>,
+}
+
+impl Header<'_> {
+    /// The text of the file.
+    pub fn text(&self, listing: &Listing) -> String {
+        let prefix = self.prefix;
+        let mut head = documentation::head(listing, self.options);
+        head.push(
+            "No pointer may be null, and no result may overlap an argument or another result."
+                .to_owned(),
+        );
+        head.extend(self.needs.map(str::to_owned));
+        let mut text = comment(&head);
+        let guard = guard(self.guard);
+        let _ = writeln!(text, "#ifndef {guard}\n#define {guard}\n");
+        let is_c = self.needs.is_some();
+        if is_c {
+            text.push_str(QUALIFIER);
+        }
+        text.push_str("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
+        if is_c {
+            indices(&mut text, listing, prefix);
+        }
+        structure(&mut text, listing, prefix);
+        let qualifier = if is_c { "HOMOGEN_FN " } else { "" };
+        for (listed, name) in listing.functions.iter().zip(symbols(listing, prefix)) {
+            let about = documentation::of_function(listing, listed, Some(self.angles));
+            text.push_str(&comment(&about));
+            let parameters = parameters(listing, listed, prefix);
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{qualifier}void {name}({parameters});\n");
+        }
+        text.push_str("#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
+        text
+    }
+}
+
+/// The macro that is defined where the header has been read.
+pub(super) fn guard(beginning: &str) -> String {
+    format!("HOMOGEN_{}H", ascii(beginning)).to_uppercase()
+}
+
+/// What stands before every function.
+const QUALIFIER: &str = "\
+/* Before every function: nothing, or what is defined as this, such as __device__. */
+#ifndef HOMOGEN_FN
+#define HOMOGEN_FN
+#endif
+
+";

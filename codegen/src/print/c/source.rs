@@ -1,0 +1,112 @@
+//! The source: functions, and what they need of a compiler.
+//!
+//! In: a [`Listing`], and how it is written. Out: definitions of what the header declares. It never
+//! prints an operation itself.
+
+use std::fmt::Write;
+
+use super::Writing;
+use super::body::body;
+use super::comments::comment;
+use super::declarations::parameters;
+use super::header::guard;
+use super::names::symbols;
+use super::sines;
+use crate::formulation::Sines;
+use crate::print::{Listed, Listing, documentation};
+use crate::real::Real;
+use crate::schedule::Operation;
+
+/// The text of the file.
+pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
+    let symbols = symbols(listing, writing.prefix);
+    let mut head = documentation::head(listing, writing.options);
+    head.push(writing.needs());
+    for (listed, name) in listing.functions.iter().zip(&symbols) {
+        head.extend(documentation::price(listed, name));
+    }
+    let mut text = comment(&head);
+    text.push('\n');
+    let (guard, header) = (guard(writing.prefix), writing.header);
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "#ifndef {guard}\n#include \"{header}\"\n#endif");
+    let own_sines = listing.sines == Sines::Own && listing.functions.iter().any(has_angles);
+    text.push_str("#include <float.h>\n");
+    if listing
+        .functions
+        .iter()
+        .any(|listed| calls(listing, listed))
+    {
+        text.push_str("#include <math.h>\n");
+    }
+    if own_sines {
+        text.push_str("#include <stdint.h>\n");
+    }
+    text.push_str(ARITHMETIC);
+    if writing.fused || own_sines {
+        let fused = writing.fused.then_some(listing.scalar);
+        text.push_str(&product_and_sum(&writing.mul_add(), fused));
+    }
+    if own_sines {
+        text.push('\n');
+        text.push_str(&sines::function(listing.scalar, writing));
+    }
+    for (listed, name) in listing.functions.iter().zip(&symbols) {
+        let parameters = parameters(listing, listed, writing.prefix);
+        let body = body(listing, listed, writing);
+        let _ = writeln!(text, "\nHOMOGEN_FN void {name}({parameters})\n{{\n{body}}}");
+    }
+    text
+}
+
+fn has_angles(listed: &Listed) -> bool {
+    !listed.program.angles.is_empty()
+}
+
+/// Whether it calls a function of the library.
+fn calls(listing: &Listing, listed: &Listed) -> bool {
+    let mut steps = listed.program.steps.iter();
+    let root = steps.any(|step| matches!(step.operation, Operation::Sqrt(_)));
+    root || (listing.sines == Sines::Platform && has_angles(listed))
+}
+
+/// What compilers must not do, and what some of them need to be told.
+const ARITHMETIC: &str = "
+#ifdef __FAST_MATH__
+#error \"Sums are not associative here: compile without -ffast-math.\"
+#endif
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error \"Every number has to be rounded to its type: compile with -msse2 -mfpmath=sse.\"
+#endif
+/* GCC knows no such pragma: -ffp-contract=off says the same. */
+#if defined(__clang__) || !defined(__GNUC__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+";
+
+/// The macro for a product and a sum, which are fused in a type of number, or not.
+fn product_and_sum(name: &str, fused: Option<Real>) -> String {
+    let apart = format!("#define {name}(a, b, c) ((a) * (b) + (c))\n");
+    let Some(real) = fused else {
+        return format!("\n/* Each is rounded by itself. */\n{apart}");
+    };
+    let letter = match real {
+        Real::F32 => "f",
+        Real::F64 | Real::Generic => "",
+    };
+    let macros = letter.to_uppercase();
+    format!(
+        "
+/* Rounded once where the target has the instruction, which HOMOGEN_FMA{macros}(a, b, c) may be; never
+ * by a library.
+ */
+#if defined(HOMOGEN_FMA{macros})
+#define {name}(a, b, c) HOMOGEN_FMA{macros}(a, b, c)
+#elif defined(__FP_FAST_FMA{macros}) || \\
+    (defined(__GNUC__) && (defined(__FMA__) || defined(__aarch64__)))
+#define {name}(a, b, c) __builtin_fma{letter}(a, b, c)
+#else
+{apart}#endif
+"
+    )
+}

@@ -196,9 +196,6 @@ impl Writer<'_> {
                 let place = place(name, k, &lengths);
                 self.line(&format!("{place} = {value};"));
             }
-            if size == 0 {
-                self.line(&format!("(void){name};"));
-            }
         }
     }
 }

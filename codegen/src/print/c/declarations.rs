@@ -105,10 +105,9 @@ pub(super) fn lengths(function: Function, spaces: &Spaces) -> Vec<usize> {
     [&*quantity.lengths(spaces), quantity.entity.dimensions()].concat()
 }
 
-/// `forward_kinematics[3][4]`; a pointer where there is no array, or one without entries, which C has
-/// not.
+/// `forward_kinematics[3][4]`; a pointer where there is no array.
 fn declarator(name: &str, lengths: &[usize]) -> String {
-    if lengths.is_empty() || lengths.contains(&0) {
+    if lengths.is_empty() {
         return format!("*{name}");
     }
     lengths

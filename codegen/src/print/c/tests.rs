@@ -199,26 +199,6 @@ fn the_library_is_called_for_roots_and_where_its_sines_were_asked_for() {
 }
 
 #[test]
-fn a_robot_without_joints_has_no_arrays_without_entries() {
-    let program = Program {
-        angles: Vec::new(),
-        before_angles: 0,
-        steps: Vec::new(),
-        results: Vec::new(),
-    };
-    let listing = Listing {
-        spaces: turning([]),
-        functions: vec![listed(&[Function::MassMatrix], program)],
-        ..listing(Real::F64)
-    };
-    let source = written(&listing);
-    let declaration = "void pendulum_mass_matrix(const double *q, double *mass_matrix);\n";
-    assert!(source.header.contains(declaration), "{}", source.header);
-    assert!(source.header.contains("enum {\n    PENDULUM_NQ\n};"));
-    assert_eq!(body(&source), "    (void)q;\n    (void)mass_matrix;\n");
-}
-
-#[test]
 fn joints_of_one_name_have_constants_of_their_own() {
     let listing = Listing {
         spaces: turning(["a-b", "a b", "*/", "機器人"].map(str::to_owned)),

@@ -1,0 +1,229 @@
+//! What is at hand to compile.
+//!
+//! In: a robot. Out: its files in a folder, objects and programs of them, and what the programs give.
+//! A complaint of a compiler is a failure.
+
+use std::fmt;
+use std::fs::{self, File};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+use homogen_codegen::Real;
+
+use crate::programs;
+use crate::robot::Robot;
+
+/// A folder of a test's own.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    pub fn new(name: &str) -> Self {
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+            .join("c99")
+            .join(name);
+        fs::create_dir_all(&folder).expect("a folder to write in");
+        Self(folder)
+    }
+
+    fn path(&self, file: &str) -> PathBuf {
+        self.0.join(file)
+    }
+
+    fn write(&self, file: &str, text: &str) {
+        fs::write(self.path(file), text).expect("a file");
+    }
+
+    /// Writes the header, the source, and a program that calls all of it.
+    pub fn write_c(&self, robot: &Robot, real: Real) {
+        let source = robot.source(real);
+        self.write("arm.h", &source.header);
+        self.write("arm.c", &source.text);
+        self.write("main.c", &programs::c(robot, real));
+        self.write("whole.c", &format!("{}\n{}", source.header, source.text));
+    }
+}
+
+/// A compiler of C.
+#[derive(Clone, Copy)]
+pub struct C {
+    name: &'static str,
+    /// What it needs to be told of its target.
+    target: &'static [&'static str],
+}
+
+/// The compiler that Rust links with: it is there wherever Rust is.
+const CC: C = C {
+    name: "cc",
+    target: &[],
+};
+
+/// Others.
+const MORE: [C; 2] = [
+    C {
+        name: "clang",
+        target: &[],
+    },
+    C {
+        name: "arm-none-eabi-gcc",
+        target: &[
+            "-mcpu=cortex-m7",
+            "-mthumb",
+            "-mfpu=auto",
+            "-mfloat-abi=hard",
+            "-ffreestanding",
+        ],
+    },
+];
+
+const FLAGS: [&str; 9] = [
+    "-std=c99",
+    "-pedantic",
+    "-Wall",
+    "-Wextra",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Werror",
+    "-O2",
+    "-ffp-contract=off",
+];
+
+impl fmt::Display for C {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{} {}", self.name, self.target.join(" "))
+    }
+}
+
+impl C {
+    /// All that there are.
+    ///
+    /// # Panics
+    /// Where there is none at all.
+    pub fn all() -> Vec<Self> {
+        assert!(
+            CC.is_here(),
+            "`cc` is missing: C is not tested without a compiler of C"
+        );
+        let more = MORE.into_iter().filter(|compiler| {
+            let here = compiler.is_here();
+            if !here {
+                println!("not tested with {compiler}, which is missing");
+            }
+            here
+        });
+        [CC].into_iter().chain(more).collect()
+    }
+
+    /// Those whose programs run here.
+    pub fn that_run() -> Vec<Self> {
+        let all = Self::all().into_iter();
+        all.filter(|compiler| compiler.target.is_empty()).collect()
+    }
+
+    fn is_here(&self) -> bool {
+        let version = Command::new(self.name).arg("--version").output();
+        version.is_ok_and(|output| output.status.success())
+    }
+
+    fn command(&self) -> Command {
+        let mut command = Command::new(self.name);
+        command.args(FLAGS).args(self.target);
+        command
+    }
+
+    /// Compiles a source without a complaint, and links it with nothing at all: no library is called,
+    /// unless compilers clear memory by one.
+    pub fn alone(&self, folder: &Folder, file: &str) {
+        let (source, alone) = (folder.path(file), folder.path("alone"));
+        let mut command = self.command();
+        command.args(["-nostdlib", "-Wl,-e,0", "-fno-builtin"]);
+        succeed(command.arg(source).arg("-o").arg(alone));
+    }
+
+    /// Compiles and links a program without a complaint.
+    pub fn program(&self, folder: &Folder, options: &[&str]) -> Program {
+        let program = folder.path(&format!(
+            "main_{}{}",
+            self.name,
+            options.concat().replace('/', "")
+        ));
+        // The program's own code may use what it likes.
+        let sources = ["arm.c", "main.c"].map(|file| folder.path(file));
+        succeed(
+            self.command()
+                .args(options)
+                .args(sources)
+                .arg("-o")
+                .arg(&program)
+                .arg("-lm"),
+        );
+        Program {
+            program,
+            folder: folder.path(""),
+        }
+    }
+
+    /// What is said where an option makes the source one that does not compile.
+    pub fn refusal(&self, folder: &Folder, option: &str) -> String {
+        let mut command = self.command();
+        command.args([option, "-fsyntax-only"]);
+        let output = output(command.arg(folder.path("arm.c")));
+        assert!(!output.status.success(), "{self} takes it with {option}");
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    }
+}
+
+/// Compiles the file in Rust and a program that calls all of it.
+pub fn rust(folder: &Folder, robot: &Robot, real: Real) -> Program {
+    folder.write("arm.rs", &robot.rust(real));
+    folder.write("main.rs", &programs::rust(robot, real));
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let program = folder.path("main_rust");
+    let mut command = Command::new(rustc);
+    command.args([
+        "--edition",
+        "2021",
+        "-C",
+        "opt-level=1",
+        "-A",
+        "warnings",
+        "-o",
+    ]);
+    succeed(command.arg(&program).arg(folder.path("main.rs")));
+    Program {
+        program,
+        folder: folder.path(""),
+    }
+}
+
+/// A program that reads states and writes numbers.
+pub struct Program {
+    program: PathBuf,
+    folder: PathBuf,
+}
+
+impl Program {
+    /// All numbers, as the machine has them.
+    pub fn run(&self, states: &[u8]) -> Vec<u8> {
+        let input = self.folder.join("states");
+        fs::write(&input, states).expect("a file");
+        let input = File::open(input).expect("it was written");
+        let mut command = Command::new(&self.program);
+        succeed(command.stdin(Stdio::from(input)))
+    }
+}
+
+fn output(command: &mut Command) -> Output {
+    let output = command.output();
+    output.unwrap_or_else(|reason| panic!("{command:?}: {reason}"))
+}
+
+/// Runs to a good end without a word, and returns what it wrote.
+fn succeed(command: &mut Command) -> Vec<u8> {
+    let output = output(command);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        output.status.success() && said.is_empty(),
+        "{command:?}\n{said}"
+    );
+    output.stdout
+}

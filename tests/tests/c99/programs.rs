@@ -1,0 +1,132 @@
+//! Programs that call every function of a robot.
+//!
+//! In: a robot, a type of number. Out: `main` in both languages: it reads states from its input, and
+//! writes the numbers of all results, as the machine has them.
+
+use std::fmt::Write;
+
+use homogen_codegen::space::Variable;
+use homogen_codegen::{Function, Real};
+
+use crate::robot::{Asked, Robot};
+
+/// In Rust, beside `arm.rs`.
+pub fn rust(robot: &Robot, real: Real) -> String {
+    let number = match real {
+        Real::F32 => "f32",
+        Real::F64 | Real::Generic => "f64",
+    };
+    let mut text = format!(
+        r#"mod arm {{ include!("arm.rs"); }}
+        use std::io::{{Read, Write}};
+        trait Numbers {{ fn write(&self, bytes: &mut Vec<u8>); }}
+        impl Numbers for {number} {{
+            fn write(&self, bytes: &mut Vec<u8>) {{ bytes.extend(self.to_ne_bytes()) }}
+        }}
+        impl<T: Numbers, const N: usize> Numbers for [T; N] {{
+            fn write(&self, bytes: &mut Vec<u8>) {{ self.iter().for_each(|one| one.write(bytes)) }}
+        }}
+        impl<A: Numbers, B: Numbers> Numbers for (A, B) {{
+            fn write(&self, bytes: &mut Vec<u8>) {{ self.0.write(bytes); self.1.write(bytes) }}
+        }}
+        fn main() {{
+            let mut input = Vec::new();
+            std::io::stdin().read_to_end(&mut input).unwrap();
+            let mut output = Vec::new();
+            let numbers = input.chunks_exact(std::mem::size_of::<{number}>());
+            let numbers = numbers.map(|one| {number}::from_ne_bytes(one.try_into().unwrap()));
+            let numbers: Vec<{number}> = numbers.collect();
+            for state in numbers.chunks_exact({}) {{
+                let mut rest = state.iter().copied();
+                let mut next = || rest.next().unwrap();
+"#,
+        robot.inputs()
+    );
+    for variable in Variable::ALL {
+        let (name, length) = (variable.name(), robot.spaces.len(variable.space()));
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "let {name}: [{number}; {length}] = std::array::from_fn(|_| next());"
+        );
+    }
+    text.push_str("let arm = arm::Arm {");
+    for (field, size) in &robot.fields {
+        let _ = match size {
+            1 => write!(text, "{field}: next(),"),
+            _ => write!(text, "{field}: std::array::from_fn(|_| next()),"),
+        };
+    }
+    text.push_str("};\n");
+    for Asked { functions, name } in &robot.asked {
+        let arguments = Variable::together(functions.iter().map(|function| function.arguments()));
+        let arguments: Vec<_> = arguments
+            .iter()
+            .map(|of| format!("&{}", of.name()))
+            .collect();
+        let _ = writeln!(
+            text,
+            "arm.{name}({}).write(&mut output);",
+            arguments.join(", ")
+        );
+    }
+    text.push_str("}\nstd::io::stdout().write_all(&output).unwrap();\n}\n");
+    text
+}
+
+/// In C, beside `arm.h` and `arm.c`.
+pub fn c(robot: &Robot, real: Real) -> String {
+    let number = match real {
+        Real::F32 => "float",
+        Real::F64 | Real::Generic => "double",
+    };
+    let mut text = format!(
+        "#include <stdio.h>\n#include <string.h>\n#include \"arm.h\"\n\
+         int main(void)\n{{\n    {number} state[{}];\n\
+         while (fread(state, sizeof state, 1, stdin) == 1) {{\n",
+        robot.inputs()
+    );
+    let mut place = 0;
+    for variable in Variable::ALL {
+        let name = variable.name();
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "const {number} *{name} = state + {place};");
+        place += robot.spaces.len(variable.space());
+    }
+    if !robot.fields.is_empty() {
+        // Its members are numbers and nothing else, in the order of the fields.
+        let _ = writeln!(
+            text,
+            "arm_robot robot; memcpy(&robot, state + {place}, sizeof robot);"
+        );
+    }
+    for Asked { functions, name } in &robot.asked {
+        text.push_str("{\n");
+        let robot_first = (!robot.fields.is_empty()).then(|| "&robot".to_owned());
+        let mut handed: Vec<String> = robot_first.into_iter().collect();
+        let arguments = Variable::together(functions.iter().map(|function| function.arguments()));
+        handed.extend(arguments.iter().map(|of| of.name().to_owned()));
+        for function in functions {
+            let (result, lengths) = (function.name(), lengths(*function, robot));
+            let _ = writeln!(text, "{number} {result}{lengths};");
+            let address = if lengths.is_empty() { "&" } else { "" };
+            handed.push(format!("{address}{result}"));
+        }
+        let _ = writeln!(text, "arm_{name}({});", handed.join(", "));
+        for function in functions {
+            let result = function.name();
+            let _ = writeln!(text, "fwrite(&{result}, sizeof {result}, 1, stdout);");
+        }
+        text.push_str("}\n");
+    }
+    text.push_str("}\nreturn ferror(stdin) || fflush(stdout) != 0;\n}\n");
+    text
+}
+
+/// `[2][6]`; nothing for a number.
+fn lengths(function: Function, robot: &Robot) -> String {
+    let quantity = function.result();
+    let lengths = quantity.lengths(&robot.spaces).into_iter();
+    let lengths = lengths.chain(quantity.entity.dimensions().iter().copied());
+    lengths.map(|length| format!("[{length}]")).collect()
+}

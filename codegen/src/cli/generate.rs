@@ -25,7 +25,7 @@ enum Language {
 /// Write the functions of a robot as a file of Rust that needs core and nothing else, or of C
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
-Examples:
+Example:
   homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs
   homogen generate arm.urdf --language c -o arm.c")]
 pub(super) struct Generate {

@@ -56,3 +56,49 @@ fn writes_a_header_for_c() {
     assert_eq!(answer.output.matches("pub extern \"C\" fn arm_").count(), 2);
     assert!(refused("generate - --extern-c 2nd", ARM).contains("no name in C"));
 }
+
+#[test]
+fn writes_c() {
+    let robot = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/two_link.urdf");
+    let command = format!("generate {robot} --language c --functions gravity --scalar f32");
+    let built = Builder::from_urdf(robot)
+        .scalar(homogen_codegen::Real::F32)
+        .generate([Function::Gravity]);
+    let whole = homogen(&command, "").output;
+    let source = built.to_c("robot.h").expect("no mistakes");
+    assert_eq!(whole, format!("{}\n{}", source.header, source.text));
+
+    let name = format!("homogen-{}-c", std::process::id());
+    let path = std::env::temp_dir().join(&name).with_extension("c");
+    let answer = homogen(&format!("{command} --name arm -o {}", path.display()), "");
+    assert_eq!(
+        (answer.code, &*answer.output),
+        (0, ""),
+        "{}",
+        answer.remarks
+    );
+    let source = built.name("arm").to_c(&format!("{name}.h"));
+    let source = source.expect("no mistakes");
+    for (extension, text) in [("c", source.text), ("h", source.header)] {
+        let path = path.with_extension(extension);
+        let written = std::fs::read_to_string(&path).expect("it was written");
+        std::fs::remove_file(&path).expect("it is there");
+        assert_eq!(written, text);
+    }
+}
+
+#[test]
+fn options_that_only_rust_has_are_told_together() {
+    let said = refused(
+        "generate - --language c --sin-cos ::libm::sincos --extern-c arm_ --c-header arm.h",
+        ARM,
+    );
+    for part in [
+        "--c-header is the header of functions that are written in Rust",
+        "can be named in Rust only",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
+    let said = refused("generate - --language c -o arm.h", ARM);
+    assert!(said.contains("arm.h is the name of the header"), "{said}");
+}

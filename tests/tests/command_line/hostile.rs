@@ -85,6 +85,7 @@ fn every_command_shows_them() {
         "count - --format json",
         "inspect - --function gravity",
         "generate -",
+        "generate - --language c",
         &eval,
         &format!("{eval} --format json"),
     ] {
@@ -147,7 +148,12 @@ fn files_with_them_compile_without_a_warning() {
     );
     let answer = homogen(&command, &arm(EVIL));
     assert_eq!(answer.code, 0, "{}", answer.remarks);
-    for file in [&rust, &header] {
+    // The file in C has its header beside it, and is compiled by itself.
+    let c99 = path("evil99.c");
+    let command = format!("generate - --language c -o {}", c99.display());
+    let answer = homogen(&command, &arm(EVIL));
+    assert_eq!(answer.code, 0, "{}", answer.remarks);
+    for file in [&rust, &header, &c99, &c99.with_extension("h")] {
         let text = fs::read_to_string(file).expect("it was written");
         assert!(
             text.chars().all(|c| c == '\n' || !is_hidden(c)),
@@ -171,11 +177,11 @@ fn files_with_them_compile_without_a_warning() {
             .arg(&rust),
     );
     fs::write(&source, "#include \"evil.h\"\n").expect("a file");
-    // Not every machine has a compiler of C.
-    if Command::new("gcc").arg("--version").output().is_ok() {
-        for standard in ["-std=c99", "-std=gnu17"] {
+    // Rust links with this compiler.
+    for standard in ["-std=c99", "-std=gnu17"] {
+        for source in [&source, &c99] {
             compiles(
-                Command::new("gcc")
+                Command::new("cc")
                     .args([
                         standard,
                         "-Wall",
@@ -184,7 +190,7 @@ fn files_with_them_compile_without_a_warning() {
                         "-pedantic",
                         "-fsyntax-only",
                     ])
-                    .arg(&source),
+                    .arg(source),
             );
         }
     }

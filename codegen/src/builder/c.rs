@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use super::Builder;
 use super::file::{doubt, write};
-use super::output::Language;
 use crate::error::{Errors, Place};
 use crate::print::Listing;
 use crate::print::c::{self, Source, Writing};
@@ -62,7 +61,7 @@ impl Builder {
         let mut without = self.clone();
         without.request.runtime = None;
         without.library.sin_cos = None;
-        match without.listing_in(Language::C) {
+        match without.listing_where(true) {
             Ok(listing) => errors.into_result(listing),
             Err(mistakes) => {
                 errors.append(mistakes);

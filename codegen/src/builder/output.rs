@@ -14,13 +14,6 @@ use crate::print::rust::{self, Item, Library, World};
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 
-/// What is written.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Language {
-    Rust,
-    C,
-}
-
 impl Builder {
     /// The struct and its methods.
     ///
@@ -60,11 +53,12 @@ impl Builder {
     }
 
     pub(crate) fn listing(&self) -> Result<Listing, Errors> {
-        self.listing_in(Language::Rust)
+        // `core` has no fused product: a price that counted on it would be wrong.
+        self.listing_where(self.request.runtime.is_some())
     }
 
-    /// What is printed in a language.
-    pub(super) fn listing_in(&self, language: Language) -> Result<Listing, Errors> {
+    /// What is printed where a product can fuse with a sum, or cannot.
+    pub(super) fn listing_where(&self, fuses: bool) -> Result<Listing, Errors> {
         let mut errors = self.mistakes.clone();
         let description = match self.description(&mut errors) {
             Some(description) if errors.is_empty() => description,
@@ -79,9 +73,7 @@ impl Builder {
             (None, Some(_)) => Trigonometry::Other,
             (None, None) => Trigonometry::Own,
         };
-        // `core` has no fused product: a price that counted on it would be wrong.
-        let core = language == Language::Rust && request.runtime.is_none();
-        if core && request.processor != Processor::Portable {
+        if !fuses && request.processor != Processor::Portable {
             request.formulation.products = Products::Unfused;
         }
         if request.runtime.is_some() && self.library.c_prefix.is_some() {

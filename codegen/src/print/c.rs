@@ -93,7 +93,7 @@ impl Writing<'_> {
         };
         format!(
             "Needs: C99, without -ffast-math. The bits are those of the same functions in Rust {bits}; \
-             for that GCC needs -ffp-contract=off, and nvcc --fmad=false."
+             for that GCC needs -ffp-contract=off, Clang for CUDA as well, and nvcc --fmad=false."
         )
     }
 }

@@ -162,14 +162,34 @@ impl C {
         }
     }
 
-    /// What is said where an option makes the source one that does not compile.
-    pub fn refusal(&self, folder: &Folder, option: &str) -> String {
+    /// Whether it is GCC, which tells more of its options than others do.
+    pub fn is_gcc(&self) -> bool {
+        let version = output(Command::new(self.name).arg("--version"));
+        String::from_utf8_lossy(&version.stdout).contains("Free Software Foundation")
+    }
+
+    /// What is said where options make the source one that does not compile.
+    pub fn refusal(&self, folder: &Folder, options: &[&str]) -> String {
         let mut command = self.command();
-        command.args([option, "-fsyntax-only"]);
+        command.args(options).arg("-fsyntax-only");
         let output = output(command.arg(folder.path("arm.c")));
-        assert!(!output.status.success(), "{self} takes it with {option}");
+        assert!(!output.status.success(), "{self} takes it with {options:?}");
         String::from_utf8_lossy(&output.stderr).into_owned()
     }
+}
+
+/// The text of the source for a graphics processor, where a compiler for one is at hand.
+pub fn ptx(folder: &Folder) -> Option<String> {
+    let targets = Command::new("clang").arg("-print-targets").output().ok()?;
+    if !String::from_utf8_lossy(&targets.stdout).contains("nvptx64") {
+        return None;
+    }
+    let mut command = Command::new("clang");
+    command.args(["-x", "cuda", "--cuda-device-only", "--cuda-gpu-arch=sm_70"]);
+    command.args(["-nocudainc", "-nocudalib", "-S", "-O2", "-ffp-contract=off"]);
+    command.arg("-DHOMOGEN_FN=__attribute__((device))");
+    command.arg(folder.path("arm.c")).args(["-o", "-"]);
+    Some(String::from_utf8_lossy(&succeed(&mut command)).into_owned())
 }
 
 /// Compiles the file in Rust and a program that calls all of it.

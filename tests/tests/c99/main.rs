@@ -87,10 +87,42 @@ fn sines_of_the_platform() {
 #[test]
 fn what_would_change_the_bits_is_refused() {
     let folder = Folder::new("refused");
-    folder.write_c(&Robot::that_ships("two_link"), Real::F64);
-    for compiler in C::that_run() {
-        let said = compiler.refusal(&folder, "-ffast-math");
-        assert!(said.contains("compile without -ffast-math"), "{said}");
+    let associative = [
+        "-fassociative-math",
+        "-fno-signed-zeros",
+        "-fno-trapping-math",
+    ];
+    for real in [Real::F32, Real::F64] {
+        folder.write_c(&Robot::that_ships("two_link"), real);
+        for compiler in C::that_run() {
+            let said = compiler.refusal(&folder, &["-ffast-math"]);
+            assert!(said.contains("compile without -ffast-math"), "{said}");
+        }
+        for compiler in C::all().iter().filter(|compiler| compiler.is_gcc()) {
+            let said = compiler.refusal(&folder, &associative);
+            assert!(said.contains("compile without -ffast-math"), "{said}");
+        }
+    }
+}
+
+/// Qualified as functions of a graphics processor are, which call each other and nothing else.
+#[test]
+fn it_is_code_for_a_gpu() {
+    let folder = Folder::new("gpu");
+    for real in [Real::F32, Real::F64] {
+        folder.write_c(&Robot::that_ships("two_link"), real);
+        let Some(text) = compilers::ptx(&folder) else {
+            println!("not tested without a clang that has the target nvptx64");
+            return;
+        };
+        assert!(
+            text.contains(".visible .func arm_inverse_dynamics"),
+            "{text}"
+        );
+        assert!(
+            !text.contains(".extern") && !text.contains("fma."),
+            "{text}"
+        );
     }
 }
 

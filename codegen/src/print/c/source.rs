@@ -42,7 +42,7 @@ pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
     if own_sines {
         text.push_str("#include <stdint.h>\n");
     }
-    text.push_str(ARITHMETIC);
+    text.push_str(&arithmetic(listing.scalar));
     if writing.fused || own_sines {
         let fused = writing.fused.then_some(listing.scalar);
         text.push_str(&product_and_sum(&writing.mul_add(), fused));
@@ -70,9 +70,19 @@ fn calls(listing: &Listing, listed: &Listed) -> bool {
     root || (listing.sines == Sines::Platform && has_angles(listed))
 }
 
-/// What compilers must not do, and what some of them need to be told.
-const ARITHMETIC: &str = "
-#ifdef __FAST_MATH__
+/// What the type of number has to be, what compilers must not do with it, and what some of them need to
+/// be told.
+fn arithmetic(real: Real) -> String {
+    let (number, digits) = match real {
+        Real::F32 => ("float", "FLT_MANT_DIG != 24"),
+        Real::F64 | Real::Generic => ("double", "DBL_MANT_DIG != 53"),
+    };
+    format!(
+        "
+#if FLT_RADIX != 2 || {digits}
+#error \"A {number} is not that of IEEE 754 here.\"
+#endif
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
 #error \"Sums are not associative here: compile without -ffast-math.\"
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
@@ -82,7 +92,9 @@ const ARITHMETIC: &str = "
 #if defined(__clang__) || !defined(__GNUC__)
 #pragma STDC FP_CONTRACT OFF
 #endif
-";
+"
+    )
+}
 
 /// The macro for a product and a sum, which are fused in a type of number, or not.
 fn product_and_sum(name: &str, fused: Option<Real>) -> String {

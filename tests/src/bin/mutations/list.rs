@@ -39,7 +39,7 @@ pub fn all() -> impl Iterator<Item = &'static Mutation> {
 }
 
 /// Those of the engine and of geometry, grouped by the crate that is built again.
-const MUTATIONS: [Mutation; 34] = [
+const MUTATIONS: [Mutation; 36] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
@@ -296,6 +296,20 @@ const MUTATIONS: [Mutation; 34] = [
         },
     },
     Mutation {
+        name: "C: a difference by its factors in the wrong order",
+        file: "codegen/src/print/c/body.rs",
+        from: r#"None) => format!("{c} - {a} * {b}")"#,
+        to: r#"None) => format!("{a} * {b} - {c}")"#,
+        noticed_by: c99("scara"),
+    },
+    Mutation {
+        name: "C: the last digit of a coefficient of the sine",
+        file: "codegen/src/print/c/sines/double.c",
+        from: "-0.1666666666666663,",
+        to: "-0.1666666666666662,",
+        noticed_by: c99("two_link"),
+    },
+    Mutation {
         name: "exponential: 1 − cos φ by subtraction",
         file: "runtime/src/matrix/screw.rs",
         from: "let versine = T::constant(2.0) * half_sine * half_sine;",
@@ -335,6 +349,14 @@ const fn engine(name: &'static str) -> Test {
     Test {
         package: "homogen-codegen",
         target: ENGINE,
+        name,
+    }
+}
+
+const fn c99(name: &'static str) -> Test {
+    Test {
+        package: "homogen-tests",
+        target: &["--test", "c99"],
         name,
     }
 }

@@ -1,12 +1,14 @@
-//! Generates the arm's functions, and the header that declares them to C.
+//! Generates the arm's functions, and the header that declares them to C; and the same written in C.
 //!
 //! In: the arm that the variable `ARM` names, one of `arms.rs`. Out: `arm.rs` and `arm.h` in
-//! `OUT_DIR`.
+//! `OUT_DIR`, and `arm.c` with another `arm.h` in its folder `c99`.
 
 #[path = "../arms.rs"]
 mod arms;
 
 use std::error::Error;
+use std::path::Path;
+use std::{env, fs};
 
 use homogen_codegen::Function::{
     ForwardDynamics, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics, MassMatrix,
@@ -33,5 +35,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         .extern_c("arm_");
     builder.write("arm.rs")?;
     builder.write_c_header("arm.h")?;
-    Ok(())
+    fs::create_dir_all(Path::new(&env::var("OUT_DIR")?).join("c99"))?;
+    Ok(builder.write_c("c99/arm.c")?)
 }

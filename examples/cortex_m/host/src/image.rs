@@ -93,11 +93,12 @@ fn is_double(name: &str) -> bool {
         && (name.ends_with("df2") || name.ends_with("df3") || name.contains("2d"))
 }
 
-/// `gravity`, of `controller::control::gravity`, and `sin_cos` of the generated file: the functions
-/// of the library, not those that measure.
+/// `gravity`, of `controller::control::gravity` or in C of `arm_gravity`, and `sin_cos` of the generated
+/// file: the functions of the library, not those that measure.
 fn short(name: &str) -> Option<&str> {
     // Compilers have two ways to write the last.
     let prefixes = [
+        "arm_",
         "controller::control::",
         "controller::arm::Arm::",
         "<controller::arm::Arm>::",

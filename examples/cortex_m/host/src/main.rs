@@ -4,10 +4,12 @@
 //! states for C.
 //! `host judge FOLDER…` reads what was seen of each board's firmware, and prints a table or what is
 //! wrong, `host budget FOLDER…` the budget lowered to that; `host sines FOLDER…` prints the table of
-//! the firmware that compares sines, `host peer FOLDER BOARD…` the one beside the peer. It never builds or runs anything itself.
+//! the firmware that compares sines, `host peer FOLDER BOARD…` the one beside the peer, `host c99 FOLDER
+//! BOARD…` the one of the generated C. It never builds or runs anything itself.
 
 mod arm;
 mod budget;
+mod c99;
 mod c_states;
 mod error;
 mod expected;
@@ -34,10 +36,11 @@ fn main() -> ExitCode {
                 table
             })
         }
+        ["c99", arm, seen, boards @ ..] => c99::table(arm, seen, boards),
         ["sines", boards @ ..] => sines::table(boards),
         _ => Err(
             "usage: host expected | host states | host (judge | budget) ARM BUDGET FOLDER... | \
-             host sines FOLDER... | host peer ARM FOLDER BOARD..."
+             host sines FOLDER... | host (peer | c99) ARM FOLDER BOARD..."
                 .to_owned(),
         ),
     };

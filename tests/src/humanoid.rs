@@ -95,6 +95,8 @@ fn joint(k: usize, parent: Name, limb: &Limb, random: &mut Random) -> Joint {
         child: name("link", k),
         origin: vec![Step::Translate(along), Step::Rotate(about, number(turn))],
         axis: [0.0, 0.0, 1.0].map(number),
+        second_axis: [Number::default(); 3],
+        mimic: None,
         limits: Some(Limits {
             lower: -1.0 + 0.5 * random.unit(),
             upper: 1.5 + 0.5 * random.unit(),

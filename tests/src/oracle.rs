@@ -10,5 +10,7 @@
 pub mod frame_0;
 pub mod link_frames;
 pub mod matrix;
+pub mod motion;
 pub mod robot;
 pub mod solve;
+pub mod state;

@@ -156,6 +156,8 @@ fn lifted(mut description: Description) -> Description {
         parent: "link0".into(),
         child: "carriage".into(),
         axis: [0.0, 0.0, 1.0].map(exactly),
+        second_axis: [Number::default(); 3],
+        mimic: None,
         origin: Vec::new(),
         limits: None,
         place: Place::Unknown,
@@ -324,6 +326,8 @@ fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
             child: Name::from(&*child),
             origin: segment.at,
             axis: segment.axis.map(exactly),
+            second_axis: [Number::default(); 3],
+            mimic: None,
             limits: None,
             place: Place::Unknown,
         });

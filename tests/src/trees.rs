@@ -2,7 +2,7 @@
 //! against dense matrices of 256 bits that share nothing with it.
 //!
 //! In: a seed. Out: what was found, or the smallest robot that fails. [`grow`] draws a [`robot`] number
-//! by number; [`text`] writes it and has it read; [`dense`] puts it into matrices; [`cases`] says
+//! by number; [`text`] writes it and has it read; [`movement`] knows what moves its joints, [`dense`] puts it into matrices; [`cases`] says
 //! what is run, [`prepared`] runs it, [`measure`] how wrong it is, and [`mod@examine`] what that amounts to;
 //! [`mod@shrink`] takes away what a failure does not need; [`features`] says what a robot has.
 
@@ -12,6 +12,7 @@ pub mod examine;
 pub mod features;
 pub mod grow;
 pub mod measure;
+pub mod movement;
 pub mod prepared;
 pub mod regular;
 pub mod robot;
@@ -47,7 +48,7 @@ pub fn of_seed(seed: u64) -> Robot {
 /// What one needs to repair a fault.
 fn told(robot: &Robot, seed: u64, effort: Effort, fault: &Fault) -> String {
     let fails = |robot: &Robot| {
-        robot.moving().next().is_some()
+        (robot.asked.floating || robot.moving().next().is_some())
             && again(robot, seed, effort.states, fault.case)
                 .is_err_and(|what| alike(&what, &fault.what))
     };

@@ -1,14 +1,15 @@
 //! Every function as Part II of the paper writes it: dense 4×4 matrices in frame 0, at 256 bits.
 //!
-//! In: a robot in matrices and the arguments. Out: what the function should return. No matrix is
-//! taken apart and no zero is known: this is the definition, and therefore slow (about 1 ms a
-//! joint).
+//! In: a robot in matrices and the arguments, whose quaternions are taken with length 1. Out: what the
+//! function should return. No matrix is taken apart and no zero is known: this is the definition, and
+//! therefore slow (about 1 ms a joint).
 
 use homogen_codegen::Function;
 
 use super::matrix::Matrix;
-use super::robot::{Coordinate, Robot};
+use super::robot::Robot;
 use super::solve::solve;
+use super::state::State;
 use crate::arguments::Arguments;
 use crate::big::Big;
 
@@ -24,11 +25,11 @@ pub fn evaluate(
     frame: usize,
     arguments: &Arguments,
 ) -> Vec<Big> {
-    let of = |vector: &[f64]| -> Vec<Big> { vector.iter().map(|&x| Big::new(x)).collect() };
-    let rest = vec![Big::zero(); robot.joints()];
-    let positions = Positions::at(robot, &of(&arguments.q));
+    let State { q, qd, qdd, tau } = State::of(arguments, robot.quaternions());
+    let rest = vec![Big::zero(); robot.velocities()];
+    let positions = Positions::at(robot, &q);
     let moving = |qd: &[Big], qdd: &[Big]| Motion::at(robot, &positions, qd, qdd);
-    let bias = || torques(robot, &positions, &moving(&of(&arguments.qd), &rest));
+    let bias = || torques(robot, &positions, &moving(&qd, &rest));
     let at = || robot.frames[frame];
     match function {
         Function::ForwardKinematics => positions.of_frame(at()).rows(),
@@ -41,22 +42,22 @@ pub fn evaluate(
             jacobian(robot, &positions, at(), &Matrix::translation(&tip))
         }
         Function::Velocity => {
-            let w = moving(&of(&arguments.qd), &rest).w_of(at());
+            let w = moving(&qd, &rest).w_of(at());
             [w.vector(), w.column()].concat()
         }
         Function::Acceleration => {
-            let motion = moving(&of(&arguments.qd), &of(&arguments.qdd));
+            let motion = moving(&qd, &qdd);
             motion.h_of(at()).rows()
         }
         Function::InverseDynamics => {
-            let motion = moving(&of(&arguments.qd), &of(&arguments.qdd));
+            let motion = moving(&qd, &qdd);
             torques(robot, &positions, &motion)
         }
         Function::Gravity => torques(robot, &positions, &moving(&rest, &rest)),
         Function::Bias => bias(),
         Function::MassMatrix => mass_matrix(robot, &positions).concat(),
         Function::ForwardDynamics => {
-            let tau = of(&arguments.tau).into_iter().zip(bias());
+            let tau = tau.into_iter().zip(bias());
             let lacking = tau.map(|(tau, bias)| vec![tau - bias]).collect();
             solve(mass_matrix(robot, &positions), lacking).concat()
         }
@@ -67,7 +68,7 @@ pub fn evaluate(
             solve(mass_matrix(robot, &positions), identity).concat()
         }
         Function::KineticEnergy => {
-            let motion = moving(&of(&arguments.qd), &rest);
+            let motion = moving(&qd, &rest);
             let links = motion.w.iter().zip(&positions.j);
             let energies = links.map(|(w, j)| (&(w * j) * &w.transposed()).trace());
             vec![energies.fold(Big::zero(), |sum, energy| sum + energy) * Big::new(0.5)]
@@ -77,7 +78,7 @@ pub fn evaluate(
             let mut moves: Vec<bool> = Vec::new();
             for body in &robot.bodies {
                 let carried = body.parent.is_some_and(|parent| moves[parent]);
-                moves.push(carried || matches!(body.coordinate, Coordinate::Free(_)));
+                moves.push(carried || body.motion.moves());
             }
             let links = positions.j.iter().zip(moves).filter(|(_, moves)| *moves);
             let energies = links.map(|(j, _)| (&robot.gravity * j).trace());
@@ -91,33 +92,50 @@ pub fn evaluate(
 struct Positions {
     /// M₀ᵢ.
     m: Vec<Matrix>,
-    /// Lᵢ₍₀₎.
-    l: Vec<Matrix>,
     /// Jᵢ₍₀₎.
     j: Vec<Matrix>,
+    /// What each velocity moves: several bodies, where joints follow others.
+    freedoms: Vec<Freedom>,
+}
+
+/// What a velocity does to a body, and to all that it carries.
+struct Freedom {
+    /// The body.
+    body: usize,
+    /// The place of the velocity.
+    velocity: usize,
+    /// L₍₀₎.
+    l: Matrix,
 }
 
 impl Positions {
     fn at(robot: &Robot, q: &[Big]) -> Self {
         let mut positions = Self {
             m: Vec::new(),
-            l: Vec::new(),
             j: Vec::new(),
+            freedoms: Vec::new(),
         };
-        for body in &robot.bodies {
-            let at = match &body.coordinate {
-                Coordinate::Free(index) => &q[*index],
-                Coordinate::Held(at) => at,
-            };
+        for (index, body) in robot.bodies.iter().enumerate() {
             let placed = &positions.of_frame(body.parent) * &body.placement;
-            let m = &placed * &exponential(&body.screw, at);
-            let l = &(&m * &body.screw) * &m.inverse();
-            let j = &(&m * &body.inertia) * &m.transposed();
+            let m = &placed * &body.motion.displacement(q);
+            let back = m.inverse();
+            let freedoms = body.motion.screws().into_iter();
+            let freedoms = freedoms.map(|(velocity, screw)| Freedom {
+                body: index,
+                velocity,
+                l: &(&m * &screw) * &back,
+            });
+            positions.freedoms.extend(freedoms);
+            positions.j.push(&(&m * &body.inertia) * &m.transposed());
             positions.m.push(m);
-            positions.l.push(l);
-            positions.j.push(j);
         }
         positions
+    }
+
+    /// What moves one body against the one it hangs on.
+    fn of_body(&self, body: usize) -> impl Iterator<Item = &Freedom> {
+        let all = self.freedoms.iter();
+        all.filter(move |freedom| freedom.body == body)
     }
 
     fn of_frame(&self, body: Option<usize>) -> Matrix {
@@ -134,19 +152,25 @@ struct Motion {
 }
 
 impl Motion {
-    /// W = L q̇ and H = L q̈ + L² q̇² of one joint, composed by (12) and (13).
+    /// W = Σ L q̇ and H = Σ L q̈ + W² of one joint, whose screws are constant in the frame of the moved
+    /// body; composed by (12) and (13).
     fn at(robot: &Robot, positions: &Positions, qd: &[Big], qdd: &[Big]) -> Self {
         let mut motion = Self {
             w: Vec::new(),
             h: Vec::new(),
         };
-        for (body, l) in robot.bodies.iter().zip(&positions.l) {
+        for (index, body) in robot.bodies.iter().enumerate() {
             let (mut w, mut h) = (motion.w_of(body.parent), motion.h_of(body.parent));
-            if let Coordinate::Free(index) = body.coordinate {
-                let (rate, second) = (&qd[index], &qdd[index]);
-                let of_joint = l.times(rate);
+            let along = |rates: &[Big]| {
+                let each = positions.of_body(index);
+                each.fold(Matrix::zero(), |sum, freedom| {
+                    &sum + &freedom.l.times(&rates[freedom.velocity])
+                })
+            };
+            if body.motion.moves() {
+                let of_joint = along(qd);
                 let drift = &(&w * &of_joint).times(&Big::new(2.0)) + &(&of_joint * &of_joint);
-                h = &(&h + &l.times(second)) + &drift;
+                h = &(&h + &along(qdd)) + &drift;
                 w = &w + &of_joint;
             }
             motion.w.push(w);
@@ -164,16 +188,6 @@ impl Motion {
     }
 }
 
-/// Q = 1 + L φ + L² (1 − cos φ) + L³ (φ − sin φ), the series of § 5 summed by u̲ⁿ⁺² = −u̲ⁿ.
-fn exponential(l: &Matrix, phi: &Big) -> Matrix {
-    let (sine, cosine) = phi.sin_cos();
-    let square = l * l;
-    let cube = &square * l;
-    let linear = &Matrix::identity() + &l.times(phi);
-    let quadratic = square.times(&(Big::one() - cosine));
-    &(&linear + &quadratic) + &cube.times(&(phi - sine))
-}
-
 /// The bodies' matrices, each with those of all that hang on it.
 fn carried(robot: &Robot, mut each: Vec<Matrix>) -> Vec<Matrix> {
     for (index, body) in robot.bodies.iter().enumerate().rev() {
@@ -184,24 +198,27 @@ fn carried(robot: &Robot, mut each: Vec<Matrix>) -> Vec<Matrix> {
     each
 }
 
-/// τ = L ⊗ Σ Φ over the bodies that the joint carries (Newton–Euler).
+/// τ = Σ L ⊗ Σ Φ: over what a velocity moves, of the bodies that that carries (Newton–Euler).
 fn torques(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
     let actions = carried(robot, actions(robot, positions, motion).collect());
-    moving(robot)
-        .map(|body| pseudo_product(&positions.l[body], &actions[body]))
-        .collect()
+    let mut torques = vec![Big::zero(); robot.velocities()];
+    for Freedom { body, velocity, l } in &positions.freedoms {
+        let torque = pseudo_product(l, &actions[*body]);
+        torques[*velocity] = &torques[*velocity] + torque;
+    }
+    torques
 }
 
-/// For each joint, the sum of the sizes of what the bodies it carries ask of it: |u| times the couple of
+/// For each velocity, the sum of the sizes of what the bodies it moves ask of it: |u| times the couple of
 /// each body's Φ about the joint's origin, and |b| times its force.
 ///
 /// It measures rounding where S cannot: S of a long chain grows as the product of |sin| + |cos| of all
 /// its angles, which no sum of torques does.
 #[must_use]
 pub fn torque_sizes(robot: &Robot, arguments: &Arguments) -> Vec<f64> {
-    let of = |vector: &[f64]| -> Vec<Big> { vector.iter().map(|&x| Big::new(x)).collect() };
-    let positions = Positions::at(robot, &of(&arguments.q));
-    let motion = Motion::at(robot, &positions, &of(&arguments.qd), &of(&arguments.qdd));
+    let State { q, qd, qdd, .. } = State::of(arguments, robot.quaternions());
+    let positions = Positions::at(robot, &q);
+    let motion = Motion::at(robot, &positions, &qd, &qdd);
     // A measure needs no more than `f64`: of Φ the couple and the force, of L the direction and the
     // rest, about the origin of frame 0.
     let parts = |matrix: &Matrix| {
@@ -210,20 +227,22 @@ pub fn torque_sizes(robot: &Robot, arguments: &Arguments) -> Vec<f64> {
     let actions: Vec<_> = actions(robot, &positions, &motion)
         .map(|action| parts(&action))
         .collect();
-    let asked = |joint: usize, body: usize| {
-        let origin = positions.m[joint].column().map(|x| x.to_f64());
-        let ([u, b], [c, f]) = (parts(&positions.l[joint]), actions[body]);
+    let asked = |freedom: &Freedom, body: usize| {
+        let origin = positions.m[freedom.body].column().map(|x| x.to_f64());
+        let ([u, b], [c, f]) = (parts(&freedom.l), actions[body]);
         // About the joint's origin: b + u × o, c − o × f.
         let (b, c) = (sum(b, cross(u, origin)), sum(c, cross(f, origin)));
         length(u) * length(c) + length(b) * length(f)
     };
-    moving(robot)
-        .map(|joint| {
-            let bodies = (joint..actions.len())
-                .filter(|&body| robot.upwards(Some(body)).any(|carrier| carrier == joint));
-            bodies.map(|body| asked(joint, body)).sum()
-        })
-        .collect()
+    let mut sizes = vec![0.0; robot.velocities()];
+    for freedom in &positions.freedoms {
+        let bodies = (freedom.body..actions.len()).filter(|&body| {
+            let mut carriers = robot.upwards(Some(body));
+            carriers.any(|carrier| carrier == freedom.body)
+        });
+        sizes[freedom.velocity] += bodies.map(|body| asked(freedom, body)).sum::<f64>();
+    }
+    sizes
 }
 
 fn cross([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> [f64; 3] {
@@ -255,45 +274,40 @@ fn pseudo_product(l: &Matrix, phi: &Matrix) -> Big {
     dot(l.vector(), phi.vector()) + dot(l.column(), phi.column())
 }
 
-/// M\[i\]\[m\] = Tr(Lᵢ Σ J Lₘᵗ), over the bodies that both joints carry (Lagrange).
+/// M\[i\]\[m\] = Σ Tr(Lᵢ Σ J Lₘᵗ), over what both velocities move, and the bodies that both of these carry
+/// (Lagrange).
 fn mass_matrix(robot: &Robot, positions: &Positions) -> Vec<Vec<Big>> {
     let inertias = carried(robot, positions.j.clone());
-    let entry = |i: usize, m: usize| {
-        let carries =
-            |outer: usize, inner: usize| robot.upwards(Some(outer)).any(|body| body == inner);
-        let outermost = if carries(i, m) {
-            i
-        } else if carries(m, i) {
-            m
-        } else {
-            return Big::zero();
-        };
-        let product = &positions.l[i] * &inertias[outermost];
-        (&product * &positions.l[m].transposed()).trace()
-    };
-    moving(robot)
-        .map(|i| moving(robot).map(|m| entry(i, m)).collect())
-        .collect()
+    let carries = |outer: usize, inner: usize| robot.upwards(Some(outer)).any(|body| body == inner);
+    let count = robot.velocities();
+    let mut rows = vec![vec![Big::zero(); count]; count];
+    for one in &positions.freedoms {
+        for other in &positions.freedoms {
+            let outermost = if carries(one.body, other.body) {
+                one.body
+            } else if carries(other.body, one.body) {
+                other.body
+            } else {
+                continue;
+            };
+            let product = &one.l * &inertias[outermost];
+            let entry = (&product * &other.l.transposed()).trace();
+            let sum = &mut rows[one.velocity][other.velocity];
+            *sum = &*sum + entry;
+        }
+    }
+    rows
 }
 
-/// The columns M L₍₀₎ M⁻¹; null for the joints that do not move the frame.
+/// The columns M L₍₀₎ M⁻¹; null for the velocities that do not move the frame.
 fn jacobian(robot: &Robot, positions: &Positions, frame: Option<usize>, m: &Matrix) -> Vec<Big> {
     let moves = |joint: usize| robot.upwards(frame).any(|body| body == joint);
-    let columns = moving(robot).map(|joint| {
-        if moves(joint) {
-            let l = &(m * &positions.l[joint]) * &m.inverse();
-            [l.vector(), l.column()].concat()
-        } else {
-            vec![Big::zero(); 6]
+    let mut columns = vec![Matrix::zero(); robot.velocities()];
+    for Freedom { body, velocity, l } in &positions.freedoms {
+        if moves(*body) {
+            columns[*velocity] = &columns[*velocity] + &(&(m * l) * &m.inverse());
         }
-    });
-    columns.flatten().collect()
-}
-
-/// The bodies whose joints move, in the order of q.
-fn moving(robot: &Robot) -> impl Iterator<Item = usize> {
-    let bodies = robot.bodies.iter().enumerate();
-    bodies
-        .filter(|(_, body)| matches!(body.coordinate, Coordinate::Free(_)))
-        .map(|(index, _)| index)
+    }
+    let entries = columns.iter().map(|l| [l.vector(), l.column()].concat());
+    entries.flatten().collect()
 }

@@ -10,6 +10,7 @@ use homogen_codegen::expression::Evaluation;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 
+use super::state::State;
 use crate::arguments::Arguments;
 use crate::big::Big;
 
@@ -33,8 +34,14 @@ pub fn truth(chain: &Chain, function: Function, frame: usize) -> Evaluation<Big>
     expressions(chain, &[function], frame, Layout::DESCRIBED, Way::PLAIN)
 }
 
-/// The values of an evaluation.
+/// The values of an evaluation for a chain without quaternions.
 #[must_use]
 pub fn evaluate(evaluation: &Evaluation<Big>, arguments: &Arguments) -> Vec<Big> {
     evaluation.at(|input| Big::new(arguments.at(input)))
+}
+
+/// The values of an evaluation in a state.
+#[must_use]
+pub fn evaluate_in(evaluation: &Evaluation<Big>, state: &State) -> Vec<Big> {
+    evaluation.at(|input| state.at(input))
 }

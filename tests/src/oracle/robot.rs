@@ -1,17 +1,18 @@
 //! A description as dense matrices of 256 bits, joint by joint.
 //!
-//! In: a description and a request. Out: a placement, a screw L and an inertia J for every joint that
+//! In: a description and a request. Out: a placement, a motion and an inertia J for every joint that
 //! hangs on the base, fixed and locked ones too: nothing is merged, turned or regrouped. It shares with
 //! the generator the reading of the text and nothing after it. Where that is to be contradicted too,
 //! [`trees::dense`](crate::trees::dense) makes the same matrices of numbers as they were drawn.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use homogen_codegen::description::{Axis, Description, Inertial, Joint, Name, Number, Step};
 use homogen_codegen::joint::JointKind;
 use homogen_codegen::request::Request;
 
 use super::matrix::Matrix;
+use super::motion::{self, Motion, Posture, across};
 use crate::big::Big;
 
 /// A robot in the matrices of the paper.
@@ -30,23 +31,12 @@ pub struct Robot {
 pub struct Body {
     /// The body it hangs on; none for the base.
     pub parent: Option<usize>,
-    /// M_parent,i at q = 0.
+    /// M_parent,i where the joint is neutral.
     pub placement: Matrix,
-    /// L in frame (i); null for a fixed joint.
-    pub screw: Matrix,
+    /// What moves it.
+    pub motion: Motion,
     /// J in frame (i).
     pub inertia: Matrix,
-    /// What moves it.
-    pub coordinate: Coordinate,
-}
-
-/// What moves a joint.
-#[derive(Clone, Debug)]
-pub enum Coordinate {
-    /// The entry of q of that index.
-    Free(usize),
-    /// Nothing: it is held there.
-    Held(Big),
 }
 
 impl Robot {
@@ -63,13 +53,12 @@ impl Robot {
         };
         let base = reader.base();
         let tip = reader.tip(base);
-        let path = tip.map(|tip| reader.upwards(tip));
         let mut robot = Self {
             bodies: Vec::new(),
             frames: Vec::new(),
             gravity: reader.gravity(),
         };
-        let links = reader.hang(base, path.as_ref(), &mut robot);
+        let links = reader.hang(base, tip, &mut robot);
         let seat = |link: &str| {
             let body = links.iter().position(|carried| *carried == link);
             assert!(
@@ -83,11 +72,18 @@ impl Robot {
         robot
     }
 
-    /// How many joints move.
+    /// How many velocities there are.
     #[must_use]
-    pub fn joints(&self) -> usize {
-        let free = |body: &&Body| matches!(body.coordinate, Coordinate::Free(_));
-        self.bodies.iter().filter(free).count()
+    pub fn velocities(&self) -> usize {
+        let moving = self.bodies.iter().flat_map(|body| body.motion.screws());
+        moving.map(|(velocity, _)| velocity + 1).max().unwrap_or(0)
+    }
+
+    /// Where quaternions begin among the coordinates.
+    pub fn quaternions(&self) -> impl Iterator<Item = usize> {
+        self.bodies
+            .iter()
+            .filter_map(|body| body.motion.quaternion())
     }
 
     /// The bodies on the way from one up to the base, itself first.
@@ -155,64 +151,148 @@ impl<'d> Reader<'d> {
     }
 
     /// Adds what hangs on the base: branch after branch, siblings as described.
-    fn hang(
-        &self,
-        base: &'d str,
-        path: Option<&BTreeSet<&str>>,
-        robot: &mut Robot,
-    ) -> Vec<&'d str> {
-        let mut links = Vec::new();
-        let mut waiting: Vec<(Option<usize>, &Joint)> = Vec::new();
-        let below = |parent, link: &str, waiting: &mut Vec<_>| {
-            let before = waiting.len();
-            waiting.extend(self.below(link).map(|joint| (parent, joint)));
-            // The last one in is the first one out.
-            waiting[before..].reverse();
+    fn hang(&self, base: &'d str, tip: Option<&'d str>, robot: &mut Robot) -> Vec<&'d str> {
+        let kept = self.kept(base);
+        let moves = self.moves(&kept, tip);
+        // The first coordinate and velocity of each joint that has its own, in the order of the bodies.
+        let mut places = BTreeMap::new();
+        let (mut coordinates, mut velocities) = if self.request.floating {
+            Posture::Floating.counts()
+        } else {
+            (0, 0)
         };
-        below(None, base, &mut waiting);
-        while let Some((parent, joint)) = waiting.pop() {
-            let child = joint.child.text.as_str();
-            let off_path = path.is_some_and(|path| !path.contains(child));
-            let held = self.held(joint, off_path);
-            let (mut parent, mut placement) = (parent, self.placement(&joint.origin));
-            let screws = screws(joint);
-            let last = screws.len() - 1;
-            for (k, screw) in screws.into_iter().enumerate() {
-                // What moves by a part of a joint's coordinates is no link.
+        for joint in &kept {
+            let name = joint.name.text.as_str();
+            if matches!(moves[name], Moves::Own) {
+                places.insert(name, (coordinates, velocities));
+                let (more_coordinates, more_velocities) = match posture(joint.kind) {
+                    Some(posture) => posture.counts(),
+                    None => (screws(joint).len(), screws(joint).len()),
+                };
+                coordinates += more_coordinates;
+                velocities += more_velocities;
+            }
+        }
+
+        let mut links = Vec::new();
+        if self.request.floating {
+            links.push(base);
+            robot.bodies.push(Body {
+                parent: None,
+                placement: Matrix::identity(),
+                motion: Motion::Posture {
+                    posture: Posture::Floating,
+                    coordinate: 0,
+                    velocity: 0,
+                },
+                inertia: self.inertia(base),
+            });
+        }
+        for joint in kept {
+            let on = joint.parent.text.as_str();
+            let mut parent = links.iter().position(|&link| link == on);
+            let mut placement = self.placement(&joint.origin);
+            let parts = parts(joint, &moves[joint.name.text.as_str()], &places);
+            let last = parts.len() - 1;
+            for (k, (turn, motion)) in parts.into_iter().enumerate() {
+                // What moves by a part of a joint's velocities is no link.
+                let child = joint.child.text.as_str();
                 links.push(if k == last { child } else { "" });
                 let inertia = if k == last {
                     self.inertia(child)
                 } else {
                     Matrix::zero()
                 };
-                let coordinate = match &held {
-                    Some(at) => Coordinate::Held(at.clone()),
-                    None => Coordinate::Free(robot.joints()),
-                };
                 robot.bodies.push(Body {
                     parent,
-                    placement,
-                    screw,
+                    placement: &placement * &turn,
+                    motion,
                     inertia,
-                    coordinate,
                 });
                 (parent, placement) = (Some(robot.bodies.len() - 1), Matrix::identity());
             }
-            below(Some(robot.bodies.len() - 1), child, &mut waiting);
         }
         links
     }
 
-    /// Where a joint is held; none where it moves.
-    fn held(&self, joint: &Joint, off_path: bool) -> Option<Big> {
+    /// The joints that are modelled, branch after branch, siblings as described.
+    fn kept(&self, base: &str) -> Vec<&'d Joint> {
+        let mut kept = Vec::new();
+        let mut waiting: Vec<&Joint> = self.below(base).collect();
+        // The last one in is the first one out.
+        waiting.reverse();
+        while let Some(joint) = waiting.pop() {
+            kept.push(joint);
+            let before = waiting.len();
+            waiting.extend(self.below(&joint.child.text));
+            waiting[before..].reverse();
+        }
+        kept
+    }
+
+    /// What moves each of the joints that are modelled.
+    fn moves(&self, kept: &[&'d Joint], tip: Option<&'d str>) -> BTreeMap<&'d str, Moves<'d>> {
+        let path = tip.map_or_else(BTreeSet::new, |tip| self.upwards(tip));
+        // Who moves the tip, or moves who does.
+        let mut needed: BTreeSet<&str> = BTreeSet::new();
+        for joint in kept {
+            if !self.request.path_only || path.contains(joint.child.text.as_str()) {
+                let led = |joint: &&'d Joint| Some(self.leader(joint)?.0);
+                let chain = std::iter::successors(Some(*joint), led);
+                needed.extend(chain.map(|joint| joint.name.text.as_str()));
+            }
+        }
+        let modelled = |joint: &Joint| {
+            let mut there = kept.iter();
+            there.any(|other| other.name.text == joint.name.text)
+        };
+        let of = |joint: &&'d Joint| {
+            let (mut at, mut factor, mut offset) = (*joint, Big::one(), Big::zero());
+            while let Some((leader, multiplier, more)) = self.leader(at) {
+                offset = offset + &factor * more;
+                factor = factor * multiplier;
+                at = leader;
+            }
+            let stands = match self.locked(at) {
+                Some(stands) => Some(stands),
+                None if modelled(at) && needed.contains(at.name.text.as_str()) => None,
+                None => Some(Big::zero()),
+            };
+            let moves = match stands {
+                Some(stands) if modelled(at) => Moves::Not(factor * stands + offset),
+                Some(_) => Moves::Not(offset),
+                None if at.name.text == joint.name.text => Moves::Own,
+                None if factor == Big::zero() => Moves::Not(offset),
+                None => Moves::As {
+                    leader: &at.name.text,
+                    factor,
+                    offset,
+                },
+            };
+            (joint.name.text.as_str(), moves)
+        };
+        kept.iter().map(of).collect()
+    }
+
+    /// What a joint follows, times what and from where on, where it follows one.
+    fn leader(&self, joint: &'d Joint) -> Option<(&'d Joint, Big, Big)> {
+        let mimic = joint.mimic.as_ref()?;
+        if self.locked(joint).is_some() {
+            return None;
+        }
+        let mut joints = self.description.joints.iter();
+        let leader = joints.find(|other| other.name.text == mimic.leader.text)?;
+        Some((leader, big(&mimic.multiplier), big(&mimic.offset)))
+    }
+
+    /// Where a joint is held by what it is or by what was asked.
+    fn locked(&self, joint: &Joint) -> Option<Big> {
         if !joint.kind.moves() {
             return Some(Big::zero());
         }
         let mut locks = self.request.lock.iter();
-        if let Some((_, at)) = locks.find(|(name, _)| name.text == joint.name.text) {
-            return Some(at.as_ref().map_or_else(Big::zero, big));
-        }
-        (self.request.path_only && off_path).then(Big::zero)
+        let (_, at) = locks.find(|(name, _)| name.text == joint.name.text)?;
+        Some(at.as_ref().map_or_else(Big::zero, big))
     }
 
     fn gravity(&self) -> Matrix {
@@ -299,24 +379,100 @@ fn rotation(axis: Axis, (sine, cosine): (Big, Big)) -> Matrix {
     matrix
 }
 
-/// L of each coordinate of a joint, through the origin of its frame, about or along an axis of length 1;
-/// null of a fixed one.
+/// What moves a joint of a description.
+enum Moves<'d> {
+    /// Its own coordinates.
+    Own,
+    /// That of another, times a factor and from an offset on.
+    As {
+        leader: &'d str,
+        factor: Big,
+        offset: Big,
+    },
+    /// Nothing: it is held there.
+    Not(Big),
+}
+
+/// The bodies that a joint moves, one on the other: a turn in front of each, and what moves it.
+fn parts(
+    joint: &Joint,
+    moves: &Moves<'_>,
+    places: &BTreeMap<&str, (usize, usize)>,
+) -> Vec<(Matrix, Motion)> {
+    let place = |name: &str| places[name];
+    if let (Some(posture), Moves::Own) = (posture(joint.kind), moves) {
+        let (coordinate, velocity) = place(&joint.name.text);
+        let motion = Motion::Posture {
+            posture,
+            coordinate,
+            velocity,
+        };
+        if posture != Posture::Planar {
+            return vec![(Matrix::identity(), motion)];
+        }
+        let turn = across(&axis(&joint.axis));
+        let back = turn.inverse();
+        return vec![(turn, motion), (back, Motion::none())];
+    }
+    let along = |screw, (coordinate, velocity), factor: &Big, offset: &Big| Motion::Along {
+        screw,
+        coordinate,
+        velocity,
+        factor: factor.clone(),
+        offset: offset.clone(),
+    };
+    let screws = screws(joint).into_iter().enumerate();
+    let motions = screws.map(|(k, screw)| match moves {
+        Moves::Own => {
+            let (coordinate, velocity) = place(&joint.name.text);
+            let places = (coordinate + k, velocity + k);
+            along(screw, places, &Big::one(), &Big::zero())
+        }
+        Moves::As {
+            leader,
+            factor,
+            offset,
+        } => along(screw, place(leader), factor, offset),
+        Moves::Not(at) => Motion::Held {
+            screw,
+            at: at.clone(),
+        },
+    });
+    motions.map(|motion| (Matrix::identity(), motion)).collect()
+}
+
+/// What a joint is whose velocities are seen in the moved frame.
+fn posture(kind: JointKind) -> Option<Posture> {
+    Some(match kind {
+        JointKind::Planar => Posture::Planar,
+        JointKind::Spherical => Posture::Spherical,
+        JointKind::Floating => Posture::Floating,
+        _ => return None,
+    })
+}
+
+/// A direction with length 1.
+fn axis(written: &[Number; 3]) -> [Big; 3] {
+    let axis = written.each_ref().map(big);
+    let square = axis.iter().fold(Big::zero(), |sum, x| sum + x * x);
+    axis.map(|entry| entry / square.sqrt())
+}
+
+/// L of each motion of a joint whose motions come one after the other, through the origin of its frame;
+/// null of what does not move, or moves in another way.
 fn screws(joint: &Joint) -> Vec<Matrix> {
     let nothing = [(); 3].map(|()| Big::zero());
-    if !joint.kind.moves() {
-        return vec![Matrix::zero()];
-    }
-    let axis = joint.axis.each_ref().map(big);
-    let square = axis.iter().fold(Big::zero(), |sum, x| sum + x * x);
-    let axis = axis.map(|entry| entry / square.sqrt());
-    let (turn, slide) = (
-        Matrix::screw(&axis, &nothing),
-        Matrix::screw(&nothing, &axis),
-    );
+    let turn = |written| Matrix::screw(&axis(written), &nothing);
+    let slide = |written| Matrix::screw(&nothing, &axis(written));
     match joint.kind {
-        JointKind::Prismatic => vec![slide],
-        JointKind::Cylindrical => vec![turn, slide],
-        JointKind::Screw { pitch } => vec![&turn + &slide.times(&big(&pitch))],
-        _ => vec![turn],
+        JointKind::Revolute | JointKind::Continuous => vec![turn(&joint.axis)],
+        JointKind::Prismatic => vec![slide(&joint.axis)],
+        JointKind::Cylindrical => vec![turn(&joint.axis), slide(&joint.axis)],
+        JointKind::Screw { pitch } => {
+            vec![&turn(&joint.axis) + &slide(&joint.axis).times(&big(&pitch))]
+        }
+        JointKind::Universal => vec![turn(&joint.axis), turn(&joint.second_axis)],
+        JointKind::Translation => (0..3).map(motion::slide).collect(),
+        _ => vec![Matrix::zero()],
     }
 }

@@ -8,29 +8,49 @@
 
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
-use crate::oracle::robot::{self as oracle, Coordinate};
+use crate::oracle::motion::{self, Motion, Posture, across};
+use crate::oracle::robot as oracle;
 
+use super::movement::Movement;
 use super::robot::{Body, Field, Inertial, Kind, Placement, Robot};
 use super::written::{Reading, Written};
 
-/// A robot in matrices, and which joint each coordinate is of.
+/// A robot in matrices, and what its coordinates and velocities are.
 #[derive(Clone, Debug)]
 pub struct Dense {
     /// What the oracle evaluates.
     pub robot: oracle::Robot,
-    /// The number of the joint of each of its coordinates.
-    pub moving: Vec<usize>,
-    /// The link of each of its bodies.
-    pub links: Vec<usize>,
+    /// Its coordinates.
+    pub coordinates: Vec<Entry>,
+    /// Its velocities.
+    pub velocities: Vec<Entry>,
+    /// The link of each of its bodies; none of those that a joint puts between.
+    pub links: Vec<Option<usize>>,
     /// About how far the robot reaches, with its centres of mass \[m\]: the sum of all offsets.
     pub reach: f64,
     /// The most that a joint slides for a unit of its coordinate.
     pub slide: f64,
+    /// The most that all joints of a coordinate together move for a unit of it.
+    pub gain: f64,
     /// What all bodies weigh together \[kg\].
     pub mass: f64,
     /// The sum of their second moments about their own frames' origins [kg m²].
     pub second: f64,
 }
+
+/// A coordinate or a velocity of a joint.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// What it is called.
+    pub name: String,
+    /// The number of the joint; 0 of a free base.
+    pub joint: usize,
+    /// Its place among those of the joint.
+    pub part: usize,
+}
+
+/// States are drawn up to there.
+const FARTHEST: f64 = 4.0;
 
 impl Dense {
     /// The part of a robot that is asked for.
@@ -50,13 +70,22 @@ impl Dense {
                 frames: Vec::new(),
                 gravity: Matrix::screw(&big([0.0; 3]), &big(gravity)),
             },
-            moving: Vec::new(),
+            coordinates: Vec::new(),
+            velocities: Vec::new(),
             links: Vec::new(),
             reach: 0.0,
             slide: 0.0,
+            gain: 1.0,
             mass: 0.0,
             second: 0.0,
         };
+        if robot.asked.floating {
+            dense.free(robot);
+        }
+        for joint in robot.moving().filter_map(|id| robot.body(id)) {
+            let name = format!("joint{}", joint.id);
+            dense.list(joint.id, &name, &joint.kind);
+        }
         let mut waiting: Vec<&Body> = robot.bodies.iter().collect();
         waiting.retain(|body| robot.models(body.id));
         // Parents before children, whatever the order of the text.
@@ -65,13 +94,73 @@ impl Dense {
             waiting.retain(|body| !dense.take(robot, body));
             assert!(waiting.len() < before, "the robot is a tree");
         }
+        dense.gain = dense.gains();
         dense
+    }
+
+    /// Adds the coordinates and the velocities of a joint.
+    fn list(&mut self, joint: usize, called: &str, kind: &Kind) {
+        let entry = |(part, name): (usize, &&str)| Entry {
+            name: format!("{called}{name}"),
+            joint,
+            part,
+        };
+        let [coordinates, velocities] = kind.entries();
+        let coordinates = coordinates.iter().enumerate().map(entry);
+        self.coordinates.extend(coordinates);
+        self.velocities
+            .extend(velocities.iter().enumerate().map(entry));
+    }
+
+    /// Lets the base go.
+    fn free(&mut self, robot: &Robot) {
+        self.list(0, "root", &Kind::Floating);
+        let base = robot.body(robot.asked.base);
+        let inertial = base.map_or(&robot.root, |body| &body.inertial);
+        let inertia = inertia(robot, robot.asked.base, inertial.as_ref());
+        self.weigh(&inertia);
+        self.reach += FARTHEST;
+        self.slide = 1.0;
+        self.links.push(Some(robot.asked.base));
+        self.robot.bodies.push(oracle::Body {
+            parent: None,
+            placement: Matrix::identity(),
+            motion: Motion::Posture {
+                posture: Posture::Floating,
+                coordinate: 0,
+                velocity: 0,
+            },
+            inertia,
+        });
+    }
+
+    fn weigh(&mut self, inertia: &Matrix) {
+        let mass = inertia.0[3][3].to_f64();
+        if mass > 0.0 {
+            self.reach += length(&inertia.column()) / mass;
+        }
+        self.mass += mass;
+        self.second += (0..3).map(|k| inertia.0[k][k].to_f64().abs()).sum::<f64>();
+    }
+
+    /// The largest sum of what a unit of a coordinate moves joints by.
+    fn gains(&self) -> f64 {
+        let mut gains = vec![0.0; self.velocities.len()];
+        for body in &self.robot.bodies {
+            match &body.motion {
+                Motion::Along {
+                    velocity, factor, ..
+                } => gains[*velocity] += factor.abs().to_f64(),
+                Motion::Posture { .. } | Motion::Held { .. } => {}
+            }
+        }
+        gains.into_iter().fold(1.0, f64::max)
     }
 
     /// The body that carries a link; none for the base.
     #[must_use]
     pub fn body(&self, link: usize) -> Option<usize> {
-        self.links.iter().position(|&known| known == link)
+        self.links.iter().position(|&known| known == Some(link))
     }
 
     /// Adds a body, if the one it hangs on is there.
@@ -82,37 +171,121 @@ impl Dense {
         }
         let offset = robot.field(Field::Origin(body.id));
         let placement = placement(&body.at, offset, robot.reading());
-        let inertia = inertia(robot, body);
+        let inertia = inertia(robot, body.id, body.inertial.as_ref());
+        let movement = Movement::of(robot, body);
         let slide = match &body.kind {
-            Kind::Prismatic => 1.0,
+            Kind::Prismatic
+            | Kind::Cylindrical
+            | Kind::Translation
+            | Kind::Planar
+            | Kind::Floating => 1.0,
             Kind::Screw(pitch) => pitch.value().abs(),
-            Kind::Revolute | Kind::Continuous | Kind::Fixed => 0.0,
+            Kind::Revolute
+            | Kind::Continuous
+            | Kind::Universal(_)
+            | Kind::Spherical
+            | Kind::Fixed => 0.0,
         };
-        let (coordinate, at) = if let Some(at) = robot.held(body) {
-            (Coordinate::Held(Big::new(at)), at.abs())
-        } else {
-            self.moving.push(body.id);
-            // States are drawn up to 4.
-            (Coordinate::Free(self.moving.len() - 1), 4.0)
+        let (times, at) = match &movement {
+            Movement::Own => (1.0, FARTHEST),
+            Movement::As { factor, offset, .. } => {
+                let factor = factor.abs().to_f64();
+                (factor, factor * FARTHEST + offset.abs().to_f64())
+            }
+            Movement::Held(at) => (0.0, at.abs().to_f64()),
         };
-        let mass = inertia.0[3][3].to_f64();
         self.reach += length(&placement.column()) + slide * at;
-        if mass > 0.0 {
-            self.reach += length(&inertia.column()) / mass;
+        self.weigh(&inertia);
+        self.slide = self.slide.max(slide * times);
+        let parts = self.parts(body, &movement, robot.reading());
+        let (last, mut parent, mut placement) = (parts.len() - 1, parent, placement);
+        for (k, (turn, motion)) in parts.into_iter().enumerate() {
+            // What moves by a part of a joint's velocities is no link.
+            self.links.push((k == last).then_some(body.id));
+            self.robot.bodies.push(oracle::Body {
+                parent,
+                placement: &placement * &turn,
+                motion,
+                inertia: if k == last {
+                    inertia.clone()
+                } else {
+                    Matrix::zero()
+                },
+            });
+            (parent, placement) = (Some(self.links.len() - 1), Matrix::identity());
         }
-        self.slide = self.slide.max(slide);
-        self.mass += mass;
-        self.second += (0..3).map(|k| inertia.0[k][k].to_f64().abs()).sum::<f64>();
-        self.links.push(body.id);
-        self.robot.bodies.push(oracle::Body {
-            parent,
-            placement,
-            screw: screw(body, robot.reading()),
-            inertia,
-            coordinate,
-        });
         true
     }
+
+    /// The bodies that a joint moves, one on the other: a turn in front of each, and what moves it.
+    fn parts(&self, body: &Body, movement: &Movement, reading: Reading) -> Vec<(Matrix, Motion)> {
+        let first = |entries: &[Entry], joint: usize| {
+            let first = entries.iter().position(|entry| entry.joint == joint);
+            first.expect("what moves is listed")
+        };
+        let places = |joint| {
+            (
+                first(&self.coordinates, joint),
+                first(&self.velocities, joint),
+            )
+        };
+        if let (Some(posture), Movement::Own) = (posture(&body.kind), movement) {
+            let (coordinate, velocity) = places(body.id);
+            let motion = Motion::Posture {
+                posture,
+                coordinate,
+                velocity,
+            };
+            if posture != Posture::Planar {
+                return vec![(Matrix::identity(), motion)];
+            }
+            let turn = across(&unit(&body.axis, reading));
+            let back = turn.inverse();
+            return vec![(turn, motion), (back, Motion::none())];
+        }
+        let screws = screws(body, reading).into_iter().enumerate();
+        let motions = screws.map(|(part, screw)| match movement {
+            Movement::Own => {
+                let (coordinate, velocity) = places(body.id);
+                Motion::Along {
+                    screw,
+                    coordinate: coordinate + part,
+                    velocity: velocity + part,
+                    factor: Big::one(),
+                    offset: Big::zero(),
+                }
+            }
+            Movement::As {
+                leader,
+                factor,
+                offset,
+            } => {
+                let (coordinate, velocity) = places(*leader);
+                Motion::Along {
+                    screw,
+                    coordinate,
+                    velocity,
+                    factor: factor.clone(),
+                    offset: offset.clone(),
+                }
+            }
+            Movement::Held(at) => Motion::Held {
+                screw,
+                at: at.clone(),
+            },
+        });
+        motions.map(|motion| (Matrix::identity(), motion)).collect()
+    }
+}
+
+/// What a joint is whose velocities are seen in the moved frame.
+fn posture(kind: &Kind) -> Option<Posture> {
+    Some(match kind {
+        Kind::Planar => Posture::Planar,
+        Kind::Spherical => Posture::Spherical,
+        Kind::Floating => Posture::Floating,
+        _ => return None,
+    })
 }
 
 fn length(vector: &[Big; 3]) -> f64 {
@@ -146,33 +319,42 @@ fn rotation(axis: usize, (sine, cosine): &(Big, Big)) -> Matrix {
     matrix
 }
 
-/// L through the origin, about or along an axis made of length 1.
-fn screw(body: &Body, reading: Reading) -> Matrix {
-    let nothing = big([0.0; 3]);
-    let axis = big(body.axis.each_ref().map(|entry| entry.meant(reading)));
+/// A direction made of length 1.
+fn unit(axis: &[Written; 3], reading: Reading) -> [Big; 3] {
+    let axis = big(axis.each_ref().map(|entry| entry.meant(reading)));
     let square = axis.iter().fold(Big::zero(), |sum, x| sum + x * x);
-    let axis = axis.map(|entry| entry / square.sqrt());
+    axis.map(|entry| entry / square.sqrt())
+}
+
+/// L through the origin, of each motion of a joint whose motions come one after the other; null of what
+/// does not move, or moves in another way.
+fn screws(body: &Body, reading: Reading) -> Vec<Matrix> {
+    let nothing = big([0.0; 3]);
+    let turn = |axis| Matrix::screw(&unit(axis, reading), &nothing);
+    let slide = |axis| Matrix::screw(&nothing, &unit(axis, reading));
     match &body.kind {
-        Kind::Fixed => Matrix::zero(),
-        Kind::Revolute | Kind::Continuous => Matrix::screw(&axis, &nothing),
-        Kind::Prismatic => Matrix::screw(&nothing, &axis),
+        Kind::Revolute | Kind::Continuous => vec![turn(&body.axis)],
+        Kind::Prismatic => vec![slide(&body.axis)],
         Kind::Screw(pitch) => {
-            let pitch = Big::new(pitch.value());
-            let slide = axis.each_ref().map(|entry| entry * &pitch);
-            Matrix::screw(&axis, &slide)
+            let along = slide(&body.axis).times(&Big::new(pitch.value()));
+            vec![&turn(&body.axis) + &along]
         }
+        Kind::Cylindrical => vec![turn(&body.axis), slide(&body.axis)],
+        Kind::Universal(second) => vec![turn(&body.axis), turn(second)],
+        Kind::Translation => (0..3).map(motion::slide).collect(),
+        Kind::Planar | Kind::Spherical | Kind::Floating | Kind::Fixed => vec![Matrix::zero()],
     }
 }
 
 /// M J Mᵗ of ∫rrᵗdm = ½ Tr(I) − I about the centre of mass (16), (17).
-fn inertia(robot: &Robot, body: &Body) -> Matrix {
+fn inertia(robot: &Robot, link: usize, inertial: Option<&Inertial>) -> Matrix {
     let nothing = Inertial {
         at: Placement::none(),
         mass: Written::zero(),
         tensor: super::robot::zeros(),
     };
-    let inertial = body.inertial.as_ref().unwrap_or(&nothing);
-    let mass = robot.field(Field::Mass(body.id));
+    let inertial = inertial.unwrap_or(&nothing);
+    let mass = robot.field(Field::Mass(link));
     let mass = mass.map_or(inertial.mass.value(), |[mass, ..]| mass);
     let [xx, xy, xz, yy, yz, zz] = big(inertial.tensor.each_ref().map(Written::value));
     let half = (&xx + &yy + &zz) / Big::new(2.0);
@@ -183,7 +365,7 @@ fn inertia(robot: &Robot, body: &Body) -> Matrix {
         [-&xz, -&yz, &half - &zz, zero()],
         [zero(), zero(), zero(), Big::new(mass)],
     ]);
-    let center = robot.field(Field::Center(body.id));
+    let center = robot.field(Field::Center(link));
     let at = placement(&inertial.at, center, robot.reading());
     &(&at * &central) * &at.transposed()
 }

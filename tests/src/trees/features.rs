@@ -5,8 +5,10 @@
 
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
+use crate::oracle::motion::Motion;
 
 use super::dense::Dense;
+use super::movement::Movement;
 use super::robot::{Body, Door, Field, Inertial, Kind, Placement, Robot};
 use super::written::{Reading, Written};
 
@@ -14,7 +16,7 @@ use super::written::{Reading, Written};
 type Feature = (&'static str, fn(&Robot) -> bool);
 
 /// The list.
-pub const FEATURES: [Feature; 52] = [
+pub const FEATURES: [Feature; 69] = [
     ("a residue in an offset", |robot| {
         any(robot, |body| residue(&body.at.xyz))
     }),
@@ -103,6 +105,89 @@ pub const FEATURES: [Feature; 52] = [
     ("a screw", |robot| {
         any(robot, |body| matches!(body.kind, Kind::Screw(_)))
     }),
+    ("a cylindrical joint", |robot| {
+        any(robot, |body| body.kind == Kind::Cylindrical)
+    }),
+    ("a universal joint", |robot| {
+        any(robot, |body| matches!(body.kind, Kind::Universal(_)))
+    }),
+    ("a translation", |robot| {
+        any(robot, |body| body.kind == Kind::Translation)
+    }),
+    ("a planar joint", |robot| {
+        any(robot, |body| body.kind == Kind::Planar)
+    }),
+    ("a spherical joint", |robot| {
+        any(robot, |body| body.kind == Kind::Spherical)
+    }),
+    ("a floating joint", |robot| {
+        any(robot, |body| body.kind == Kind::Floating)
+    }),
+    ("a free base", |robot| robot.asked.floating),
+    (
+        "a free base, and a joint that has several velocities",
+        |robot| robot.asked.floating && any(robot, |body| body.kind.entries()[1].len() > 1),
+    ),
+    ("a joint that follows another", |robot| {
+        follows(robot, |_, movement| matches!(movement, Movement::As { .. }))
+    }),
+    ("a joint that follows one that follows", |robot| {
+        follows(robot, |body, movement| {
+            let moves = matches!(movement, Movement::As { .. });
+            moves && robot.leaders(body).count() > 2
+        })
+    }),
+    ("a joint that follows one behind itself", |robot| {
+        follows(robot, |body, movement| match movement {
+            Movement::As { leader, .. } => robot.upwards(*leader).any(|link| link == body.id),
+            _ => false,
+        })
+    }),
+    ("a joint that follows one of another branch", |robot| {
+        follows(robot, |body, movement| match movement {
+            Movement::As { leader, .. } => {
+                let above = |one: usize, other: usize| robot.upwards(one).any(|id| id == other);
+                !above(*leader, body.id) && !above(body.id, *leader)
+            }
+            _ => false,
+        })
+    }),
+    ("two joints that follow one", |robot| {
+        let leader = |body: &Body| match Movement::of(robot, body) {
+            Movement::As { leader, .. } => Some(leader),
+            _ => None,
+        };
+        let mut leaders: Vec<usize> = robot.bodies.iter().filter_map(leader).collect();
+        let count = leaders.len();
+        leaders.sort_unstable();
+        leaders.dedup();
+        leaders.len() < count
+    }),
+    ("a joint that follows one that is held", |robot| {
+        follows(robot, |body, movement| {
+            let mut leaders = robot.leaders(body);
+            let locked = leaders.any(|leader| robot.locked(leader).is_some());
+            locked && !movement.is_motion()
+        })
+    }),
+    ("a joint that follows one that is not there", |robot| {
+        follows(robot, |body, _| {
+            robot.leaders(body).any(|leader| !robot.models(leader.id))
+        })
+    }),
+    ("a held joint that would follow another", |robot| {
+        any(robot, |body| {
+            body.mimic.is_some() && robot.locked(body).is_some() && robot.models(body.id)
+        })
+    }),
+    ("a path that a leader beside it moves", |robot| {
+        let path = robot.asked.tip.filter(|_| robot.asked.path_only);
+        path.is_some_and(|tip| {
+            robot
+                .moving()
+                .any(|id| !robot.upwards(tip).any(|link| link == id))
+        })
+    }),
     ("two fixed joints in a row", |robot| {
         any(robot, |body| {
             fixed(body) && robot.body(body.parent).is_some_and(fixed)
@@ -152,6 +237,14 @@ pub const FEATURES: [Feature; 52] = [
 
 fn any(robot: &Robot, has: impl Fn(&Body) -> bool) -> bool {
     robot.bodies.iter().any(has)
+}
+
+/// Whether it holds of a joint that is modelled and follows another, and of what moves it.
+fn follows(robot: &Robot, has: impl Fn(&Body, &Movement) -> bool) -> bool {
+    any(robot, |body| {
+        let is = robot.models(body.id) && robot.leader(body).is_some();
+        is && has(body, &Movement::of(robot, body))
+    })
 }
 
 fn weighs(robot: &Robot, has: impl Fn(&Inertial) -> bool) -> bool {
@@ -275,16 +368,19 @@ fn pair(robot: &Robot, has: impl Fn(&Pair) -> bool) -> bool {
             .map_or_else(Matrix::identity, |at| poses[at].clone());
         poses.push(&parent * &body.placement);
     }
-    let axis = |body: usize| {
-        let l = &(&poses[body] * &bodies[body].screw) * &poses[body].inverse();
+    let axis = |body: usize, screw: &Matrix| {
+        let l = &(&poses[body] * screw) * &poses[body].inverse();
         let [turn, slide] = [l.vector(), l.column()].map(|v| v.map(|x| x.to_f64()));
         let point = poses[body].column().map(|x| x.to_f64());
         (if turn == [0.0; 3] { slide } else { turn }, point)
     };
-    let moves = |body: &usize| dense.moving.contains(&dense.links[*body]);
-    let pairs = (0..bodies.len()).filter(moves).filter_map(|body| {
+    let moved = |body: usize| match &bodies[body].motion {
+        Motion::Along { screw, .. } => Some(axis(body, screw)),
+        _ => None,
+    };
+    let pairs = (0..bodies.len()).filter_map(|body| {
         let mut before = dense.robot.upwards(Some(body)).skip(1);
-        before.find(moves).map(|before| (axis(before), axis(body)))
+        Some((before.find_map(moved)?, moved(body)?))
     });
     pairs.into_iter().any(|((u, from), (v, to))| {
         let normal = cross(u, v);

@@ -9,7 +9,9 @@
 //!   turns of them that the angle is huge; angles beside right ones;
 //! * axes that are coaxial, parallel, antiparallel, intersecting or nothing of all that;
 //! * links without inertial, massless ones in the middle, points, thin rods;
-//! * every kind of joint that has one coordinate, and fixed ones everywhere; up to 20 joints;
+//! * every kind of joint, and fixed ones everywhere; up to 20 joints; bases that are free;
+//! * joints that follow others, in front of them, behind them and in other branches, through others that
+//!   follow, held and left out ones; by factors of every sign, and by none;
 //! * units in which numbers are a thousand times as large or as small;
 //! * whatever a request can combine: another base, tips, further frames, joints held at zero and
 //!   elsewhere, links dropped, the path alone, `exact`, any gravity and none, struct fields whose
@@ -34,7 +36,7 @@ pub const MOST: usize = 20;
 pub fn grow(random: &mut Random) -> Robot {
     loop {
         let robot = attempt(random);
-        if robot.moving().next().is_some() {
+        if robot.asked.floating || robot.moving().next().is_some() {
             return robot;
         }
     }
@@ -72,6 +74,7 @@ fn attempt(random: &mut Random) -> Robot {
         let row = row(&bodies, 1 + numbers.random.below(count));
         bodies::share_a_right_angle(&mut bodies, &row, &mut numbers);
     }
+    lead(&mut bodies, &mut numbers);
     let root = bodies::inertial(&mut numbers);
     let mut robot = Robot {
         root,
@@ -82,6 +85,26 @@ fn attempt(random: &mut Random) -> Robot {
     ask(&mut robot, &mut numbers);
     shuffle(&mut robot.bodies, numbers.random);
     robot
+}
+
+/// Makes some joints follow others, in no circle.
+fn lead(bodies: &mut [Body], numbers: &mut Numbers) {
+    if !numbers.random.chance(3) {
+        return;
+    }
+    let one = |body: &Body| body.kind.has_one_coordinate();
+    let mut order: Vec<usize> = (0..bodies.len()).collect();
+    shuffle(&mut order, numbers.random);
+    for follower in 1..order.len() {
+        if !one(&bodies[order[follower]]) || !numbers.random.chance(2) {
+            continue;
+        }
+        let leader = &bodies[order[numbers.random.below(follower)]];
+        if one(leader) || leader.kind == Kind::Fixed {
+            let leader = leader.id;
+            bodies[order[follower]].mimic = Some(bodies::mimic(leader, numbers));
+        }
+    }
 }
 
 /// A body and the two before it.
@@ -100,6 +123,7 @@ fn ask(robot: &mut Robot, numbers: &mut Numbers) {
     if random.chance(4) {
         robot.asked.base = random.below(count.min(3));
     }
+    robot.asked.floating = random.chance(6);
     if random.chance(4) {
         let link = 1 + random.below(count);
         if link != robot.asked.base {
@@ -138,8 +162,9 @@ fn ask(robot: &mut Robot, numbers: &mut Numbers) {
                 Some(numbers.number(value))
             }
         };
-        // A coordinate of a request is a number, be it near a right angle or not.
-        let at = at.filter(|at| at.to_string().parse::<f64>().is_ok());
+        // A coordinate of a request is a number, be it near a right angle or not, and several are zero.
+        let is_one = |at: &Written| at.to_string().parse::<f64>().is_ok();
+        let at = at.filter(|at| is_one(at) && body.kind.has_one_coordinate());
         robot.asked.lock.push((body.id, at));
     }
     give_fields(robot, &modelled, numbers);

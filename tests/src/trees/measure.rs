@@ -26,6 +26,8 @@ pub struct Measure {
     reach: f64,
     /// What the rate of a point is measured by for a unit of the rate of a joint.
     slide: f64,
+    /// What a unit of the rate of a joint turns others by that follow it, all together.
+    gain: f64,
     /// What stands for first moments that vanish [kg m].
     first: f64,
     /// What stands for second moments that vanish [kg m²].
@@ -49,6 +51,7 @@ impl Measure {
             robot,
             reach,
             slide: reach + dense.slide,
+            gain: dense.gain,
             first,
             second: share * (share * reach * reach * dense.mass + dense.second),
             gravity: gravity.into_iter().sum(),
@@ -62,19 +65,19 @@ impl Measure {
     /// For a function that has no measure.
     #[must_use]
     pub fn error(&self, function: Function, found: &[f64], arguments: &Arguments) -> f64 {
-        let rates = sum(&arguments.qd);
+        let rates = self.gain * sum(&arguments.qd);
         let expected = |function| frame_0::evaluate(&self.robot, function, 0, arguments);
         let compared = |size: &dyn Fn(usize) -> f64| largest(found, &expected(function), size);
-        let count = arguments.q.len();
+        let count = arguments.qd.len();
         match function {
             Function::ForwardKinematics => compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 }),
             Function::Velocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.slide }),
             Function::Acceleration => {
-                let rates = sum(&arguments.qdd) + rates * rates;
+                let rates = self.gain * sum(&arguments.qdd) + rates * rates;
                 compared(&|k| rates * if k % 4 == 3 { self.slide } else { 1.0 })
             }
             Function::SpatialJacobian | Function::BodyJacobian | Function::GeometricJacobian => {
-                compared(&|k| if k % 6 < 3 { 1.0 } else { self.slide })
+                compared(&|k| self.gain * if k % 6 < 3 { 1.0 } else { self.slide })
             }
             Function::InverseDynamics | Function::Bias | Function::Gravity => {
                 let mut at = arguments.clone();
@@ -112,9 +115,10 @@ impl Measure {
 
     /// What torques are made of.
     fn torques(&self, at: &Arguments) -> Vec<f64> {
-        let rates = sum(&at.qd);
-        let rates = sum(&at.qdd) + rates * rates;
+        let rates = self.gain * sum(&at.qd);
+        let rates = self.gain * sum(&at.qdd) + rates * rates;
         let floor = self.first * (self.gravity + rates * self.slide) + self.second * rates;
+        let floor = self.gain * floor;
         let sizes = frame_0::torque_sizes(&self.robot, at);
         sizes.into_iter().map(|size| size + floor).collect()
     }
@@ -123,7 +127,7 @@ impl Measure {
     fn roots(&self, matrix: &[Big], count: usize) -> Vec<f64> {
         let diagonal = (0..count).map(|k| matrix[k * count + k].to_f64());
         diagonal
-            .map(|entry| (entry.max(0.0) + self.second).sqrt())
+            .map(|entry| (entry.max(0.0) + self.gain * self.gain * self.second).sqrt())
             .collect()
     }
 

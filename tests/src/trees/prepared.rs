@@ -13,13 +13,14 @@ use homogen_codegen::expand::{program, program_as, program_by, understand};
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::schedule::{Program, run};
+use homogen_codegen::space::Space;
 use homogen_codegen::{Function, Real};
 
 use crate::arguments::Arguments;
 use crate::states::Random;
 
 use super::cases::{Case, Choice};
-use super::dense::Dense;
+use super::dense::{Dense, Entry};
 use super::measure::Measure;
 use super::regular::pivot;
 use super::robot::{Asked, Field, Robot};
@@ -57,7 +58,7 @@ impl<'r> Prepared<'r> {
     /// Reads a robot, and draws states for the joints that move.
     ///
     /// # Errors
-    /// Where a reader or the engine refuses it, or other joints move than should.
+    /// Where a reader or the engine refuses it, or other coordinates or velocities are listed than should be.
     pub fn of(robot: &'r Robot, seed: u64, states: usize) -> Result<Self, String> {
         let understood = guarded(|| {
             let (description, request) = text::read(robot)?;
@@ -66,18 +67,24 @@ impl<'r> Prepared<'r> {
         })?;
         let (chain, check) = understood.map_err(|errors| format!("refused: {errors}"))?;
         let dense = Dense::of(robot);
-        let mut names: Vec<usize> = chain.joints.iter().map(|joint| id(&joint.name)).collect();
-        let mut moving = dense.moving.clone();
-        names.sort_unstable();
-        moving.sort_unstable();
-        if names != moving {
-            return Err(format!("joints {names:?} move instead of {moving:?}"));
+        let spaces = chain.spaces();
+        for (space, entries) in [
+            (Space::Coordinates, &dense.coordinates),
+            (Space::Velocities, &dense.velocities),
+        ] {
+            let mut found: Vec<&str> = spaces.names(space).collect();
+            let mut expected: Vec<&str> = entries.iter().map(|entry| &*entry.name).collect();
+            found.sort_unstable();
+            expected.sort_unstable();
+            if found != expected {
+                return Err(format!("{space:?} are {found:?} instead of {expected:?}"));
+            }
         }
         let of_state = |state| Arguments {
-            q: drawn(&dense.moving, seed, 4 * state),
-            qd: drawn(&dense.moving, seed, 4 * state + 1),
-            qdd: drawn(&dense.moving, seed, 4 * state + 2),
-            tau: drawn(&dense.moving, seed, 4 * state + 3),
+            q: coordinates(&dense, seed, 4 * state),
+            qd: drawn(&dense.velocities, seed, 4 * state + 1),
+            qdd: drawn(&dense.velocities, seed, 4 * state + 2),
+            tau: drawn(&dense.velocities, seed, 4 * state + 3),
         };
         let states = (0..states as u64).map(of_state).collect();
         Ok(Self {
@@ -241,31 +248,40 @@ impl<'r> Prepared<'r> {
     /// Whether the mass matrix is singular or nearly in the posture of the description, near which the engine
     /// looks at every eighth state.
     fn is_described_singular(&self) -> bool {
-        let count = self.states[0].q.len();
+        let mut q = vec![0.0; self.states[0].q.len()];
+        for start in self.dense.robot.quaternions() {
+            q[start + 3] = 1.0;
+        }
         let described = Arguments {
-            q: vec![0.0; count],
+            q,
             ..self.states[0].clone()
         };
         pivot(&self.dense, &described) < REGULAR
     }
 
     fn input(&self, input: Input, arguments: &Arguments) -> f64 {
-        let at = |k: u16| self.coordinate(usize::from(k));
         match input {
-            Input::Variable(variable, k) => arguments.of(variable)[at(k)],
+            Input::Variable(variable, k) => {
+                let place = self.place(variable.space(), usize::from(k));
+                arguments.of(variable)[place]
+            }
             Input::Parameter(field, entry) => {
                 self.robot.asked.fields[usize::from(field)].1[usize::from(entry)]
             }
         }
     }
 
-    /// The dense robot's coordinate of a joint of the chain.
-    fn coordinate(&self, joint: usize) -> usize {
-        let id = id(&self.chain.joints[joint].name);
-        let mut moving = self.dense.moving.iter();
-        moving
-            .position(|&known| known == id)
-            .expect("the same joints")
+    /// The place among the dense robot's of a coordinate or a velocity of the chain.
+    fn place(&self, space: Space, index: usize) -> usize {
+        let name = &self.chain.spaces().entries(space)[index].name;
+        let entries = match space {
+            Space::Coordinates => &self.dense.coordinates,
+            _ => &self.dense.velocities,
+        };
+        let mut entries = entries.iter();
+        entries
+            .position(|entry| entry.name == *name)
+            .expect("the same entries")
     }
 
     /// The largest error of a result, in units of what it is made of.
@@ -276,17 +292,17 @@ impl<'r> Prepared<'r> {
         measure.error(case.function, &found, arguments)
     }
 
-    /// A result by the coordinates of the dense robot instead of the chain's.
+    /// A result by the velocities of the dense robot instead of the chain's.
     fn in_order(&self, function: Function, found: &[f64]) -> Vec<f64> {
-        let mut joints = vec![0; self.chain.joints.len()];
-        for joint in 0..joints.len() {
-            joints[self.coordinate(joint)] = joint;
+        let mut order = vec![0; self.dense.velocities.len()];
+        for velocity in 0..order.len() {
+            order[self.place(Space::Velocities, velocity)] = velocity;
         }
-        permuted(found, function.result().over.len(), &joints)
+        permuted(found, function.result().over.len(), &order)
     }
 }
 
-/// The parts of nested arrays in another order, at as many levels as are over the joints.
+/// The parts of nested arrays in another order, at as many levels as are over the velocities.
 fn permuted(found: &[f64], levels: usize, order: &[usize]) -> Vec<f64> {
     if levels == 0 {
         return found.to_vec();
@@ -298,13 +314,27 @@ fn permuted(found: &[f64], levels: usize, order: &[usize]) -> Vec<f64> {
         .collect()
 }
 
-/// One number in [−4, 4) for each joint, which depends on nothing but its number.
-fn drawn(joints: &[usize], seed: u64, of: u64) -> Vec<f64> {
-    let number = |&joint: &usize| {
-        let mut random = Random::new(seed ^ (of << 32) ^ ((joint as u64) << 48));
+/// One number in [−4, 4) for each entry, which depends on nothing but the number of its joint and its part.
+fn drawn(entries: &[Entry], seed: u64, of: u64) -> Vec<f64> {
+    let number = |entry: &Entry| {
+        let place = ((entry.joint as u64) << 48) ^ ((entry.part as u64) << 40);
+        let mut random = Random::new(seed ^ (of << 32) ^ place);
         4.0 * random.unit()
     };
-    joints.iter().map(number).collect()
+    entries.iter().map(number).collect()
+}
+
+/// The same for coordinates, with quaternions of length 1 to rounding.
+fn coordinates(dense: &Dense, seed: u64, of: u64) -> Vec<f64> {
+    let mut q = drawn(&dense.coordinates, seed, of);
+    for start in dense.robot.quaternions() {
+        let quaternion = &mut q[start..start + 4];
+        let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+        for entry in quaternion {
+            *entry /= length;
+        }
+    }
+    q
 }
 
 /// The number at the end of `joint3` or `link3`.

@@ -4,6 +4,7 @@
 //! joint carries has the joint's number, the root is link 0; numbers stay when others are taken
 //! away, so that a smaller robot moves as the one before. It computes nothing but who carries whom.
 
+use super::movement::Movement;
 use super::written::{Reading, Written};
 
 /// A description and a request.
@@ -32,6 +33,8 @@ pub struct Body {
     pub at: Placement,
     /// In its own frame.
     pub axis: [Written; 3],
+    /// The joint that moves this one, where one does.
+    pub mimic: Option<Mimic>,
     /// None where the link is described without.
     pub inertial: Option<Inertial>,
 }
@@ -47,8 +50,31 @@ pub enum Kind {
     Prismatic,
     /// Both, with a pitch.
     Screw(Written),
+    /// Both, each by itself.
+    Cylindrical,
+    /// Two rotations, the other one about this axis.
+    Universal([Written; 3]),
+    /// Three translations.
+    Translation,
+    /// A plane across the axis.
+    Planar,
+    /// Any rotation.
+    Spherical,
+    /// Any motion.
+    Floating,
     /// Nothing.
     Fixed,
+}
+
+/// Multiplier times the coordinate of another joint, and an offset.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mimic {
+    /// The number of the other.
+    pub leader: usize,
+    /// What its coordinate is multiplied by.
+    pub multiplier: Written,
+    /// What is added then.
+    pub offset: Written,
 }
 
 /// `xyz`, then `rpy`, then what only a text in Rust can say: turns about axes 0, 1 and 2.
@@ -87,8 +113,10 @@ pub enum Door {
 /// A request.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Asked {
-    /// The link taken as fixed.
+    /// The link taken as fixed, or as free.
     pub base: usize,
+    /// Whether it is free.
+    pub floating: bool,
     /// The link that poses are of.
     pub tip: Option<usize>,
     /// Whether all that does not move the tip is held.
@@ -141,33 +169,61 @@ impl Robot {
         reaches && below.all(|link| !self.asked.drop.contains(&link))
     }
 
-    /// Where a joint that is modelled is held; none where it moves.
+    /// Where a joint is held by its kind or by what is asked; none where it is not.
     #[must_use]
-    pub fn held(&self, body: &Body) -> Option<f64> {
+    pub fn locked(&self, body: &Body) -> Option<f64> {
         if body.kind == Kind::Fixed {
             return Some(0.0);
         }
         let mut locks = self.asked.lock.iter();
-        if let Some((_, at)) = locks.find(|(joint, _)| *joint == body.id) {
-            return Some(at.as_ref().map_or(0.0, Written::value));
-        }
-        let tip = self.asked.tip.filter(|_| self.asked.path_only)?;
-        (!self.upwards(tip).any(|link| link == body.id)).then_some(0.0)
+        let (_, at) = locks.find(|(joint, _)| *joint == body.id)?;
+        Some(at.as_ref().map_or(0.0, Written::value))
     }
 
-    /// The numbers of the joints that move, in the order of the text.
+    /// The joint that a joint follows, where it does.
+    #[must_use]
+    pub fn leader<'r>(&'r self, body: &'r Body) -> Option<(&'r Body, &'r Mimic)> {
+        let mimic = body.mimic.as_ref()?;
+        if self.locked(body).is_some() {
+            return None;
+        }
+        Some((self.body(mimic.leader)?, mimic))
+    }
+
+    /// A joint and those that move it, up to the one that has a coordinate.
+    pub fn leaders<'r>(&'r self, body: &'r Body) -> impl Iterator<Item = &'r Body> {
+        std::iter::successors(Some(body), |body| {
+            self.leader(body).map(|(leader, _)| leader)
+        })
+    }
+
+    /// Whether a joint that is modelled and follows none has a coordinate, or is held.
+    #[must_use]
+    pub fn is_free(&self, body: &Body) -> bool {
+        if !self.models(body.id) || self.locked(body).is_some() {
+            return false;
+        }
+        let Some(tip) = self.asked.tip.filter(|_| self.asked.path_only) else {
+            return true;
+        };
+        let mut path = self.upwards(tip).filter_map(|link| self.body(link));
+        path.any(|on_path| {
+            self.models(on_path.id) && self.leaders(on_path).any(|leader| leader.id == body.id)
+        })
+    }
+
+    /// The numbers of the joints that have coordinates, in the order of the text.
     pub fn moving(&self) -> impl Iterator<Item = usize> {
-        let modelled = self.bodies.iter().filter(|body| self.models(body.id));
-        let moving = modelled.filter(|body| self.held(body).is_none());
-        moving.map(|body| body.id)
+        let own = |body: &&Body| self.leader(body).is_none() && self.is_free(body);
+        self.bodies.iter().filter(own).map(|body| body.id)
     }
 
     /// Whether a joint between the base and a link moves.
     #[must_use]
     pub fn moves(&self, link: usize) -> bool {
-        let moving: Vec<usize> = self.moving().collect();
         let mut below = self.upwards(link).take_while(|&at| at != self.asked.base);
-        below.any(|at| moving.contains(&at))
+        let moves = |body: &Body| Movement::of(self, body).is_motion();
+        self.asked.floating || below.any(|at| self.body(at).is_some_and(moves))
     }
 
     /// What is in the field that stands for something, where one does.
@@ -186,6 +242,35 @@ impl Robot {
             (Door::Computed, _) => Reading::Computed,
             (_, true) => Reading::Exact,
             (_, false) => Reading::Digits,
+        }
+    }
+}
+
+impl Kind {
+    /// Whether it has one coordinate, so that it can lead and follow.
+    #[must_use]
+    pub const fn has_one_coordinate(&self) -> bool {
+        matches!(
+            self,
+            Self::Revolute | Self::Continuous | Self::Prismatic | Self::Screw(_)
+        )
+    }
+
+    /// What its coordinates are called behind the name of the joint, and its velocities.
+    #[must_use]
+    pub const fn entries(&self) -> [&'static [&'static str]; 2] {
+        match self {
+            Self::Fixed => [&[], &[]],
+            Self::Revolute | Self::Continuous | Self::Prismatic | Self::Screw(_) => [&[""], &[""]],
+            Self::Cylindrical => [&[".angle", ".shift"]; 2],
+            Self::Universal(_) => [&[".first", ".second"]; 2],
+            Self::Translation => [&[".x", ".y", ".z"]; 2],
+            Self::Planar => [&[".x", ".y", ".angle"], &[".vx", ".vy", ".wz"]],
+            Self::Spherical => [&[".qx", ".qy", ".qz", ".qw"], &[".wx", ".wy", ".wz"]],
+            Self::Floating => [
+                &[".x", ".y", ".z", ".qx", ".qy", ".qz", ".qw"],
+                &[".vx", ".vy", ".vz", ".wx", ".wy", ".wz"],
+            ],
         }
     }
 }

@@ -55,6 +55,18 @@ fn smaller(robot: &Robot) -> Vec<Robot> {
         if !matches!(body.kind, Kind::Fixed | Kind::Continuous) {
             on_body(&|body| body.kind = Kind::Continuous);
         }
+        if body.mimic.is_some() {
+            on_body(&|body| body.mimic = None);
+        }
+        if let Kind::Universal(axis) = &body.kind {
+            let one =
+                |k: usize| std::array::from_fn(|i| Written::new(if i == k { "1" } else { "0" }));
+            if axis.iter().filter(|entry| !entry.is_zero()).count() > 1 {
+                for k in 0..3 {
+                    on_body(&|body| body.kind = Kind::Universal(one(k)));
+                }
+            }
+        }
         if body.inertial.is_some() {
             on_body(&|body| body.inertial = None);
         }
@@ -81,6 +93,9 @@ fn smaller(robot: &Robot) -> Vec<Robot> {
 /// Takes off a link that carries none.
 fn remove(robot: &mut Robot, id: usize) {
     robot.bodies.retain(|body| body.id != id);
+    for body in &mut robot.bodies {
+        body.mimic.take_if(|mimic| mimic.leader == id);
+    }
     let asked = &mut robot.asked;
     if asked.base == id {
         asked.base = 0;
@@ -109,6 +124,7 @@ fn ask_less(robot: &Robot, with: &mut impl FnMut(&dyn Fn(&mut Robot))) {
     if robot.root.is_some() {
         with(&|robot| robot.root = None);
     }
+    with(&|robot| robot.asked.floating = false);
     with(&|robot| robot.asked.base = 0);
     with(&|robot| robot.asked.tip = None);
     with(&|robot| robot.asked.path_only = false);
@@ -148,6 +164,10 @@ fn each(body: &mut Body, mut change: impl FnMut(&mut Written)) {
     body.at.numbers().for_each(&mut change);
     if let Kind::Screw(pitch) = &mut body.kind {
         change(pitch);
+    }
+    if let Some(mimic) = &mut body.mimic {
+        change(&mut mimic.multiplier);
+        change(&mut mimic.offset);
     }
     if let Some(Inertial { at, mass, tensor }) = &mut body.inertial {
         at.numbers().for_each(&mut change);

@@ -62,6 +62,11 @@ fn computed(mut description: Description) -> Description {
     for joint in &mut description.joints {
         unplaced(&mut joint.origin);
         joint.axis.iter_mut().for_each(unwritten);
+        joint.second_axis.iter_mut().for_each(unwritten);
+        if let Some(mimic) = &mut joint.mimic {
+            unwritten(&mut mimic.multiplier);
+            unwritten(&mut mimic.offset);
+        }
     }
     for inertial in description
         .links
@@ -87,6 +92,7 @@ fn request(asked: &Asked) -> Request {
     });
     Request {
         base: (asked.base > 0).then(|| link(asked.base)),
+        floating: asked.floating,
         tip: asked.tip.map(link),
         path_only: asked.path_only,
         lock: lock.collect(),
@@ -150,28 +156,35 @@ fn urdf_joint(body: &Body) -> String {
         Kind::Continuous => "continuous",
         Kind::Prismatic => "prismatic",
         Kind::Screw(_) => "screw",
+        Kind::Cylindrical => "cylindrical",
+        Kind::Universal(_) => "universal",
+        Kind::Translation => "translation",
+        Kind::Planar => "planar",
+        Kind::Spherical => "spherical",
+        Kind::Floating => "floating",
         Kind::Fixed => "fixed",
     };
+    let axis = format!("<axis xyz=\"{}\"/>", words(&body.axis, " "));
     let motion = match &body.kind {
-        Kind::Fixed => String::new(),
-        Kind::Screw(pitch) => format!(
-            "<axis xyz=\"{}\"/><thread pitch=\"{pitch}\"/>",
-            words(&body.axis, " ")
-        ),
-        Kind::Revolute => format!(
-            "<axis xyz=\"{}\"/><limit lower=\"-4\" upper=\"4\" velocity=\"4\"/>",
-            words(&body.axis, " ")
-        ),
-        Kind::Continuous | Kind::Prismatic => {
-            format!("<axis xyz=\"{}\"/>", words(&body.axis, " "))
-        }
+        Kind::Fixed | Kind::Translation | Kind::Spherical | Kind::Floating => String::new(),
+        Kind::Screw(pitch) => format!("{axis}<thread pitch=\"{pitch}\"/>"),
+        Kind::Revolute => format!("{axis}<limit lower=\"-4\" upper=\"4\" velocity=\"4\"/>"),
+        Kind::Universal(second) => format!("{axis}<axis2 xyz=\"{}\"/>", words(second, " ")),
+        Kind::Continuous | Kind::Prismatic | Kind::Cylindrical | Kind::Planar => axis,
     };
+    let mimic = body.mimic.as_ref().map(|mimic| {
+        format!(
+            "<mimic joint=\"joint{}\" multiplier=\"{}\" offset=\"{}\"/>",
+            mimic.leader, mimic.multiplier, mimic.offset
+        )
+    });
     format!(
         "  <joint name=\"joint{0}\" type=\"{kind}\"><parent link=\"link{1}\"/>\
-         <child link=\"link{0}\"/>{2}{motion}</joint>\n",
+         <child link=\"link{0}\"/>{2}{motion}{3}</joint>\n",
         body.id,
         body.parent,
         urdf_origin(&body.at),
+        mimic.unwrap_or_default(),
     )
 }
 
@@ -201,6 +214,14 @@ pub fn chain(robot: &Robot) -> String {
             Kind::Continuous => format!("continuous([{axis}])"),
             Kind::Prismatic => format!("prismatic([{axis}])"),
             Kind::Screw(pitch) => format!("screw([{axis}], pitch: {pitch})"),
+            Kind::Cylindrical => format!("cylindrical([{axis}])"),
+            Kind::Universal(second) => {
+                format!("universal([{axis}], [{}])", words(second, ", "))
+            }
+            Kind::Planar => format!("planar([{axis}])"),
+            Kind::Translation => "translation".to_owned(),
+            Kind::Spherical => "spherical".to_owned(),
+            Kind::Floating => "floating".to_owned(),
             Kind::Fixed => "fixed".to_owned(),
         };
         let mut at = format!(
@@ -210,6 +231,13 @@ pub fn chain(robot: &Robot) -> String {
         );
         for (axis, angle) in &body.at.turns {
             let _ = write!(at, " r{}({angle})", ["x", "y", "z"][*axis]);
+        }
+        if let Some(mimic) = &body.mimic {
+            let _ = write!(
+                at,
+                ", mimic: joint{}, multiplier: {}, offset: {}",
+                mimic.leader, mimic.multiplier, mimic.offset
+            );
         }
         let _ = writeln!(
             text,
@@ -246,6 +274,9 @@ fn settings(asked: &Asked) -> String {
     };
     if asked.base > 0 {
         settings.push(format!("base: link{}", asked.base));
+    }
+    if asked.floating {
+        settings.push("floating".to_owned());
     }
     if let Some(tip) = asked.tip {
         settings.push(format!("tip: link{tip}"));

@@ -7,7 +7,7 @@ use std::array::from_fn;
 
 use crate::big::Big;
 
-use super::super::robot::{Body, Door, Inertial, Kind, Placement, zeros};
+use super::super::robot::{Body, Door, Inertial, Kind, Mimic, Placement, zeros};
 use super::super::written::Written;
 use super::numbers::Numbers;
 
@@ -22,6 +22,7 @@ pub(super) fn body(id: usize, parent: usize, before: &[Body], numbers: &mut Numb
         kind: kind(numbers),
         at: placement(numbers),
         axis: numbers.axis(),
+        mimic: None,
         inertial: inertial(numbers),
     };
     let carrier = before.iter().find(|body| body.id == parent);
@@ -71,6 +72,16 @@ fn coordinate(axis: &[Written; 3]) -> Option<usize> {
 }
 
 fn kind(numbers: &mut Numbers) -> Kind {
+    if numbers.random.chance(6) {
+        return match numbers.random.below(6) {
+            0 => Kind::Cylindrical,
+            1 => Kind::Universal(numbers.axis()),
+            2 => Kind::Translation,
+            3 => Kind::Planar,
+            4 => Kind::Spherical,
+            _ => Kind::Floating,
+        };
+    }
     match numbers.random.below(8) {
         2 | 3 => Kind::Continuous,
         4 => Kind::Prismatic,
@@ -80,6 +91,35 @@ fn kind(numbers: &mut Numbers) -> Kind {
         }
         0 | 1 | 5 => Kind::Revolute,
         _ => Kind::Fixed,
+    }
+}
+
+/// A joint to follow, as gears and fingers do: by the same or the opposite way, by any, or not at all.
+pub(super) fn mimic(leader: usize, numbers: &mut Numbers) -> Mimic {
+    let multiplier = match numbers.random.below(12) {
+        0..=2 => Written::new("1"),
+        3..=5 => Written::new("-1"),
+        6 => numbers.zero(),
+        _ => {
+            let value = 2.0 * numbers.random.unit();
+            numbers.number(value)
+        }
+    };
+    let offset = match numbers.random.below(4) {
+        0 => {
+            let value = numbers.random.unit();
+            numbers.number(value)
+        }
+        1 => {
+            let decimals = 2 + numbers.random.below(16);
+            Written::decimals(numbers.sign() * std::f64::consts::FRAC_PI_2, decimals)
+        }
+        _ => numbers.zero(),
+    };
+    Mimic {
+        leader,
+        multiplier,
+        offset,
     }
 }
 

@@ -50,7 +50,7 @@ fn agree(description: &Description, request: &Request) -> f64 {
 fn agree_within(tolerance: f64, description: &Description, request: &Request) -> f64 {
     let robot = Robot::of(description, request);
     let chain = build(description, request);
-    assert_eq!(robot.joints(), chain.joints.len());
+    assert_eq!(robot.velocities(), chain.spaces().velocities.len());
     assert_eq!(robot.frames.len(), chain.frames.len());
     let functions: Vec<Function> = (Function::ALL.into_iter())
         .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())

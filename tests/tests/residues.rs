@@ -128,7 +128,7 @@ fn hold(description: &Description, request: &Request) {
 fn compare(robot: &Robot, function: Function, program: &Program) {
     let mut random = Random::new(1);
     for _ in 0..STATES {
-        let arguments = Arguments::random(robot.joints(), &mut random);
+        let arguments = Arguments::random(robot.velocities(), &mut random);
         let found = run::<f64>(program, |input| arguments.at(input));
         let expected = frame_0::evaluate(robot, function, 0, &arguments);
         let expected: Vec<f64> = expected.iter().map(Big::to_f64).collect();

@@ -68,7 +68,7 @@ impl Robot {
         Self {
             name: name.to_owned(),
             asked,
-            spaces: chain.spaces(),
+            spaces: chain.spaces().clone(),
             fields: fields.collect(),
             description,
             request,

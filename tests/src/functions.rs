@@ -14,14 +14,24 @@ macro_rules! evaluated {
     (@[] [$($name:ident $method:ident($($argument:ident),*) $as_blocks:ident;)*]) => {
         /// A robot that has all functions but those that solve something: a generated one, or a chain
         /// that is read at run time.
-        pub trait EveryFunction<const N: usize, T>: $(robot::$name<N, T> +)* {}
+        pub trait EveryFunction<const N: usize, T, const Q: usize = N>:
+            $(robot::$name<N, T, Q> +)*
+        {
+        }
 
-        impl<R, const N: usize, T> EveryFunction<N, T> for R where R: $(robot::$name<N, T> +)* {}
+        impl<R, const N: usize, T, const Q: usize> EveryFunction<N, T, Q> for R
+        where
+            R: $(robot::$name<N, T, Q> +)*
+        {
+        }
 
         /// Every function at one state.
-        pub fn evaluate<R, T, const N: usize>(robot: &R, state: &State<T, N>) -> Vec<Block<T>>
+        pub fn evaluate<R, T, const N: usize, const Q: usize>(
+            robot: &R,
+            state: &State<T, N, Q>,
+        ) -> Vec<Block<T>>
         where
-            R: EveryFunction<N, T> + ?Sized,
+            R: EveryFunction<N, T, Q> + ?Sized,
             T: Scalar,
         {
             let mut blocks = Vec::new();

@@ -13,6 +13,7 @@ pub mod functions;
 pub mod fused_sines;
 pub mod hexadecimal;
 pub mod humanoid;
+pub mod jointed;
 pub mod metrics;
 pub mod oracle;
 pub mod robots;

@@ -5,17 +5,17 @@
 
 use std::array::from_fn;
 
-use homogen::Scalar;
+use homogen::{Chain, Scalar};
 pub use homogen_random::Random;
 
-/// A state of a robot with N joints.
+/// A state of a robot with N velocities and Q coordinates.
 #[derive(Clone, Copy, Debug)]
-pub struct State<T, const N: usize> {
-    /// Coordinates [rad or m].
-    pub q: [T; N],
-    /// Their rates.
+pub struct State<T, const N: usize, const Q: usize = N> {
+    /// Coordinates [rad, m or 1].
+    pub q: [T; Q],
+    /// Velocities.
     pub qd: [T; N],
-    /// Their second rates.
+    /// Accelerations.
     pub qdd: [T; N],
 }
 
@@ -29,10 +29,24 @@ impl<const N: usize> State<f64, N> {
             qdd: vector(),
         }
     }
+}
+
+impl<const N: usize, const Q: usize> State<f64, N, Q> {
+    /// The same of a robot with quaternions, which have length 1 to rounding and are no such multiples.
+    pub fn of<const F: usize, const B: usize>(
+        chain: &Chain<N, F, Q, B>,
+        random: &mut Random,
+    ) -> Self {
+        Self {
+            q: chain.normalize(&from_fn(|_| 4.0 * random.unit())),
+            qd: from_fn(|_| 4.0 * random.unit()),
+            qdd: from_fn(|_| 4.0 * random.unit()),
+        }
+    }
 
     /// The same state in another type of number.
     #[must_use]
-    pub fn to<T: Scalar>(&self) -> State<T, N> {
+    pub fn to<T: Scalar>(&self) -> State<T, N, Q> {
         State {
             q: self.q.map(T::constant),
             qd: self.qd.map(T::constant),

@@ -38,6 +38,8 @@ pub struct Body {
     pub inertia: Matrix,
     /// What moves it.
     pub coordinate: Coordinate,
+    /// Whether it is a link, and not what moves by a part of a joint's coordinates.
+    pub link: bool,
 }
 
 /// What moves a joint.
@@ -195,6 +197,7 @@ impl<'d> Reader<'d> {
                     screw,
                     inertia,
                     coordinate,
+                    link: k == last,
                 });
                 (parent, placement) = (Some(robot.bodies.len() - 1), Matrix::identity());
             }

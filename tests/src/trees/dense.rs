@@ -110,6 +110,7 @@ impl Dense {
             screw: screw(body, robot.reading()),
             inertia,
             coordinate,
+            link: true,
         });
         true
     }

@@ -13,9 +13,11 @@ use homogen_codegen::expand::{program, program_as, program_by, understand};
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::schedule::{Program, run};
+use homogen_codegen::space::Space;
 use homogen_codegen::{Function, Real};
 
 use crate::arguments::Arguments;
+use crate::oracle::frame_0;
 use crate::states::Random;
 
 use super::cases::{Case, Choice};
@@ -186,8 +188,12 @@ impl<'r> Prepared<'r> {
             // Of a small arm far from the base, frame 0 may keep too few digits.
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
+            let weightless = case.function.is_of_mass() && refusal.contains("has mass");
             let states = || (0..self.states.len()).any(singular);
-            if far || !own && (states() || solves && self.is_described_singular()) {
+            if far
+                || weightless && self.is_weightless()
+                || !own && (states() || solves && self.is_described_singular())
+            {
                 Ok(None)
             } else {
                 Err(refusal)
@@ -206,6 +212,18 @@ impl<'r> Prepared<'r> {
         let program = program_as(formulation, &self.chain, &functions, frame, Real::F64)?;
         self.check.judge(&functions, frame, &program, Real::F64)?;
         Ok(program)
+    }
+
+    /// Whether nothing that moves is described with a mass.
+    fn is_weightless(&self) -> bool {
+        let described = Robot {
+            asked: Asked {
+                fields: Vec::new(),
+                ..self.robot.asked.clone()
+            },
+            ..self.robot.clone()
+        };
+        frame_0::mass(&Dense::of(&described).robot) == 0.0
     }
 
     /// Whether accelerations may be refused, or be none: where the mass matrix is singular or nearly,
@@ -282,20 +300,27 @@ impl<'r> Prepared<'r> {
         for joint in 0..joints.len() {
             joints[self.coordinate(joint)] = joint;
         }
-        permuted(found, function.result().over.len(), &joints)
+        // Each joint moves a link, which has ten parameters.
+        let parameters = joints
+            .iter()
+            .flat_map(|&joint| (0..10).map(move |k| 10 * joint + k));
+        let parameters: Vec<usize> = parameters.collect();
+        let orders = function.result().over.iter().map(|space| match space {
+            Space::Parameters => &*parameters,
+            _ => &*joints,
+        });
+        permuted(found, &orders.collect::<Vec<_>>())
     }
 }
 
-/// The parts of nested arrays in another order, at as many levels as are over the joints.
-fn permuted(found: &[f64], levels: usize, order: &[usize]) -> Vec<f64> {
-    if levels == 0 {
+/// The parts of nested arrays in other orders, the outermost first.
+fn permuted(found: &[f64], orders: &[&[usize]]) -> Vec<f64> {
+    let Some((order, inner)) = orders.split_first() else {
         return found.to_vec();
-    }
+    };
     let each = found.len() / order.len();
     let parts = order.iter().map(|&k| &found[k * each..][..each]);
-    parts
-        .flat_map(|part| permuted(part, levels - 1, order))
-        .collect()
+    parts.flat_map(|part| permuted(part, inner)).collect()
 }
 
 /// One number in [−4, 4) for each joint, which depends on nothing but its number.

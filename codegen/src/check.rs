@@ -13,7 +13,7 @@ mod states;
 mod tests;
 
 use crate::chain::Chain;
-use crate::dense::{Approximate, Dense, State};
+use crate::dense::{Approximate, Dense, Motion, State};
 use crate::description::{Description, Source, freed};
 use crate::error::{Errors, Place};
 use crate::expression::Arithmetic;
@@ -137,6 +137,39 @@ impl Check {
         Ok(())
     }
 
+    /// Holds the values of base parameters against the description: with the base regressor they make its
+    /// torques.
+    ///
+    /// # Errors
+    /// Where they make others.
+    pub fn judge_base_parameters(&self, values: &[f64]) -> Result<(), Errors> {
+        let mut errors = self.source.errors();
+        for dense in &self.states {
+            let torques = dense.torques(Motion::Driven);
+            let rows = dense.base_regressor();
+            let mut rows = rows.chunks(values.len().max(1));
+            for (joint, torque) in torques.iter().enumerate() {
+                let terms = rows.next().unwrap_or_default().iter().zip(values);
+                let terms = terms.map(|(entry, value)| entry.to_f64() * value);
+                let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), term| {
+                    (sum + term, size + term.abs())
+                });
+                if let Some(wrong) = wrong(
+                    joint,
+                    sum,
+                    torque.to_f64(),
+                    (sum - torque.to_f64()).abs() <= GROUPED * size + torque.noise(),
+                ) {
+                    let words = self.words(Function::InverseDynamics, &wrong);
+                    let message = format!("by base parameters, {words}");
+                    errors.push_with_hint(self.place, message, FAULT);
+                    return Err(errors);
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn words(&self, function: Function, wrong: &Wrong) -> String {
         let Wrong {
             entry,
@@ -201,6 +234,10 @@ struct Wrong {
 const SOLVED: f64 = 1e3;
 const HARDLY_SOLVED: f64 = 1e6;
 
+/// How far torques by base parameters may be off, beside what they are sums of: grouping decides within a billionth
+/// which columns depend on each other.
+const GROUPED: f64 = 1e-8;
+
 /// The first entry of a function that is not what the description says.
 fn first_wrong(
     dense: &Dense,
@@ -209,7 +246,7 @@ fn first_wrong(
     found: &[Approximate],
 ) -> Option<Wrong> {
     let value = match function.truth() {
-        Truth::Value(value) => value,
+        Truth::Value(value) | Truth::OfMass(value) => value,
         Truth::Solution(Given::Torques) => return first_unsolved(dense, found),
         Truth::Solution(Given::MassMatrix) => return first_not_inverse(dense, found),
     };

@@ -3,7 +3,7 @@
 //! In: an array, a matrix or one of the typed matrices. Out: its numbers, row by row, in `f64`. It
 //! never computes any.
 
-use homogen::{Acceleration, Pose, Real, Screw, Velocity};
+use homogen::{Acceleration, Action, Momentum, Point, Pose, Real, Screw, Velocity};
 
 /// The numbers of a result, row by row.
 pub trait Entries {
@@ -46,6 +46,24 @@ impl<T: Real + Entries> Entries for Screw<T> {
 impl<T: Real + Entries> Entries for Velocity<T> {
     fn push(&self, numbers: &mut Vec<f64>) {
         [self.omega(), self.v()].push(numbers);
+    }
+}
+
+impl<T: Real + Entries> Entries for Point<T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        self.0.push(numbers);
+    }
+}
+
+impl<T: Real + Entries> Entries for Momentum<T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        [self.gamma(), self.rho()].push(numbers);
+    }
+}
+
+impl<T: Real + Entries> Entries for Action<T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        [self.c(), self.f()].push(numbers);
     }
 }
 

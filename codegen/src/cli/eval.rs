@@ -152,8 +152,8 @@ impl Eval {
             answer.insert("frame".into(), json!(chain.frames[frame].name));
         }
         answer.insert("shape".into(), json!(dimensions(&quantity, spaces)));
-        if quantity.entity == Entity::Screw {
-            answer.insert("rows".into(), json!(SCREW));
+        if let Some(rows) = names_of_rows(&quantity) {
+            answer.insert("rows".into(), json!(rows));
         }
         answer.insert("warnings".into(), json::warnings(&chain.report.warnings));
         let results =
@@ -169,15 +169,23 @@ impl Eval {
     }
 }
 
-/// What the rows of a Jacobian are.
-const SCREW: [&str; 6] = [
-    "angular_x",
-    "angular_y",
-    "angular_z",
-    "linear_x",
-    "linear_y",
-    "linear_z",
-];
+/// What the rows of a matrix are whose columns are of joints.
+fn names_of_rows(quantity: &Quantity) -> Option<&'static [&'static str]> {
+    const SIX: [&str; 6] = [
+        "angular_x",
+        "angular_y",
+        "angular_z",
+        "linear_x",
+        "linear_y",
+        "linear_z",
+    ];
+    match (quantity.over, quantity.entity) {
+        ([], _) => None,
+        (_, Entity::Screw | Entity::Momentum) => Some(&SIX),
+        (_, Entity::Vector) => Some(&["x", "y", "z"]),
+        _ => None,
+    }
+}
 
 /// The results as the `f64`s that print like them.
 fn numbers<T: Arithmetic + Display>(
@@ -199,13 +207,15 @@ fn numbers<T: Arithmetic + Display>(
     results.into_iter().map(shortest).collect()
 }
 
-/// The rows and columns of a result: matrices of four rows whole, screws as columns.
+/// The rows and columns of a result: matrices of four rows whole, what each joint has as columns.
 fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     let mut lengths = quantity.lengths(spaces);
-    match quantity.entity {
-        Entity::Number => {}
-        Entity::Pose | Entity::Velocity | Entity::Acceleration => lengths.extend([4, 4]),
-        Entity::Screw => lengths.insert(0, 6),
+    let dimensions = quantity.entity.dimensions();
+    match (quantity.over, dimensions) {
+        ([], [6] | [3, 4]) => lengths.extend([4, 4]),
+        ([], dimensions) => lengths.extend(dimensions),
+        (_, &[rows]) => lengths.insert(0, rows),
+        _ => {}
     }
     lengths
 }
@@ -216,6 +226,21 @@ fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec
         let rows = numbers.chunks(4).map(<[f64]>::to_vec);
         rows.chain([last.to_vec()]).collect()
     };
+    // The vector of a skew block, the last column, and what stands under it.
+    let skew = |last: [f64; 3]| {
+        let (w, v) = (&numbers[..3], &numbers[3..]);
+        let [x, y, z] = last;
+        vec![
+            vec![0.0, -w[2], w[1], v[0]],
+            vec![w[2], 0.0, -w[0], v[1]],
+            vec![-w[1], w[0], 0.0, v[2]],
+            vec![x, y, z, 0.0],
+        ]
+    };
+    if let (&[_], &[each]) = (quantity.over, quantity.entity.dimensions()) {
+        let row = |row: usize| numbers.iter().skip(row).step_by(each).copied().collect();
+        return Some((0..each).map(row).collect());
+    }
     Some(match quantity.entity {
         Entity::Number => {
             let &[_, columns] = &*quantity.lengths(spaces) else {
@@ -228,19 +253,9 @@ fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec
         }
         Entity::Pose => under([0.0, 0.0, 0.0, 1.0]),
         Entity::Acceleration => under([0.0; 4]),
-        Entity::Velocity => {
-            let (w, v) = (&numbers[..3], &numbers[3..]);
-            vec![
-                vec![0.0, -w[2], w[1], v[0]],
-                vec![w[2], 0.0, -w[0], v[1]],
-                vec![-w[1], w[0], 0.0, v[2]],
-                vec![0.0; 4],
-            ]
-        }
-        Entity::Screw => {
-            let row = |row: usize| numbers.iter().skip(row).step_by(6).copied().collect();
-            (0..6).map(row).collect()
-        }
+        Entity::Velocity | Entity::Screw => skew([0.0; 3]),
+        Entity::Momentum | Entity::Action => skew([-numbers[3], -numbers[4], -numbers[5]]),
+        Entity::Point | Entity::Vector => return None,
     })
 }
 

@@ -11,6 +11,8 @@ use crate::space::{Quantity, Variable};
 pub(crate) enum Truth {
     /// What dense matrices make of a state; of the frame of that index where it is of one.
     Value(fn(&Dense, usize) -> Vec<Approximate>),
+    /// The same, of robots that have mass: without any there is no such thing.
+    OfMass(fn(&Dense, usize) -> Vec<Approximate>),
     /// An equation that they solve, in which that is given.
     Solution(Given),
 }

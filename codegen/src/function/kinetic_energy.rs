@@ -5,8 +5,8 @@ use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
 use crate::dense::{Approximate, Motion};
 use crate::expression::Term;
-use crate::matrix::{Action, Screw, Velocity};
-use crate::model::Scene;
+use crate::matrix::{Action, Screw};
+use crate::model::{Scene, moving};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -34,25 +34,13 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let zero = scene.state.zero();
-    let mut velocities: Vec<Velocity<Term<'g>>> = Vec::new();
-    let mut twice = zero;
-    for joint in scene.joints() {
-        let at_rest = Velocity::zero(zero.graph());
-        let outer = joint.parent.map_or(at_rest, |parent| velocities[parent]);
-        let carried = outer
-            .move_pole(joint.placement.translation)
-            .rotate(joint.placement.rotation.transposed())
-            .move_pole(joint.offset())
-            .rotate(joint.turn().transposed());
-        let w = carried + Velocity::of_screw(joint.screw, scene.state.qd(joint.index));
-        let (index, frame) = (joint.index + 1, joint.frame);
-        w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
-        w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
-        // Tr(W J Wᵗ) = W ⊗ skew[W J].
+    let joints = scene.joints();
+    let each = joints.iter().zip(moving::velocities(&joints, &scene.state));
+    // Tr(W J Wᵗ) = W ⊗ skew[W J].
+    let twice = each.map(|(joint, w)| {
         let twist = Screw { u: w.omega, b: w.v };
-        twice = twice + Action::of_screw(twist, joint.inertia).along(twist);
-        velocities.push(w);
-    }
+        Action::of_screw(twist, joint.inertia).along(twist)
+    });
+    let twice = twice.fold(scene.state.zero(), |sum, energy| sum + energy);
     vec![twice * scene.state.constant(0.5)]
 }

@@ -33,6 +33,61 @@ pub(super) const SCREWS: Quantity = Quantity {
     },
 };
 
+/// The rate of a screw for each velocity.
+pub(super) const SCREW_RATES: Quantity = Quantity {
+    over: &[Space::Velocities],
+    entity: Entity::Screw,
+    units: |of| {
+        let b = by_one(of, "m/s", "1/s");
+        vec!["1/s", "1/s", "1/s", b, b, b]
+    },
+};
+
+/// A point.
+pub(super) const POINT: Quantity = Quantity {
+    over: &[],
+    entity: Entity::Point,
+    units: |_| vec!["m"; 3],
+};
+
+/// The velocity of a point.
+pub(super) const POINT_RATE: Quantity = Quantity {
+    over: &[],
+    entity: Entity::Vector,
+    units: |_| vec!["m/s"; 3],
+};
+
+/// What each velocity adds to that of a point.
+pub(super) const POINT_RATES: Quantity = Quantity {
+    over: &[Space::Velocities],
+    entity: Entity::Vector,
+    units: |of| vec![by_one(of, "m", "1"); 3],
+};
+
+/// A momentum matrix.
+pub(super) const MOMENTUM: Quantity = Quantity {
+    over: &[],
+    entity: Entity::Momentum,
+    units: |_| ["kg m²/s", "kg m/s"].map(|unit| [unit; 3]).concat(),
+};
+
+/// What each velocity adds to a momentum matrix.
+pub(super) const MOMENTA: Quantity = Quantity {
+    over: &[Space::Velocities],
+    entity: Entity::Momentum,
+    units: |of| {
+        let (gamma, rho) = (by_one(of, "kg m²", "kg m"), by_one(of, "kg m", "kg"));
+        [gamma, rho].map(|unit| [unit; 3]).concat()
+    },
+};
+
+/// An action matrix.
+pub(super) const ACTION: Quantity = Quantity {
+    over: &[],
+    entity: Entity::Action,
+    units: |_| ["N m", "N"].map(|unit| [unit; 3]).concat(),
+};
+
 /// An energy.
 pub(super) const ENERGY: Quantity = Quantity {
     over: &[],
@@ -52,6 +107,28 @@ pub(super) const INERTIAS: Quantity = matrix(|of| vec![by_two(of, ["kg m²", "kg
 /// What accelerations are for torques and forces.
 pub(super) const INVERSE_INERTIAS: Quantity =
     matrix(|of| vec![by_two(of, ["1/(kg m²)", "1/(kg m)", "1/kg"])]);
+
+/// What torques and forces are for inertial parameters.
+pub(super) const REGRESSOR: Quantity = of_parameters(&[Space::Velocities, Space::Parameters]);
+
+/// What they are for base parameters.
+pub(super) const BASE_REGRESSOR: Quantity =
+    of_parameters(&[Space::Velocities, Space::BaseParameters]);
+
+const fn of_parameters(over: &'static [Space]) -> Quantity {
+    Quantity {
+        over,
+        entity: Entity::Number,
+        units: |of| {
+            let [turning, sliding] = match of[1] {
+                Kind::Moment(0) => ["m²/s²", "m/s²"],
+                Kind::Moment(1) => ["m/s²", "1/s²"],
+                _ => ["1/s²", "1/(m s²)"],
+            };
+            vec![by_one(of, turning, sliding)]
+        },
+    }
+}
 
 const fn vector(units: fn(&[Kind]) -> Vec<&'static str>) -> Quantity {
     Quantity {

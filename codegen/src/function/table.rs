@@ -9,7 +9,7 @@ use super::tally::{Size, Tally};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::model::{Scene, Way};
-use crate::space::{Quantity, Variable};
+use crate::space::{Quantity, Space, Variable};
 
 macro_rules! definitions {
     ($($variant:ident: $module:ident, $about:literal;)*) => {
@@ -57,6 +57,12 @@ impl Function {
         self.definition().result
     }
 
+    /// The spaces of its result beside those of coordinates and velocities, whose lengths its trait has to know.
+    pub(crate) fn further(self) -> impl Iterator<Item = Space> {
+        let over = self.result().over.iter().copied();
+        over.filter(|space| !matches!(space, Space::Coordinates | Space::Velocities))
+    }
+
     /// Whether it solves for what forces do to accelerations.
     #[must_use]
     pub const fn solves(self) -> bool {
@@ -67,9 +73,15 @@ impl Function {
     #[must_use]
     pub const fn given(self) -> Option<Given> {
         match self.truth() {
-            Truth::Value(_) => None,
+            Truth::Value(_) | Truth::OfMass(_) => None,
             Truth::Solution(given) => Some(given),
         }
+    }
+
+    /// Whether it is of robots that have mass alone.
+    #[must_use]
+    pub const fn is_of_mass(self) -> bool {
+        matches!(self.truth(), Truth::OfMass(_))
     }
 
     /// What every expansion of it is held against.

@@ -58,6 +58,22 @@ impl<'g> Action<Term<'g>> {
         screw.u.dot(self.c) + screw.b.dot(self.f)
     }
 
+    /// The same about another pole.
+    #[must_use]
+    pub fn about(self, pole: Vector<Term<'g>>) -> Self {
+        Self {
+            c: self.c - pole.cross(self.f),
+            ..self
+        }
+    }
+
+    /// The six entries c, f.
+    #[must_use]
+    pub fn entries(self) -> [Term<'g>; 6] {
+        let ([cx, cy, cz], [fx, fy, fz]) = (self.c.0, self.f.0);
+        [cx, cy, cz, fx, fy, fz]
+    }
+
     /// Names the entries `{prefix}cx` … `{prefix}fz`.
     pub fn label(self, prefix: impl Fn() -> String) {
         self.c.label(|| prefix() + "c");

@@ -84,6 +84,23 @@ pub(super) fn of_chain(listing: &Listing) -> Vec<String> {
     lines
 }
 
+/// What is said of the values of base parameters.
+pub(super) fn of_base_parameters(listing: &Listing) -> Vec<String> {
+    let names: Vec<String> = (listing.spaces.names(Space::BaseParameters))
+        .map(code)
+        .collect();
+    let mut lines = vec![
+        "The base parameters π of τ = Y π with the base regressor Y; kg, kg m, kg m².".to_owned(),
+        String::new(),
+        format!("Each by the one that leads it: {}.", names.join(", ")),
+        "What is grouped with each, `homogen base-parameters` tells.".to_owned(),
+    ];
+    if !listing.parameters.is_empty() {
+        lines.push("Fields are what is described in their place.".to_owned());
+    }
+    lines
+}
+
 /// What is said of a robot, and of the options where there are any.
 pub(super) fn of_robot(listing: &Listing, options: &str) -> Vec<String> {
     let mut lines = vec![origin(listing)];

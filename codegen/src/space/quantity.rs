@@ -17,6 +17,14 @@ pub enum Entity {
     Velocity,
     /// An acceleration matrix: row by row of the upper 3×4 block (G, a).
     Acceleration,
+    /// A point: x, y, z.
+    Point,
+    /// A vector: x, y, z.
+    Vector,
+    /// A momentum matrix: γ_x, γ_y, γ_z, ρ_x, ρ_y, ρ_z.
+    Momentum,
+    /// An action matrix: c_x, c_y, c_z, f_x, f_y, f_z.
+    Action,
     /// A screw: u_x, u_y, u_z, b_x, b_y, b_z.
     Screw,
 }
@@ -40,7 +48,8 @@ impl Entity {
         match self {
             Self::Number => &[],
             Self::Pose | Self::Acceleration => &[3, 4],
-            Self::Velocity | Self::Screw => &[6],
+            Self::Point | Self::Vector => &[3],
+            Self::Velocity | Self::Screw | Self::Momentum | Self::Action => &[6],
         }
     }
 
@@ -58,6 +67,9 @@ impl Entity {
             Self::Pose => "Rows 1 to 3 of the 4×4 matrix: R, t; the fourth is 0, 0, 0, 1.",
             Self::Acceleration => "Rows 1 to 3 of the 4×4 matrix: G, a; the fourth is 0.",
             Self::Velocity => "Order: ω, v.",
+            Self::Point | Self::Vector => "Order: x, y, z.",
+            Self::Momentum => "Order: γ, ρ.",
+            Self::Action => "Order: c, f.",
             Self::Screw => "One screw for each joint; order: u, b.",
         })
     }

@@ -35,6 +35,8 @@ pub struct Measure {
     gravity: f64,
     /// What all bodies weigh together \[kg\].
     mass: f64,
+    /// The sum of their second moments [kg m²].
+    moments: f64,
 }
 
 impl Measure {
@@ -56,6 +58,7 @@ impl Measure {
             second: share * (share * reach * reach * dense.mass + dense.second),
             gravity: gravity.into_iter().sum(),
             mass: dense.mass,
+            moments: dense.second,
         }
     }
 
@@ -78,6 +81,15 @@ impl Measure {
             }
             Function::SpatialJacobian | Function::BodyJacobian | Function::GeometricJacobian => {
                 compared(&|k| self.gain * if k % 6 < 3 { 1.0 } else { self.slide })
+            }
+            Function::SpatialJacobianRate
+            | Function::BodyJacobianRate
+            | Function::GeometricJacobianRate => {
+                compared(&|k| rates * if k % 6 < 3 { 1.0 } else { self.slide })
+            }
+            Function::AccelerationBias => {
+                let squares = rates * rates;
+                compared(&|k| squares * if k % 4 == 3 { self.slide } else { 1.0 })
             }
             Function::InverseDynamics | Function::Bias | Function::Gravity => {
                 let mut at = arguments.clone();
@@ -109,7 +121,35 @@ impl Measure {
                 let size = self.gravity * self.mass * self.reach;
                 compared(&|_| size)
             }
+            Function::Regressor => {
+                // A mass within reach, or first or second moments, moved and felt at a lever.
+                let rates = sum(&arguments.qdd) + rates * rates;
+                compared(&|k| match k % 10 {
+                    0 => (self.gravity + rates * self.slide) * self.slide,
+                    1..4 => self.gravity + rates * self.slide,
+                    _ => rates,
+                })
+            }
+            Function::CenterOfMass => compared(&|_| self.reach),
+            Function::CenterOfMassVelocity => compared(&|_| rates * self.slide),
+            Function::CenterOfMassJacobian => compared(&|_| self.slide),
+            Function::Momentum | Function::CentroidalMomentum => {
+                compared(&|k| rates * self.momentum(k))
+            }
+            Function::CentroidalMomentumMatrix => compared(&|k| self.momentum(k % 6)),
+            Function::CentroidalMomentumBias => compared(&|k| rates * rates * self.momentum(k)),
             other => panic!("{} has no measure", other.name()),
+        }
+    }
+
+    /// What the momentum of a unit rate is made of: its entry of that number, about whichever pole within
+    /// reach.
+    fn momentum(&self, entry: usize) -> f64 {
+        let linear = self.mass * self.slide;
+        if entry < 3 {
+            linear * self.reach + self.moments
+        } else {
+            linear
         }
     }
 

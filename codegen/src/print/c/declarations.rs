@@ -5,7 +5,8 @@
 
 use std::fmt::Write;
 
-use super::comments::harmless;
+use super::comments::{comment, harmless};
+use super::literals::literal;
 use super::names::{ascii, constants, unscoped};
 use crate::function::Function;
 use crate::print::{Listed, Listing, documentation};
@@ -42,6 +43,24 @@ pub(super) fn structure(text: &mut String, listing: &Listing, prefix: &str) {
         );
     }
     let _ = writeln!(text, "}} {prefix}robot;\n");
+}
+
+/// The values of base parameters, where they are asked for.
+pub(super) fn base_parameters(text: &mut String, listing: &Listing, prefix: &str) {
+    let values = listing.base_parameters();
+    let Some(values) = values.filter(|values| !values.is_empty()) else {
+        return;
+    };
+    text.push_str(&comment(&documentation::of_base_parameters(listing)));
+    let numbers = values.iter().map(|&value| literal(value, listing.scalar));
+    let numbers: Vec<String> = numbers.collect();
+    let (number, count) = (number(listing.scalar), values.len());
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "static const {number} {prefix}base_parameters[{count}] = {{{}}};\n",
+        numbers.join(", ")
+    );
 }
 
 /// The names of the fields.

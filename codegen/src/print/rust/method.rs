@@ -87,7 +87,8 @@ pub(super) fn implementation(
     let [count, coordinates] = [Space::Velocities, Space::Coordinates].map(lengths);
     let same = count.to_string() == coordinates.to_string();
     let coordinates = (!same).then(|| quote! { , #coordinates });
-    let of = quote! { #runtime::robot::#name<#count, #number #coordinates> };
+    let further = function.further().map(lengths);
+    let of = quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> };
     let head = declaration::implementation(item, &of, &generics(unknown, dialect));
     let method = ident(function.name());
     let parameters = parameters(&[function], lengths, dialect);

@@ -41,7 +41,7 @@ pub(super) fn type_of(quantity: &Quantity, lengths: Lengths<'_>, dialect: &Diale
 /// The runtime's type of an entity, where it has one.
 fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
     match (entity, &dialect.world) {
-        (Entity::Number, _) | (_, World::Core(_)) => None,
+        (Entity::Number | Entity::Vector, _) | (_, World::Core(_)) => None,
         (entity, World::Runtime(runtime)) => {
             // They are called as the entities are.
             let name = format_ident!("{entity:?}");
@@ -77,17 +77,21 @@ fn value_of(
     let lengths = quantity.lengths(spaces);
     match named(entity, dialect) {
         Some(path) => {
-            let whole = numbers.chunks(entity.size()).map(|numbers| {
-                let blocks = match entity.dimensions() {
-                    [3, 4] => square_and_column(numbers),
-                    _ => two_vectors(numbers),
-                };
-                quote! { #path::new(#blocks) }
-            });
+            let whole = numbers
+                .chunks(entity.size())
+                .map(|numbers| match entity.dimensions() {
+                    [3] => quote! { #path([#(#numbers),*]) },
+                    [3, 4] => made(&path, &square_and_column(numbers)),
+                    _ => made(&path, &two_vectors(numbers)),
+                });
             nested(&lengths, &whole.collect::<Vec<_>>())
         }
         None => nested(&[&lengths, entity.dimensions()].concat(), numbers),
     }
+}
+
+fn made(path: &TokenStream, blocks: &TokenStream) -> TokenStream {
+    quote! { #path::new(#blocks) }
 }
 
 /// Values in arrays within arrays of the given lengths, the outermost first.

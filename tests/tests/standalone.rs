@@ -71,7 +71,7 @@ impl<const N: usize> Arguments<N> {
     }
 }
 
-/// Every function of a derived robot, in the order of [`standalone`].
+/// Every function of a derived robot but regressors, in the order of [`standalone`].
 fn derived<R, const N: usize>(robot: &R, arguments: &Arguments<N>) -> Vec<f32>
 where
     R: EveryFunction<N, f32> + ForwardDynamics<N, f32> + MassMatrixInverse<N, f32>,
@@ -111,14 +111,25 @@ macro_rules! standalone {
             halves(&$robot.spatial_jacobian(q)),
             halves(&$robot.body_jacobian(q)),
             halves(&$robot.geometric_jacobian(q)),
+            halves(&$robot.spatial_jacobian_rate(q, qd)),
+            halves(&$robot.body_jacobian_rate(q, qd)),
+            halves(&$robot.geometric_jacobian_rate(q, qd)),
             $robot.velocity(q, qd).to_vec(),
             square_and_column($robot.acceleration(q, qd, qdd)),
+            square_and_column($robot.acceleration_bias(q, qd)),
             $robot.inverse_dynamics(q, qd, qdd).to_vec(),
             $robot.gravity(q).to_vec(),
             $robot.bias(q, qd).to_vec(),
             $robot.mass_matrix(q).as_flattened().to_vec(),
             vec![$robot.kinetic_energy(q, qd)],
             vec![$robot.potential_energy(q)],
+            $robot.center_of_mass(q).to_vec(),
+            $robot.center_of_mass_velocity(q, qd).to_vec(),
+            $robot.center_of_mass_jacobian(q).as_flattened().to_vec(),
+            $robot.momentum(q, qd).to_vec(),
+            $robot.centroidal_momentum(q, qd).to_vec(),
+            halves(&$robot.centroidal_momentum_matrix(q)),
+            $robot.centroidal_momentum_bias(q, qd).to_vec(),
             $robot.forward_dynamics(q, qd, tau).to_vec(),
             $robot.mass_matrix_inverse(q).as_flattened().to_vec(),
         ]

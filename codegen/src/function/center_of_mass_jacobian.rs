@@ -24,7 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
             .flat_map(|momentum| dense.by_mass(momentum))
             .collect()
     }),
-    ways: ways,
+    ways,
     dense,
     build,
 };

@@ -5,7 +5,7 @@ use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
 use crate::dense::{Approximate, Motion};
 use crate::expression::Term;
-use crate::matrix::{Action, Screw};
+use crate::matrix::{Action, Screw, Velocity};
 use crate::model::{Scene, moving};
 use crate::space::Variable;
 
@@ -34,13 +34,17 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let joints = scene.joints();
-    let each = joints.iter().zip(moving::velocities(&joints, &scene.state));
-    // Tr(W J Wᵗ) = W ⊗ skew[W J].
-    let twice = each.map(|(joint, w)| {
+    let zero = scene.state.zero();
+    let mut velocities: Vec<Velocity<Term<'g>>> = Vec::new();
+    let mut twice = zero;
+    for joint in scene.joints() {
+        let at_rest = Velocity::zero(zero.graph());
+        let outer = joint.parent.map_or(at_rest, |parent| velocities[parent]);
+        let w = moving::beyond(outer, &joint, scene.state.qd(joint.index));
+        // Tr(W J Wᵗ) = W ⊗ skew[W J].
         let twist = Screw { u: w.omega, b: w.v };
-        Action::of_screw(twist, joint.inertia).along(twist)
-    });
-    let twice = twice.fold(scene.state.zero(), |sum, energy| sum + energy);
+        twice = twice + Action::of_screw(twist, joint.inertia).along(twist);
+        velocities.push(w);
+    }
     vec![twice * scene.state.constant(0.5)]
 }

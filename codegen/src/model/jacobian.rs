@@ -29,11 +29,14 @@ pub fn geometric<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
 
 /// Columns in the frame at the end, pole at its origin.
 pub fn body<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
-    let seen = path.inwards().into_iter();
-    columns(
-        path,
-        seen.map(|(joint, pose)| (joint.index, joint.screw.change_frame(pose))),
-    )
+    // M from the end to each body, inwards.
+    let mut pose = path.end.inverse();
+    let mut found = Vec::new();
+    for joint in path.joints.iter().rev() {
+        found.push((joint.index, joint.screw.change_frame(pose)));
+        pose = pose * joint.displacement().inverse() * joint.placement.inverse();
+    }
+    columns(path, found.into_iter())
 }
 
 /// All columns, one for each body; those of bodies off the path are null.

@@ -5,20 +5,25 @@ use super::state::State;
 use crate::expression::Term;
 use crate::matrix::Velocity;
 
-/// W of all bodies in the order of their joints; parents come before children.
+/// W of the body beyond a joint: Wᵢₖ = Wᵢⱼ + Wⱼₖ (eq. 10).
+pub fn beyond<'g>(
+    outer: Velocity<Term<'g>>,
+    joint: &Joint<'g>,
+    rate: Term<'g>,
+) -> Velocity<Term<'g>> {
+    let w = joint.motion_outboard(outer) + Velocity::of_screw(joint.screw, rate);
+    let (index, frame) = (joint.index + 1, joint.frame);
+    w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
+    w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
+    w
+}
+
+/// W of the bodies on a way from the base, in its order.
 pub fn velocities<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Velocity<Term<'g>>> {
-    let mut found: Vec<Velocity<Term<'g>>> = Vec::with_capacity(joints.len());
-    for joint in joints {
-        let outer = joints[..found.len()]
-            .iter()
-            .rposition(|outer| Some(outer.index) == joint.parent);
-        let outer = outer.map_or(Velocity::zero(state.graph), |outer| found[outer]);
-        let w =
-            joint.motion_outboard(outer) + Velocity::of_screw(joint.screw, state.qd(joint.index));
-        let (index, frame) = (joint.index + 1, joint.frame);
-        w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
-        w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
-        found.push(w);
-    }
-    found
+    let mut w = Velocity::zero(state.graph);
+    let joints = joints.iter().map(|joint| {
+        w = beyond(w, joint, state.qd(joint.index));
+        w
+    });
+    joints.collect()
 }

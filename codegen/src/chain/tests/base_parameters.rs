@@ -57,7 +57,9 @@ fn rank(mut columns: Vec<Vec<f64>>) -> usize {
     columns.retain(|column| length(column) > NOTHING * longest);
     for column in &mut columns {
         let length = length(column);
-        column.iter_mut().for_each(|entry| *entry /= length);
+        for entry in column {
+            *entry /= length;
+        }
     }
     let mut rank = 0;
     while rank < columns.len() {

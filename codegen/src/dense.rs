@@ -228,6 +228,23 @@ impl Dense {
             .collect()
     }
 
+    /// ∂τ/∂q and ∂τ/∂q̇ of a motion, against gravity, each row by row.
+    pub(crate) fn torque_derivatives(&self, motion: Motion) -> [Vec<Approximate>; 2] {
+        self.posture.torque_derivatives(&self.rates(motion))
+    }
+
+    /// The same of accelerations that were found.
+    pub(crate) fn torque_derivatives_of(&self, qdd: Vec<Approximate>) -> [Vec<Approximate>; 2] {
+        let first = Approximate::exactly(&self.state.qd);
+        self.posture
+            .torque_derivatives(&Rates { first, second: qdd })
+    }
+
+    /// C, row by row.
+    pub(crate) fn coriolis_matrix(&self) -> Vec<Approximate> {
+        self.posture.coriolis_matrix(&self.rates(Motion::Coasting))
+    }
+
     /// M, row by row.
     pub(crate) fn mass_matrix(&self) -> &[Vec<Approximate>] {
         self.mass_matrix.get_or_init(|| self.posture.mass_matrix())

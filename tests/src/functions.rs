@@ -4,7 +4,10 @@
 //! one unit where the result has (rotations, translations, angular and linear parts), so that the
 //! entries of a block can share one measure of error.
 
-use homogen::{Acceleration, Action, Momentum, Point, Pose, Scalar, Screw, Velocity, robot};
+use homogen::{
+    Acceleration, Action, InverseDynamicsDerivatives, Momentum, Point, Pose, Scalar, Screw,
+    Velocity, robot,
+};
 
 use crate::states::State;
 
@@ -212,5 +215,12 @@ impl<T: Scalar, const N: usize> Blocks<T> for [T; N] {
 impl<T: Scalar, const N: usize, const M: usize> Blocks<T> for [[T; M]; N] {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
         vec![Block::new(function, self.as_flattened().to_vec())]
+    }
+}
+
+impl<T: Scalar, const N: usize> Blocks<T> for InverseDynamicsDerivatives<N, T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        let entries = [self.dq, self.dqd].map(|matrix| matrix.as_flattened().to_vec());
+        parts(function, ["dq", "dqd"], entries)
     }
 }

@@ -6,7 +6,7 @@
 #![cfg(not(any(target_feature = "fma", target_arch = "aarch64")))]
 
 use homogen::Chain;
-use homogen::robot::{ForwardDynamics, MassMatrixInverse};
+use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives, MassMatrixInverse};
 use homogen::trigonometry::single;
 use homogen_tests::for_every_robot;
 use homogen_tests::functions::{EveryFunction, evaluate};
@@ -74,13 +74,19 @@ impl<const N: usize> Arguments<N> {
 /// Every function of a derived robot but regressors, in the order of [`standalone`].
 fn derived<R, const N: usize>(robot: &R, arguments: &Arguments<N>) -> Vec<f32>
 where
-    R: EveryFunction<N, f32> + ForwardDynamics<N, f32> + MassMatrixInverse<N, f32>,
+    R: EveryFunction<N, f32>
+        + ForwardDynamics<N, f32>
+        + MassMatrixInverse<N, f32>
+        + ForwardDynamicsDerivatives<N, f32>,
 {
     let Arguments { state, tau } = arguments;
     let blocks = evaluate(robot, state).into_iter();
     let mut numbers: Vec<_> = blocks.flat_map(|block| block.entries).collect();
     numbers.extend(robot.forward_dynamics(&state.q, &state.qd, tau));
     numbers.extend(robot.mass_matrix_inverse(&state.q).as_flattened());
+    let by = robot.forward_dynamics_derivatives(&state.q, &state.qd, tau);
+    let parts = [by.dq, by.dqd, by.dtau];
+    numbers.extend(parts.as_flattened().as_flattened());
     numbers
 }
 
@@ -130,8 +136,19 @@ macro_rules! standalone {
             $robot.centroidal_momentum(q, qd).to_vec(),
             halves(&$robot.centroidal_momentum_matrix(q)),
             $robot.centroidal_momentum_bias(q, qd).to_vec(),
+            {
+                let by = $robot.inverse_dynamics_derivatives(q, qd, qdd);
+                [by.dq, by.dqd].as_flattened().as_flattened().to_vec()
+            },
+            $robot.gravity_derivative(q).as_flattened().to_vec(),
+            $robot.coriolis_matrix(q, qd).as_flattened().to_vec(),
             $robot.forward_dynamics(q, qd, tau).to_vec(),
             $robot.mass_matrix_inverse(q).as_flattened().to_vec(),
+            {
+                let by = $robot.forward_dynamics_derivatives(q, qd, tau);
+                let parts = [by.dq, by.dqd, by.dtau];
+                parts.as_flattened().as_flattened().to_vec()
+            },
         ]
         .concat()
     }};
@@ -156,7 +173,10 @@ fn agree<R, const N: usize, const F: usize>(
     own: impl Fn(&Arguments<N>) -> Vec<f32>,
     named: impl Fn(&Arguments<N>) -> Vec<f32>,
 ) where
-    R: EveryFunction<N, f32> + ForwardDynamics<N, f32> + MassMatrixInverse<N, f32>,
+    R: EveryFunction<N, f32>
+        + ForwardDynamics<N, f32>
+        + MassMatrixInverse<N, f32>
+        + ForwardDynamicsDerivatives<N, f32>,
 {
     let mut random = Random::new(5);
     for _ in 0..STATES {

@@ -119,9 +119,8 @@ fn no_operation_of_a_program_can_be_another() {
     for (description, request) in robots() {
         let (_, check) = prepare(&description, &request);
         for (functions, frame, program) in all_of(&description, &request) {
-            let solves = [Function::ForwardDynamics, Function::MassMatrixInverse];
             // A solution is as good as the equation that it solves, whatever the condition number.
-            let (by, least) = if solves.contains(&functions[0]) {
+            let (by, least) = if functions[0].solves() {
                 (1e-3, 1e-8)
             } else {
                 (1e-9, 1e-11)

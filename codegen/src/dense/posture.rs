@@ -3,6 +3,8 @@
 //! In: a [`Robot`] and q. Out: poses, screws and inertias in frame 0; of rates, velocities,
 //! accelerations and actions, and what they add up to.
 
+mod derivatives;
+
 use super::{Approximate, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
@@ -177,10 +179,16 @@ impl Posture {
         forces
     }
 
-    /// τ of a motion, against gravity.
-    pub(super) fn torques(&self, rates: &Rates) -> Vec<Scalar> {
+    /// −H_g.
+    fn falling(&self) -> Matrix<Scalar> {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
+        falling
+    }
+
+    /// τ of a motion, against gravity.
+    pub(super) fn torques(&self, rates: &Rates) -> Vec<Scalar> {
+        let falling = self.falling();
         let motions = self.motions(rates);
         self.forces(|k| Some(motions[k].1.plus(&falling)))
     }

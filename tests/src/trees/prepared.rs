@@ -319,11 +319,16 @@ impl<'r> Prepared<'r> {
         let places = self.links().into_iter();
         let parameters = places.flat_map(|place| (0..10).map(move |k| 10 * place + k));
         let parameters: Vec<usize> = parameters.collect();
-        let orders = function.result().over.iter().map(|space| match space {
-            Space::Parameters => &*parameters,
-            _ => &*order,
+        let result = function.result();
+        let parts = result.parts().zip(result.split(self.chain.spaces(), found));
+        let parts = parts.map(|((_, part), found)| {
+            let orders = part.over.iter().map(|space| match space {
+                Space::Parameters => &*parameters,
+                _ => &*order,
+            });
+            permuted(found, &orders.collect::<Vec<_>>())
         });
-        permuted(found, &orders.collect::<Vec<_>>())
+        parts.flatten().collect()
     }
 
     /// For each link of the dense robot that moves against the one it hangs on, its place among the chain's.

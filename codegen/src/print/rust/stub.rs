@@ -59,7 +59,8 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
             let parameters: Vec<_> = parameter.iter().chain(&further).collect();
             let parameters = (!parameters.is_empty()).then(|| quote! { #(#parameters),* });
             let parameter = parameters.as_ref();
-            let signature = method::signature(&name, functions, &lengths, parameter, &dialect);
+            let signature =
+                method::signature(item, &name, functions, &lengths, parameter, &dialect);
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {

@@ -55,6 +55,8 @@ pub struct Builder {
     origin: Origin,
     name: Option<Ident>,
     request: Request,
+    /// Loops, each as behind the word `loop` of attributes.
+    loops: Vec<String>,
     library: Library,
     /// Options that are not what they should be; told with all other mistakes.
     mistakes: Errors,
@@ -92,6 +94,7 @@ impl Builder {
             origin,
             name: None,
             request: Request::default(),
+            loops: Vec::new(),
             library: Library::default(),
             mistakes: Errors::new(),
             expand: expand::expand,
@@ -149,6 +152,19 @@ impl Builder {
     /// Takes a link off with all that it carries, and with their mass.
     pub fn drop(mut self, link: impl Into<String>) -> Self {
         self.request.drop.push(named(link));
+        self
+    }
+
+    /// Closes a loop by a joint between two links that hang on the base anyhow, told as behind the word
+    /// `loop` of attributes: `"pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0) }"`.
+    pub fn closed(mut self, text: impl Into<String>) -> Self {
+        self.loops.push(text.into());
+        self
+    }
+
+    /// The joints that are driven, where loops move the others.
+    pub fn actuated<J: Into<String>>(mut self, joints: impl IntoIterator<Item = J>) -> Self {
+        self.request.actuated.extend(joints.into_iter().map(named));
         self
     }
 

@@ -8,6 +8,7 @@
 mod angle;
 pub mod base_parameters;
 mod check;
+mod closure;
 mod limits;
 mod merge;
 mod mimic;
@@ -19,6 +20,7 @@ mod shape;
 pub(crate) mod tests;
 mod tree;
 
+use crate::closure::Row;
 use crate::description::{Description, Limits, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
@@ -36,6 +38,10 @@ pub struct Chain {
     pub joints: Vec<Joint>,
     /// The lists that arguments and results are over.
     spaces: Spaces,
+    /// The joints that close loops, in the order of the description.
+    pub loops: Vec<Loop>,
+    /// Which velocities are driven, where loops move the others.
+    pub actuated: Vec<bool>,
     /// The frames asked for: the tip first, where there is one.
     pub frames: Vec<Frame>,
     /// Whether the first of `frames` is the tip.
@@ -115,6 +121,23 @@ pub struct Frame {
     pub placement: Pose<Expr>,
 }
 
+/// A joint that closes a loop.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// Its name.
+    pub name: String,
+    /// Where that stands.
+    pub place: Place,
+    /// What its kind is called.
+    pub word: &'static str,
+    /// The frames that it holds together, A and B, each called as the link is that it is fixed to.
+    pub frames: [Frame; 2],
+    /// What it closes.
+    pub rows: Vec<Row>,
+    /// The length of a rod \[m\]; of a joint with two axes, the cosine of their angle.
+    pub size: Expr,
+}
+
 /// What was merged, held, left out or repaired.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
@@ -134,6 +157,8 @@ pub struct Report {
     pub dropped: Vec<String>,
     /// Angles taken for right angles, and residues taken for zero.
     pub snapped: Vec<Snapped>,
+    /// What loops would close, and is closed whatever the robot does, by name.
+    pub closed: Vec<String>,
     /// Doubts, each with its place.
     pub warnings: Vec<Complaint>,
 }
@@ -179,6 +204,12 @@ impl Chain {
     #[must_use]
     pub const fn spaces(&self) -> &Spaces {
         &self.spaces
+    }
+
+    /// Changes what its loops close, and the list of it.
+    pub fn close(&mut self, change: impl FnOnce(&mut [Loop])) {
+        change(&mut self.loops);
+        self.spaces.constraints = closure::entries(&self.loops);
     }
 
     /// The first of `joints` that a velocity moves by itself: not one that follows it.
@@ -252,6 +283,7 @@ pub fn build(description: &Description, request: &Request) -> Result<Chain, Erro
     let (description, request) = &freed(description, request);
     let tree = check::check(description, request)?;
     let chain = numbers::check_merged(merge::merge(description, request, &tree))?;
+    let chain = closure::check_merged(chain, request)?;
     let mut chain = physical::check(description, request, &tree, chain)?;
     let links = chain.joints.iter().filter_map(|joint| joint.link.as_ref());
     let parameters: Vec<Entry> = links.flat_map(|(link, _)| parameters(link)).collect();

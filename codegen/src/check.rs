@@ -22,7 +22,7 @@ use crate::print::ChainData;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
-use crate::space::{Entity, Outcome, Quantity, Spaces};
+use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 use crate::wording::quoted;
 use robot::Contradiction;
 
@@ -96,7 +96,7 @@ impl Check {
             for &function in functions {
                 let (these, rest) = found.split_at(function.result().size(&self.spaces));
                 found = rest;
-                let Some(wrong) = first_wrong(dense, function, frame, these) else {
+                let Some(wrong) = first_wrong(dense, function, (frame, scalar), these) else {
                     continue;
                 };
                 errors.push_with_hint(self.place, self.words(function, &wrong), FAULT);
@@ -127,7 +127,7 @@ impl Check {
                     continue;
                 };
                 let found = value(&same, frame);
-                if let Some(wrong) = first_wrong(dense, function, frame, &found) {
+                if let Some(wrong) = first_wrong(dense, function, (frame, Real::F64), &found) {
                     let message = format!("in the data, {}", self.words(function, &wrong));
                     errors.push_with_hint(self.place, message, FAULT);
                     return Err(errors);
@@ -184,7 +184,12 @@ impl Check {
                 ..
             }) => {
                 let entry = &self.spaces.entries(space)[*entry];
-                format!(" (joint {})", quoted(&entry.name))
+                let what = match space {
+                    Space::Coordinates | Space::Velocities => "joint",
+                    Space::Parameters | Space::BaseParameters => "parameter",
+                    Space::Constraints => "residual",
+                };
+                format!(" ({what} {})", quoted(&entry.name))
             }
             _ => String::new(),
         };
@@ -245,16 +250,16 @@ const GROUPED: f64 = 1e-8;
 fn first_wrong(
     dense: &Dense,
     function: Function,
-    frame: usize,
+    (frame, scalar): (usize, Real),
     found: &[Approximate],
 ) -> Option<Wrong> {
-    let value = match function.truth() {
-        Truth::Value(value) | Truth::OfMass(value) => value,
+    let expected = match function.truth() {
+        Truth::Value(value) | Truth::OfMass(value) => value(dense, frame),
+        Truth::Constrained(value) => value(dense, scalar.vanishing()),
         Truth::Solution(Given::Torques) => return first_unsolved(dense, found),
         Truth::Solution(Given::MassMatrix) => return first_not_inverse(dense, found),
         Truth::Derivatives => return first_wrong_derivative(dense, found),
     };
-    let expected = value(dense, frame);
     debug_assert_eq!(expected.len(), found.len());
     // Frames that are turned, and turned back, leave of a residue no more digits than 106 bits have
     // beside the whole.
@@ -263,7 +268,11 @@ fn first_wrong(
     let mut pairs = found.iter().zip(&expected).enumerate();
     pairs.find_map(|(entry, (found, expected))| {
         let distance = (found.value - expected.value).to_f64().abs();
-        let most = found.error + found.noise() + expected.noise() + whole;
+        let mut most = found.error + found.noise() + expected.noise() + whole;
+        if function.is_constrained() {
+            // What is solved for is as uncertain by what was written as by what is printed.
+            most += expected.error;
+        }
         let (found, expected) = (found.to_f64(), expected.to_f64());
         wrong(entry, found, expected, distance <= most)
     })

@@ -5,6 +5,7 @@
 //! parents to children: nothing here is shared with the matrices that are expanded.
 
 mod approximate;
+mod constrained;
 mod matrix;
 mod posture;
 mod robot;
@@ -12,6 +13,7 @@ mod robot;
 use std::cell::OnceCell;
 
 pub(crate) use approximate::Approximate;
+pub(crate) use constrained::Closed;
 pub(crate) use matrix::Matrix;
 pub(crate) use robot::{Body, Freedom, Moved, Robot};
 
@@ -114,6 +116,16 @@ impl Dense {
             }
         }
         columns
+    }
+
+    /// The loops.
+    fn loops(&self) -> &[Closed] {
+        self.posture.loops()
+    }
+
+    /// The screws of the joints that move a frame, with their places in q̇.
+    fn moving(&self, frame: usize) -> Vec<&(usize, Matrix<Approximate>)> {
+        self.posture.moving(frame)
     }
 
     /// W and H of a frame.

@@ -27,7 +27,7 @@ pub mod urdf;
 pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;
 pub use self::robot::{
-    Axis, Description, Inertial, Joint, Limits, Link, Mimic, Name, Source, Step,
+    Axis, Description, Inertial, Joint, Limits, Link, Loop, Mimic, Name, Source, Step,
 };
 pub use self::root::freed;
 pub use crate::joint::JointKind;

@@ -10,7 +10,7 @@ use quote::{quote, quote_spanned};
 
 use crate::description::{Description, Item, attributes, inline};
 use crate::error::Errors;
-use crate::expand::expand;
+use crate::expand::{expand, settled};
 use crate::print::rust::{self, Declaration, World};
 use crate::space::Spaces;
 use crate::{chain, request};
@@ -106,7 +106,7 @@ fn spaces(description: &Description, request: &request::Request) -> Option<Space
         tip: request.tip.clone().filter(|_| request.path_only),
         ..request::Request::default()
     };
-    let chain = chain::build(description, &shape).ok()?;
+    let chain = settled(chain::build(description, &shape).ok()?).ok()?;
     Some(chain.spaces().clone())
 }
 

@@ -6,6 +6,7 @@
 
 mod about;
 mod choice;
+mod closure;
 mod data;
 mod forward;
 mod measured;
@@ -14,6 +15,7 @@ mod solvable;
 mod weighable;
 
 pub use choice::{program, program_as, program_for};
+pub use closure::settled;
 pub use program::{expressions_by, program_by};
 
 use crate::accuracy::{self, Accuracy, Means};
@@ -132,7 +134,7 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
         return Err(errors);
     }
-    let mut chain = chain::build(description, request)?;
+    let mut chain = settled(chain::build(description, request)?)?;
     let doubts = forward::doubts(&chain, request);
     if request.strict && !doubts.is_empty() {
         let mut errors = chain.source.errors();
@@ -185,7 +187,7 @@ pub fn check_size(chain: &Chain) -> Result<(), Errors> {
 /// whole, and again for each further frame.
 fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, usize)> {
     let mut wanted = Vec::new();
-    for functions in request.items() {
+    for functions in request.items(!chain.loops.is_empty()) {
         let of_a_frame = functions.iter().all(|function| function.of_a_frame());
         let frames = if of_a_frame { chain.frames.len() } else { 1 };
         wanted.extend((0..frames).map(|frame| (functions.clone(), frame)));

@@ -3,7 +3,7 @@
 //! A shared noun, and the list of all functions: what is known of one stands in its own file, as a
 //! `Definition`, and every stage and every door asks it by way of `table`.
 
-/// Calls a macro with every function: its file, and what it is.
+/// Calls a macro with every function: its file, and what it is; in braces those of robots with loops.
 macro_rules! every_function {
     ($then:ident) => {
         $then! {
@@ -38,12 +38,21 @@ macro_rules! every_function {
             ForwardDynamicsDerivatives: forward_dynamics_derivatives, "What changes of q, q̇ and τ do to the accelerations of forward dynamics.";
             GravityDerivative: gravity_derivative, "What a change of q does to the torques at rest.";
             CoriolisMatrix: coriolis_matrix, "C of τ = M q̈ + C q̇ + gravity, with Ṁ = C + Cᵗ.";
+            {
+                Constraint: constraint, "The residuals of the loops.";
+                ConstraintJacobian: constraint_jacobian, "What velocities change them by.";
+                ConstraintBias: constraint_bias, "Their accelerations at q̈ = 0.";
+                ConstrainedForwardDynamics: constrained_forward_dynamics, "Joint accelerations that forces and torques produce where loops are held together.";
+                ConstraintMultipliers: constraint_multipliers, "The forces and torques that hold loops together meanwhile.";
+                ActuatedInverseDynamics: actuated_inverse_dynamics, "The torques and forces of driven joints that produce q̈, where loops move the others.";
+            }
         }
     };
 }
 
 mod acceleration;
 mod acceleration_bias;
+mod actuated_inverse_dynamics;
 mod base_regressor;
 mod bias;
 mod body_jacobian;
@@ -54,6 +63,11 @@ mod center_of_mass_velocity;
 mod centroidal_momentum;
 mod centroidal_momentum_bias;
 mod centroidal_momentum_matrix;
+mod constrained_forward_dynamics;
+mod constraint;
+mod constraint_bias;
+mod constraint_jacobian;
+mod constraint_multipliers;
 mod coriolis_matrix;
 mod definition;
 mod forward_dynamics;
@@ -82,17 +96,24 @@ pub use definition::Given;
 pub(crate) use definition::Truth;
 
 macro_rules! functions {
-    ($($variant:ident: $module:ident, $about:literal;)*) => {
+    (
+        $($variant:ident: $module:ident, $about:literal;)*
+        { $($of_loops:ident: $_module:ident, $of_loops_about:literal;)* }
+    ) => {
         /// A function of the state of a robot.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Function {
             $(#[doc = $about] $variant,)*
+            $(#[doc = $of_loops_about] $of_loops,)*
         }
 
         impl Function {
-            /// All of them, in the order of the documentation.
+            /// All that every robot can have, in the order of the documentation.
             pub const ALL: [Self; [$($about),*].len()] = [$(Self::$variant),*];
+
+            /// Those that a robot with loops can have besides.
+            pub const OF_LOOPS: [Self; [$($of_loops_about),*].len()] = [$(Self::$of_loops),*];
         }
     };
 }

@@ -11,7 +11,7 @@ mod regroup;
 #[cfg(test)]
 mod tests;
 
-pub use bodies::{Bodies, Body};
+pub use bodies::{Bodies, Body, Closed};
 
 use crate::chain::{Chain, Position};
 use crate::expression::{Double, Graph};

@@ -27,6 +27,8 @@ pub mod accuracy;
 pub mod chain;
 #[doc(hidden)]
 pub mod check;
+#[doc(hidden)]
+pub mod closure;
 mod dense;
 #[doc(hidden)]
 pub mod door;

@@ -7,12 +7,14 @@
 pub(crate) mod articulated;
 mod carry;
 mod composite;
+mod constrained;
 mod derivatives;
 mod factor;
 pub(crate) mod forward_dynamics;
 pub(crate) mod gravity;
 pub(crate) mod jacobian;
 pub(crate) mod jacobian_rate;
+pub(crate) mod loops;
 mod mass_center;
 pub(crate) mod momentum;
 pub(crate) mod moving;
@@ -199,6 +201,35 @@ impl<'s, 'g> Scene<'s, 'g> {
     pub(crate) fn mass_matrix(&self) -> Vec<Term<'g>> {
         let matrix = composite::mass_matrix(&self.joints(), &self.state);
         velocities::gathered_twice(&self.state, self.bodies, matrix)
+    }
+}
+
+impl<'g> Scene<'_, 'g> {
+    /// q̈ that τ produces against gravity where loops are held together, and what holds them: λ.
+    pub(crate) fn constrained(&self) -> (Vec<Term<'g>>, Vec<Term<'g>>) {
+        let bias = self.torques(&vec![self.state.zero(); self.velocities()]);
+        let forces: Vec<Term<'g>> = (bias.into_iter().enumerate())
+            .map(|(k, bias)| self.state.entry(Variable::Tau, k) - bias)
+            .collect();
+        let loops = constrained::Loops {
+            jacobian: loops::jacobian(self),
+            bias: loops::bias(self),
+            alike: loops::alike(self.bodies),
+            vanishing: self.way.scalar.vanishing(),
+        };
+        constrained::accelerations(&self.mass_matrix(), &self.parents(), &forces, &loops)
+    }
+
+    /// τ of the joints that are driven in a motion which keeps loops closed.
+    pub(crate) fn driven(&self) -> Vec<Term<'g>> {
+        let loops = constrained::Loops {
+            jacobian: loops::jacobian(self),
+            bias: Vec::new(),
+            alike: loops::alike(self.bodies),
+            vanishing: self.way.scalar.vanishing(),
+        };
+        let needed = self.torques(&self.qdd());
+        constrained::driven(&needed, &self.bodies.actuated, &loops)
     }
 }
 

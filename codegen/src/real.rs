@@ -24,6 +24,16 @@ impl Real {
         }
     }
 
+    /// Which part of the whole a pivot may be that is left by rounding: what depends on others has no more,
+    /// and what does not has more. That of `f64` where any type is meant.
+    #[must_use]
+    pub const fn vanishing(self) -> f64 {
+        match self {
+            Self::F32 => 1.0 / 65_536.0,
+            Self::F64 | Self::Generic => 1.0 / 1_073_741_824.0,
+        }
+    }
+
     /// The smallest positive number of full precision; of `f64` where any type is meant.
     #[must_use]
     pub const fn smallest(self) -> f64 {

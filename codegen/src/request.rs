@@ -31,6 +31,8 @@ pub struct Request {
     pub lock: Vec<(Name, Option<Number>)>,
     /// Links taken off with all that they carry, and with their mass.
     pub drop: Vec<Name>,
+    /// Joints that are driven, where loops move the others.
+    pub actuated: Vec<Name>,
     /// Further links whose frames are computed.
     pub frames: Vec<Name>,
     /// Acceleration of gravity in the base frame [m/s²]; (0, 0, −9.81) where none is given.
@@ -84,11 +86,17 @@ pub enum Target {
 }
 
 impl Request {
-    /// What to generate: what is named, or every function where nothing is.
+    /// What to generate: what is named, or every function where nothing is; of a robot that has loops
+    /// those of loops as well.
     #[must_use]
-    pub fn items(&self) -> Vec<Vec<Function>> {
+    pub fn items(&self, has_loops: bool) -> Vec<Vec<Function>> {
         if self.functions.is_empty() {
-            Function::ALL.map(|function| vec![function]).to_vec()
+            // Nothing can be known of drives that are not named.
+            let has = |function: &Function| !self.actuated.is_empty() || !function.wants_drives();
+            let of_loops = Function::OF_LOOPS.into_iter().filter(|_| has_loops);
+            let of_loops = of_loops.filter(has);
+            let all = Function::ALL.into_iter().chain(of_loops);
+            all.map(|function| vec![function]).collect()
         } else {
             self.functions.clone()
         }

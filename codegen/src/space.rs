@@ -24,6 +24,8 @@ pub enum Space {
     Parameters,
     /// What torques can tell of them, each by the parameter that leads it.
     BaseParameters,
+    /// What is zero where its loops are closed; empty where it has none.
+    Constraints,
 }
 
 /// What an entry does to the body it is of, which decides its unit.
@@ -62,6 +64,8 @@ pub struct Spaces {
     pub parameters: Vec<Entry>,
     /// Those of base parameters.
     pub base_parameters: Vec<Entry>,
+    /// Those of the residuals of its loops: lengths slide, products of axes turn.
+    pub constraints: Vec<Entry>,
 }
 
 impl Spaces {
@@ -73,6 +77,7 @@ impl Spaces {
             Space::Velocities => &self.velocities,
             Space::Parameters => &self.parameters,
             Space::BaseParameters => &self.base_parameters,
+            Space::Constraints => &self.constraints,
         }
     }
 

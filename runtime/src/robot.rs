@@ -24,8 +24,14 @@ mod check;
 pub(crate) mod derivatives;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
+mod loops;
 pub mod posture;
 mod step;
+
+pub use loops::{
+    ActuatedInverseDynamics, ConstrainedForwardDynamics, Constraint, ConstraintBias,
+    ConstraintJacobian, ConstraintMultipliers,
+};
 
 /// Calls a macro with every function: what it is; what it returns, in which units; whether it is of the
 /// tip, of the whole robot or a solution for it, or of the whole with `P` numbers in a row of its result, which a chain

@@ -62,6 +62,7 @@ pub fn humanoid(joints: usize) -> Description {
             inertial: None,
         }],
         joints: Vec::new(),
+        loops: Vec::new(),
         warnings: Vec::new(),
     };
     for limb in limbs {

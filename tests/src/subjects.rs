@@ -337,6 +337,7 @@ fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
         source: Source::default(),
         links,
         joints,
+        loops: Vec::new(),
         warnings: Vec::new(),
     }
 }

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Builder, Origin};
-use crate::description::{self, Description};
+use crate::description::{self, Description, inline};
 use crate::error::{Errors, Place};
 use crate::formulation::{Products, Sines};
 use crate::print::Listing;
@@ -60,10 +60,17 @@ impl Builder {
     /// What is printed where a product can fuse with a sum, or cannot.
     pub(super) fn listing_where(&self, fuses: bool) -> Result<Listing, Errors> {
         let mut errors = self.mistakes.clone();
+        let loops = self.loops.iter().map(String::as_str);
         let description = match self.description(&mut errors) {
-            Some(description) if errors.is_empty() => description,
+            Some(mut description) if errors.is_empty() => {
+                inline::close(&mut description, loops, &mut errors);
+                description
+            }
             _ => return Err(errors),
         };
+        if !errors.is_empty() {
+            return Err(errors);
+        }
         let mut request = self.request.clone();
         if request.runtime.is_none() && request.scalar == Real::Generic {
             request.scalar = Real::F64;

@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use super::closure;
 use super::mimic;
 use super::names::Names;
 use super::numbers;
@@ -74,6 +75,10 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     }
     check_targets(request, &tree, &links, &joints, &mut errors);
     check_coordinates(description, &joints, &mut errors);
+    closure::check(description, &links, &mut errors);
+    for name in &request.actuated {
+        joints.find(name, &mut errors);
+    }
     let follows = mimic::follows(description, &tree.branches, &joints, &mut errors);
     choose_tip(description, request, &follows, &mut tree, &mut errors);
     mimic::hold(&mut tree.branches, &follows);

@@ -4,6 +4,8 @@
 //! the mass of all that is fixed to them. Struct fields enter here as inputs; from here on they are
 //! scalars like all others. It never drops a mass.
 
+mod closure;
+
 use std::collections::HashMap;
 
 use super::tree::{Branch, Follow, Tree};
@@ -73,6 +75,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
             })
         })
         .collect();
+    let loops = closure::closed(description, &seats, &mut reader);
     let gravity = reader.gravity().map(Term::expr);
     reader.report.base = name(tree.base);
     let modelled = (0..seats.len()).filter(|&link| seats[link].is_some());
@@ -87,6 +90,8 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         parameters: request.parameters.clone(),
         joints,
         spaces,
+        loops,
+        actuated: Vec::new(),
         frames,
         has_tip: tree.tip.is_some(),
         gravity,

@@ -31,6 +31,7 @@ pub fn check(description: &Description, request: &Request, tree: &Tree, errors: 
         };
         account.numbers(gravity);
     }
+    check_loops(description, errors);
     for branch in &tree.branches {
         let joint = &description.joints[branch.joint];
         let what = format!("joint {}", quoted(&joint.name.text));
@@ -64,6 +65,30 @@ pub fn check(description: &Description, request: &Request, tree: &Tree, errors: 
             account.steps(&inertial.origin);
             account.numbers(&inertial.inertia);
             account.numbers(std::slice::from_ref(&inertial.mass));
+        }
+    }
+}
+
+/// The same of what closes loops.
+fn check_loops(description: &Description, errors: &mut Errors) {
+    for described in &description.loops {
+        let mut account = Account {
+            place: described.name.place,
+            what: format!("loop {}", quoted(&described.name.text)),
+            errors,
+        };
+        account.steps(&described.at);
+        account.steps(&described.to_at);
+        account.numbers(described.closure.length().as_slice());
+        for axis in described
+            .axes
+            .iter()
+            .take(described.closure.definition().axes)
+        {
+            account.numbers(axis);
+            if axis.iter().all(|entry| entry.value == 0.0) {
+                account.refuse(axis[0].place, "has an axis without a direction");
+            }
         }
     }
 }

@@ -27,6 +27,7 @@ pub fn check(
     mut chain: Chain,
 ) -> Result<Chain, Errors> {
     let mut doubts = description.warnings.clone();
+    doubts.append(&mut chain.report.warnings);
     doubts.extend(limits::doubts(description, tree));
     doubts.extend(mimic::doubts(description, tree));
     // Whether the body that a link belongs to moves, and whether any of its links has a mass.

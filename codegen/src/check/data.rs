@@ -87,6 +87,9 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         // Which bodies are links is of the description alone.
         links: Vec::new(),
         base_columns: Vec::new(),
+        // The data says nothing of loops.
+        loops: Vec::new(),
+        actuated: Vec::new(),
     }
 }
 

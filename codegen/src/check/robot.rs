@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_2;
 
 use crate::chain::Chain;
-use crate::dense::{Approximate, Body, Freedom, Matrix, Moved, Robot};
+use crate::dense::{Approximate, Body, Closed, Freedom, Matrix, Moved, Robot};
 use crate::description::{Axis, Description, Inertial, Joint, Link, Mimic, Name, Number, Step};
 use crate::expression::Arithmetic;
 use crate::joint::{self, Along, Movement, Posture};
@@ -88,13 +88,26 @@ pub(super) fn robot(
         return Err(Contradiction("how many joints move".to_owned()));
     }
     let frames = chain.frames.iter();
+    let mut frames: Vec<Option<usize>> = frames
+        .map(|frame| seats.get(frame.name.as_str()).copied())
+        .collect();
+    let mut actuated = Vec::new();
+    for joint in &kept {
+        let mut named = request.actuated.iter();
+        if named.any(|name| name.text == joint.name.text) {
+            for (name, _) in joint.kind.velocities(&joint.name.text) {
+                actuated.push(place(&velocities, &name)?);
+            }
+        }
+    }
+    let loops = reader.loops(chain, &seats, &mut bodies, &mut frames)?;
     Ok(Robot {
         bodies,
         velocities: moving,
         gravity: reader.gravity(),
-        frames: frames
-            .map(|frame| seats.get(frame.name.as_str()).copied())
-            .collect(),
+        frames,
+        loops,
+        actuated,
         base_columns: chain.base_parameters.columns().collect(),
         links: (chain.joints.iter())
             .filter_map(|joint| seats.get(joint.link.as_ref()?.0.as_str()).copied())
@@ -282,6 +295,53 @@ impl<'d> Reader<'d> {
         let mut locks = self.request.lock.iter();
         let (_, at) = locks.find(|(lock, _)| lock.text == joint.name.text)?;
         Some(at.map_or(0.0, |at| at.value))
+    }
+
+    /// The loops that the chain has, with their frames as bodies that are held on the links.
+    fn loops(
+        &self,
+        chain: &Chain,
+        seats: &HashMap<&str, usize>,
+        bodies: &mut Vec<Body>,
+        frames: &mut Vec<Option<usize>>,
+    ) -> Result<Vec<Closed>, Contradiction> {
+        let mut loops = Vec::new();
+        for closed in &chain.loops {
+            let mut described = self.description.loops.iter();
+            let described = described
+                .find(|described| described.name.text == closed.name)
+                .ok_or_else(|| Contradiction(format!("that loop {} is there", closed.name)))?;
+            let name = &described.name.text;
+            let ends = [
+                (&described.from, &described.at),
+                (&described.to, &described.to_at),
+            ];
+            let first = frames.len();
+            let mut axes = Vec::new();
+            for ((link, steps), axis) in ends.into_iter().zip(&described.axes) {
+                let mut placement = self.placement(name, steps)?;
+                if described.closure.definition().axes > 0 {
+                    let axis = of_length_1(self.components(name, axis)?);
+                    placement = placement.times(&across(axis));
+                    axes.push(axis);
+                }
+                let nothing = [[Scalar::literal(0.0); 3]; 2];
+                let link = seats.get(link.text.as_str()).copied();
+                bodies.push(held(link, placement, nothing, 0.0));
+                frames.push(Some(bodies.len() - 1));
+            }
+            let size = match (described.closure.length(), &*axes) {
+                (Some(length), _) => Scalar::literal(length.value),
+                (None, [[ax, ay, az], [bx, by, bz]]) => *ax * *bx + *ay * *by + *az * *bz,
+                (None, _) => Scalar::literal(0.0),
+            };
+            loops.push(Closed {
+                frames: [first, first + 1],
+                rows: closed.rows.clone(),
+                size,
+            });
+        }
+        Ok(loops)
     }
 
     /// Adds the bodies of a joint whose motions come one after the other.

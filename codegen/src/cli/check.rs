@@ -118,7 +118,7 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
         .iter()
         .map(|frame| frame.name.as_str())
         .collect();
-    json!({
+    let mut answer = json!({
         "robot": description.name.text,
         "file": description.source.file,
         "base": report.base,
@@ -138,7 +138,17 @@ fn in_json(description: &Description, chain: &Chain) -> Value {
             "frames": frames,
             "joints": details.collect::<Value>(),
         },
-    })
+    });
+    if !chain.loops.is_empty() {
+        let loops = chain.loops.iter().map(|closed| {
+            let [from, to] = closed.frames.each_ref().map(|frame| &frame.name);
+            json!({ "name": closed.name, "kind": closed.word, "from": from, "to": to })
+        });
+        answer["loops"] = loops.collect();
+        answer["constraints"] = names(Space::Constraints);
+        answer["closed"] = json!(report.closed);
+    }
+    answer
 }
 
 /// Quarter turns as people write them.
@@ -150,6 +160,24 @@ fn meant(quarters: i64) -> String {
         (2, _) => format!("{sign}π"),
         (turns, true) => format!("{sign}{} π", turns / 2),
         (turns, false) => format!("{sign}{turns} π/2"),
+    }
+}
+
+/// What loops close, and what needs no closing.
+fn loops(chain: &Chain, line: &mut impl FnMut(String)) {
+    for closed in &chain.loops {
+        let [from, to] = closed.frames.each_ref().map(|frame| &frame.name);
+        let rows: Vec<String> = (closed.rows.iter())
+            .map(|row| row.name(&closed.name))
+            .collect();
+        let (name, kind, rows) = (&closed.name, closed.word, rows.join(", "));
+        line(format!(
+            "loop {name}: {kind}, holds {from} and {to} together: {rows}"
+        ));
+    }
+    if !chain.report.closed.is_empty() {
+        let names = chain.report.closed.join(", ");
+        line(format!("  closed whatever the joints do: {names}"));
     }
 }
 
@@ -203,6 +231,7 @@ fn in_text(description: &Description, chain: &Chain) -> String {
         ));
         k += if follows.is_some() { 0 } else { names.len() };
     }
+    loops(chain, &mut line);
     line(counted(
         report.links.len(),
         "link modelled",

@@ -147,6 +147,9 @@ impl Eval {
         answer.insert("coordinates".into(), names(Space::Coordinates));
         answer.insert("velocities".into(), names(Space::Velocities));
         answer.insert("joints".into(), json!(chain.report.joints));
+        if (result.parts()).any(|(_, part)| part.over.contains(&Space::Constraints)) {
+            answer.insert("constraints".into(), names(Space::Constraints));
+        }
         if self.function.of_a_frame() {
             answer.insert("base".into(), json!(chain.report.base));
             answer.insert("frame".into(), json!(chain.frames[frame].name));

@@ -67,7 +67,7 @@ impl Functions {
 /// The function of that name.
 pub(super) fn function(text: &str) -> Result<Function, String> {
     Function::from_name(text).ok_or_else(|| {
-        let hint = known(text, "functions", &Function::ALL.map(Function::name));
+        let hint = known(text, "functions", &Function::names());
         format!("there is no such function\n  hint: {hint}")
     })
 }

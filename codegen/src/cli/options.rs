@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use crate::description::urdf::LARGEST_FILE;
-use crate::description::{self, Description, Name, Number};
+use crate::description::{self, Description, Name, Number, inline};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
@@ -45,6 +45,13 @@ pub(super) struct Robot {
     /// Take a link off with all that it carries, and with their mass
     #[arg(long, value_name = "LINK")]
     drop: Vec<String>,
+    /// Close a loop by a joint between two links, as attributes have it:
+    /// 'pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }'
+    #[arg(long = "loop", value_name = "NAME: TYPE {…}")]
+    loops: Vec<String>,
+    /// A joint that is driven, where loops move the others
+    #[arg(long, value_name = "JOINT")]
+    actuated: Vec<String>,
     /// Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]
     #[arg(long, value_name = "x,y,z", value_parser = gravity, allow_hyphen_values = true)]
     gravity: Option<Gravity>,
@@ -92,8 +99,12 @@ impl Robot {
         } else {
             description::read_file(&self.file, None, &mut errors)
         };
+        let loops = self.loops.iter().map(String::as_str);
         match description {
-            Some(description) => errors.into_result(description),
+            Some(mut description) => {
+                inline::close(&mut description, loops, &mut errors);
+                errors.into_result(description)
+            }
             None => Err(errors),
         }
     }
@@ -116,6 +127,7 @@ impl Robot {
             path_only: self.path_only,
             lock: self.lock.iter().map(lock).collect(),
             drop: self.drop.iter().map(named).collect(),
+            actuated: self.actuated.iter().map(named).collect(),
             frames: frames.into_iter().map(named).collect(),
             gravity: self.gravity.map(|gravity| gravity.0.map(number)),
             exact: self.exact,

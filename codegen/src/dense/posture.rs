@@ -5,7 +5,7 @@
 
 mod derivatives;
 
-use super::{Approximate, Matrix, Moved, Robot};
+use super::{Approximate, Closed, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
 
@@ -77,6 +77,16 @@ impl Posture {
             moves.push(carried || !body.freedoms.is_empty());
         }
         moves
+    }
+
+    /// The loops.
+    pub(super) fn loops(&self) -> &[Closed] {
+        &self.robot.loops
+    }
+
+    /// The velocities that are driven.
+    pub(super) fn actuated(&self) -> &[usize] {
+        &self.robot.actuated
     }
 
     /// Acceleration of gravity in frame 0.

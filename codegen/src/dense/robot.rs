@@ -1,6 +1,6 @@
 //! A robot, link by link, as matrices of numbers.
 
-use super::{Approximate, Matrix};
+use super::{Approximate, Closed, Matrix};
 use crate::joint::Posture;
 
 /// What a link hangs on, and by which motion.
@@ -53,10 +53,14 @@ pub(crate) struct Robot {
     pub(crate) velocities: usize,
     /// Acceleration of gravity in frame 0.
     pub(crate) gravity: [Approximate; 3],
-    /// The bodies whose frames are asked for; none for the base.
+    /// The bodies whose frames are asked for, and behind them those of loops; none for the base.
     pub(crate) frames: Vec<Option<usize>>,
     /// The bodies that joints move as links, in the order of their coordinates.
     pub(crate) links: Vec<usize>,
     /// The columns of the regressor that the base regressor has.
     pub(crate) base_columns: Vec<usize>,
+    /// The loops.
+    pub(crate) loops: Vec<Closed>,
+    /// The velocities that are driven, where loops move the others.
+    pub(crate) actuated: Vec<usize>,
 }

@@ -1,8 +1,9 @@
 //! The grammar of `chain!`, which is also what `#[robot(…)]` holds: settings, links and joints.
 //!
 //! In: tokens. Out: an [`Item`]. A joint without `from` hangs on the link before it, one without
-//! `to` carries the link after it, so that a serial arm is written from base to tip. After a
-//! mistake, reading goes on behind the next `,`, `;` or `}`.
+//! `to` carries the link after it, so that a serial arm is written from base to tip. A loop, which may stand
+//! beside a file as well, holds together two links that hang on the base anyhow. After a mistake, reading
+//! goes on behind the next `,`, `;` or `}`.
 //!
 //! ```text
 //! pub struct Scara { gravity: [0.0, 0.0, -9.81], generate(inverse_dynamics) }
@@ -12,6 +13,7 @@
 //! ```
 
 mod body;
+mod closure;
 mod joint;
 mod table;
 
@@ -26,8 +28,8 @@ use self::joint::Joint;
 use super::item::Item;
 use super::settings::{self, Settings};
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use super::{Description, Link, Name, Source, file, names};
-use crate::error::{Errors, Place};
+use super::{Description, Link, Loop, Name, Source, file, names};
+use crate::error::{Complaint, Errors, Place};
 use crate::wording::quoted;
 
 /// What was read between the braces or the parentheses.
@@ -35,6 +37,8 @@ use crate::wording::quoted;
 pub(super) struct Contents {
     pub(super) settings: Settings,
     parts: Vec<Part>,
+    /// Each with what is doubtful about it.
+    loops: Vec<(Loop, Vec<Complaint>)>,
 }
 
 /// A part of the robot, in the order of the text.
@@ -115,8 +119,12 @@ pub(super) fn entries(input: ParseStream, contents: &mut Contents, errors: &mut 
 
 fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Parsed<()> {
     let ahead = input.fork();
-    let word = tokens::word(&ahead)
-        .map_err(|_| complaint(input.span(), "expected a setting, `link` or `joint`"))?;
+    let word = tokens::word(&ahead).map_err(|_| {
+        complaint(
+            input.span(),
+            "expected a setting, `link`, `joint` or `loop`",
+        )
+    })?;
     let is_setting = ahead.peek(Token![=]) || ahead.peek(Token![:]);
     match word.to_string().as_str() {
         "link" if !is_setting => {
@@ -128,6 +136,10 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
             contents
                 .parts
                 .push(Part::Joint(joint::read(input, errors)?));
+        }
+        "loop" if !is_setting => {
+            tokens::word(input)?;
+            contents.loops.extend(closure::read(input, errors)?);
         }
         "denavit_hartenberg" if !is_setting => {
             let word = tokens::word(input)?;
@@ -168,7 +180,11 @@ fn link(input: ParseStream, errors: &mut Errors) -> Parsed<Link> {
 
 /// The item, its description read from the file that is named or put together from its parts.
 pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut Errors) -> Item {
-    let Contents { settings, parts } = contents;
+    let Contents {
+        settings,
+        parts,
+        loops,
+    } = contents;
     let place = Place::Token(ident.span());
     if let Some(extra) = settings.files.get(usize::from(parts.is_empty())) {
         let message = format!("{ident} is described twice");
@@ -176,7 +192,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
         tokens::push(errors, complaint_with_hint(extra.span(), message, hint));
     }
     let file = settings.files.into_iter().next();
-    let description = match &file {
+    let mut description = match &file {
         Some(path) => file::read_file(&folder.join(path.value()), Some(path.span()), errors),
         None if parts.is_empty() => {
             // Where something could not be read, that may have been the description.
@@ -191,6 +207,9 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
         }
         None => Some(assemble(parts, &ident, errors)),
     };
+    if let Some(description) = &mut description {
+        add(description, loops, errors);
+    }
     Item {
         attributes: Vec::new(),
         visibility: Visibility::Inherited,
@@ -200,6 +219,30 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
         description,
         request: settings.request,
     }
+}
+
+/// Closes loops of a description, each told as behind the word `loop`.
+pub fn close<'t>(
+    description: &mut Description,
+    texts: impl IntoIterator<Item = &'t str>,
+    errors: &mut Errors,
+) {
+    let loops = texts.into_iter();
+    let loops = loops.filter_map(|text| closure::read_text(text, errors));
+    let loops = loops.collect();
+    add(description, loops, errors);
+}
+
+/// Adds loops, with what is doubtful about them, to those that a file may have closed.
+fn add(description: &mut Description, loops: Vec<(Loop, Vec<Complaint>)>, errors: &mut Errors) {
+    if loops.is_empty() {
+        return;
+    }
+    for (described, doubts) in loops {
+        description.warnings.extend(doubts);
+        description.loops.push(described);
+    }
+    names::check_loops(description, errors);
 }
 
 /// Gives each joint its two links.
@@ -212,6 +255,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
         source: Source::default(),
         links: Vec::new(),
         joints: Vec::new(),
+        loops: Vec::new(),
         warnings: Vec::new(),
     };
     let mut waiting: Vec<Joint> = Vec::new();

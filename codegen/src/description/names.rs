@@ -1,6 +1,6 @@
 //! Names that are given twice.
 //!
-//! In: a description. Out: a complaint for every second link and every second joint of a name.
+//! In: a description. Out: a complaint for every second link, joint or loop of a name.
 //! Links and joints may share names, as they do in many files. It never looks at which link a
 //! joint hangs on.
 
@@ -16,6 +16,12 @@ pub(super) fn check(description: &Description, errors: &mut Errors) {
     let joints = description.joints.iter().map(|joint| &joint.name);
     check_kind("link", links, errors);
     check_kind("joint", joints, errors);
+}
+
+/// Complains of loops of one name, those that stand beside a file among them.
+pub(super) fn check_loops(description: &Description, errors: &mut Errors) {
+    let loops = description.loops.iter().map(|described| &described.name);
+    check_kind("loop", loops, errors);
 }
 
 fn check_kind<'d>(kind: &str, names: impl Iterator<Item = &'d Name>, errors: &mut Errors) {

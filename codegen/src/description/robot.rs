@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use crate::closure::Closure;
 use crate::error::{Complaint, Errors, Place};
 use crate::joint::JointKind;
 use crate::number::Number;
@@ -17,6 +18,8 @@ pub struct Description {
     pub links: Vec<Link>,
     /// The joints, in the order of the text.
     pub joints: Vec<Joint>,
+    /// The joints that close loops, in the order of the text.
+    pub loops: Vec<Loop>,
     /// Doubts that do not stop the work.
     pub warnings: Vec<Complaint>,
 }
@@ -131,6 +134,27 @@ pub struct Joint {
     pub mimic: Option<Mimic>,
     /// Where the joint is described.
     pub place: Place,
+}
+
+/// A joint between two links that both hang on the base by other joints: frame A is fixed to the first
+/// of them, frame B to the second, and the joint holds them together.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// The loop's name.
+    pub name: Name,
+    /// What the joint leaves free.
+    pub closure: Closure,
+    /// The link of frame A.
+    pub from: Name,
+    /// The link of frame B.
+    pub to: Name,
+    /// From the frame of the one link to where the joint is on it.
+    pub at: Vec<Step>,
+    /// The same of the other link.
+    pub to_at: Vec<Step>,
+    /// The directions that are z of A and z of B, there; both the same where the joint has one axis, and
+    /// unused where it has none.
+    pub axes: [[Number; 3]; 2],
 }
 
 /// What a joint makes of the coordinate of another: multiplier · q + offset.

@@ -20,7 +20,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 20] = [
+const WORDS: [&str; 22] = [
     "urdf",
     "dh",
     "base",
@@ -30,6 +30,7 @@ const WORDS: [&str; 20] = [
     "lock",
     "drop",
     "frames",
+    "actuated",
     "gravity",
     "exact",
     "strict",
@@ -40,11 +41,12 @@ const WORDS: [&str; 20] = [
     "crate",
     "link",
     "joint",
+    "loop",
     "denavit_hartenberg",
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 17;
+const KEYS: usize = 18;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -125,6 +127,10 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         "frames" => {
             let content = in_parentheses(input, &key, "frames(link, other)")?;
             request.frames = tokens::list(&content, tokens::name)?;
+        }
+        "actuated" => {
+            let content = in_parentheses(input, &key, "actuated(joint, other)")?;
+            request.actuated = tokens::list(&content, tokens::name)?;
         }
         "gravity" => {
             tokens::separator(input, &key)?;
@@ -259,7 +265,7 @@ fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
         None => complaint_with_hint(
             word.span(),
             format!("unknown function {}", quoted(&text)),
-            known(&text, "functions", &Function::ALL.map(Function::name)),
+            known(&text, "functions", &Function::names()),
         ),
     };
     tokens::push(errors, problem);

@@ -6,6 +6,7 @@
 //! passed over with a doubt. It never takes time or memory out of proportion to the text, and never
 //! guesses a number that is not there.
 
+mod closure;
 mod element;
 mod joint;
 mod link;
@@ -28,9 +29,10 @@ use crate::wording::quoted;
 pub(crate) use self::xml::LARGEST_FILE;
 
 /// What a robot may hold, mechanics or not.
-const PARTS: [&str; 6] = [
+const PARTS: [&str; 7] = [
     "link",
     "joint",
+    "loop_joint",
     "material",
     "gazebo",
     "transmission",
@@ -75,6 +77,7 @@ pub fn read(
         description.warnings = reader.warnings;
         description.warnings.extend(reader.unmodelled.doubts());
         names::check(description, errors);
+        names::check_loops(description, errors);
     }
     description
 }
@@ -100,10 +103,12 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
     let subject = format!("robot {}", quoted(&name.text));
     let mut links = Vec::new();
     let mut joints = Vec::new();
+    let mut loops = Vec::new();
     for child in reader.children(root, &subject, &PARTS) {
         match child.tag_name().name() {
             "link" => links.extend(link::read(reader, child)),
             "joint" => joints.extend(joint::read(reader, child)),
+            "loop_joint" => loops.extend(closure::read(reader, child)),
             "transmission" => transmission::read(reader, child),
             _ => {}
         }
@@ -118,6 +123,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         source: Source::default(),
         links,
         joints,
+        loops,
         warnings: Vec::new(),
     })
 }

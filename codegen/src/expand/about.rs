@@ -13,6 +13,7 @@ use crate::function::Function;
 use crate::layout::{Layout, arrange};
 use crate::model::Way;
 use crate::print::About;
+use crate::wording::list;
 
 /// What they say.
 pub(super) fn about(description: &Description, chain: &Chain, formulation: Formulation) -> About {
@@ -68,6 +69,10 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
         "residue taken for zero",
         "residues taken for zero",
     );
+    if !report.closed.is_empty() {
+        let names = list(report.closed.iter().map(String::as_str));
+        facts.push(format!("closed whatever the joints do: {names}"));
+    }
     facts.push(gravity(chain));
     let used = inertial_parameters(chain, parameters);
     facts.push(format!(

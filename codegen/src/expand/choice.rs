@@ -11,7 +11,7 @@ use super::program::expressions_by;
 use super::solvable::solvable;
 use super::weighable::weighable;
 use crate::chain::Chain;
-use crate::error::Errors;
+use crate::error::{Errors, Place};
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::layout::Layout;
@@ -19,6 +19,7 @@ use crate::model::Way;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
+use crate::wording::quoted;
 
 /// The cheapest program found for some functions together, of a frame of the chain.
 ///
@@ -96,8 +97,13 @@ pub(super) fn cheapest(
     if functions.iter().any(|function| function.is_of_mass()) {
         weighable(chain)?;
     }
+    closable(chain, functions)?;
     let search = Search::new(processor, formulation, chain, functions, frame, scalar);
     if !functions.iter().any(|function| function.solves()) {
+        let inverts = |function: &Function| function.is_constrained() && !function.wants_drives();
+        if functions.iter().any(inverts) {
+            solvable(chain)?;
+        }
         return Ok(search.best(Way::PLAIN.forward).1);
     }
     let worst = solvable(chain)?;
@@ -160,6 +166,28 @@ pub(super) fn cheapest(
     });
     let best = searched.min_by_key(|(weight, _)| *weight);
     Ok(best.expect("the least is among them").1)
+}
+
+/// Refuses what is of loops where there are none.
+fn closable(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
+    let mut errors = chain.source.errors();
+    let of_loops = functions.iter().filter(|function| function.is_of_loops());
+    for function in of_loops.filter(|_| chain.loops.is_empty()) {
+        let name = quoted(function.name());
+        errors.push_with_hint(
+            Place::Unknown,
+            format!("{name} is of robots with loops, and this one has none"),
+            "close one: loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.1, 0, 0) }",
+        );
+    }
+    if let Some(function) = functions.iter().find(|function| function.wants_drives())
+        && !chain.actuated.contains(&true)
+    {
+        let name = quoted(function.name());
+        let message = format!("{name} asks which joints are driven");
+        errors.push_with_hint(Place::Unknown, message, "name them: actuated(crank)");
+    }
+    errors.into_result(())
 }
 
 /// How many times the error that is enough is far from it.
@@ -225,7 +253,12 @@ impl<'a> Search<'a> {
             let regroup = layout.regroup && !physical;
             let layout = Layout { regroup, ..layout };
             for &way in ways {
-                let way = Way { forward, ..way };
+                let scalar = self.scalar;
+                let way = Way {
+                    forward,
+                    scalar,
+                    ..way
+                };
                 let (chain, functions) = (self.chain, self.functions);
                 let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);
                 let program = schedule(&graph, &results);

@@ -157,7 +157,7 @@ pub(super) fn doubts(chain: &Chain, request: &Request) -> Vec<Complaint> {
     if chain.joints.len() > most {
         return Vec::new();
     }
-    let items = request.items().into_iter();
+    let items = request.items(false).into_iter();
     let items: Vec<Vec<Function>> = items
         .filter(|item| item.iter().any(|function| function.solves()))
         .collect();

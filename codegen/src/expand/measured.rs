@@ -61,7 +61,7 @@ struct Solved {
 pub(super) const fn allowed(function: Function) -> f64 {
     match function.truth() {
         Truth::Derivatives => 10.0,
-        Truth::Value(_) | Truth::OfMass(_) | Truth::Solution(_) => 1.0,
+        Truth::Value(_) | Truth::OfMass(_) | Truth::Constrained(_) | Truth::Solution(_) => 1.0,
     }
 }
 

@@ -13,6 +13,9 @@ pub(crate) enum Truth {
     Value(fn(&Dense, usize) -> Vec<Approximate>),
     /// The same, of robots that have mass: without any there is no such thing.
     OfMass(fn(&Dense, usize) -> Vec<Approximate>),
+    /// The same of what is solved for where loops hold joints together, and so small a part of the whole is
+    /// nothing.
+    Constrained(fn(&Dense, f64) -> Vec<Approximate>),
     /// An equation that they solve, in which that is given.
     Solution(Given),
     /// What the accelerations of τ change by, which solves an equation whose right-hand sides the

@@ -176,6 +176,38 @@ const fn of_parameters(over: &'static [Space]) -> Outcome {
     })
 }
 
+/// What is zero where loops are closed.
+pub(super) const RESIDUALS: Outcome = Outcome::One(of_loops(|of| vec![by_one(of, "1", "m")]));
+
+/// Second rates of residuals.
+pub(super) const RESIDUAL_ACCELERATIONS: Outcome =
+    Outcome::One(of_loops(|of| vec![by_one(of, "1/s²", "m/s²")]));
+
+/// What holds loops together: torques for products of axes, forces for lengths.
+pub(super) const MULTIPLIERS: Outcome = Outcome::One(of_loops(|of| vec![by_one(of, "N m", "N")]));
+
+/// What velocities change residuals by.
+pub(super) const RESIDUAL_RATES: Outcome = Outcome::One(Quantity {
+    over: &[Space::Constraints, Space::Velocities],
+    entity: Entity::Number,
+    units: |of| {
+        vec![match [of[0], of[1]] {
+            [Kind::Slide, Kind::Slide] => "1",
+            [Kind::Slide, _] => "m",
+            [_, Kind::Slide] => "1/m",
+            _ => "1",
+        }]
+    },
+});
+
+const fn of_loops(units: fn(&[Kind]) -> Vec<&'static str>) -> Quantity {
+    Quantity {
+        over: &[Space::Constraints],
+        entity: Entity::Number,
+        units,
+    }
+}
+
 const fn vector(units: fn(&[Kind]) -> Vec<&'static str>) -> Quantity {
     Quantity {
         over: &[Space::Velocities],

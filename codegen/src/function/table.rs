@@ -12,11 +12,15 @@ use crate::model::{Scene, Way};
 use crate::space::{Outcome, Space, Variable};
 
 macro_rules! definitions {
-    ($($variant:ident: $module:ident, $about:literal;)*) => {
+    (
+        $($variant:ident: $module:ident, $about:literal;)*
+        { $($of_loops:ident: $of_loops_module:ident, $of_loops_about:literal;)* }
+    ) => {
         impl Function {
             const fn definition(self) -> &'static Definition {
                 match self {
                     $(Self::$variant => &super::$module::DEFINITION,)*
+                    $(Self::$of_loops => &super::$of_loops_module::DEFINITION,)*
                 }
             }
         }
@@ -34,9 +38,20 @@ impl Function {
     /// The function of that name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|function| function.name() == name)
+        let mut all = Self::ALL.into_iter().chain(Self::OF_LOOPS);
+        all.find(|function| function.name() == name)
+    }
+
+    /// The names of all.
+    pub fn names() -> Vec<&'static str> {
+        let all = Self::ALL.into_iter().chain(Self::OF_LOOPS);
+        all.map(Self::name).collect()
+    }
+
+    /// Whether only a robot with loops can have it.
+    #[must_use]
+    pub fn is_of_loops(self) -> bool {
+        Self::OF_LOOPS.contains(&self)
     }
 
     /// What it computes, with the letters of the paper; `base` is what frame 0 is called, `frame` the
@@ -74,7 +89,7 @@ impl Function {
     #[must_use]
     pub const fn given(self) -> Option<Given> {
         match self.truth() {
-            Truth::Value(_) | Truth::OfMass(_) | Truth::Derivatives => None,
+            Truth::Value(_) | Truth::OfMass(_) | Truth::Constrained(_) | Truth::Derivatives => None,
             Truth::Solution(given) => Some(given),
         }
     }
@@ -83,6 +98,18 @@ impl Function {
     #[must_use]
     pub const fn is_of_mass(self) -> bool {
         matches!(self.truth(), Truth::OfMass(_))
+    }
+
+    /// Whether it asks which joints are driven.
+    #[must_use]
+    pub const fn wants_drives(self) -> bool {
+        matches!(self, Self::ActuatedInverseDynamics)
+    }
+
+    /// Whether it solves for what forces do to accelerations where loops hold joints together.
+    #[must_use]
+    pub const fn is_constrained(self) -> bool {
+        matches!(self.truth(), Truth::Constrained(_))
     }
 
     /// What every expansion of it is held against.

@@ -4,6 +4,7 @@
 //! coordinate, and what replaces a frame by another one. It never chooses one.
 
 use crate::chain::{Chain, Position};
+use crate::closure::Row;
 use crate::expression::{Double, Expr, Graph, Term};
 use crate::joint::Motion;
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
@@ -17,10 +18,26 @@ pub struct Bodies<'g> {
     pub base: Inertia<Term<'g>>,
     /// The columns of the regressor that the base regressor has.
     pub base_columns: Vec<usize>,
-    /// The frames asked for: the joint whose body carries it, and M from that body to it.
+    /// The frames asked for, and behind them A and B of each loop: the joint whose body carries it, and M
+    /// from that body to it.
     pub frames: Vec<(Option<usize>, Pose<Term<'g>>)>,
+    /// The loops.
+    pub loops: Vec<Closed<'g>>,
+    /// Which velocities are driven, where loops move the others.
+    pub actuated: Vec<bool>,
     /// Acceleration of gravity in frame 0 [m/s²].
     pub gravity: Vector<Term<'g>>,
+}
+
+/// A joint that closes a loop.
+#[derive(Clone, Debug)]
+pub struct Closed<'g> {
+    /// The indices of frames A and B.
+    pub frames: [usize; 2],
+    /// What it closes.
+    pub rows: Vec<Row>,
+    /// The length of a rod \[m\]; of a joint with two axes, the cosine of their angle.
+    pub size: Term<'g>,
 }
 
 /// A body, moved about or along an axis of its frame.
@@ -131,11 +148,22 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             link: (joint.link.as_ref()).map(|(_, link)| turn.inverse() * link.map(term)),
         })
         .collect();
-    let frames = (chain.frames.iter())
+    let of_loops = chain.loops.iter().flat_map(|closed| &closed.frames);
+    let frames = (chain.frames.iter().chain(of_loops))
         .map(|frame| (frame.body, seen_from(frame.body, frame.placement.map(term))))
         .collect();
+    let loops = chain.loops.iter().enumerate().map(|(k, closed)| {
+        let first = chain.frames.len() + 2 * k;
+        Closed {
+            frames: [first, first + 1],
+            rows: closed.rows.clone(),
+            size: term(closed.size),
+        }
+    });
     Bodies {
         bodies,
+        loops: loops.collect(),
+        actuated: chain.actuated.clone(),
         base: Inertia::zero(graph),
         base_columns: chain.base_parameters.columns().collect(),
         frames,

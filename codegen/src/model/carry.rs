@@ -279,11 +279,26 @@ impl<'g> Path<'g> {
 
 /// The way to the frame of that index.
 pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, angles: Angles) -> Path<'g> {
+    path_beyond(bodies, None, frame, state, angles)
+}
+
+/// The way to the frame of that index from a body that carries it, or from the base: its placement at the
+/// beginning is as seen from there.
+pub fn path_beyond<'g>(
+    bodies: &Bodies<'g>,
+    from: Option<usize>,
+    frame: usize,
+    state: &State<'g>,
+    angles: Angles,
+) -> Path<'g> {
     let (last, end) = bodies.frames[frame];
-    let inwards = || std::iter::successors(last, |&k| bodies.bodies[k].parent);
+    let inwards = || {
+        let all = std::iter::successors(last, |&k| bodies.bodies[k].parent);
+        all.take_while(|&k| Some(k) != from)
+    };
     let left = turn::left_to_carried(bodies, state, angles, |k| {
         let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
-        next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))
+        Some(k) != from && next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))
     });
     let joints = inwards().map(|k| Joint::new(bodies, k, state, &left));
     let mut joints: Vec<Joint<'g>> = joints.collect();

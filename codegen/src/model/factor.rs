@@ -54,14 +54,37 @@ pub fn factor<'g>(matrix: &[Term<'g>], parents: &[Option<usize>]) -> Factors<'g>
 impl<'g> Factors<'g> {
     /// x of Lᵗ D L x = b.
     pub fn solve(&self, b: &[Term<'g>]) -> Vec<Term<'g>> {
+        let mut x = self.half(b);
+        for (k, &inverse) in self.inverse.iter().enumerate() {
+            x[k] = x[k] * inverse;
+            for &(i, l) in &self.rows[k] {
+                x[k] = x[k] - l * x[i];
+            }
+        }
+        x
+    }
+
+    /// x of Lᵗ x = b.
+    pub fn half(&self, b: &[Term<'g>]) -> Vec<Term<'g>> {
         let mut x = b.to_vec();
         for k in (0..x.len()).rev() {
             for &(i, l) in &self.rows[k] {
                 x[i] = x[i] - l * x[k];
             }
         }
-        for (k, &inverse) in self.inverse.iter().enumerate() {
-            x[k] = x[k] * inverse;
+        x
+    }
+
+    /// D⁻¹ x.
+    pub fn weighed(&self, x: &[Term<'g>]) -> Vec<Term<'g>> {
+        let entries = x.iter().zip(&self.inverse);
+        entries.map(|(&entry, &inverse)| entry * inverse).collect()
+    }
+
+    /// x of L x = b.
+    pub fn other_half(&self, b: &[Term<'g>]) -> Vec<Term<'g>> {
+        let mut x = b.to_vec();
+        for k in 0..x.len() {
             for &(i, l) in &self.rows[k] {
                 x[k] = x[k] - l * x[i];
             }

@@ -1,6 +1,7 @@
 //! One of several ways to compute the same: which frames, which angles, which form.
 
 pub use crate::formulation::{Angles, Forward, Frame};
+use crate::real::Real;
 
 /// One of several ways to compute the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +14,8 @@ pub struct Way {
     pub pose: Carried,
     /// How accelerations are found from forces.
     pub forward: Forward,
+    /// The type of number that it is computed in, which decides what is nothing beside something else.
+    pub scalar: Real,
 }
 
 /// How the pose of a frame is found.
@@ -34,6 +37,7 @@ impl Way {
         angles: Angles::Apart,
         pose: Carried::Inwards { by_product: None },
         forward: Forward::UNREFINED,
+        scalar: Real::Generic,
     };
 
     /// Everything in frame 0, accelerations by the mass matrix.

@@ -11,7 +11,7 @@ use std::fmt::Write;
 use super::{About, LeftOut, Listed, Listing};
 use crate::real::Real;
 use crate::request::Target;
-use crate::space::{Kind, Space, Spaces, Variable};
+use crate::space::{Kind, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
 /// For which angles a function without the runtime is precise.
@@ -56,6 +56,7 @@ pub(super) fn of_function(
     lines.push(String::new());
     lines.push(arguments(&listed.arguments()));
     lines.extend(postures(&listing.spaces, &listed.arguments()));
+    lines.extend(residuals(&listing.spaces, listed));
     if let Some(angles) = angles {
         let results = listed.functions.iter();
         let results = results.flat_map(|function| function.result().parts());
@@ -190,6 +191,15 @@ fn postures(spaces: &Spaces, arguments: &[Variable]) -> Vec<String> {
         lines.push(format!("In the axes of the body that they move: {seen}."));
     }
     lines
+}
+
+/// The residuals of loops in their order, where a result is over them.
+fn residuals(spaces: &Spaces, listed: &Listed) -> Option<String> {
+    let results = listed.functions.iter().map(|function| function.result());
+    let mut parts = results.flat_map(Outcome::parts);
+    let over = parts.any(|(_, part)| part.over.contains(&Space::Constraints));
+    let names: Vec<String> = spaces.names(Space::Constraints).map(code).collect();
+    over.then(|| format!("Residuals: {}.", names.join(", ")))
 }
 
 /// Robot, file and coordinates.

@@ -10,6 +10,7 @@
 mod found;
 mod gap;
 mod linear;
+mod projection;
 
 use super::open_chain::{Motion, motions, poses, rounded_pose, screws};
 use crate::matrix::Pose;
@@ -21,6 +22,9 @@ use gap::{components, components_of_rate, missing_screw, relative_acceleration};
 use linear::{Linear, with_lengths_in_parts_of};
 
 pub use found::{NotClosed, Position, Rates};
+pub use projection::{
+    Outcome, Projection, Regularity, project, project_by, project_rates, regularity,
+};
 
 /// A chain whose frames are joined in `K` closed loops.
 ///

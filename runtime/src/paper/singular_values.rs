@@ -35,6 +35,27 @@ pub(crate) fn solve<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) -> (
     (rank, x)
 }
 
+/// The singular values of the matrix with these rows, the largest first, and how many of them are above
+/// 64 ε times the largest. The argument is used up.
+pub(crate) fn values<T: Real, const N: usize, const R: usize>(
+    a: &mut [[T; N]; R],
+) -> ([T; R], usize) {
+    let zero = T::constant(0.0);
+    orthogonalize(a, &mut [zero; R]);
+    let mut values = from_fn(|i| dot(&a[i], &a[i]).sqrt());
+    for i in 1..R {
+        let mut k = i;
+        while k > 0 && values[k - 1] < values[k] {
+            values.swap(k - 1, k);
+            k -= 1;
+        }
+    }
+    let largest = values.iter().fold(zero, |most, value| most.max(*value));
+    let threshold = T::constant(TOLERANCE) * T::EPSILON * largest;
+    let rank = values.iter().filter(|value| **value > threshold).count();
+    (values, rank)
+}
+
 /// Rotates pairs of rows, and the right-hand side with them, until all rows are orthogonal: U A,
 /// whose rows are as long as the singular values are large.
 fn orthogonalize<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) {
@@ -83,7 +104,7 @@ pub(super) fn dot<T: Real, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
 
 #[cfg(all(test, feature = "nalgebra"))]
 mod tests {
-    use super::{orthogonalize, solve};
+    use super::{orthogonalize, solve, values};
     use core::array::from_fn;
     use homogen_random::Random;
     use nalgebra::{SMatrix, SVector};
@@ -103,6 +124,8 @@ mod tests {
             orthogonalize(&mut ours, &mut [0.0; 6]);
             let mut lengths = ours.map(|row| row.iter().map(|x| x * x).sum::<f64>().sqrt());
             lengths.sort_by(|a, b| b.total_cmp(a));
+            let (all, rank) = values(&mut rows.clone());
+            assert_eq!((all, rank), (lengths, 6));
             for (length, value) in lengths.iter().zip(reference.iter()) {
                 assert!(
                     (length - value).abs() < 1e-14,

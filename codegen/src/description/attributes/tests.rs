@@ -157,10 +157,10 @@ fn all_mistakes_are_reported_at_once() {
          #[robot(gravity, mass_of = \"a\")] g: f64,\n\
          }",
     );
-    let functions = list(Function::ALL.map(Function::name));
+    let functions = list(Function::names());
     let expected = format!(
         "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, floating, tip, \
-         path_only, lock, drop, frames, gravity, exact, strict, scalar, generate, formulation, processor, crate, link, joint and denavit_hartenberg\n\
+         path_only, lock, drop, frames, actuated, gravity, exact, strict, scalar, generate, formulation, processor, crate, link, joint, loop and denavit_hartenberg\n\
          1:30: unknown scalar \"f16\"\n  \
          hint: known scalars: f32, f64 and generic\n\
          1:45: gravity has 2 numbers instead of 3\n\
@@ -221,7 +221,7 @@ fn settings_need_their_values() {
     );
     assert_eq!(
         errors_in("= 3"),
-        "1:9: expected a setting, `link` or `joint`\n"
+        "1:9: expected a setting, `link`, `joint` or `loop`\n"
     );
 }
 

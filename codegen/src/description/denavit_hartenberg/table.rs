@@ -122,6 +122,7 @@ pub fn read(
         },
         links,
         joints,
+        loops: Vec::new(),
         warnings: Vec::new(),
     };
     names::check(&description, errors);

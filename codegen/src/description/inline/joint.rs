@@ -207,7 +207,10 @@ fn along_x(place: Place) -> [Number; 3] {
 }
 
 /// `z`, `-z`, or a vector; and a doubt where that is not of length 1.
-fn direction(input: ParseStream, subject: &str) -> Parsed<([Number; 3], Option<Complaint>)> {
+pub(super) fn direction(
+    input: ParseStream,
+    subject: &str,
+) -> Parsed<([Number; 3], Option<Complaint>)> {
     let span = input.span();
     let subject = format!("the axis of {subject}");
     if input.peek(token::Bracket) {
@@ -242,7 +245,7 @@ fn direction(input: ParseStream, subject: &str) -> Parsed<([Number; 3], Option<C
 }
 
 /// `xyz(…) rpy(…)`, or any other product of steps, from left to right.
-fn placement(input: ParseStream, subject: &str) -> Parsed<Vec<Step>> {
+pub(super) fn placement(input: ParseStream, subject: &str) -> Parsed<Vec<Step>> {
     let mut steps = Vec::new();
     while !input.is_empty() && !input.peek(Token![,]) {
         let word = tokens::word(input)?;

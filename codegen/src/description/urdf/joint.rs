@@ -213,12 +213,16 @@ fn second_axis<'t>(
     }
 }
 
-fn along_x(place: Place) -> [Number; 3] {
+pub(super) fn along_x(place: Place) -> [Number; 3] {
     [1.0, 0.0, 0.0].map(|value| number::computed(value, place))
 }
 
 /// What an element says of a direction; along x where that is nothing.
-fn direction<'t>(reader: &mut Reader<'_, 't>, element: Node<'_, 't>, subject: &str) -> [Number; 3] {
+pub(super) fn direction<'t>(
+    reader: &mut Reader<'_, 't>,
+    element: Node<'_, 't>,
+    subject: &str,
+) -> [Number; 3] {
     let place = reader.place(element);
     let Some(xyz) = element.attribute_node("xyz") else {
         reader.errors.push_with_hint(

@@ -1,6 +1,7 @@
 //! Every message of the reader, a file for each of its own and one for texts that no reader should
 //! stumble over; here is a whole robot, without mistakes and with many.
 
+mod closure;
 mod element;
 mod hostile;
 mod joint;

@@ -45,7 +45,8 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     let mut traits = TokenStream::new();
     let mut names = unscoped();
     names.take("chain");
-    for functions in &request.items() {
+    let has_loops = spaces.is_some_and(|spaces| spaces.len(Space::Constraints) > 0);
+    for functions in &request.items(has_loops) {
         let frames = request.frames.iter().map(|frame| Some(frame.text.as_str()));
         for frame in [None].into_iter().chain(frames) {
             if frame.is_some() && !functions.iter().all(|function| function.of_a_frame()) {
@@ -94,7 +95,7 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
             &nothing(&joints, &frames, runtime),
         ));
     }
-    let wanted = request.items().concat();
+    let wanted = request.items(has_loops).concat();
     if wanted.contains(&Function::BaseRegressor) {
         let number = dialect.field();
         let visibility = &item.visibility;

@@ -96,6 +96,7 @@ pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
     let entries: Vec<Entry> = names.into_iter().map(entry).collect();
     Spaces {
         coordinates: entries.clone(),
+        constraints: Vec::new(),
         velocities: entries,
         ..Spaces::default()
     }

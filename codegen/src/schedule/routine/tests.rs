@@ -43,6 +43,7 @@ fn routine(names: Names) -> Routine {
     };
     let spaces = Spaces {
         coordinates: ["hip", "knee", "toe"].map(entry).to_vec(),
+        constraints: Vec::new(),
         velocities: vec![entry("hip")],
         ..Spaces::default()
     };

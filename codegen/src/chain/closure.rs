@@ -1,0 +1,81 @@
+//! Whether loops are of links that can be held together.
+//!
+//! In: the loops of a description and its links, or the merged chain. Out: a mistake for each loop of a link
+//! that is not there, of one link, or of two that are one body. Whether it can close is for the
+//! equations that it is to say.
+
+use super::names::Names;
+use super::{Chain, Loop};
+use crate::description::Description;
+use crate::error::Errors;
+use crate::request::Request;
+use crate::space::Entry;
+use crate::wording::quoted;
+
+/// Refuses loops of links that are not there, or of one alone.
+pub fn check(description: &Description, links: &Names<'_>, errors: &mut Errors) {
+    for described in &description.loops {
+        let found = [&described.from, &described.to].map(|link| links.find(link, errors));
+        if let [Some(from), Some(to)] = found
+            && from == to
+        {
+            let [name, link] = [&described.name, &described.to].map(|name| quoted(&name.text));
+            let message = format!("loop {name} joins link {link} to itself");
+            errors.push(described.to.place, message);
+        }
+    }
+}
+
+/// Refuses loops of two links that are parts of one body, and drives of what does not move by itself; lists
+/// what the others close, and which velocities are driven.
+///
+/// # Errors
+/// A mistake for each of them.
+pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors> {
+    let mut errors = chain.source.errors();
+    for closed in &chain.loops {
+        let [from, to] = &closed.frames;
+        if from.body == to.body {
+            let [name, from, to] = [&closed.name, &from.name, &to.name].map(|name| quoted(name));
+            errors.push_with_hint(
+                closed.place,
+                format!(
+                    "loop {name} joins links {from} and {to}, which do not move against each other"
+                ),
+                "leave it out, or let a joint between them move",
+            );
+        }
+    }
+    let joint = |velocity: usize| &chain.joints[chain.mover(velocity)].of;
+    let velocities = 0..chain.spaces.velocities.len();
+    for name in &request.actuated {
+        if velocities
+            .clone()
+            .all(|velocity| *joint(velocity) != name.text)
+        {
+            let message = format!("joint {} does not move by itself", quoted(&name.text));
+            errors.push_with_hint(name.place, message, "only what has velocities is driven");
+        }
+    }
+    let driven = |velocity: usize| {
+        let mut actuated = request.actuated.iter();
+        actuated.any(|name| name.text == *joint(velocity))
+    };
+    chain.actuated = velocities.clone().map(driven).collect();
+    chain.spaces.constraints = entries(&chain.loops);
+    errors.into_result(chain)
+}
+
+/// The list of what loops close.
+#[must_use]
+pub fn entries(loops: &[Loop]) -> Vec<Entry> {
+    let rows = loops.iter().flat_map(|closed| {
+        let rows = closed.rows.iter();
+        rows.map(|row| Entry {
+            name: row.name(&closed.name),
+            kind: row.kind(),
+            range: None,
+        })
+    });
+    rows.collect()
+}

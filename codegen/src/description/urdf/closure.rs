@@ -1,0 +1,95 @@
+//! `<loop_joint>`: two links that hang on the base anyhow, held together.
+//!
+//! In: one element. Out: a [`Loop`], as far as it could be read, and complaints. URDF itself knows no loops;
+//! the element is that of Drake's former reader and of Isaac Sim's importer: `<loop_joint name="…"
+//! type="spherical"><link1 link="…" xyz="…" rpy="…"/><link2 …/></loop_joint>`, with the place of the joint on
+//! each link, and `<axis xyz="…"/>`, `<axis2 …/>` there where its type has such; a rod has
+//! `<rod length="…"/>`.
+
+use roxmltree::Node;
+
+use super::element::Reader;
+use super::joint::{along_x, direction};
+use crate::closure::{ALL, Definition};
+use crate::description::{Loop, Step};
+use crate::wording::{known, quoted};
+
+/// What it may hold.
+const PARTS: [&str; 5] = ["link1", "link2", "axis", "axis2", "rod"];
+
+/// Reads a loop; none where it has no name, no type or not two links.
+pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Loop> {
+    let name = reader.name(node, "name", "a loop joint");
+    let subject = match &name {
+        Some(name) => format!("loop joint {}", quoted(&name.text)),
+        None => "the loop joint without a name".to_owned(),
+    };
+    let children = reader.children(node, &subject, &PARTS);
+    let kind = kind(reader, node, &subject);
+    let closure = kind.and_then(|kind| {
+        let length = || {
+            let hint = "<rod length=\"…\"/>, in metres";
+            let rod = reader.required(node, &children, "rod", &subject, hint);
+            let what = format!("the length of {subject}");
+            let length = rod
+                .and_then(|rod| reader.number(rod, "length", &what))
+                .ok_or(())?;
+            if length.value > 0.0 {
+                return Ok(length);
+            }
+            let message = format!("{what} is not positive: {}", length.value);
+            reader.errors.push(length.place, message);
+            Err(())
+        };
+        kind.with_length(length).ok()
+    });
+    let mut axes = [along_x(reader.place(node)); 2];
+    for (k, name) in ["axis", "axis2"].into_iter().enumerate() {
+        if let Some(axis) = reader.only(&children, name, &subject) {
+            let what = format!("the <{name}> of {subject}");
+            axes[k..].fill(direction(reader, axis, &what));
+        } else if kind.is_some_and(|kind| k < kind.axes) {
+            let message = format!("{subject} has no <{name}>: it is about or along x");
+            let hint = format!("write <{name} xyz=\"1 0 0\"/>");
+            reader.warn(reader.place(node), message, Some(hint));
+        }
+    }
+    let [from, to] = ["link1", "link2"].map(|end| {
+        let hint = format!("<{end} link=\"…\" xyz=\"0 0 0\" rpy=\"0 0 0\"/>");
+        let element = reader.required(node, &children, end, &subject, &hint)?;
+        let what = format!("the <{end}> of {subject}");
+        let link = reader.name(element, "link", &what)?;
+        let place: Vec<Step> = reader.origin(Some(element), &what);
+        Some((link, place))
+    });
+    let ((from, at), (to, to_at)) = (from?, to?);
+    Some(Loop {
+        name: name?,
+        closure: closure?,
+        from,
+        to,
+        at,
+        to_at,
+        axes,
+    })
+}
+
+/// What it leaves free; none where that was refused.
+fn kind<'t>(
+    reader: &mut Reader<'_, 't>,
+    node: Node<'_, 't>,
+    subject: &str,
+) -> Option<&'static Definition> {
+    let word = reader.name(node, "type", subject)?;
+    let text = match word.text.as_str() {
+        "continuous" => "revolute",
+        text => text,
+    };
+    let kind = Definition::named(text);
+    if kind.is_none() {
+        let message = format!("{subject} has the unknown type {}", quoted(&word.text));
+        let hint = known(text, "types", &ALL.map(|kind| kind.word));
+        reader.errors.push_with_hint(word.place, message, hint);
+    }
+    kind
+}

@@ -1,0 +1,164 @@
+//! Accelerations, multipliers and driven torques against the equations that they solve, and every way against
+//! the plainest.
+
+use super::{
+    FOUR_BAR, PIN, arms_held_by, chain, closed_four_bar, described, kinds, numbers, plain, upright,
+    values,
+};
+use crate::check::Check;
+use crate::expand::{program_by, program_for, understand};
+use crate::formulation::{Angles, Formulation, Frame};
+use crate::function::Function;
+use crate::layout::Layout;
+use crate::model::Way;
+use crate::processor::Processor;
+use crate::real::Real;
+use crate::request::Request;
+use crate::schedule::Program;
+
+#[test]
+fn accelerations_solve_the_equations_of_motion_with_their_multipliers() {
+    for (kind, count) in kinds() {
+        let chain = chain(&arms_held_by(&kind)).expect("a robot");
+        let spaces = chain.spaces();
+        let velocities = spaces.velocities.len();
+        let program = |function| plain(&chain, function);
+        let all = [
+            Function::MassMatrix,
+            Function::Bias,
+            Function::ConstraintJacobian,
+            Function::ConstraintBias,
+            Function::ConstrainedForwardDynamics,
+            Function::ConstraintMultipliers,
+        ]
+        .map(program);
+        for seed in 0..4 {
+            let q = upright(&chain, seed);
+            let (qd, tau) = (numbers(velocities, seed + 7), numbers(velocities, seed + 9));
+            let at = |program: &Program| values(program, [&q, &qd, &[], &tau]);
+            let [m, h, j, gamma, qdd, lambda] = all.each_ref().map(at);
+            let size = qdd
+                .iter()
+                .chain(&lambda)
+                .fold(1.0, |most: f64, x| most.max(x.abs()));
+            for row in 0..velocities {
+                let moved: f64 = m[row * velocities..]
+                    .iter()
+                    .zip(&qdd)
+                    .map(|(m, x)| m * x)
+                    .sum();
+                let held: f64 = (0..count)
+                    .map(|k| j[k * velocities + row] * lambda[k])
+                    .sum();
+                let left = moved + h[row] - tau[row] - held;
+                assert!(left.abs() < 1e-12 * size, "{kind}: {left} of {size}");
+            }
+            for row in 0..count {
+                let terms = j[row * velocities..].iter().zip(&qdd);
+                let left = gamma[row] + terms.map(|(j, x)| j * x).sum::<f64>();
+                assert!(left.abs() < 1e-9 * size, "{kind}: {left} of {size}");
+            }
+        }
+    }
+}
+
+#[test]
+fn driven_joints_make_the_motion_that_they_are_asked_for() {
+    let text = FOUR_BAR.to_owned() + PIN;
+    let (description, request) = described(&text);
+    let q = closed_four_bar(0.9);
+    for (driven, place) in [("a", 0), ("b", 1), ("c", 2)] {
+        let request = Request {
+            actuated: vec![driven.into()],
+            ..request.clone()
+        };
+        let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+        let of = |function, state| values(&plain(&chain, function), state);
+        let j = of(Function::ConstraintJacobian, [&q, &[], &[], &[]]);
+        let qd = [
+            j[1] * j[5] - j[2] * j[4],
+            j[2] * j[3] - j[0] * j[5],
+            j[0] * j[4] - j[1] * j[3],
+        ]
+        .map(|rate| 30.0 * rate);
+        let free = [0.4, -0.3, 0.2];
+        let qdd = of(Function::ConstrainedForwardDynamics, [&q, &qd, &[], &free]);
+        let tau = of(Function::ActuatedInverseDynamics, [&q, &qd, &qdd, &[]]);
+        assert!((0..3).all(|k| (k == place) == (tau[k] != 0.0)), "{tau:?}");
+        let found = of(Function::ConstrainedForwardDynamics, [&q, &qd, &[], &tau]);
+        for (found, qdd) in found.iter().zip(&qdd) {
+            assert!(
+                (found - qdd).abs() < 1e-11 * qdd.abs().max(1.0),
+                "{found} is {qdd}"
+            );
+        }
+    }
+}
+
+#[test]
+fn every_way_gives_the_same() {
+    let ways = [
+        Formulation::default(),
+        Formulation {
+            angles: Angles::Merged,
+            ..Formulation::default()
+        },
+        Formulation {
+            frame: Frame::Base,
+            ..Formulation::default()
+        },
+    ];
+    let four_bar = FOUR_BAR.to_owned() + PIN;
+    for text in [
+        arms_held_by("revolute(y)"),
+        arms_held_by("rod(0.4)"),
+        four_bar,
+    ] {
+        let mut chain = chain(&text).expect("a robot");
+        chain.actuated[0] = true;
+        let spaces = chain.spaces();
+        let velocities = spaces.velocities.len();
+        let (q, qd, tau) = (
+            upright(&chain, 1),
+            numbers(velocities, 2),
+            numbers(velocities, 3),
+        );
+        for function in Function::OF_LOOPS {
+            let expected = values(&plain(&chain, function), [&q, &qd, &tau, &tau]);
+            for way in ways {
+                let processor = Processor::Portable;
+                let program = program_for(processor, way, &chain, &[function], 0, Real::F64);
+                let program = program.unwrap_or_else(|errors| panic!("{errors}"));
+                let found = values(&program, [&q, &qd, &tau, &tau]);
+                for (found, expected) in found.iter().zip(&expected) {
+                    let most = 1e-11 * expected.abs().max(1.0);
+                    assert!(
+                        (found - expected).abs() < most,
+                        "{function:?}: {found} is {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_kind_is_what_the_description_says_in_both_precisions() {
+    for (kind, _) in kinds() {
+        let (description, request) = described(&arms_held_by(&kind));
+        let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+        let check = Check::of(&description, &request, &chain);
+        let check = check.unwrap_or_else(|errors| panic!("{errors}"));
+        for function in Function::OF_LOOPS {
+            for scalar in [Real::F32, Real::F64] {
+                let way = Way {
+                    scalar,
+                    ..Way::PLAIN
+                };
+                let program = program_by(&chain, &[function], 0, Layout::DESCRIBED, way);
+                let judged = check.judge(&[function], 0, &program, scalar);
+                judged.unwrap_or_else(|errors| panic!("{kind} {scalar:?}: {errors}"));
+            }
+        }
+    }
+}

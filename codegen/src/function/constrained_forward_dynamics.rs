@@ -1,0 +1,39 @@
+//! Joint accelerations that forces and torques produce where loops are held together.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{Size, Tally};
+use super::{constraint_bias, constraint_jacobian, forward_dynamics};
+use crate::expression::Term;
+use crate::model::Scene;
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "constrained_forward_dynamics",
+    sentence,
+    arguments: &[Variable::Q, Variable::Qd, Variable::Tau],
+    result: quantities::SECOND_RATES,
+    of_a_frame: false,
+    truth: Truth::Constrained(|dense, vanishing| dense.constrained(vanishing).0),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Joint accelerations q̈ that τ produces against gravity where the loops are held together: \
+     M q̈ + h = τ + Jᵗ λ and J q̈ + γ = 0, with J and γ of constraint_jacobian and constraint_bias; rad/s², \
+     m/s². A residual that depends on those before it to some nine digits (five in f32) is left out."
+        .to_owned()
+}
+
+pub(super) fn dense(size: Size) -> Tally {
+    // Without the loops, and for each joint a column of what they do, at most as many.
+    let cubes = size.joints.pow(3);
+    let parts = forward_dynamics::dense(size).plus(constraint_jacobian::dense(size));
+    parts.plus(constraint_bias::dense(size)).and(cubes, cubes)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    scene.constrained().0
+}

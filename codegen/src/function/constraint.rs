@@ -1,0 +1,34 @@
+//! The residuals of the loops: entries of M of one frame as seen from the other.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{POSE, Size, Tally};
+use crate::expression::Term;
+use crate::model::{Scene, loops};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "constraint",
+    sentence,
+    arguments: &[Variable::Q],
+    result: quantities::RESIDUALS,
+    of_a_frame: false,
+    truth: Truth::Value(|dense, _| dense.residuals()),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Residuals of the loops, zero where they are closed: of frames A and B of each, lengths along the \
+     axes of A in m, products of an axis of A and one of B; of a rod (d² − l²)/2l."
+        .to_owned()
+}
+
+fn dense(size: Size) -> Tally {
+    POSE.times(size.joints).plus(Tally::of(1, 0, 0))
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    loops::residuals(scene)
+}

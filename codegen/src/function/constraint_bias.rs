@@ -1,0 +1,34 @@
+//! Accelerations of the residuals of the loops at q̈ = 0: entries of H M.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{MOVING, Size, Tally};
+use crate::expression::Term;
+use crate::model::{Scene, loops};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "constraint_bias",
+    sentence,
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::RESIDUAL_ACCELERATIONS,
+    of_a_frame: false,
+    truth: Truth::Value(|dense, _| dense.residual_bias()),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Accelerations of the residuals of the loops at q̈ = 0, the rate of their Jacobian times q̇; 1/s², \
+     m/s²."
+        .to_owned()
+}
+
+pub(super) fn dense(size: Size) -> Tally {
+    MOVING.times(size.joints).plus(Tally::of(3, 0, 2))
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    loops::bias(scene)
+}

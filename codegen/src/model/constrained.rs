@@ -1,0 +1,145 @@
+//! Accelerations of joints that loops hold together, and what the loops do to that end.
+//!
+//! In: the mass matrix, the tree, the forces that are left for accelerations, and of the loops their Jacobian
+//! and bias; or the forces that a motion needs, and which joints are driven. Out: the forces of those; or q̈ and λ of M q̈ = f + Jᵗ λ and J q̈ + γ = 0, by way of the Schur complement
+//! S = J M⁻¹ Jᵗ. A row that depends on those before it is left out: its λ is zero, and nothing is
+//! divided by what vanishes.
+
+use super::factor::factor;
+use crate::expression::Term;
+
+/// What is known of the loops.
+pub struct Loops<'g> {
+    /// J, row by row.
+    pub jacobian: Vec<Vec<Term<'g>>>,
+    /// γ.
+    pub bias: Vec<Term<'g>>,
+    /// For each row, the first of those that it is measured with.
+    pub alike: Vec<usize>,
+    /// Which part of a diagonal entry of S counts as nothing beside the whole.
+    pub vanishing: f64,
+}
+
+/// q̈ and λ; `forces` is f.
+pub fn accelerations<'g>(
+    matrix: &[Term<'g>],
+    parents: &[Option<usize>],
+    forces: &[Term<'g>],
+    loops: &Loops<'g>,
+) -> (Vec<Term<'g>>, Vec<Term<'g>>) {
+    let factors = factor(matrix, parents);
+    // Of M⁻¹ = (L⁻ᵗ)ᵗ D⁻¹ L⁻ᵗ, one half of each: what is left for the joints, and of each row.
+    let free = factors.half(forces);
+    let halves: Vec<Vec<Term<'g>>> = (loops.jacobian.iter())
+        .map(|row| factors.half(row))
+        .collect();
+    let weighed: Vec<Vec<Term<'g>>> = halves.iter().map(|half| factors.weighed(half)).collect();
+    let wanted: Vec<Term<'g>> = (weighed.iter().zip(&loops.bias))
+        .map(|(row, &bias)| -(dot(row, &free) + bias))
+        .collect();
+    let multipliers = multipliers(&halves, &weighed, &wanted, loops);
+    let mut driven = free;
+    for (half, &multiplier) in halves.iter().zip(&multipliers) {
+        for (driven, &half) in driven.iter_mut().zip(half) {
+            *driven = *driven + half * multiplier;
+        }
+    }
+    (factors.other_half(&factors.weighed(&driven)), multipliers)
+}
+
+/// τ of the velocities that are driven, where `needed` is what a motion needs of all of them: λ holds what the
+/// others need, to the least squares of what is left.
+pub fn driven<'g>(needed: &[Term<'g>], actuated: &[bool], loops: &Loops<'g>) -> Vec<Term<'g>> {
+    let passive = |of: &[Term<'g>]| -> Vec<Term<'g>> {
+        let entries = of.iter().zip(actuated).filter(|(_, actuated)| !**actuated);
+        entries.map(|(&entry, _)| entry).collect()
+    };
+    let left = passive(needed);
+    if left.is_empty() {
+        return needed.to_vec();
+    }
+    let rows: Vec<Vec<Term<'g>>> = loops.jacobian.iter().map(|row| passive(row)).collect();
+    let wanted: Vec<Term<'g>> = rows.iter().map(|row| dot(row, &left)).collect();
+    let multipliers = multipliers(&rows, &rows, &wanted, loops);
+    let torque = |k: usize| {
+        let held = loops.jacobian.iter().zip(&multipliers);
+        held.fold(needed[k], |torque, (row, &multiplier)| {
+            torque - row[k] * multiplier
+        })
+    };
+    let zero = needed[0].graph().constant(0.0);
+    let velocities = actuated.iter().enumerate();
+    velocities
+        .map(|(k, &actuated)| if actuated { torque(k) } else { zero })
+        .collect()
+}
+
+/// λ of S λ = y, where S is made of the halves of its rows: S = L D Lᵗ, row after row.
+fn multipliers<'g>(
+    halves: &[Vec<Term<'g>>],
+    weighed: &[Vec<Term<'g>>],
+    wanted: &[Term<'g>],
+    loops: &Loops<'g>,
+) -> Vec<Term<'g>> {
+    let count = halves.len();
+    let diagonal: Vec<Term<'g>> = (0..count).map(|k| dot(&halves[k], &weighed[k])).collect();
+    let whole = |k: usize| {
+        let same = (0..count).filter(|&other| loops.alike[other] == loops.alike[k]);
+        let sum = same
+            .map(|other| diagonal[other])
+            .reduce(|sum, entry| sum + entry);
+        sum.expect("a row is measured with itself")
+    };
+    // L and L D, each below the diagonal, column by column.
+    let mut l: Vec<Vec<Term<'g>>> = Vec::with_capacity(count);
+    let mut ld: Vec<Vec<Term<'g>>> = Vec::with_capacity(count);
+    let mut inverse = Vec::with_capacity(count);
+    for j in 0..count {
+        let entry = |i: usize, first: Term<'g>| {
+            let before = l.iter().zip(&ld).enumerate();
+            before.fold(first, |entry, (k, (l, ld))| {
+                entry - ld[i - k - 1] * l[j - k - 1]
+            })
+        };
+        let pivot = entry(j, diagonal[j]);
+        inverse.push(guarded(pivot, whole(j), loops.vanishing));
+        let below: Vec<Term<'g>> = (j + 1..count)
+            .map(|i| entry(i, dot(&halves[i], &weighed[j])))
+            .collect();
+        let own = below.iter().map(|&entry| entry * inverse[j]).collect();
+        ld.push(below);
+        l.push(own);
+    }
+    let mut x = wanted.to_vec();
+    for k in 0..count {
+        for i in k + 1..count {
+            x[i] = x[i] - l[k][i - k - 1] * x[k];
+        }
+    }
+    for k in (0..count).rev() {
+        x[k] = x[k] * inverse[k];
+        for i in k + 1..count {
+            x[k] = x[k] - l[k][i - k - 1] * x[i];
+        }
+    }
+    x
+}
+
+/// What is added to a square so that it is not zero; it has no part in that of any number that is not.
+const LEAST: f64 = 1e-36;
+
+/// 1/d, or nothing where d is nothing beside the whole a: d / (d² + (ε a)²), and two steps of Newton, which
+/// leave (ε a / d)⁸ of what the first part is off by.
+fn guarded<'g>(d: Term<'g>, whole: Term<'g>, vanishing: f64) -> Term<'g> {
+    let constant = |value: f64| d.graph().constant(value);
+    let small = whole * constant(vanishing);
+    let first = d / (d * d + small * small + constant(LEAST));
+    let better = |x: Term<'g>| x * (constant(2.0) - d * x);
+    better(better(first))
+}
+
+fn dot<'g>(a: &[Term<'g>], b: &[Term<'g>]) -> Term<'g> {
+    let products = a.iter().zip(b).map(|(&a, &b)| a * b);
+    let sum = products.reduce(|sum, product| sum + product);
+    sum.expect("a robot has joints")
+}

@@ -1,0 +1,203 @@
+//! What loops close: entries of M of one frame as seen from another, their rates and their accelerations.
+//!
+//! In: the bodies and a state. Out: a number for each row of each loop; for each row and velocity, what a
+//! unit of that velocity changes the row by; and for each row its acceleration where no velocity changes. Everything is
+//! seen from frame A of the loop, so that only the joints between A and B come in, wherever the loop is
+//! taken: M, the product of the matrices along the loop, W and H by the composition rules (paper, eqs. 10
+//! and 11), and of M the first and the second rate W M and H M.
+
+use super::Scene;
+use super::carry::{self, Joint};
+use super::state::State;
+use crate::closure::Row;
+use crate::expression::Term;
+use crate::formulation::Angles;
+use crate::layout::{Bodies, Closed};
+use crate::matrix::{Acceleration, Pose, Screw, Vector, Velocity};
+
+/// How frame B stands and moves, seen from frame A.
+struct Seen<'g> {
+    /// M of B.
+    pose: Pose<Term<'g>>,
+    /// The joints between A and B, in the order of the way, those of one joint together: the index of each
+    /// body, and what its rate moves B by.
+    joints: Vec<Vec<(usize, Screw<Term<'g>>)>>,
+}
+
+/// The residuals of all rows.
+pub(crate) fn residuals<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    each(scene, |closed, seen| {
+        let rows = closed.rows.iter();
+        rows.map(|&row| residual(row, closed.size, seen.pose))
+            .collect()
+    })
+}
+
+/// For each row, what each velocity changes it by.
+pub(crate) fn jacobian<'g>(scene: &Scene<'_, 'g>) -> Vec<Vec<Term<'g>>> {
+    each(scene, |closed, seen| {
+        let rows = closed.rows.iter();
+        rows.map(|&row| {
+            let mut entries = vec![scene.state.zero(); scene.bodies.bodies.len()];
+            for &(body, screw) in seen.joints.iter().flatten() {
+                entries[body] = rate(row, closed.size, seen.pose, screw);
+            }
+            scene.forces(&entries)
+        })
+        .collect()
+    })
+}
+
+/// The acceleration of each row at q̈ = 0.
+pub(crate) fn bias<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    each(scene, |closed, seen| {
+        let (w, h) = motion(&seen, &scene.state);
+        let rows = closed.rows.iter();
+        rows.map(|&row| second_rate(row, closed.size, seen.pose, w, h))
+            .collect()
+    })
+}
+
+/// For each row the first of those of its loop that measure the same, by which it is told what is small.
+pub(crate) fn alike(bodies: &Bodies<'_>) -> Vec<usize> {
+    let mut first = Vec::new();
+    for closed in &bodies.loops {
+        let start = first.len();
+        for row in &closed.rows {
+            let same = |other: &Row| other.kind() == row.kind();
+            let place = closed.rows.iter().position(same);
+            first.push(start + place.expect("a row is like itself"));
+        }
+    }
+    first
+}
+
+fn each<'g, T>(scene: &Scene<'_, 'g>, of: impl Fn(&Closed<'g>, Seen<'g>) -> Vec<T>) -> Vec<T> {
+    let loops = scene.bodies.loops.iter();
+    loops
+        .flat_map(|closed| {
+            let seen = seen(scene.bodies, closed, &scene.state, scene.way.angles);
+            of(closed, seen)
+        })
+        .collect()
+}
+
+/// Frame B of a loop, as seen from frame A: from A inwards to the body that carries both, and out to B.
+fn seen<'g>(
+    bodies: &Bodies<'g>,
+    closed: &Closed<'g>,
+    state: &State<'g>,
+    angles: Angles,
+) -> Seen<'g> {
+    let inwards = |frame: usize| {
+        let (last, _) = bodies.frames[frame];
+        std::iter::successors(last, |&k| bodies.bodies[k].parent)
+    };
+    let [a, b] = closed.frames;
+    let both = inwards(a).find(|k| inwards(b).any(|other| other == *k));
+    let [a, b] = [a, b].map(|frame| carry::path_beyond(bodies, both, frame, state, angles));
+    let together = |_: &Joint<'g>, next: &Joint<'g>| next.taken;
+    let mut pose = a.end.inverse();
+    let mut joints = Vec::new();
+    let mut pass = |joints_of_one: &[Joint<'g>], pose: Pose<Term<'g>>, away: bool| {
+        let seen = joints_of_one.iter().map(|joint| {
+            let screw = joint.screw.change_frame(pose);
+            let screw = if away {
+                screw
+            } else {
+                Screw {
+                    u: -screw.u,
+                    b: -screw.b,
+                }
+            };
+            (joint.index, screw)
+        });
+        joints.push(seen.collect());
+    };
+    for of_one in a.joints.chunk_by(together).rev() {
+        pass(of_one, pose, false);
+        let first = &of_one[0];
+        pose = pose * first.displacement().inverse() * first.placement.inverse();
+    }
+    for of_one in b.joints.chunk_by(together) {
+        let first = &of_one[0];
+        pose = pose * first.placement * first.displacement();
+        pass(of_one, pose, true);
+    }
+    Seen {
+        pose: pose * b.end,
+        joints,
+    }
+}
+
+/// W and H of B as seen from A, where no velocity changes: of each joint alone H = W².
+fn motion<'g>(seen: &Seen<'g>, state: &State<'g>) -> (Velocity<Term<'g>>, Acceleration<Term<'g>>) {
+    let graph = state.graph;
+    let mut w = Velocity::zero(graph);
+    let mut h = Acceleration::linear(Vector::zero(graph));
+    for of_one in &seen.joints {
+        let own = of_one
+            .iter()
+            .map(|&(body, screw)| Velocity::of_screw(screw, state.qd(body)));
+        let own = own.fold(Velocity::zero(graph), |sum, own| sum + own);
+        // Of 2 W W the skew part of the rotation is ω × ω'; the rest is in the square of the sum.
+        h = Acceleration {
+            omega: h.omega + own.omega,
+            omega_dot: h.omega_dot + w.omega.cross(own.omega),
+            a: h.a + (w.omega + w.omega + own.omega).cross(own.v),
+        };
+        w = w + own;
+    }
+    (w, h)
+}
+
+fn residual<'g>(row: Row, size: Term<'g>, pose: Pose<Term<'g>>) -> Term<'g> {
+    let (r, t) = (pose.rotation.0, pose.translation);
+    match row {
+        Row::Along(k) => t.0[k],
+        Row::Product(i, j) => r[i][j],
+        Row::Inclined => r[2][2] - size,
+        Row::Distance => (t.dot(t) - size * size) * half_of_reciprocal(size),
+    }
+}
+
+/// What a row changes by where B moves by a screw: that entry of L M.
+fn rate<'g>(row: Row, size: Term<'g>, pose: Pose<Term<'g>>, screw: Screw<Term<'g>>) -> Term<'g> {
+    let t = pose.translation;
+    let turned = |i: usize, j: usize| screw.u.cross(pose.rotation.column(j)).0[i];
+    match row {
+        Row::Along(k) => (screw.u.cross(t) + screw.b).0[k],
+        Row::Product(i, j) => turned(i, j),
+        Row::Inclined => turned(2, 2),
+        Row::Distance => {
+            let half = half_of_reciprocal(size);
+            t.dot(screw.b) * (half + half)
+        }
+    }
+}
+
+/// What a row accelerates by: that entry of H M.
+fn second_rate<'g>(
+    row: Row,
+    size: Term<'g>,
+    pose: Pose<Term<'g>>,
+    w: Velocity<Term<'g>>,
+    h: Acceleration<Term<'g>>,
+) -> Term<'g> {
+    let t = pose.translation;
+    let turned = |i: usize, j: usize| Vector(h.g()[i]).dot(pose.rotation.column(j));
+    match row {
+        Row::Along(k) => Vector(h.g()[k]).dot(t) + h.a.0[k],
+        Row::Product(i, j) => turned(i, j),
+        Row::Inclined => turned(2, 2),
+        Row::Distance => {
+            let half = half_of_reciprocal(size);
+            let velocity = w.omega.cross(t) + w.v;
+            (t.dot(h.point(t)) + velocity.dot(velocity)) * (half + half)
+        }
+    }
+}
+
+fn half_of_reciprocal(size: Term<'_>) -> Term<'_> {
+    size.graph().constant(0.5) / size
+}

@@ -52,6 +52,11 @@ fn fields_frames_and_functions_that_share_their_work() {
     agree(&Robot::with_fields());
 }
 
+#[test]
+fn joints_with_quaternions_and_joints_that_follow_others() {
+    agree(&Robot::with_every_kind_of_joint());
+}
+
 /// As standard output has them.
 #[test]
 fn header_and_source_are_one_text_where_one_follows_the_other() {

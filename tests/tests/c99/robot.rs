@@ -120,6 +120,47 @@ impl Robot {
         self
     }
 
+    /// One whose coordinates are not its velocities, with all functions.
+    pub fn with_every_kind_of_joint() -> Self {
+        let link = |name: &str| {
+            format!(
+                r#"<link name="{name}"><inertial><origin xyz="0.1 0.02 -0.03"/><mass value="2"/>
+                <inertia ixx="0.05" ixy="0.001" ixz="0.002" iyy="0.06" iyz="0.003" izz="0.07"/>
+                </inertial></link>"#
+            )
+        };
+        let joint = |kind: &str, [parent, child]: [&str; 2], more: &str| {
+            format!(
+                r#"<joint name="to {child}" type="{kind}"><parent link="{parent}"/>
+                <child link="{child}"/><origin xyz="0.2 0.1 0.3" rpy="0.3 -0.2 0.5"/>
+                <axis xyz="0 0 1"/>{more}</joint>"#
+            )
+        };
+        let follows = r#"<mimic joint="to fore" multiplier="-0.7" offset="0.1"/>"#;
+        let text = [
+            r#"<robot name="every joint"><link name="world"/>"#.to_owned(),
+            ["trunk", "upper", "slab", "fore", "hand"]
+                .map(link)
+                .concat(),
+            joint("floating", ["world", "trunk"], ""),
+            joint("spherical", ["trunk", "upper"], ""),
+            joint("planar", ["upper", "slab"], ""),
+            joint("continuous", ["slab", "fore"], ""),
+            joint("continuous", ["fore", "hand"], follows),
+            "</robot>".to_owned(),
+        ];
+        let functions = Function::ALL.into_iter().map(|function| vec![function]);
+        let request = Request {
+            functions: functions.collect(),
+            ..Request::default()
+        };
+        Self::new(
+            "every_joint",
+            read("every_joint.urdf", &text.concat()),
+            request,
+        )
+    }
+
     /// A pendulum with a bob that can be changed.
     pub fn pendulum() -> Self {
         let text = r#"<robot name="pendulum">

@@ -73,8 +73,10 @@ pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
         let names = constants(&listing.spaces, space, &format!("{prefix}{letter}_"));
         for (name, entry) in names.iter().zip(listing.spaces.entries(space)) {
             let units = variables.iter().map(|of| of.unit(entry.kind));
-            let units = units.collect::<Vec<_>>().join(", ");
-            let about = harmless(&format!("{} in {units}", code(&entry.name)));
+            let units: Vec<_> = units.filter(|unit| *unit != "1").collect();
+            let within = if units.is_empty() { "" } else { " in " };
+            let about = format!("{}{within}{}", code(&entry.name), units.join(", "));
+            let about = harmless(&about);
             let _ = writeln!(text, "    {name}, /* {about} */");
         }
         let count = format!("{prefix}N{letter}").to_uppercase();

@@ -36,8 +36,11 @@ FRAMES = {
     "quadruped": ("hr_foot", 9),
 }
 
+# The same robots on a free base, listed as <robot>_free.
+FREE = {"quadruped_free": ("hr_foot", 10)}
+
 CONVENTIONS = (
-    "fixed base; SI units; matrices are row-major nested lists; Jacobian rows linear then angular; "
+    "SI units; matrices are row-major nested lists; Jacobian rows linear then angular; "
     "gravity (0,0,-9.81); tau = rnea(q,v,a); bias = rnea(q,v,0); ddq = aba(q,v,torque); "
     "gravity_torque = rnea(q,0,0); M_upper is the upper triangle of the mass matrix by rows; "
     "coriolis is the matrix C(q,v) made of Christoffel symbols, bias = coriolis v + gravity_torque; "
@@ -48,6 +51,11 @@ CONVENTIONS = (
     "acceleration is the classical one, the second derivative of frame_p, without gravity), "
     "frame_angular_velocity and frame_angular_acceleration those of the frame, all in axes of the base; "
     "energies of the moving links, potential energy zero at the base's origin"
+)
+FIXED = "fixed base; "
+FLOATING = (
+    "free base: q of joint root_joint is x y z and the quaternion x y z w, v is linear then angular, in the "
+    "axes of the base; the base of what follows is the frame that it moves in; "
 )
 
 
@@ -64,11 +72,13 @@ def numbers(vector):
 
 
 def random_states(model, seed):
-    """q within the limits (and within a turn), v in ±2, a in ±5, torque in ±20."""
+    """q within the limits (and within a turn), quaternions of unit length, v in ±2, a in ±5, torque in ±20."""
     rng = np.random.default_rng(seed)
     low = np.maximum(model.lowerPositionLimit, -np.pi)
     high = np.minimum(model.upperPositionLimit, np.pi)
     q = rng.uniform(low, high, (STATES, model.nq))
+    if model.nq != model.nv:
+        q = [pin.normalize(model, one) for one in q]
     v = rng.uniform(-2, 2, (STATES, model.nv))
     a = rng.uniform(-5, 5, (STATES, model.nv))
     torque = rng.uniform(-20, 20, (STATES, model.nv))
@@ -139,16 +149,18 @@ def check_bodies(model):
 
 
 def make(name):
-    frame_name, seed = FRAMES[name]
-    model = pin.buildModelFromUrdf(str(ROBOTS / f"{name}.urdf"))
+    frame_name, seed = (FRAMES | FREE)[name]
+    root = [pin.JointModelFreeFlyer()] if name in FREE else []
+    urdf = name.removesuffix("_free") if name in FREE else name
+    model = pin.buildModelFromUrdf(str(ROBOTS / f"{urdf}.urdf"), *root)
     check_bodies(model)
     frame = model.getFrameId(frame_name)
     assert frame < model.nframes, f"{name} has no frame {frame_name}"
     head = {
         "robot": name,
-        "urdf": f"robots/{name}.urdf",
+        "urdf": f"robots/{urdf}.urdf",
         "made_with": f"pinocchio {PINOCCHIO}",
-        "conventions": CONVENTIONS,
+        "conventions": (FLOATING if name in FREE else FIXED) + CONVENTIONS,
         "gravity": numbers(model.gravity.linear),
         "nq": model.nq,
         "nv": model.nv,
@@ -170,13 +182,13 @@ def make(name):
     text += ",\n".join(json.dumps(state, separators=(",", ":")) for state in states) + "\n]}\n"
     path = HERE / f"{name}.json"
     path.write_text(text, encoding="utf-8")
-    print(f"{path.name}: {model.nv} joints, {len(text) / 1000:.0f} kB")
+    print(f"{path.name}: {model.nv} velocities, {len(text) / 1000:.0f} kB")
 
 
 def main():
     assert pin.__version__ == PINOCCHIO, f"pinocchio {PINOCCHIO} is wanted, {pin.__version__} is here"
     assert set(FRAMES) == {path.stem for path in ROBOTS.glob("*.urdf")}, "FRAMES and robots/ differ"
-    for name in sys.argv[1:] or FRAMES:
+    for name in sys.argv[1:] or FRAMES | FREE:
         make(name)
 
 

@@ -25,8 +25,8 @@ const DOUBLE_LIMIT: f64 = 256.0;
 /// In single precision quaternions are rounded before a function sees them: the worst is 62 u.
 const SINGLE_LIMIT: f64 = 192.0;
 
-/// Of laws of mechanics: the worst is 45 u, of torques that their own accelerations need.
-const LAW_LIMIT: f64 = 128.0;
+/// Of laws of mechanics: the worst is 13 u.
+const LAW_LIMIT: f64 = 64.0;
 
 /// All that is asked of a robot here.
 trait Robot<const N: usize, const Q: usize>:

@@ -128,5 +128,5 @@ fn lengths(function: Function, robot: &Robot) -> String {
     let quantity = function.result();
     let lengths = quantity.lengths(&robot.spaces).into_iter();
     let lengths = lengths.chain(quantity.entity.dimensions().iter().copied());
-    lengths.map(|length| format!("[{length}]")).collect()
+    lengths.fold(String::new(), |all, length| format!("{all}[{length}]"))
 }

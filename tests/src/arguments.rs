@@ -28,12 +28,17 @@ pub struct Arguments {
 impl Arguments {
     /// All entries in [−4, 4) and multiples of 2⁻²¹, which `f32` holds exactly.
     pub fn random(joints: usize, random: &mut Random) -> Self {
-        let mut vector = || (0..joints).map(|_| 4.0 * random.unit()).collect();
+        Self::of_lists(joints, joints, random)
+    }
+
+    /// The same where there are not as many velocities as coordinates; quaternions are of any length.
+    pub fn of_lists(coordinates: usize, velocities: usize, random: &mut Random) -> Self {
+        let mut vector = |count| (0..count).map(|_| 4.0 * random.unit()).collect();
         Self {
-            q: vector(),
-            qd: vector(),
-            qdd: vector(),
-            tau: vector(),
+            q: vector(coordinates),
+            qd: vector(velocities),
+            qdd: vector(velocities),
+            tau: vector(velocities),
         }
     }
 

@@ -19,6 +19,7 @@ use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
 use homogen_tests::metrics;
 use homogen_tests::oracle::robot::Robot;
+use homogen_tests::oracle::state::State;
 use homogen_tests::oracle::{frame_0, link_frames};
 use homogen_tests::states::Random;
 use homogen_tests::tested::F64;
@@ -50,7 +51,9 @@ fn agree(description: &Description, request: &Request) -> f64 {
 fn agree_within(tolerance: f64, description: &Description, request: &Request) -> f64 {
     let robot = Robot::of(description, request);
     let chain = build(description, request);
-    assert_eq!(robot.velocities(), chain.spaces().velocities.len());
+    let spaces = chain.spaces();
+    assert_eq!(robot.velocities(), spaces.velocities.len());
+    assert!(robot.quaternions().eq(spaces.quaternions()));
     assert_eq!(robot.frames.len(), chain.frames.len());
     let functions: Vec<Function> = (Function::ALL.into_iter())
         .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())
@@ -63,11 +66,13 @@ fn agree_within(tolerance: f64, description: &Description, request: &Request) ->
     let mut random = Random::new(50);
     let mut worst: f64 = 0.0;
     for _ in 0..STATES {
-        let arguments = Arguments::random(chain.joints.len(), &mut random);
+        let [coordinates, velocities] = [&spaces.coordinates, &spaces.velocities].map(Vec::len);
+        let arguments = Arguments::of_lists(coordinates, velocities, &mut random);
+        let state = State::of(&arguments, spaces.quaternions());
         let sizes = metrics::sizes::<F64>(&sizes, &arguments);
         let found = sources
             .each_ref()
-            .map(|source| link_frames::evaluate(source, &arguments));
+            .map(|source| link_frames::evaluate_in(source, &state));
         let mut at = 0;
         for &function in &functions {
             let expected = frame_0::evaluate(&robot, function, frame, &arguments);
@@ -200,11 +205,52 @@ fn a_tree_of_oblique_axes() {
         link j { mass: 0.2, com: [0.02, -0.01, 0.03], inertia: [0.001, 0, 0, 0.001, 0, 0.0015] }
         link k { mass: 0.4, com: [0.03, 0.01, 0.02], inertia: [0.002, 0, 0, 0.002, 0, 0.003] }
         link l { mass: 0.2, com: [0.01, 0.02, 0.01], inertia: [0.001, 0, 0, 0.001, 0, 0.001] }";
+    let worst = of_tokens(&text);
+    println!("tree: {worst:.1e}");
+}
+
+/// Joints with several velocities, in the middle of a chain, at its end and on a branch; joints that follow
+/// others, in front of them, through others, and held ones; on a base that is fixed, and on a free one.
+#[test]
+fn every_joint_on_every_base() {
+    let joints = "
+        joint puck: planar([0.0, 0.6, 0.8]) { from: a, to: b, at: xyz(0.2, 0, 0.1) rpy(0.1, 0.2, 0.3) }
+        joint ball: spherical { from: b, to: c, at: xyz(0.1, -0.2, 0.3) rx(1.5708) }
+        joint early: revolute([0.36, -0.48, 0.8]) {
+            from: c, to: d, at: xyz(0.1, 0.05, 0.2), mimic: slide, multiplier: -2.5, offset: 0.375
+        }
+        joint cross: universal(x, [0.0, 0.8, 0.6]) { from: d, to: e, at: xyz(0, 0, 0.3) }
+        joint slide: prismatic(-y) { from: e, to: f, at: xyz(0.1, 0, 0.1) rz(0.4) }
+        joint stage: translation { from: b, to: g, at: xyz(0.3, 0, 0) rz(1.0) }
+        joint geared: screw(z, pitch: 0.05) {
+            from: g, to: h, at: xyz(0, 0.1, 0.1), mimic: early, multiplier: 0.5
+        }
+        joint tether: floating { from: g, to: i, at: xyz(0, 0.2, 0.4) ry(0.3) }
+        joint last: cylindrical(x) { from: i, to: j, at: xyz(0.1, 0, 0) }
+        joint held: revolute(y) { from: j, to: k, at: xyz(0, 0.1, 0) }
+        joint stopped: revolute(x) { from: k, to: l, at: xyz(0.1, 0, 0), mimic: held, multiplier: 2.0, offset: 0.125 }";
+    let mut text =
+        "link a { mass: 2, com: [0.1, 0, 0.02], inertia: [0.03, 0, 0.001, 0.04, 0, 0.05] }"
+            .to_owned();
+    text.push_str(joints);
+    for link in ["b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"] {
+        let body =
+            "mass: 0.5, com: [0.02, 0.01, 0.03], inertia: [0.003, 0.0005, 0, 0.004, 0.0002, 0.005]";
+        text.push_str(&format!(" link {link} {{ {body} }}"));
+    }
+    for base in ["", "floating, "] {
+        let head = format!("struct All {{ {base}tip: f, frames(l), lock(held = 0.5) }} ");
+        let worst = of_tokens(&(head + &text));
+        println!("{base}: {worst:.1e}");
+    }
+}
+
+/// The worst difference of a robot in the tokens of `chain!`.
+fn of_tokens(text: &str) -> f64 {
     let mut errors = Errors::new();
     let tokens = text.parse().expect("tokens");
     let item = inline::read(tokens, Path::new("nowhere"), &mut errors);
     assert!(errors.is_empty(), "{errors}");
     let item = item.expect("an item");
-    let worst = agree(&item.description.expect("a description"), &item.request);
-    println!("tree: {worst:.1e}");
+    agree(&item.description.expect("a description"), &item.request)
 }

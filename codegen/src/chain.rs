@@ -88,7 +88,7 @@ pub enum Position {
     Along {
         /// The entry.
         coordinate: usize,
-        /// The factor, a positive number.
+        /// The factor, a number.
         factor: Expr,
     },
     /// The entries of q from here on, with all that come after it of its joint.

@@ -194,7 +194,9 @@ impl<'r> Prepared<'r> {
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
             let states = || (0..self.states.len()).any(singular);
-            if far || !own && (states() || solves && self.is_described_singular()) {
+            // What one joint does and its follower takes back leaves of torques nothing but their roundings.
+            let back = solves && !self.chain.all_lead() && refusal.contains("would lose");
+            if far || !own && (back || states() || solves && self.is_described_singular()) {
                 Ok(None)
             } else {
                 Err(refusal)

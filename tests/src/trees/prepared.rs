@@ -194,9 +194,8 @@ impl<'r> Prepared<'r> {
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
             let states = || (0..self.states.len()).any(singular);
-            // What one joint does and its follower takes back leaves of torques nothing but their roundings.
-            let back = solves && !self.chain.all_lead() && refusal.contains("would lose");
-            if far || !own && (back || states() || solves && self.is_described_singular()) {
+            let excused = || states() || solves && (self.is_described_singular() || self.cancels());
+            if far || !own && excused() {
                 Ok(None)
             } else {
                 Err(refusal)
@@ -259,6 +258,14 @@ impl<'r> Prepared<'r> {
             ..self.states[0].clone()
         };
         pivot(&self.dense, &described) < REGULAR
+    }
+
+    /// Whether a joint does what its follower takes back, so that rounding leaves half of the digits of
+    /// accelerations at most.
+    fn cancels(&self) -> bool {
+        let measure = Measure::of(&self.dense, None, false);
+        let drowned = |at: &Arguments| measure.drowned(at) > f64::EPSILON.sqrt();
+        !self.chain.all_lead() && self.states.iter().any(drowned)
     }
 
     fn input(&self, input: Input, arguments: &Arguments) -> f64 {

@@ -181,6 +181,14 @@ fn a_follower_stands_still_with_its_leader() {
     assert_eq!(entries(&path, Space::Coordinates), ["wrist", "one"]);
     let beside = fine(&hand("tip = palm, path_only", follower));
     assert_eq!(entries(&beside, Space::Coordinates), ["wrist"]);
+    // A joint that is not there passes on what it follows.
+    let through = hand("drop(left)", "mimic: one").replace(
+        "one: prismatic(y) { from: palm, to: left }",
+        "one: prismatic(y) { from: palm, to: left, mimic: wrist, multiplier: 0.5 }",
+    );
+    let through = fine(&through);
+    assert_eq!(entries(&through, Space::Coordinates), ["wrist"]);
+    assert_eq!(through.report.mimicked[0].leader, "wrist");
     // Held by itself, it follows nobody, who need not be there.
     let alone = fine(&hand("lock(other)", "mimic: nobody"));
     assert_eq!(entries(&alone, Space::Coordinates), ["wrist", "one"]);

@@ -94,15 +94,12 @@ fn kind(numbers: &mut Numbers) -> Kind {
     }
 }
 
-/// A joint to follow, as gears and fingers do: by the same or the opposite way, or by any.
-///
-/// Not by nothing yet: of a joint that follows one which follows by nothing, engine and description
-/// disagree, and the engine refuses to print; that is an open fault.
+/// A joint to follow, as gears and fingers do: by the same or the opposite way, by any, or not at all.
 pub(super) fn mimic(leader: usize, numbers: &mut Numbers) -> Mimic {
     let multiplier = match numbers.random.below(12) {
         0..=2 => Written::new("1"),
         3..=5 => Written::new("-1"),
-        6 => Written::new("0.25"),
+        6 => numbers.zero(),
         _ => {
             let value = 2.0 * numbers.random.unit();
             numbers.number(value)

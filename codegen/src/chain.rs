@@ -18,7 +18,7 @@ mod shape;
 pub(crate) mod tests;
 mod tree;
 
-use crate::description::{Description, Limits, Source, freed};
+use crate::description::{Description, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
 use crate::joint::{Motion, Posture};
@@ -76,8 +76,6 @@ pub struct Joint {
     pub position: Position,
     /// Its place among the velocities.
     pub velocity: usize,
-    /// Range of the coordinate and bound of its rate, where described.
-    pub limits: Option<Limits>,
 }
 
 /// What the displacement of a body against the one it hangs on is a function of.

@@ -9,6 +9,7 @@ use std::array::from_fn;
 
 use homogen::robot::{ForwardDynamics, MassMatrixInverse};
 use homogen::{Acceleration, Chain, Pose, Real, Scalar, Screw, Velocity, vector};
+use homogen_tests::cholesky::least_pivot;
 use homogen_tests::dual::Dual;
 use homogen_tests::for_every_jointed_robot;
 use homogen_tests::functions::{Block, EveryFunction, evaluate};
@@ -196,23 +197,6 @@ fn largest(entries: &[f64]) -> f64 {
     entries
         .iter()
         .fold(0.0, |most, entry| most.max(entry.abs()))
-}
-
-/// The smallest pivot of the Cholesky decomposition, positive where the matrix is.
-fn least_pivot<const N: usize>(mut matrix: [[f64; N]; N]) -> f64 {
-    let mut least = f64::INFINITY;
-    for k in 0..N {
-        let (above, below) = matrix.split_at_mut(k + 1);
-        let (row, pivot) = (above[k], above[k][k]);
-        least = least.min(pivot);
-        for other in below {
-            let factor = other[k] / pivot;
-            for (entry, x) in other.iter_mut().zip(row) {
-                *entry -= factor * x;
-            }
-        }
-    }
-    least
 }
 
 macro_rules! joints {

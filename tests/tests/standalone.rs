@@ -14,28 +14,10 @@ use homogen_tests::robots::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
     Ur5Class,
 };
-use homogen_tests::states::{Random, State};
+use homogen_tests::states::{NASTY, Random, State};
 
 /// Random states of each robot.
 const STATES: usize = 200;
-
-/// What no sensor should say: each takes the place of some entries of a random state.
-const NASTY: [f32; 14] = [
-    f32::NAN,
-    f32::INFINITY,
-    f32::NEG_INFINITY,
-    f32::MAX,
-    -1e30,
-    1e10,
-    -3.0e6,
-    3201.0,
-    -3200.0,
-    1e-30,
-    f32::MIN_POSITIVE,
-    1e-40,
-    -0.0,
-    0.0,
-];
 
 /// A state and the torques of forward dynamics.
 struct Arguments<const N: usize> {

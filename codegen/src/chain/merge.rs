@@ -157,7 +157,6 @@ fn listed(
             inertia: body.inertia.map(Term::expr),
             position,
             velocity,
-            limits: described.limits.filter(|_| !described.kind.has_several()),
         }
     };
     let joints = bodies.into_iter().zip(places).map(joint).collect();

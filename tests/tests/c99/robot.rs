@@ -120,7 +120,7 @@ impl Robot {
         self
     }
 
-    /// One whose coordinates are not its velocities, with all functions.
+    /// One whose coordinates are not its velocities.
     pub fn with_every_kind_of_joint() -> Self {
         let link = |name: &str| {
             format!(

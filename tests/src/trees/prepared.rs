@@ -153,7 +153,7 @@ impl<'r> Prepared<'r> {
             let found = run::<f64>(&program, |input| self.input(input, arguments));
             let mut found = found.as_slice();
             for &function in functions {
-                let (these, rest) = found.split_at(function.result().size(&self.chain.spaces()));
+                let (these, rest) = found.split_at(function.result().size(self.chain.spaces()));
                 found = rest;
                 let case = Case {
                     function,

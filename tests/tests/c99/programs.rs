@@ -93,7 +93,10 @@ pub fn c(robot: &Robot, real: Real) -> String {
     for variable in Variable::ALL {
         let name = variable.name();
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "const {number} *{name} = state + {place};");
+        let _ = writeln!(
+            text,
+            "const {number} *{name} = state + {place}; (void){name};"
+        );
         place += robot.spaces.len(variable.space());
     }
     if !robot.fields.is_empty() {

@@ -149,9 +149,16 @@ impl Robot {
             joint("continuous", ["fore", "hand"], follows),
             "</robot>".to_owned(),
         ];
-        let functions = Function::ALL.into_iter().map(|function| vec![function]);
+        let functions = [
+            Function::ForwardKinematics,
+            Function::BodyJacobian,
+            Function::Acceleration,
+            Function::InverseDynamics,
+            Function::MassMatrix,
+            Function::KineticEnergy,
+        ];
         let request = Request {
-            functions: functions.collect(),
+            functions: functions.map(|function| vec![function]).to_vec(),
             ..Request::default()
         };
         Self::new(

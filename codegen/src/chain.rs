@@ -6,6 +6,7 @@
 //! and mass sits is for [`layout`](crate::layout).
 
 mod angle;
+pub mod base_parameters;
 mod check;
 mod limits;
 mod merge;
@@ -24,7 +25,7 @@ use crate::expression::{Expr, Graph, Term};
 use crate::joint::{Motion, Posture};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
-use crate::space::Spaces;
+use crate::space::{Entry, Kind, Spaces};
 
 /// The moving joints of a robot and the bodies they carry.
 #[derive(Clone, Debug)]
@@ -50,6 +51,8 @@ pub struct Chain {
     pub report: Report,
     /// Where the description came from.
     pub source: Source,
+    /// What torques can tell of the inertial parameters.
+    pub base_parameters: base_parameters::BaseParameters,
 }
 
 /// A freedom of a joint and the body it moves: of a joint with several, all but the last body carry
@@ -70,6 +73,9 @@ pub struct Joint {
     pub placement: Pose<Expr>,
     /// Direction of the axis in this body's frame, through its origin; of length 1.
     pub axis: Vector<Expr>,
+    /// The link that the body is, and M from the body's frame to the link's; none for one between two velocities
+    /// of a joint.
+    pub link: Option<(String, Pose<Expr>)>,
     /// J of the body in its frame, with all that is fixed to it.
     pub inertia: Inertia<Expr>,
     /// What its displacement is a function of.
@@ -219,6 +225,23 @@ impl Chain {
     }
 }
 
+/// The inertial parameters of a link, in the order of [`Space::Parameters`](crate::space::Space).
+fn parameters(link: &str) -> impl Iterator<Item = Entry> {
+    let names = [
+        ["m"].as_slice(),
+        &["q_x", "q_y", "q_z"],
+        &["J_xx", "J_xy", "J_xz", "J_yy", "J_yz", "J_zz"],
+    ];
+    let orders = (0..).zip(names);
+    orders.flat_map(move |(order, names)| {
+        names.iter().map(move |name| Entry {
+            name: format!("{link}.{name}"),
+            kind: Kind::Moment(order),
+            range: None,
+        })
+    })
+}
+
 /// Understands a description as the request wants it.
 ///
 /// # Errors
@@ -227,5 +250,12 @@ pub fn build(description: &Description, request: &Request) -> Result<Chain, Erro
     let (description, request) = &freed(description, request);
     let tree = check::check(description, request)?;
     let chain = numbers::check_merged(merge::merge(description, request, &tree))?;
-    physical::check(description, request, &tree, chain)
+    let mut chain = physical::check(description, request, &tree, chain)?;
+    let links = chain.joints.iter().filter_map(|joint| joint.link.as_ref());
+    let parameters: Vec<Entry> = links.flat_map(|(link, _)| parameters(link)).collect();
+    chain.base_parameters = base_parameters::base_parameters(&chain);
+    let leaders = chain.base_parameters.columns();
+    chain.spaces.base_parameters = leaders.map(|leader| parameters[leader].clone()).collect();
+    chain.spaces.parameters = parameters;
+    Ok(chain)
 }

@@ -4,6 +4,7 @@
 //! printed, so that a mistake leaves nothing on standard output. One file a command; none of them
 //! does a stage's work. Only `report`, which runs for minutes, shows what it does meanwhile.
 
+mod base_parameters;
 mod check;
 mod count;
 mod eval;
@@ -77,6 +78,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::Count(count) => count.run(input),
         Command::Eval(eval) => eval.run(input),
         Command::Generate(generate) => generate.run(input),
+        Command::BaseParameters(parameters) => parameters.run(input),
         Command::Report(report) => report.run(),
     };
     said.unwrap_or_else(|errors| Answer {
@@ -101,6 +103,7 @@ enum Command {
     Count(count::Count),
     Eval(eval::Eval),
     Generate(generate::Generate),
+    BaseParameters(base_parameters::BaseParameters),
     Report(report::Report),
 }
 

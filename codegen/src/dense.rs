@@ -53,11 +53,18 @@ pub(crate) enum Motion {
     Driven,
 }
 
+/// W, H and J of a link.
+type Moving<'a> = (
+    (Matrix<Approximate>, Matrix<Approximate>),
+    &'a Matrix<Approximate>,
+);
+
 /// A robot at a state.
 pub(crate) struct Dense {
     pub(crate) state: State,
     posture: Posture,
     mass_matrix: OnceCell<Vec<Vec<Approximate>>>,
+    regressor: OnceCell<Vec<Approximate>>,
 }
 
 impl Dense {
@@ -66,6 +73,7 @@ impl Dense {
             posture: Posture::of(robot, &state.q),
             state,
             mass_matrix: OnceCell::new(),
+            regressor: OnceCell::new(),
         }
     }
 
@@ -91,6 +99,23 @@ impl Dense {
         columns
     }
 
+    /// The same of their rates: what is made of L and of L̇ = W L − L W.
+    pub(crate) fn column_rates(
+        &self,
+        frame: usize,
+        seen: impl Fn(&Matrix<Approximate>, &Matrix<Approximate>) -> Matrix<Approximate>,
+    ) -> Vec<Approximate> {
+        let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
+        let rates = self.rates(Motion::Coasting);
+        for (k, screw, rate) in self.posture.moving_rates(frame, &rates) {
+            let column = &mut columns[6 * k..6 * k + 6];
+            for (entry, own) in column.iter_mut().zip(seen(screw, &rate).vectors()) {
+                *entry = *entry + own;
+            }
+        }
+        columns
+    }
+
     /// W and H of a frame.
     pub(crate) fn motion(
         &self,
@@ -105,13 +130,69 @@ impl Dense {
         &self,
         motion: Motion,
     ) -> impl Iterator<Item = (Matrix<Approximate>, &Matrix<Approximate>)> {
-        let motions = self.posture.motions(&self.rates(motion)).into_iter();
-        let velocities = motions.map(|(velocity, _)| velocity);
-        let links = velocities.zip(self.posture.inertias());
+        let links = self.moved(&self.rates(motion));
+        links.map(|((velocity, _), inertia)| (velocity, inertia))
+    }
+
+    /// W, H and J of each link that a joint moves.
+    fn moved<'a>(&'a self, rates: &Rates) -> impl Iterator<Item = Moving<'a>> + use<'a> {
+        let motions = self.posture.motions(rates).into_iter();
+        let links = motions.zip(self.posture.inertias());
         let moves = self.posture.moves().into_iter();
         links
             .zip(moves)
             .filter_map(|(link, moves)| moves.then_some(link))
+    }
+
+    /// Σ J of the links that joints move.
+    fn inertia(&self) -> Matrix<Approximate> {
+        let links = self.links(Motion::Rest);
+        links.fold(Matrix::zero(), |sum, (_, inertia)| sum.plus(inertia))
+    }
+
+    /// Where the mass that joints move has its centre.
+    pub(crate) fn mass_center(&self) -> [Approximate; 3] {
+        let inertia = self.inertia();
+        inertia.column().map(|moment| moment / inertia.0[3][3])
+    }
+
+    /// Σ W J of the links that joints move; its last column are the linear momenta.
+    pub(crate) fn moments(&self, motion: Motion) -> Matrix<Approximate> {
+        self.moments_at(&self.rates(motion))
+    }
+
+    /// The same at a unit rate of each joint alone.
+    pub(crate) fn unit_moments(&self) -> impl Iterator<Item = Matrix<Approximate>> {
+        let count = self.state.qd.len();
+        (0..count).map(move |k| {
+            let mut rates = self.rates(Motion::Rest);
+            rates.first[k] = Approximate::exact(1.0);
+            self.moments_at(&rates)
+        })
+    }
+
+    fn moments_at(&self, rates: &Rates) -> Matrix<Approximate> {
+        let moments = self.moved(rates).map(|((w, _), inertia)| w.times(inertia));
+        moments.fold(Matrix::zero(), |sum, moment| sum.plus(&moment))
+    }
+
+    /// Σ H J of the links that joints move.
+    pub(crate) fn inertia_forces(&self, motion: Motion) -> Matrix<Approximate> {
+        let links = self.moved(&self.rates(motion));
+        let forces = links.map(|((_, h), inertia)| h.times(inertia));
+        forces.fold(Matrix::zero(), |sum, force| sum.plus(&force))
+    }
+
+    /// Γ or Φ about the centre of mass.
+    pub(crate) fn about_mass_center(&self, action: &Matrix<Approximate>) -> Matrix<Approximate> {
+        let back = Matrix::translation(self.mass_center().map(|entry| -entry));
+        back.times(action).times(&back.transposed())
+    }
+
+    /// A linear momentum as the velocity of the centre of mass.
+    pub(crate) fn by_mass(&self, momentum: [Approximate; 3]) -> [Approximate; 3] {
+        let mass = self.inertia().0[3][3];
+        momentum.map(|entry| entry / mass)
     }
 
     /// H_g, the acceleration of gravity.
@@ -130,6 +211,38 @@ impl Dense {
     pub(crate) fn torques_of(&self, qdd: Vec<Approximate>) -> Vec<Approximate> {
         let first = Approximate::exactly(&self.state.qd);
         self.posture.torques(&Rates { first, second: qdd })
+    }
+
+    /// Y of τ = Y π, row by row.
+    pub(crate) fn regressor(&self) -> &[Approximate] {
+        let found = || self.posture.regressor(&self.rates(Motion::Driven));
+        self.regressor.get_or_init(found)
+    }
+
+    /// Of those columns the ones that the base regressor has.
+    pub(crate) fn base_regressor(&self) -> Vec<Approximate> {
+        let all = self.regressor();
+        let rows = all.chunks((all.len() / self.state.qd.len().max(1)).max(1));
+        let columns = self.posture.base_columns();
+        rows.flat_map(|row| columns.iter().map(|&column| row[column]))
+            .collect()
+    }
+
+    /// ∂τ/∂q and ∂τ/∂q̇ of a motion, against gravity, each row by row.
+    pub(crate) fn torque_derivatives(&self, motion: Motion) -> [Vec<Approximate>; 2] {
+        self.posture.torque_derivatives(&self.rates(motion))
+    }
+
+    /// The same of accelerations that were found.
+    pub(crate) fn torque_derivatives_of(&self, qdd: Vec<Approximate>) -> [Vec<Approximate>; 2] {
+        let first = Approximate::exactly(&self.state.qd);
+        self.posture
+            .torque_derivatives(&Rates { first, second: qdd })
+    }
+
+    /// C, row by row.
+    pub(crate) fn coriolis_matrix(&self) -> Vec<Approximate> {
+        self.posture.coriolis_matrix(&self.rates(Motion::Coasting))
     }
 
     /// M, row by row.

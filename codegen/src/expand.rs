@@ -11,6 +11,7 @@ mod forward;
 mod measured;
 mod program;
 mod solvable;
+mod weighable;
 
 pub use choice::{program, program_as, program_for};
 pub use program::{expressions_by, program_by};
@@ -63,6 +64,16 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     if let Err(refusal) = check.judge_data(&data) {
         errors.append(refusal);
     }
+    let base = &chain.base_parameters;
+    let base_values: Vec<f64> = base.groups.iter().map(|group| group.value).collect();
+    let asked = |listed: &Listed| listed.functions.contains(&Function::BaseRegressor);
+    // With fields they are of the description, and not of a state.
+    if functions.iter().any(asked)
+        && request.parameters.is_empty()
+        && let Err(refusal) = check.judge_base_parameters(&base_values)
+    {
+        errors.append(refusal);
+    }
     let about = About {
         left_out,
         ..about(description, &chain, request.formulation)
@@ -72,6 +83,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
         spaces: chain.spaces().clone(),
         functions,
         data,
+        base_values,
         scalar: request.scalar,
         sines: request.formulation.sines,
         parameters: request.parameters.clone(),
@@ -250,7 +262,11 @@ fn accuracy_of(
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
     let solved = functions.iter().filter_map(|function| {
-        Some(match (function.given()?, found.way.forward) {
+        let Some(given) = function.given() else {
+            let unknown = "none is derived of derivatives of accelerations";
+            return function.solves().then_some(Accuracy::Unknown(unknown));
+        };
+        Some(match (given, found.way.forward) {
             (Given::MassMatrix, Forward::UNREFINED) => {
                 let parts = parts(&[Function::MassMatrix]);
                 accuracy::of_inverse(chain, &parts, means)

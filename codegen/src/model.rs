@@ -7,12 +7,18 @@
 pub(crate) mod articulated;
 mod carry;
 mod composite;
+mod derivatives;
 mod factor;
 pub(crate) mod forward_dynamics;
 pub(crate) mod gravity;
 pub(crate) mod jacobian;
+pub(crate) mod jacobian_rate;
+mod mass_center;
+pub(crate) mod momentum;
+pub(crate) mod moving;
 mod newton_euler;
 pub(crate) mod pose;
+pub(crate) mod regressor;
 mod state;
 mod turn;
 pub(crate) mod twist;
@@ -23,6 +29,7 @@ pub(crate) use self::articulated::{
     INERTIA as ARTICULATED_INERTIA, MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP,
 };
 
+pub(crate) use self::mass_center::MassCenter;
 pub(crate) use self::state::State;
 pub use self::way::{Angles, Carried, Forward, Frame, Way};
 
@@ -96,6 +103,17 @@ impl<'s, 'g> Scene<'s, 'g> {
         velocities.map(entry).collect()
     }
 
+    /// H of the frame without gravity, where `second` is the second rate of a body.
+    pub(crate) fn acceleration(&self, second: impl Fn(usize) -> Term<'g>) -> Vec<Term<'g>> {
+        match (self.way.frame, self.way.pose) {
+            (Frame::Link, Carried::Outwards) => {
+                let (path, gravity) = (self.link_path(), self.bodies.gravity);
+                twist::acceleration_with_dynamics(&path, gravity, &self.state, second)
+            }
+            _ => twist::acceleration(&self.path(), &self.state, second),
+        }
+    }
+
     /// τ of a motion with the given q̈, one entry a velocity each.
     pub(crate) fn torques(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
         self.against(self.bodies.gravity, &self.state, qdd)
@@ -125,15 +143,56 @@ impl<'s, 'g> Scene<'s, 'g> {
     /// The columns of a Jacobian, of those for each body.
     pub(crate) fn columns(&self, screws: &[Screw<Term<'g>>]) -> Vec<Term<'g>> {
         let entries: Vec<[Term<'g>; 6]> = screws.iter().map(|screw| screw.entries()).collect();
+        self.gathered(&entries)
+    }
+
+    /// The columns of any matrix with a row for each of some entries, of those for each body.
+    pub(crate) fn gathered<const M: usize>(&self, entries: &[[Term<'g>; M]]) -> Vec<Term<'g>> {
         let row = |entry: usize| -> Vec<Term<'g>> {
-            let row: Vec<Term<'g>> = entries.iter().map(|screw| screw[entry]).collect();
+            let row: Vec<Term<'g>> = entries.iter().map(|column| column[entry]).collect();
             self.forces(&row)
         };
-        let rows: [Vec<Term<'g>>; 6] = std::array::from_fn(row);
-        let columns = 0..rows[0].len();
+        let rows: [Vec<Term<'g>>; M] = std::array::from_fn(row);
+        let columns = 0..self.velocities();
         columns
             .flat_map(|k| rows.each_ref().map(|row| row[k]))
             .collect()
+    }
+
+    /// Y of τ = Y π, row by row; in the frames of the links, whatever the way.
+    pub(crate) fn regressor(&self) -> Vec<Term<'g>> {
+        let joints = carry::joints(self.bodies, &self.state, Angles::Apart);
+        let links: Vec<_> = self.bodies.bodies.iter().map(|body| body.link).collect();
+        let columns = regressor::regressor(&joints, &links, self.bodies.gravity, &self.state);
+        let columns: Vec<Vec<Term<'g>>> =
+            columns.iter().map(|column| self.forces(column)).collect();
+        let rows = 0..self.velocities();
+        rows.flat_map(|row| columns.iter().map(move |column| column[row]))
+            .collect()
+    }
+
+    /// ∂τ/∂q and ∂τ/∂q̇ of a motion with the given q̈.
+    pub(crate) fn torque_derivatives(&self, qdd: &[Term<'g>]) -> [Vec<Term<'g>>; 2] {
+        let qdd = velocities::shared(&self.state, self.bodies, qdd);
+        let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd)
+            .map(|matrix| self.by_velocities(matrix))
+    }
+
+    /// ∂τ/∂q at rest, row by row.
+    pub(crate) fn gravity_derivative(&self) -> Vec<Term<'g>> {
+        let gravity = self.bodies.gravity;
+        self.by_velocities(gravity::derivative(&self.joints(), gravity, &self.state))
+    }
+
+    /// C, row by row.
+    pub(crate) fn coriolis_matrix(&self) -> Vec<Term<'g>> {
+        self.by_velocities(derivatives::coriolis_matrix(&self.joints(), &self.state))
+    }
+
+    /// A matrix that has a row and a column for each velocity, of one that has them for each body.
+    fn by_velocities(&self, matrix: Vec<Term<'g>>) -> Vec<Term<'g>> {
+        velocities::gathered_by_both(&self.state, self.bodies, matrix)
     }
 
     /// M, row by row.

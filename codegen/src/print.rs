@@ -15,7 +15,7 @@ use crate::joint::Posture;
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::schedule::{Price, Program};
-use crate::space::{Spaces, Variable};
+use crate::space::{Space, Spaces, Variable};
 
 /// Everything that is printed for one robot.
 #[derive(Clone, Debug)]
@@ -28,6 +28,8 @@ pub struct Listing {
     pub functions: Vec<Listed>,
     /// The robot as data.
     pub data: ChainData,
+    /// What base parameters are described as \[kg, kg m, kg m²\].
+    pub base_values: Vec<f64>,
     /// The type of number.
     pub scalar: Real,
     /// Where sines and cosines come from.
@@ -35,6 +37,18 @@ pub struct Listing {
     /// The fields that programs read, in the order in which
     /// [`Input::Parameter`](crate::expression::Input) counts them.
     pub parameters: Vec<Parameter>,
+}
+
+impl Listing {
+    /// The values of the base parameters, where a function asks for them.
+    pub(crate) fn base_parameters(&self) -> Option<&[f64]> {
+        let mut functions = self.functions.iter().flat_map(|listed| &listed.functions);
+        let asked = functions.any(|function| {
+            let mut parts = function.result().parts();
+            parts.any(|(_, part)| part.over.contains(&Space::BaseParameters))
+        });
+        asked.then_some(&self.base_values)
+    }
 }
 
 /// What comments say about a robot.

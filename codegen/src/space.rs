@@ -1,13 +1,14 @@
 //! The signature as data: ordered lists of named entries, over which arguments and results are taken.
 //!
 //! A shared noun. A [`Space`] names one of a robot's lists, [`Spaces`] are the lists of one robot, a
-//! [`Variable`] is what an argument holds of a list, a [`Quantity`] what a result holds of several.
+//! [`Variable`] is what an argument holds of a list, a [`Quantity`] what a result holds of several,
+//! an [`Outcome`] all that a function returns.
 //! It knows no function and no joint.
 
 mod quantity;
 mod variable;
 
-pub use quantity::{Entity, Quantity};
+pub use quantity::{Entity, Outcome, Part, Quantity};
 pub use variable::Variable;
 
 /// One of the lists that every robot has.
@@ -18,9 +19,14 @@ pub enum Space {
     Coordinates,
     /// What says how it moves: q̇, and with other units q̈ and τ.
     Velocities,
+    /// What it is made of: of each link that a joint moves, with all that is fixed to it, m, q_x, q_y, q_z, J_xx, J_xy,
+    /// J_xz, J_yy, J_yz, J_zz in the link's own frame.
+    Parameters,
+    /// What torques can tell of them, each by the parameter that leads it.
+    BaseParameters,
 }
 
-/// What an entry does to the body it moves, which decides its unit.
+/// What an entry does to the body it is of, which decides its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
@@ -30,6 +36,8 @@ pub enum Kind {
     Slide,
     /// It is one of the four of a quaternion of unit length, which together turn.
     Quaternion,
+    /// Nothing: it is a moment of its mass, of this order.
+    Moment(u8),
 }
 
 /// An entry of a space.
@@ -50,6 +58,10 @@ pub struct Spaces {
     pub coordinates: Vec<Entry>,
     /// Those of q̇, q̈ and τ.
     pub velocities: Vec<Entry>,
+    /// Those of inertial parameters.
+    pub parameters: Vec<Entry>,
+    /// Those of base parameters.
+    pub base_parameters: Vec<Entry>,
 }
 
 impl Spaces {
@@ -59,6 +71,8 @@ impl Spaces {
         match space {
             Space::Coordinates => &self.coordinates,
             Space::Velocities => &self.velocities,
+            Space::Parameters => &self.parameters,
+            Space::BaseParameters => &self.base_parameters,
         }
     }
 

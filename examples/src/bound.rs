@@ -14,33 +14,44 @@ use crate::entries::Entries;
 use crate::states::State;
 
 /// Makes, of the list of every function, the trait of a robot that has them all and what calls one by
-/// its name.
+/// its name; `P` is the length of the rows of those that have other lengths than all others.
 macro_rules! bound_by_name {
-    ($(
-        $(#[doc = $about:literal])+
-        $kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty;
-    )*) => {
+    (@[] [$($name:ident<$($size:ident),+> $method:ident($($argument:ident),*);)*]) => {
         /// A robot that has every function.
-        pub trait Complete<const N: usize, T>: $(robot::$name<N, T> +)* {}
+        pub trait Complete<const N: usize, const P: usize, T>: $(robot::$name<$($size),+> +)* {}
 
-        impl<R, const N: usize, T> Complete<N, T> for R where R: $(robot::$name<N, T> +)* {}
+        impl<R, const N: usize, const P: usize, T> Complete<N, P, T> for R
+        where
+            R: $(robot::$name<$($size),+> +)*
+        {
+        }
 
         /// That function of that robot.
         ///
         /// # Panics
         /// For a function that the runtime has no trait for.
-        pub fn bind<R: Complete<N, T>, T: Number, const N: usize>(
+        pub fn bind<R: Complete<N, P, T>, T: Number, const N: usize, const P: usize>(
             robot: &R,
             function: Function,
         ) -> Bound<'_, T, N> {
             match function {
-                $(Function::$name => {
-                    bound(|s: &State<T, N>| robot.$method($(&s.$argument),*))
-                })*
+                $(Function::$name => bound(|s: &State<T, N>| {
+                    robot::$name::<$($size),+>::$method(robot, $(&s.$argument),*)
+                }),)*
                 other => panic!("{} has no trait", other.name()),
             }
         }
     };
+    (@[$(#[doc = $about:literal])+ chosen $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
+        bound_by_name!(@[$($rest)*] $found);
+    };
+    (@[$(#[doc = $about:literal])+ sized $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] [$($found:tt)*]) => {
+        bound_by_name!(@[$($rest)*] [$($found)* $name<N, P, T> $method $arguments;]);
+    };
+    (@[$(#[doc = $about:literal])+ $kind:ident $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] [$($found:tt)*]) => {
+        bound_by_name!(@[$($rest)*] [$($found)* $name<N, T> $method $arguments;]);
+    };
+    ($($all:tt)*) => { bound_by_name!(@[$($all)*] []); };
 }
 homogen::every_function!(bound_by_name);
 

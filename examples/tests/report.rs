@@ -6,11 +6,13 @@
 
 #[path = "../../report/program/src/chain.rs"]
 mod chain;
-#[expect(dead_code, reason = "states are for measuring")]
+#[expect(dead_code, reason = "much of a scene is for measuring")]
 #[path = "../../report/program/src/scene.rs"]
 mod scene;
 #[path = "../../report/program/src/simplified.rs"]
 mod simplified;
+#[path = "../../report/program/src/states.rs"]
+mod states;
 
 use std::path::Path;
 
@@ -152,6 +154,32 @@ fn counts_of_chains_are_those_of_today() {
                 &format!("| `{name}` | {joints} | {mul} | {add} | {div} |"),
             );
         }
+    }
+}
+
+/// Both types see the same states, but for quaternions, which have unit length in each.
+#[test]
+fn states_are_those_of_both_types() {
+    for scene in robots() {
+        let whole = scene.states.len() == states::STATES * 4 * scene.joints.len();
+        assert!(whole, "{} has states of other lengths", scene.title);
+        assert_eq!(states::in_single_precision(&scene.states), None);
+    }
+    let free = scene::free(root()).expect("the robots that ship have no mistakes");
+    assert_eq!(free.states.len(), states::STATES * (19 + 3 * 18));
+    let single = states::in_single_precision(&free.states).expect("quaternions are rounded");
+    for (states, epsilon) in [(&free.states, f64::EPSILON), (&single, f32::EPSILON.into())] {
+        for state in states.chunks_exact(19 + 3 * 18) {
+            let length: f64 = state[3..7].iter().map(|x| x * x).sum();
+            // Four entries, each rounded once or twice.
+            assert!((length - 1.0).abs() < 4.0 * epsilon, "{length}");
+        }
+    }
+    for (seen, state) in single
+        .chunks(19 + 3 * 18)
+        .zip(free.states.chunks(19 + 3 * 18))
+    {
+        assert_eq!((&seen[..3], &seen[7..]), (&state[..3], &state[7..]));
     }
 }
 

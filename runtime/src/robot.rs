@@ -21,14 +21,15 @@
 pub(crate) mod chain;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod check;
+pub(crate) mod derivatives;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
 pub mod posture;
 mod step;
 
 /// Calls a macro with every function: what it is; what it returns, in which units; whether it is of the
-/// tip, of the whole robot or a solution for it; its trait and its method with the arguments and the
-/// result.
+/// tip, of the whole robot or a solution for it, or of the whole with `P` numbers in a row of its result, which a chain
+/// tells (`sized`) or not (`chosen`); its trait and its method with the arguments and the result.
 ///
 /// Not for users: it is the list from which traits, their implementations and tests are made.
 #[doc(hidden)]
@@ -48,12 +49,24 @@ macro_rules! every_function {
             /// The Jacobian with the axes of frame 0 and the tip as pole.
             /// L₁ … L_N, with the axes of frame 0, pole at the origin of the tip.
             tip GeometricJacobian geometric_jacobian(q) -> [$crate::Screw<T>; N];
+            /// The rate of the Jacobian in frame 0.
+            /// L̇₁ … L̇_N of its columns [1/s, m/s].
+            tip SpatialJacobianRate spatial_jacobian_rate(q, qd) -> [$crate::Screw<T>; N];
+            /// The rate of the Jacobian in the frame of the tip.
+            /// L̇₁ … L̇_N of its columns, entry by entry in the moving axes of the tip [1/s, m/s].
+            tip BodyJacobianRate body_jacobian_rate(q, qd) -> [$crate::Screw<T>; N];
+            /// The rate of the Jacobian with the axes of frame 0 and the tip as pole.
+            /// L̇₁ … L̇_N of its columns, whose pole moves with the tip [1/s, m/s].
+            tip GeometricJacobianRate geometric_jacobian_rate(q, qd) -> [$crate::Screw<T>; N];
             /// The velocity of the tip.
             /// W₀,tip₍₀₎, in rad/s and m/s.
             tip Velocity velocity(q, qd) -> $crate::Velocity<T>;
             /// The acceleration of the tip.
             /// H₀,tip₍₀₎, without gravity.
             tip Acceleration acceleration(q, qd, qdd) -> $crate::Acceleration<T>;
+            /// The acceleration of the tip at q̈ = 0.
+            /// H₀,tip₍₀₎ of the velocities alone, without gravity.
+            tip AccelerationBias acceleration_bias(q, qd) -> $crate::Acceleration<T>;
             /// The joint torques and forces of a motion.
             /// The torques [N m] and forces \[N\] of the joints that produce q̈ under gravity.
             whole InverseDynamics inverse_dynamics(q, qd, qdd) -> [T; N];
@@ -79,6 +92,47 @@ macro_rules! every_function {
             /// The potential energy.
             /// −Σ Tr(H_g J) of what the joints move \[J\], zero at the origin of frame 0.
             whole PotentialEnergy potential_energy(q) -> T;
+            /// What the joint torques and forces are for the inertial parameters.
+            /// Y of τ = Y π, by rows; π lists for each link m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz in
+            /// its own frame [kg, kg m, kg m²].
+            sized Regressor regressor(q, qd, qdd) -> [[T; P]; N];
+            /// What the joint torques and forces are for the base parameters.
+            /// Y of τ = Y π, by rows, where π are the base parameters: all that torques can tell of the inertial
+            /// parameters.
+            chosen BaseRegressor base_regressor(q, qd, qdd) -> [[T; P]; N];
+            /// The centre of mass.
+            /// That of what the joints move, in frame 0 \[m\].
+            whole CenterOfMass center_of_mass(q) -> $crate::Point<T>;
+            /// The velocity of the centre of mass.
+            /// That of what the joints move, in the axes of frame 0 [m/s].
+            whole CenterOfMassVelocity center_of_mass_velocity(q, qd) -> [T; 3];
+            /// What each joint adds to the velocity of the centre of mass.
+            /// The velocity of the centre of mass at a unit rate of each joint, in the axes of frame 0.
+            whole CenterOfMassJacobian center_of_mass_jacobian(q) -> [[T; 3]; N];
+            /// The momentum of a robot.
+            /// Γ₍₀₎ of what the joints move, pole at the origin of frame 0 [kg m²/s, kg m/s].
+            whole Momentum momentum(q, qd) -> $crate::Momentum<T>;
+            /// The momentum about the centre of mass.
+            /// Γ of what the joints move about their centre of mass, in the axes of frame 0.
+            whole CentroidalMomentum centroidal_momentum(q, qd) -> $crate::Momentum<T>;
+            /// What each joint adds to the momentum about the centre of mass.
+            /// Γ about the centre of mass at a unit rate of each joint, in the axes of frame 0.
+            whole CentroidalMomentumMatrix centroidal_momentum_matrix(q) -> [$crate::Momentum<T>; N];
+            /// What changes the momentum about the centre of mass at q̈ = 0.
+            /// The rate of the centroidal momentum matrix times q̇, in the axes of frame 0 [N m, N].
+            whole CentroidalMomentumBias centroidal_momentum_bias(q, qd) -> $crate::Action<T>;
+            /// What changes of q and q̇ do to the torques of a motion.
+            /// ∂τ/∂q and ∂τ/∂q̇ of inverse dynamics, a row for each torque or force.
+            whole InverseDynamicsDerivatives inverse_dynamics_derivatives(q, qd, qdd) -> $crate::InverseDynamicsDerivatives<N, T>;
+            /// What changes of q, q̇ and τ do to the accelerations.
+            /// ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂τ of forward dynamics, a row for each acceleration.
+            solution ForwardDynamicsDerivatives forward_dynamics_derivatives(q, qd, tau) -> $crate::ForwardDynamicsDerivatives<N, T>;
+            /// What a change of q does to the torques at rest.
+            /// ∂τ/∂q of what holds the robot against gravity, a row for each torque or force.
+            whole GravityDerivative gravity_derivative(q) -> [[T; N]; N];
+            /// The Coriolis matrix.
+            /// C(q, q̇) of τ = M q̈ + C q̇ + gravity, with Ṁ − 2C skew-symmetric, as rows.
+            whole CoriolisMatrix coriolis_matrix(q, qd) -> [[T; N]; N];
         }
     };
 }
@@ -98,14 +152,29 @@ macro_rules! traits {
     ($(
         #[doc = $noun:literal]
         $(#[doc = $sentence:literal])+
-        $kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty;
+        $kind:ident $name:ident $method:ident $arguments:tt -> $result:ty;
     )*) => {$(
-        #[doc = $noun]
-        pub trait $name<const N: usize, T = f64, const Q: usize = N> {
-            $(#[doc = $sentence])+
+        declare!($kind #[doc = $noun] $name: $(#[doc = $sentence])+ $method $arguments -> $result);
+    )*};
+}
+
+macro_rules! declare {
+    (chosen $($row:tt)*) => { declare!(sized $($row)*); };
+    (sized $(#[$noun:meta])+ $name:ident: $($method:tt)*) => {
+        declare!(@ [$(#[$noun])+ $name [const N: usize, const P: usize, T = f64, const Q: usize = N]] $($method)*);
+    };
+    ($kind:ident $(#[$noun:meta])+ $name:ident: $($method:tt)*) => {
+        declare!(@ [$(#[$noun])+ $name [const N: usize, T = f64, const Q: usize = N]] $($method)*);
+    };
+    (@ [$(#[$noun:meta])+ $name:ident [$($generics:tt)+]]
+        $(#[$about:meta])+ $method:ident($($argument:ident),*) -> $result:ty
+    ) => {
+        $(#[$noun])+
+        pub trait $name<$($generics)+> {
+            $(#[$about])+
             #[must_use]
             fn $method(&self, $($argument: &$crate::robot::list_of!($argument)),*) -> $result;
         }
-    )*};
+    };
 }
 every_function!(traits);

@@ -4,12 +4,16 @@
 //! one unit where the result has (rotations, translations, angular and linear parts), so that the
 //! entries of a block can share one measure of error.
 
-use homogen::{Acceleration, Pose, Scalar, Screw, Velocity, robot};
+use homogen::{
+    Acceleration, Action, InverseDynamicsDerivatives, Momentum, Point, Pose, Scalar, Screw,
+    Velocity, robot,
+};
 
 use crate::states::State;
 
 /// Makes the trait of all that is evaluated, and what evaluates it, of the list of every function;
-/// solutions, whose errors their conditioning decides, have tests of their own.
+/// solutions, whose errors their conditioning decides, and what is as wide as a robot has parameters, have tests of
+/// their own.
 macro_rules! evaluated {
     (@[] [$($name:ident $method:ident($($argument:ident),*) $as_blocks:ident;)*]) => {
         /// A robot that has all functions but those that solve something: a generated one, or a chain
@@ -43,6 +47,12 @@ macro_rules! evaluated {
         }
     };
     (@[$(#[doc = $about:literal])+ solution $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
+        evaluated!(@[$($rest)*] $found);
+    };
+    (@[$(#[doc = $about:literal])+ chosen $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
+        evaluated!(@[$($rest)*] $found);
+    };
+    (@[$(#[doc = $about:literal])+ sized $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
         evaluated!(@[$($rest)*] $found);
     };
     (@[$(#[doc = $about:literal])+ $kind:ident $name:ident $method:ident $arguments:tt -> T; $($rest:tt)*] [$($found:tt)*]) => {
@@ -164,6 +174,32 @@ impl<T: Scalar> Blocks<T> for Acceleration<T> {
     }
 }
 
+impl<T: Scalar> Blocks<T> for Point<T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        vec![Block::new(function, self.0)]
+    }
+}
+
+impl<T: Scalar> Blocks<T> for Momentum<T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        [*self].blocks(function)
+    }
+}
+
+impl<T: Scalar, const N: usize> Blocks<T> for [Momentum<T>; N] {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        let gamma = self.iter().flat_map(Momentum::gamma).collect();
+        let rho = self.iter().flat_map(Momentum::rho).collect();
+        parts(function, ["γ", "ρ"], [gamma, rho])
+    }
+}
+
+impl<T: Scalar> Blocks<T> for Action<T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        parts(function, ["c", "f"], [self.c().to_vec(), self.f().to_vec()])
+    }
+}
+
 impl<T: Scalar, const N: usize> Blocks<T> for [Screw<T>; N] {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
         screws(function, self)
@@ -176,8 +212,18 @@ impl<T: Scalar, const N: usize> Blocks<T> for [T; N] {
     }
 }
 
-impl<T: Scalar, const N: usize> Blocks<T> for [[T; N]; N] {
+impl<T: Scalar, const N: usize, const M: usize> Blocks<T> for [[T; M]; N] {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
         vec![Block::new(function, self.as_flattened().to_vec())]
+    }
+}
+
+/// One block: of a body without gravity nothing is left of ∂τ/∂q but what was rounded of terms as large as
+/// those of ∂τ/∂q̇.
+impl<T: Scalar, const N: usize> Blocks<T> for InverseDynamicsDerivatives<N, T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        let entries = [self.dq, self.dqd];
+        let entries = entries.as_flattened().as_flattened();
+        vec![Block::new(function, entries.to_vec())]
     }
 }

@@ -6,7 +6,9 @@
 
 use std::array::from_fn;
 
-use homogen::{Acceleration, Chain, Jacobian, Pose, Screw, Velocity, generic};
+use homogen::{
+    Acceleration, Action, Chain, Jacobian, Momentum, Point, Pose, Screw, Velocity, generic,
+};
 use homogen_tests::cholesky::least_pivot;
 use homogen_tests::dual::Dual;
 use homogen_tests::for_every_robot;
@@ -56,6 +58,8 @@ where
         energies(robot, chain, &state, &mut found);
         columns(robot, &state, &mut found);
         motion_of_the_tip(robot, &state, &mut found);
+        rates_of_columns(robot, &state, &mut found);
+        centroids(robot, &state, &mut found);
         gravity_is_a_gradient(robot, chain, &state, &mut differences);
     }
     println!("{}{}", found.0, differences.0);
@@ -167,6 +171,105 @@ fn motion_of_the_tip<R, const N: usize>(
     let expected = Acceleration::from_velocity_derivative(&w, &w_dot);
     let entries = |h: Acceleration<f64>| [h.g().as_flattened(), &h.a()].concat();
     found.note("H = Ẇ + W²", entries(h), entries(expected));
+}
+
+/// The rates of the Jacobians are their derivatives in time, and with q̈ they make accelerations:
+/// Ẇ = Σ L q̈ + L̇ q̇; what velocities make of H is H without q̈.
+fn rates_of_columns<R, const N: usize>(
+    robot: &R,
+    State { q, qd, qdd }: &State<f64, N>,
+    found: &mut Identities,
+) where
+    R: Differentiable<N>,
+{
+    type Columns<T, const N: usize> = [Screw<T>; N];
+    let in_time = Dual::pairs(q, qd);
+    let expected = |columns: Columns<Dual, N>| -> Vec<f64> {
+        let slopes = columns.map(|column| [slopes(column.u()), slopes(column.b())].concat());
+        slopes.concat()
+    };
+    let entries = |columns: &Columns<f64, N>| -> Vec<f64> {
+        let columns = columns
+            .each_ref()
+            .map(|column| [column.u(), column.b()].concat());
+        columns.concat()
+    };
+    let spatial: Columns<f64, N> = robot.spatial_jacobian_rate(q, qd);
+    found.note(
+        "L̇ in (0)",
+        entries(&spatial),
+        expected(robot.spatial_jacobian(&in_time)),
+    );
+    found.note(
+        "L̇ in (tip)",
+        entries(&robot.body_jacobian_rate(q, qd)),
+        expected(robot.body_jacobian(&in_time)),
+    );
+    found.note(
+        "L̇ at the tip",
+        entries(&robot.geometric_jacobian_rate(q, qd)),
+        expected(robot.geometric_jacobian(&in_time)),
+    );
+
+    let columns: Columns<f64, N> = robot.spatial_jacobian(q);
+    let w_dot = columns.velocity(qdd) + spatial.velocity(qd);
+    let w: Velocity<f64> = robot.velocity(q, qd);
+    let entries = |h: Acceleration<f64>| [h.g().as_flattened(), &h.a()].concat();
+    found.note(
+        "H = Σ L q̈ + L̇ q̇ + W²",
+        entries(Acceleration::from_velocity_derivative(&w, &w_dot)),
+        entries(robot.acceleration(q, qd, qdd)),
+    );
+    found.note(
+        "H(q, q̇, 0) = H̃",
+        entries(robot.acceleration(q, qd, &[0.0; N])),
+        entries(robot.acceleration_bias(q, qd)),
+    );
+}
+
+/// The centre of mass moves by its Jacobian, and carries the momentum; the momentum about it is what its matrix
+/// makes of q̇, and what changes that is its matrix' rate.
+fn centroids<R, const N: usize>(
+    robot: &R,
+    State { q, qd, .. }: &State<f64, N>,
+    found: &mut Identities,
+) where
+    R: Differentiable<N>,
+{
+    let in_time = Dual::pairs(q, qd);
+    let velocity = robot.center_of_mass_velocity(q, qd);
+    found.note(
+        "ċ = dc/dt",
+        velocity,
+        slopes(robot.center_of_mass(&in_time).0),
+    );
+    let jacobian: [[f64; 3]; N] = robot.center_of_mass_jacobian(q);
+    let row = |k: usize| jacobian.map(|column| column[k]);
+    let sum: [f64; 3] = from_fn(|k| dot(&row(k), qd));
+    found.note("ċ = Σ columns q̇", velocity, sum);
+
+    let gamma: Momentum<f64> = robot.momentum(q, qd);
+    let centroidal: Momentum<f64> = robot.centroidal_momentum(q, qd);
+    let entries = |gamma: Momentum<f64>| [gamma.gamma(), gamma.rho()].concat();
+    let Point([x, y, z]) = robot.center_of_mass(q);
+    let [p, q_, r] = gamma.rho();
+    let moved = [y * r - z * q_, z * p - x * r, x * q_ - y * p];
+    let about: [f64; 3] = from_fn(|k| gamma.gamma()[k] - moved[k]);
+    found.note(
+        "Γ about c",
+        entries(centroidal),
+        [about, gamma.rho()].concat(),
+    );
+    let matrix: [Momentum<f64>; N] = robot.centroidal_momentum_matrix(q);
+    let sum = |matrix: [Vec<f64>; N]| -> Vec<f64> {
+        let row = |k: usize| matrix.each_ref().map(|column| column[k]);
+        (0..6).map(|k| dot(&row(k), qd)).collect()
+    };
+    found.note("Γ = A q̇", entries(centroidal), sum(matrix.map(entries)));
+    let rates: [Momentum<Dual>; N] = robot.centroidal_momentum_matrix(&in_time);
+    let rates = rates.map(|column| [slopes(column.gamma()), slopes(column.rho())].concat());
+    let bias: Action<f64> = robot.centroidal_momentum_bias(q, qd);
+    found.note("Φ = Ȧ q̇", [bias.c(), bias.f()].concat(), sum(rates));
 }
 
 /// Gravity torques are what the potential energy rises by.

@@ -2,7 +2,7 @@
 //! the generator makes of it in the frames of the links, both at 256 bits.
 //!
 //! Differences are beside the largest S of the result, in which forward dynamics has the condition of
-//! the mass matrix. 10⁻⁵⁰ leaves 27 digits for what rounding at 256 bits loses, and is 18 digits more than
+//! the mass matrix; of those that one of the two has by differences the worst is not told. 10⁻⁵⁰ leaves 27 digits for what rounding at 256 bits loses, and is 18 digits more than
 //! the 106 bits that the generator itself computes with.
 
 use std::path::Path;
@@ -27,6 +27,15 @@ use homogen_tests::tested::F64;
 const STATES: usize = 20;
 
 const TOLERANCE: f64 = 1e-50;
+
+/// How many times as far off a derivative may be, which one of the two has by differences.
+const BY_DIFFERENCES: f64 = 1e5;
+
+const DERIVATIVES: [Function; 3] = [
+    Function::InverseDynamicsDerivatives,
+    Function::ForwardDynamicsDerivatives,
+    Function::GravityDerivative,
+];
 
 /// As described, and with all that the generator can do about frames and parameters.
 const LAYOUTS: [Layout; 2] = [
@@ -55,7 +64,7 @@ fn agree_within(tolerance: f64, description: &Description, request: &Request) ->
     assert_eq!(robot.velocities(), spaces.velocities.len());
     assert!(robot.quaternions().eq(spaces.quaternions()));
     assert_eq!(robot.frames.len(), chain.frames.len());
-    let functions: Vec<Function> = (Function::ALL.into_iter())
+    let functions: Vec<Function> = frame_0::told()
         .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())
         .collect();
     let frame = chain.frames.len().saturating_sub(1);
@@ -82,11 +91,16 @@ fn agree_within(tolerance: f64, description: &Description, request: &Request) ->
             for found in &found {
                 let difference = difference(&found[these.clone()], &expected) / size;
                 let name = &description.name.text;
+                let tolerance = if DERIVATIVES.contains(&function) {
+                    tolerance * BY_DIFFERENCES
+                } else {
+                    worst = worst.max(difference);
+                    tolerance
+                };
                 assert!(
                     difference <= tolerance,
                     "{name}, {function:?}: {difference:e}\n{arguments}"
                 );
-                worst = worst.max(difference);
             }
         }
         assert!(found.iter().all(|found| found.len() == at));

@@ -95,7 +95,7 @@ fn hold(description: &Description, request: &Request) {
     let check = Check::of(description, request, &chain);
     let check = check.unwrap_or_else(|errors| panic!("{errors}"));
     let robot = Robot::of(description, request);
-    for function in Function::ALL {
+    for function in frame_0::told() {
         let functions = [function];
         let chosen = program(&chain, &functions, 0, Real::F64)
             .and_then(|chosen| {

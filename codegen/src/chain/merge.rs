@@ -33,6 +33,8 @@ struct Body<'g> {
     motion: Motion,
     placement: Pose<Term<'g>>,
     axis: Vector<Term<'g>>,
+    /// The link that it is, and M from its frame to the link's.
+    link: Option<(usize, Pose<Term<'g>>)>,
     inertia: Inertia<Term<'g>>,
     moved: Moved<'g>,
 }
@@ -90,6 +92,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         gravity,
         report,
         source: description.source.clone(),
+        base_parameters: super::base_parameters::BaseParameters::default(),
         graph,
     }
 }
@@ -154,6 +157,10 @@ fn listed(
             motion: body.motion,
             placement: body.placement.map(Term::expr),
             axis: body.axis.map(Term::expr),
+            link: body.link.map(|(link, pose)| {
+                let name = description.links[link].name.text.clone();
+                (name, pose.map(Term::expr))
+            }),
             inertia: body.inertia.map(Term::expr),
             position,
             velocity,
@@ -195,8 +202,10 @@ fn seat<'g>(
                 &mut bodies,
                 reader,
             );
+            let last = bodies.len() - 1;
+            bodies[last].link = Some((branch.child, link));
             Seat {
-                body: Some(bodies.len() - 1),
+                body: Some(last),
                 pose: link,
             }
         };
@@ -255,6 +264,7 @@ fn moved<'g>(
             motion: reader.motion(kind, freedom),
             placement,
             axis,
+            link: None,
             inertia: Inertia::zero(graph),
             moved,
         });

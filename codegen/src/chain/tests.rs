@@ -2,6 +2,7 @@
 //!
 //! What can be seen in one item alone is refused by the readers and tested there.
 
+mod base_parameters;
 mod bodies;
 mod joints;
 

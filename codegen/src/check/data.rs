@@ -84,6 +84,9 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         velocities,
         gravity: three(gravity),
         frames,
+        // Which bodies are links is of the description alone.
+        links: Vec::new(),
+        base_columns: Vec::new(),
     }
 }
 

@@ -95,6 +95,10 @@ pub(super) fn robot(
         frames: frames
             .map(|frame| seats.get(frame.name.as_str()).copied())
             .collect(),
+        base_columns: chain.base_parameters.columns().collect(),
+        links: (chain.joints.iter())
+            .filter_map(|joint| seats.get(joint.link.as_ref()?.0.as_str()).copied())
+            .collect(),
     })
 }
 

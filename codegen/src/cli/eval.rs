@@ -22,7 +22,7 @@ use crate::expand;
 use crate::expression::Input;
 use crate::function::Function;
 use crate::schedule::{Arithmetic, Program, run};
-use crate::space::{Entity, Quantity, Space, Spaces, Variable};
+use crate::space::{Entity, Outcome, Quantity, Space, Spaces, Variable};
 use crate::wording::visible;
 
 /// Compute a function at given states, without a compiler
@@ -140,7 +140,7 @@ impl Eval {
 
     fn in_json(&self, chain: &Chain, frame: usize, results: &[Vec<f64>]) -> Value {
         let spaces = chain.spaces();
-        let quantity = self.function.result();
+        let result = self.function.result();
         let names = |space| spaces.names(space).collect::<Value>();
         let mut answer = Map::new();
         answer.insert("function".into(), json!(self.function.name()));
@@ -151,33 +151,60 @@ impl Eval {
             answer.insert("base".into(), json!(chain.report.base));
             answer.insert("frame".into(), json!(chain.frames[frame].name));
         }
-        answer.insert("shape".into(), json!(dimensions(&quantity, spaces)));
-        if quantity.entity == Entity::Screw {
-            answer.insert("rows".into(), json!(SCREW));
+        let shapes = result
+            .parts()
+            .map(|(_, part)| json!(dimensions(&part, spaces)));
+        answer.insert("shape".into(), by_name(result, shapes));
+        if let Some(rows) = result.parts().find_map(|(_, part)| names_of_rows(&part)) {
+            answer.insert("rows".into(), json!(rows));
         }
         answer.insert("warnings".into(), json::warnings(&chain.report.warnings));
-        let results =
-            results.iter().map(
-                |numbers| match (rows(&quantity, spaces, numbers), &**numbers) {
-                    (Some(rows), _) => json!(rows),
-                    (None, [number]) if quantity.over.is_empty() => json!(number),
-                    (None, numbers) => json!(numbers),
-                },
-            );
+        let results = results.iter().map(|numbers| {
+            let parts = result.parts().zip(result.split(spaces, numbers));
+            let values =
+                parts.map(
+                    |((_, part), numbers)| match (rows(&part, spaces, numbers), numbers) {
+                        (Some(rows), _) => json!(rows),
+                        (None, [number]) if part.over.is_empty() => json!(number),
+                        (None, numbers) => json!(numbers),
+                    },
+                );
+            by_name(result, values)
+        });
         answer.insert("results".into(), results.collect());
         Value::Object(answer)
     }
 }
 
-/// What the rows of a Jacobian are.
-const SCREW: [&str; 6] = [
-    "angular_x",
-    "angular_y",
-    "angular_z",
-    "linear_x",
-    "linear_y",
-    "linear_z",
-];
+/// What the rows of a matrix are whose columns are of joints.
+fn names_of_rows(quantity: &Quantity) -> Option<&'static [&'static str]> {
+    const SIX: [&str; 6] = [
+        "angular_x",
+        "angular_y",
+        "angular_z",
+        "linear_x",
+        "linear_y",
+        "linear_z",
+    ];
+    match (quantity.over, quantity.entity) {
+        ([], _) => None,
+        (_, Entity::Screw | Entity::Momentum) => Some(&SIX),
+        (_, Entity::Vector) => Some(&["x", "y", "z"]),
+        _ => None,
+    }
+}
+
+/// A value of each quantity: an object where there are several, and the only one where there are not.
+fn by_name(result: Outcome, values: impl Iterator<Item = Value>) -> Value {
+    let parts = result.parts().zip(values);
+    parts.fold(Value::Null, |mut all, ((name, _), value)| match name {
+        Some(name) => {
+            all[name] = value;
+            all
+        }
+        None => value,
+    })
+}
 
 /// The results as the `f64`s that print like them.
 fn numbers<T: Arithmetic + Display>(
@@ -199,13 +226,15 @@ fn numbers<T: Arithmetic + Display>(
     results.into_iter().map(shortest).collect()
 }
 
-/// The rows and columns of a result: matrices of four rows whole, screws as columns.
+/// The rows and columns of a result: matrices of four rows whole, what each joint has as columns.
 fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     let mut lengths = quantity.lengths(spaces);
-    match quantity.entity {
-        Entity::Number => {}
-        Entity::Pose | Entity::Velocity | Entity::Acceleration => lengths.extend([4, 4]),
-        Entity::Screw => lengths.insert(0, 6),
+    let dimensions = quantity.entity.dimensions();
+    match (quantity.over, dimensions) {
+        ([], [6] | [3, 4]) => lengths.extend([4, 4]),
+        ([], dimensions) => lengths.extend(dimensions),
+        (_, &[rows]) => lengths.insert(0, rows),
+        _ => {}
     }
     lengths
 }
@@ -216,6 +245,21 @@ fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec
         let rows = numbers.chunks(4).map(<[f64]>::to_vec);
         rows.chain([last.to_vec()]).collect()
     };
+    // The vector of a skew block, the last column, and what stands under it.
+    let skew = |last: [f64; 3]| {
+        let (w, v) = (&numbers[..3], &numbers[3..]);
+        let [x, y, z] = last;
+        vec![
+            vec![0.0, -w[2], w[1], v[0]],
+            vec![w[2], 0.0, -w[0], v[1]],
+            vec![-w[1], w[0], 0.0, v[2]],
+            vec![x, y, z, 0.0],
+        ]
+    };
+    if let (&[_], &[each]) = (quantity.over, quantity.entity.dimensions()) {
+        let row = |row: usize| numbers.iter().skip(row).step_by(each).copied().collect();
+        return Some((0..each).map(row).collect());
+    }
     Some(match quantity.entity {
         Entity::Number => {
             let &[_, columns] = &*quantity.lengths(spaces) else {
@@ -228,43 +272,42 @@ fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec
         }
         Entity::Pose => under([0.0, 0.0, 0.0, 1.0]),
         Entity::Acceleration => under([0.0; 4]),
-        Entity::Velocity => {
-            let (w, v) = (&numbers[..3], &numbers[3..]);
-            vec![
-                vec![0.0, -w[2], w[1], v[0]],
-                vec![w[2], 0.0, -w[0], v[1]],
-                vec![-w[1], w[0], 0.0, v[2]],
-                vec![0.0; 4],
-            ]
-        }
-        Entity::Screw => {
-            let row = |row: usize| numbers.iter().skip(row).step_by(6).copied().collect();
-            (0..6).map(row).collect()
-        }
+        Entity::Velocity | Entity::Screw => skew([0.0; 3]),
+        Entity::Momentum | Entity::Action => skew([-numbers[3], -numbers[4], -numbers[5]]),
+        Entity::Point | Entity::Vector => return None,
     })
 }
 
 fn in_text(chain: &Chain, function: Function, results: &[Vec<f64>]) -> String {
     let spaces = chain.spaces();
-    let quantity = function.result();
+    let result = function.result();
     let mut text = String::new();
     for (index, numbers) in results.iter().enumerate() {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{} of state {index}", function.name());
-        if let Some(rows) = rows(&quantity, spaces, numbers) {
-            for row in rows {
-                let row: Vec<String> = row.iter().map(|number| format!("{number:>24?}")).collect();
-                let _ = writeln!(text, "{}", row.concat());
-            }
-        } else {
-            for (k, number) in numbers.iter().enumerate() {
-                let owner = quantity.owner(spaces, k);
-                let entry = owner.map(|owner| &spaces.entries(quantity.over[0])[owner]);
-                let name =
-                    entry.map_or(String::new(), |entry| format!("  {}", visible(&entry.name)));
-                let _ = writeln!(text, "{number:>24?}{name}");
-            }
+        for ((part, quantity), numbers) in result.parts().zip(result.split(spaces, numbers)) {
+            // Writing to a string cannot fail.
+            let _ = match part {
+                Some(part) => writeln!(text, "{part} of {} of state {index}", function.name()),
+                None => writeln!(text, "{} of state {index}", function.name()),
+            };
+            quantity_in_text(&mut text, spaces, &quantity, numbers);
         }
     }
     text
+}
+
+fn quantity_in_text(text: &mut String, spaces: &Spaces, quantity: &Quantity, numbers: &[f64]) {
+    if let Some(rows) = rows(quantity, spaces, numbers) {
+        for row in rows {
+            let row: Vec<String> = row.iter().map(|number| format!("{number:>24?}")).collect();
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{}", row.concat());
+        }
+    } else {
+        for (k, number) in numbers.iter().enumerate() {
+            let owner = quantity.owner(spaces, k);
+            let entry = owner.map(|owner| &spaces.entries(quantity.over[0])[owner]);
+            let name = entry.map_or(String::new(), |entry| format!("  {}", visible(&entry.name)));
+            let _ = writeln!(text, "{number:>24?}{name}");
+        }
+    }
 }

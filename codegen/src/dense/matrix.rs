@@ -46,6 +46,11 @@ impl<T: Arithmetic> Matrix<T> {
         }
     }
 
+    /// The upper three numbers of the last column.
+    pub(crate) fn column(&self) -> [T; 3] {
+        from_fn(|row| self.0[row][3].clone())
+    }
+
     /// L of u and b: u̲, b; 0, 0.
     pub(crate) fn screw([x, y, z]: [T; 3], b: [T; 3]) -> Self {
         let mut matrix = Self::zero();
@@ -78,7 +83,7 @@ impl<T: Arithmetic> Matrix<T> {
     pub(crate) fn inverse(&self) -> Self {
         let mut rotation = self.transposed();
         rotation.0[3] = [0.0, 0.0, 0.0, 1.0].map(T::literal);
-        let back: [T; 3] = from_fn(|k| -self.0[k][3].clone());
+        let back = self.column().map(|entry| -entry);
         rotation.times(&Self::translation(back))
     }
 
@@ -97,6 +102,15 @@ impl<T: Arithmetic> Matrix<T> {
         }))
     }
 
+    pub(crate) fn minus(&self, other: &Self) -> Self {
+        self.plus(&other.scaled(&T::literal(-1.0)))
+    }
+
+    /// A B − B A.
+    pub(crate) fn commutator(&self, other: &Self) -> Self {
+        self.times(other).minus(&other.times(self))
+    }
+
     pub(crate) fn scaled(&self, factor: &T) -> Self {
         Self(
             self.0
@@ -113,7 +127,7 @@ impl<T: Arithmetic> Matrix<T> {
 
     /// A − Aᵗ.
     pub(crate) fn skew(&self) -> Self {
-        self.plus(&self.transposed().scaled(&T::literal(-1.0)))
+        self.minus(&self.transposed())
     }
 
     /// M A M⁻¹: a screw, velocity or acceleration of the frame at M.

@@ -3,6 +3,8 @@
 //! In: a [`Robot`] and q. Out: poses, screws and inertias in frame 0; of rates, velocities,
 //! accelerations and actions, and what they add up to.
 
+mod derivatives;
+
 use super::{Approximate, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
@@ -82,6 +84,11 @@ impl Posture {
         self.robot.gravity
     }
 
+    /// The columns of the regressor that the base regressor has.
+    pub(super) fn base_columns(&self) -> &[usize] {
+        &self.robot.base_columns
+    }
+
     /// M of a frame.
     pub(super) fn pose(&self, frame: usize) -> Matrix<Scalar> {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
@@ -93,6 +100,24 @@ impl Posture {
         let mut at = self.robot.frames[frame];
         while let Some(body) = at {
             moving.extend(&self.screws[body]);
+            at = self.robot.bodies[body].parent;
+        }
+        moving
+    }
+
+    /// The same, each with L̇ = W L − L W, where W is of the link that the joint carries.
+    pub(super) fn moving_rates(
+        &self,
+        frame: usize,
+        rates: &Rates,
+    ) -> Vec<(usize, &Matrix<Scalar>, Matrix<Scalar>)> {
+        let motions = self.motions(rates);
+        let mut moving = Vec::new();
+        let mut at = self.robot.frames[frame];
+        while let Some(body) = at {
+            let w = &motions[body].0;
+            let screws = self.screws[body].iter();
+            moving.extend(screws.map(|(k, screw)| (*k, screw, w.commutator(screw))));
             at = self.robot.bodies[body].parent;
         }
         moving
@@ -142,9 +167,7 @@ impl Posture {
                 continue;
             };
             for (velocity, screw) in &self.screws[k] {
-                let terms = screw.vectors().into_iter().zip(action.vectors());
-                let along = terms.map(|(screw, action)| screw * action);
-                forces[*velocity] = along.fold(forces[*velocity], |sum, term| sum + term);
+                forces[*velocity] = forces[*velocity] + along(screw, &action);
             }
             if let Some(parent) = body.parent {
                 actions[parent] = Some(match actions[parent].take() {
@@ -156,12 +179,44 @@ impl Posture {
         forces
     }
 
+    /// −H_g.
+    fn falling(&self) -> Matrix<Scalar> {
+        let mut falling = Matrix::zero();
+        falling.set_column(self.robot.gravity.map(|entry| -entry));
+        falling
+    }
+
     /// τ of a motion, against gravity.
     pub(super) fn torques(&self, rates: &Rates) -> Vec<Scalar> {
+        let falling = self.falling();
+        let motions = self.motions(rates);
+        self.forces(|k| Some(motions[k].1.plus(&falling)))
+    }
+
+    /// Y of τ = Y π, row by row: each column is τ of a link that alone has mass, of which one parameter is 1.
+    pub(super) fn regressor(&self, rates: &Rates) -> Vec<Scalar> {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
         let motions = self.motions(rates);
-        self.forces(|k| Some(motions[k].1.plus(&falling)))
+        let mut columns = Vec::new();
+        for &link in &self.robot.links {
+            let (h, pose) = (motions[link].1.plus(&falling), &self.poses[link]);
+            for unit in units() {
+                let inertia = pose.times(&unit).times(&pose.transposed());
+                let action = h.times(&inertia).skew();
+                let mut column = vec![Scalar::exact(0.0); self.robot.velocities];
+                let mut at = Some(link);
+                while let Some(body) = at {
+                    for (velocity, screw) in &self.screws[body] {
+                        column[*velocity] = column[*velocity] + along(screw, &action);
+                    }
+                    at = self.robot.bodies[body].parent;
+                }
+                columns.push(column);
+            }
+        }
+        let row = |row: usize| columns.iter().map(move |column| column[row]);
+        (0..self.robot.velocities).flat_map(row).collect()
     }
 
     /// M, row by row: column k is what the joints feel where H is the sum of the L that go with velocity k,
@@ -182,6 +237,25 @@ impl Posture {
         let row = |row: usize| columns.iter().map(|column| column[row]).collect();
         velocities.map(row).collect()
     }
+}
+
+/// L ⊗ Φ.
+fn along(screw: &Matrix<Scalar>, action: &Matrix<Scalar>) -> Scalar {
+    let terms = screw.vectors().into_iter().zip(action.vectors());
+    let along = terms.map(|(screw, action)| screw * action);
+    along.fold(Scalar::exact(0.0), |sum, term| sum + term)
+}
+
+/// J of which one of m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz is 1.
+fn units() -> impl Iterator<Item = Matrix<Scalar>> {
+    let first = [(3, 3), (0, 3), (1, 3), (2, 3)];
+    let second = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+    first.into_iter().chain(second).map(|(row, column)| {
+        let mut unit = Matrix::zero();
+        unit.0[row][column] = Scalar::exact(1.0);
+        unit.0[column][row] = Scalar::exact(1.0);
+        unit
+    })
 }
 
 /// Q of a joint at a coordinate: 1 + u̲ sin q + u̲² (1 − cos q) and b q along the axis.

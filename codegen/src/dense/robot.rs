@@ -55,4 +55,8 @@ pub(crate) struct Robot {
     pub(crate) gravity: [Approximate; 3],
     /// The bodies whose frames are asked for; none for the base.
     pub(crate) frames: Vec<Option<usize>>,
+    /// The bodies that joints move as links, in the order of their coordinates.
+    pub(crate) links: Vec<usize>,
+    /// The columns of the regressor that the base regressor has.
+    pub(crate) base_columns: Vec<usize>,
 }

@@ -9,6 +9,7 @@ use super::forward;
 use super::measured::{Measure, Off};
 use super::program::expressions_by;
 use super::solvable::solvable;
+use super::weighable::weighable;
 use crate::chain::Chain;
 use crate::error::Errors;
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
@@ -23,7 +24,8 @@ use crate::schedule::{Price, Program, schedule, schedule_unfused};
 ///
 /// # Errors
 /// Where forward dynamics, or the inverse of the mass matrix, is asked for of a chain that has none, or
-/// that no form leaves half of the digits in this type of number.
+/// that no form leaves half of the digits in this type of number; where a centre of mass is asked for of one
+/// without mass.
 ///
 /// # Panics
 /// Where a function of a frame is asked for and the chain has none.
@@ -91,6 +93,9 @@ pub(super) fn cheapest(
     frame: usize,
     scalar: Real,
 ) -> Result<Found, Errors> {
+    if functions.iter().any(|function| function.is_of_mass()) {
+        weighable(chain)?;
+    }
     let search = Search::new(processor, formulation, chain, functions, frame, scalar);
     if !functions.iter().any(|function| function.solves()) {
         return Ok(search.best(Way::PLAIN.forward).1);

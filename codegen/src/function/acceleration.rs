@@ -5,7 +5,7 @@ use super::quantities;
 use super::tally::{MOVING, Size, Tally};
 use crate::dense::Motion;
 use crate::expression::Term;
-use crate::model::{Scene, twist};
+use crate::model::Scene;
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -32,5 +32,5 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    twist::acceleration(&scene.path(), &scene.state)
+    scene.acceleration(|k| scene.state.qdd(k))
 }

@@ -6,7 +6,7 @@ use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
 use crate::dense::{Approximate, Motion};
 use crate::expression::Term;
 use crate::matrix::{Action, Screw, Velocity};
-use crate::model::Scene;
+use crate::model::{Scene, moving};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -40,15 +40,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     for joint in scene.joints() {
         let at_rest = Velocity::zero(zero.graph());
         let outer = joint.parent.map_or(at_rest, |parent| velocities[parent]);
-        let carried = outer
-            .move_pole(joint.placement.translation)
-            .rotate(joint.placement.rotation.transposed())
-            .move_pole(joint.offset())
-            .rotate(joint.turn().transposed());
-        let w = carried + Velocity::of_screw(joint.screw, scene.state.qd(joint.index));
-        let (index, frame) = (joint.index + 1, joint.frame);
-        w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
-        w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
+        let w = moving::beyond(outer, &joint, scene.state.qd(joint.index));
         // Tr(W J Wᵗ) = W ⊗ skew[W J].
         let twist = Screw { u: w.omega, b: w.v };
         twice = twice + Action::of_screw(twist, joint.inertia).along(twist);

@@ -9,7 +9,7 @@ use super::tally::{Size, Tally};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::model::{Scene, Way};
-use crate::space::{Quantity, Variable};
+use crate::space::{Outcome, Space, Variable};
 
 macro_rules! definitions {
     ($($variant:ident: $module:ident, $about:literal;)*) => {
@@ -53,23 +53,36 @@ impl Function {
 
     /// Its result.
     #[must_use]
-    pub const fn result(self) -> Quantity {
+    pub const fn result(self) -> Outcome {
         self.definition().result
+    }
+
+    /// The spaces of its result beside those of coordinates and velocities, whose lengths its trait has to know.
+    pub(crate) fn further(self) -> impl Iterator<Item = Space> {
+        let over = self.result().parts().flat_map(|(_, part)| part.over);
+        over.copied()
+            .filter(|space| !matches!(space, Space::Coordinates | Space::Velocities))
     }
 
     /// Whether it solves for what forces do to accelerations.
     #[must_use]
     pub const fn solves(self) -> bool {
-        self.given().is_some()
+        !matches!(self.truth(), Truth::Value(_) | Truth::OfMass(_))
     }
 
-    /// What it is a solution for, if it is one.
+    /// What it is a solution for, if it is one of which as much can be said.
     #[must_use]
     pub const fn given(self) -> Option<Given> {
         match self.truth() {
-            Truth::Value(_) => None,
+            Truth::Value(_) | Truth::OfMass(_) | Truth::Derivatives => None,
             Truth::Solution(given) => Some(given),
         }
+    }
+
+    /// Whether it is of robots that have mass alone.
+    #[must_use]
+    pub const fn is_of_mass(self) -> bool {
+        matches!(self.truth(), Truth::OfMass(_))
     }
 
     /// What every expansion of it is held against.
@@ -97,7 +110,7 @@ impl Function {
         (mul, add)
     }
 
-    /// Its results in the order of its quantity; of the frame of that index where it is of one.
+    /// Its results in the order of its quantities; of the frame of that index where it is of one.
     #[must_use]
     pub fn build<'g>(
         self,

@@ -40,6 +40,8 @@ impl Tally {
     }
 }
 
+/// L̇ = W L − L W.
+pub(super) const SCREW_RATE: Tally = Tally::of(2, 0, 1);
 /// M₀ᵢ = M₀,ᵢ₋₁ · placement · (1 + L sin q + L² (1 − cos q)).
 pub(super) const POSE: Tally = Tally::of(2, 2, 2);
 /// L₍₀₎ = M L M⁻¹.
@@ -67,6 +69,15 @@ pub(super) struct Size {
 /// Screws of frame 0, taken to another frame or pole.
 pub(super) fn screws_elsewhere(size: Size) -> Tally {
     let column = KINEMATIC.plus(SCREW);
+    column.times(size.path).plus(Tally::of(1, 0, 0))
+}
+
+/// The rates of screws of frame 0, taken to another frame or pole that moves.
+pub(super) fn screw_rates_elsewhere(size: Size) -> Tally {
+    let against = Tally::of(0, 0, 1);
+    let column = (KINEMATIC.plus(VELOCITY))
+        .plus(SCREW_RATE.plus(against))
+        .plus(SCREW);
     column.times(size.path).plus(Tally::of(1, 0, 0))
 }
 

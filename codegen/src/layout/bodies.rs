@@ -15,6 +15,8 @@ pub struct Bodies<'g> {
     pub bodies: Vec<Body<'g>>,
     /// J in frame 0 of what regrouping left to the base.
     pub base: Inertia<Term<'g>>,
+    /// The columns of the regressor that the base regressor has.
+    pub base_columns: Vec<usize>,
     /// The frames asked for: the joint whose body carries it, and M from that body to it.
     pub frames: Vec<(Option<usize>, Pose<Term<'g>>)>,
     /// Acceleration of gravity in frame 0 [m/s²].
@@ -40,6 +42,8 @@ pub struct Body<'g> {
     pub offset: Option<(Term<'g>, Term<'g>)>,
     /// J of the body in its frame.
     pub inertia: Inertia<Term<'g>>,
+    /// M from this frame to that of the link that the body is; none for one between two coordinates of a joint.
+    pub link: Option<Pose<Term<'g>>>,
 }
 
 impl Body<'_> {
@@ -84,6 +88,7 @@ impl<'g> Bodies<'g> {
         let body = &mut self.bodies[k];
         body.placement = body.placement * to;
         body.inertia = body.inertia.change_frame(from);
+        body.link = body.link.map(|link| from * link);
         for child in &mut self.bodies[k + 1..] {
             if child.parent == Some(k) {
                 child.placement = from * child.placement;
@@ -123,6 +128,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             placement: seen_from(joint.parent, joint.placement.map(term) * turn),
             offset: None,
             inertia: joint.inertia.map(term).change_frame(turn.inverse()),
+            link: (joint.link.as_ref()).map(|(_, link)| turn.inverse() * link.map(term)),
         })
         .collect();
     let frames = (chain.frames.iter())
@@ -131,6 +137,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     Bodies {
         bodies,
         base: Inertia::zero(graph),
+        base_columns: chain.base_parameters.columns().collect(),
         frames,
         gravity: chain.gravity.map(term),
     }

@@ -52,10 +52,35 @@ impl<'g> Action<Term<'g>> {
         }
     }
 
+    /// L Φ + Φ Lᵗ: how the action changes that is moved along a screw.
+    #[must_use]
+    pub fn turned(self, screw: Screw<Term<'g>>) -> Self {
+        Self {
+            c: screw.u.cross(self.c) + screw.b.cross(self.f),
+            f: screw.u.cross(self.f),
+        }
+    }
+
     /// The pseudo scalar product L ⊗ Φ = u·c + b·f: the power of the action at unit rate.
     #[must_use]
     pub fn along(self, screw: Screw<Term<'g>>) -> Term<'g> {
         screw.u.dot(self.c) + screw.b.dot(self.f)
+    }
+
+    /// The same about another pole.
+    #[must_use]
+    pub fn about(self, pole: Vector<Term<'g>>) -> Self {
+        Self {
+            c: self.c - pole.cross(self.f),
+            ..self
+        }
+    }
+
+    /// The six entries c, f.
+    #[must_use]
+    pub fn entries(self) -> [Term<'g>; 6] {
+        let ([cx, cy, cz], [fx, fy, fz]) = (self.c.0, self.f.0);
+        [cx, cy, cz, fx, fy, fz]
     }
 
     /// Names the entries `{prefix}cx` … `{prefix}fz`.

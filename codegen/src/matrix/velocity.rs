@@ -1,7 +1,7 @@
 //! W, the velocity matrix (paper, eq. 6): the angular velocity of a body and the velocity of its
 //! pole, the point of the body that passes the origin of the frame.
 
-use std::ops::Add;
+use std::ops::{Add, Sub};
 
 use super::{Pose, Rotation, Screw, Vector};
 use crate::expression::{Graph, Term};
@@ -51,6 +51,15 @@ impl<'g> Velocity<Term<'g>> {
         }
     }
 
+    /// The rate of a screw that the body takes along, L̇ = W L − L W: that of M L M⁻¹ where Ṁ = W M.
+    #[must_use]
+    pub fn rate_of(self, screw: Screw<Term<'g>>) -> Screw<Term<'g>> {
+        Screw {
+            u: self.omega.cross(screw.u),
+            b: self.omega.cross(screw.b) + self.v.cross(screw.u),
+        }
+    }
+
     /// M W M⁻¹ (eq. 8).
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
@@ -70,6 +79,17 @@ impl Add for Velocity<Term<'_>> {
         Self {
             omega: self.omega + other.omega,
             v: self.v + other.v,
+        }
+    }
+}
+
+impl Sub for Velocity<Term<'_>> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self {
+            omega: self.omega - other.omega,
+            v: self.v - other.v,
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::expression::Term;
 use crate::formulation::{Angles, Frame};
 use crate::joint::Motion;
 use crate::layout::{Bodies, Body};
-use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector};
+use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
 use crate::space::Variable;
 
 /// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it,
@@ -129,6 +129,15 @@ impl<'g> Joint<'g> {
         pose
     }
 
+    /// Whether its motion carries the screw of a joint `at` inboard of it: its own, and those of the joint with
+    /// several velocities of which it is one.
+    pub fn carries_screw(&self, at: usize, joints: &[Self]) -> bool {
+        let mut own = std::iter::successors(Some(self), |joint| {
+            joint.parent.filter(|_| joint.taken).map(|k| &joints[k])
+        });
+        own.any(|joint| joint.index == at)
+    }
+
     /// The turn as a matrix.
     pub fn turn(&self) -> Rotation<Term<'g>> {
         self.posture
@@ -158,6 +167,14 @@ impl<'g> Joint<'g> {
         self.turn().transposed() * (self.placement.rotation.transposed() * vector)
     }
 
+    /// A motion of the body it hangs on, in the body's frame.
+    pub fn motion_outboard(&self, w: Velocity<Term<'g>>) -> Velocity<Term<'g>> {
+        w.move_pole(self.placement.translation)
+            .rotate(self.placement.rotation.transposed())
+            .move_pole(self.offset())
+            .rotate(self.turn().transposed())
+    }
+
     /// First moments of a mass in the body's frame, in its parent's: R q + m p.
     pub fn first_moment_inboard(&self, q: Vector<Term<'g>>, mass: Term<'g>) -> Vector<Term<'g>> {
         let slid = self.turn() * q + self.offset() * mass;
@@ -183,7 +200,7 @@ impl<'g> Joint<'g> {
 }
 
 /// Joints, each with M₀ of its body; parents come before children.
-fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
+pub(super) fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
     let mut found: Vec<(Joint<'g>, Pose<Term<'g>>)> = Vec::with_capacity(joints.len());
     for &joint in joints {
         let outer = (found.iter().rev()).find(|(outer, _)| Some(outer.index) == joint.parent);
@@ -231,6 +248,17 @@ impl<'g> Path<'g> {
     /// The joints from the base outwards, each with M₀ of its body.
     pub fn outwards(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
         placed(&self.joints)
+    }
+
+    /// The joints from the frame inwards, each with M of its body seen from the frame.
+    pub fn inwards(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
+        let mut pose = self.end.inverse();
+        let joints = self.joints.iter().rev().map(|joint| {
+            let seen = (*joint, pose);
+            pose = pose * joint.displacement().inverse() * joint.placement.inverse();
+            seen
+        });
+        joints.collect()
     }
 
     /// M₀ of the frame.

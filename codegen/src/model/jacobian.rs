@@ -40,7 +40,7 @@ pub fn body<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
 }
 
 /// All columns, one for each body; those of bodies off the path are null.
-fn columns<'g>(
+pub(super) fn columns<'g>(
     path: &Path<'g>,
     found: impl Iterator<Item = (usize, Screw<Term<'g>>)>,
 ) -> Vec<Screw<Term<'g>>> {

@@ -84,7 +84,7 @@ impl<'g> State<'g> {
     }
 
     /// Its second rate.
-    pub(super) fn qdd(&self, k: usize) -> Term<'g> {
+    pub(crate) fn qdd(&self, k: usize) -> Term<'g> {
         self.own(Variable::Qdd, k)
     }
 

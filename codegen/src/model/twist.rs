@@ -28,8 +28,12 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
     [w.omega.0, w.v.0].concat()
 }
 
-/// H of the frame at the end of a path, row by row of (G, a₀).
-pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+/// H of the frame at the end of a path, where `second` is q̈ of a joint, row by row of (G, a₀).
+pub fn acceleration<'g>(
+    path: &Path<'g>,
+    state: &State<'g>,
+    second: impl Fn(usize) -> Term<'g>,
+) -> Vec<Term<'g>> {
     let rest = Acceleration::linear(Vector::zero(state.graph));
     let h = match path.frame {
         Frame::Base => {
@@ -37,12 +41,34 @@ pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
                 .joints
                 .iter()
                 .fold(Moving::still(rest), |outer, joint| {
-                    beyond(outer, joint, state.qd(joint.index), state.qdd(joint.index))
+                    beyond(outer, joint, state.qd(joint.index), second(joint.index))
                 });
             motion.h
         }
-        Frame::Link => inwards(path, state, rest),
+        Frame::Link => inwards(path, state, second, rest),
     };
+    h.entries().to_vec()
+}
+
+/// H of the frame at the end of a path, row by row of (G, a₀), from what the links see of a base that gravity
+/// accelerates the other way: as dynamics has it, with which it then shares the work.
+pub fn acceleration_with_dynamics<'g>(
+    path: &Path<'g>,
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+    second: impl Fn(usize) -> Term<'g>,
+) -> Vec<Term<'g>> {
+    let base = Moving::still(Acceleration::linear(-gravity));
+    let motion = path.joints.iter().fold(base, |outer, joint| {
+        beyond(outer, joint, state.qd(joint.index), second(joint.index))
+    });
+    let identity = || Pose::identity(state.graph);
+    let pose = path
+        .outwards()
+        .last()
+        .map_or_else(identity, |&(_, pose)| pose);
+    let mut h = inboard(motion.h, pose);
+    h.a = h.a + gravity;
     h.entries().to_vec()
 }
 
@@ -50,13 +76,14 @@ pub fn acceleration<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
 fn inwards<'g>(
     path: &Path<'g>,
     state: &State<'g>,
+    second: impl Fn(usize) -> Term<'g>,
     rest: Acceleration<Term<'g>>,
 ) -> Acceleration<Term<'g>> {
     let (mut w, mut h) = (Velocity::zero(state.graph), rest);
     // All bodies of a joint with several velocities have the frame of the last: its own W is their sum.
     for together in path.joints.chunk_by(|_, next| next.taken).rev() {
         let mut own = together.iter().map(|joint| {
-            let (rate, second) = (state.qd(joint.index), state.qdd(joint.index));
+            let (rate, second) = (state.qd(joint.index), second(joint.index));
             let (u, b) = (joint.screw.u * second, joint.screw.b * second);
             (Velocity::of_screw(joint.screw, rate), u, b)
         });

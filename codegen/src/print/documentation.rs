@@ -57,8 +57,9 @@ pub(super) fn of_function(
     lines.push(arguments(&listed.arguments()));
     lines.extend(postures(&listing.spaces, &listed.arguments()));
     if let Some(angles) = angles {
-        let results = listed.functions.iter().map(|function| function.result());
-        let layouts = results.filter_map(|result| result.entity.layout());
+        let results = listed.functions.iter();
+        let results = results.flat_map(|function| function.result().parts());
+        let layouts = results.filter_map(|(_, result)| result.entity.layout());
         lines.extend(layouts.map(str::to_owned));
         lines.push(range(angles, listed));
     }
@@ -81,6 +82,23 @@ pub(super) fn of_chain(listing: &Listing) -> Vec<String> {
     let title = "The same robot as data, for the generic recursions at run time.".to_owned();
     let mut lines = vec![title, String::new()];
     lines.extend(of_robot(listing, ""));
+    lines
+}
+
+/// What is said of the values of base parameters.
+pub(super) fn of_base_parameters(listing: &Listing) -> Vec<String> {
+    let names: Vec<String> = (listing.spaces.names(Space::BaseParameters))
+        .map(code)
+        .collect();
+    let mut lines = vec![
+        "The base parameters π of τ = Y π with the base regressor Y; kg, kg m, kg m².".to_owned(),
+        String::new(),
+        format!("Each by the one that leads it: {}.", names.join(", ")),
+        "What is grouped with each, `homogen base-parameters` tells.".to_owned(),
+    ];
+    if !listing.parameters.is_empty() {
+        lines.push("Fields are what is described in their place.".to_owned());
+    }
     lines
 }
 

@@ -3,6 +3,7 @@
 //! In: a [`Listing`], the struct that gets methods, and what the code finds around it. Out: tokens.
 //! It never names a value of a program: that is done before.
 
+mod base_parameters;
 mod body;
 mod chain;
 mod comments;
@@ -53,9 +54,11 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
             beside.extend(method::in_trait(listing, item, *function, &name, &dialect));
         }
     }
+    methods.extend(base_parameters::base_parameters(listing, item, &dialect));
     methods.extend(chain::chain(listing, item, &dialect));
     methods.extend(steps::steps(listing, item, &dialect));
     methods.extend(dialect.own_sines(listing));
+    beside.extend(results::own_structures(listing, item, &dialect));
     beside.extend(extern_c::functions(listing, item, &dialect));
     let declaration = declaration::declaration(listing, item, &dialect);
     let methods = declaration::block(item, &methods, &dialect);

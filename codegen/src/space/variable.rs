@@ -64,6 +64,7 @@ impl Variable {
             (Self::Qdd, Kind::Slide) => "m/s²",
             (Self::Tau, Kind::Turn) => "N m",
             (Self::Tau, Kind::Slide) => "N",
+            (_, Kind::Moment(_)) => panic!("no argument is over parameters"),
         }
     }
 

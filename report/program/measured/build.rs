@@ -8,7 +8,7 @@ use std::{env, fs, io};
 
 const NONE: &str = "\
 /// No robot was given.
-fn cases(_: &str, _: &str, _: &Truth) -> Vec<Case> {
+fn cases(_: &str, _: &str, _: &Truths) -> Vec<Case> {
     Vec::new()
 }
 ";

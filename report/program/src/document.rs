@@ -18,8 +18,9 @@ use crate::growth::{self, Grown};
 use crate::measure::{Effort, Point};
 use crate::peers::MAKERS;
 use crate::program::Flags;
-use crate::scene::{STATES, Scalar, Scene, Variant};
+use crate::scene::{Scalar, Scene, Variant};
 use crate::source::GENERIC;
+use crate::states::STATES;
 
 /// All that was measured.
 pub struct Measured<'a> {
@@ -193,21 +194,20 @@ fn peers(measured: &Measured<'_>) -> String {
             "| function | type | ours | with platform sines | Pinocchio | CasADi | snapped | restrict | ours / best | with platform sines | error of ours | Pinocchio | CasADi | restrict |\n\
              |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
         );
-        let refined = scene.variants.iter().find(|way| way.name == "refined_1");
         for scalar in [Scalar::F64, Scalar::F32] {
             for &function in &scene.functions {
-                text.push_str(&row_of_peers(
-                    measured,
-                    scene,
-                    function,
-                    &Variant::DEFAULT,
-                    scalar,
-                ));
-                // With as many digits as others have.
-                let refined =
-                    refined.filter(|way| way.serves(function) && way.scalars.contains(&scalar));
-                if let Some(refined) = refined {
-                    text.push_str(&row_of_peers(measured, scene, function, refined, scalar));
+                let counted = |way: &Variant| price(measured, scene, way.name, function);
+                let default = counted(&Variant::DEFAULT);
+                let row = |way: &Variant| row_of_peers(measured, scene, function, way, scalar);
+                text.push_str(&row(&Variant::DEFAULT));
+                // Forms of a solution that the engine did not choose.
+                let forms = scene.variants.iter().filter(|way| {
+                    way.functions.contains(&function)
+                        && way.functions.iter().all(|function| function.solves())
+                        && way.scalars.contains(&scalar)
+                });
+                for form in forms.filter(|form| counted(form) != default) {
+                    text.push_str(&row(form));
                 }
             }
         }

@@ -188,7 +188,7 @@ fn truth(chain: &Chain, function: Function, states: &[Vec<f64>]) -> Vec<Vec<[f64
     let evaluation: Evaluation<Exact> = Evaluation::of(&graph, &results);
     let states = states.iter();
     states
-        .map(|state| exact(&evaluation, function, state))
+        .map(|state| exact(&evaluation, function, state.len() / 4, state))
         .collect()
 }
 

@@ -18,6 +18,7 @@ mod progress;
 mod scene;
 mod simplified;
 mod source;
+mod states;
 mod truth;
 
 use std::error::Error;
@@ -42,7 +43,7 @@ struct Options {
     /// Measure six times as long
     #[arg(long, conflicts_with = "smoke")]
     long: bool,
-    /// Only see that everything runs: one robot, a few batches, nothing written to the repository
+    /// Only see that everything runs: two robots, a few batches, nothing written to the repository
     #[arg(long)]
     smoke: bool,
     /// Other implementations to stand beside ours, as report/peer/setup.sh sets them up
@@ -82,6 +83,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     let mut robots = scene::robots(&root).map_err(truth::told)?;
     if options.smoke {
         robots.truncate(1);
+        robots.push(scene::free(&root).map_err(truth::told)?);
     }
     let models = scene::models(&root).map_err(truth::told)?;
     let beside = match &peers {

@@ -39,11 +39,11 @@ pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
     }
     // The arm that others know as well, where they are installed.
     let arms = beside.iter().chain(robots);
-    if let Some(arm) = arms.into_iter().find(|scene| scene.joints == 7) {
+    if let Some(arm) = arms.into_iter().find(|scene| scene.joints.len() == 7) {
         svg("summary", &trade(arm, &[InverseDynamics, ForwardDynamics]))?;
     }
     // Where there is more than one way worth looking at.
-    let large = robots.iter().filter(|scene| scene.joints >= 7);
+    let large = robots.iter().filter(|scene| scene.joints.len() >= 7);
     let shown = large.flat_map(|scene| [(scene, InverseDynamics), (scene, ForwardDynamics)]);
     let shown: Vec<_> = shown.collect();
     svg("formulations", &figures::formulations(&shown, points))?;

@@ -70,10 +70,7 @@ impl Peers {
             }
             let shipped = root.join("robots").join(name).with_extension("urdf");
             if !shipped.exists() {
-                let [title, tip] =
-                    ["title", "frame"].map(|file| fs::read_to_string(folder.join(file)));
-                let scene = scene::beside_peers(name, title?.trim(), &description, tip?.trim());
-                scenes.push(scene.map_err(told)?);
+                scenes.push(scene_of(name, &folder)?);
             } else if fs::read(shipped)? != fs::read(description)? {
                 return Err(format!("{name}.urdf changed; run report/peer/setup.sh again").into());
             }
@@ -101,6 +98,24 @@ impl Peers {
         }
         libraries
     }
+}
+
+/// The robot in a folder, whose peers count its joints in the same order.
+fn scene_of(name: &str, folder: &Path) -> Result<Scene, Box<dyn Error>> {
+    let read = |file: &str| fs::read_to_string(folder.join(file));
+    let (title, tip, base) = (read("title")?, read("frame")?, read("base")?);
+    let scene = scene::beside_peers(
+        [name, title.trim(), tip.trim()],
+        &folder.join("robot.urdf"),
+        base.trim() == "floating",
+    );
+    let scene = scene.map_err(told)?;
+    let joints = read("model.joints")?;
+    if !joints.lines().eq(&scene.joints) {
+        let (theirs, ours) = (joints.replace('\n', " "), scene.joints.join(" "));
+        return Err(format!("peers count the joints of {name} as {theirs}, not as {ours}").into());
+    }
+    Ok(scene)
 }
 
 /// What they call a function, each way they have: in link frames, and in the frame of the base.

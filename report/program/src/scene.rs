@@ -15,10 +15,11 @@ use homogen_codegen::description::{self, Description, Name};
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::{Angles, Forward, Frame, Parameters, Products, Sines};
 use homogen_codegen::request::Request;
+use homogen_codegen::space::{Space, Spaces};
 use homogen_plot::Color;
-use homogen_random::Random;
 
 use crate::simplified;
+use crate::states::{Range, states};
 
 /// The functions of the report.
 pub const FUNCTIONS: [Function; 8] = [
@@ -31,9 +32,6 @@ pub const FUNCTIONS: [Function; 8] = [
     MassMatrixInverse,
     ForwardDynamics,
 ];
-
-/// How many states each function is timed and judged over.
-pub const STATES: usize = 1024;
 
 /// A robot in some states, and what is compared there.
 pub struct Scene {
@@ -51,9 +49,11 @@ pub struct Scene {
     pub variants: Vec<Variant>,
     /// Whether the recursions of the runtime are measured beside them.
     pub generic: bool,
-    /// How many joints move.
-    pub joints: usize,
-    /// q, q̇, q̈ and τ of [`STATES`] states, one after the other.
+    /// The lists that its arguments and results are over.
+    pub spaces: Spaces,
+    /// The joints that move, in the order of their coordinates.
+    pub joints: Vec<String>,
+    /// q, q̇, q̈ and τ of [`STATES`](crate::states::STATES) states, one after the other.
     pub states: Vec<f64>,
 }
 
@@ -217,23 +217,45 @@ fn merged(functions: &'static [Function]) -> Variant {
     }
 }
 
-/// A robot that does not ship, as it stands beside others: what does not move the tip is locked, and
-/// ours are computed with our sines, with those that they call as well, and with the digits that they
-/// have.
+/// The mass matrix and its factors as they come out, where the engine would choose another form.
+fn unrefined() -> Variant {
+    Variant {
+        name: "refined_0",
+        title: "unrefined",
+        change: |_, request| request.formulation.forward = Some(Forward::UNREFINED),
+        functions: &SOLUTIONS,
+        color: Color::Purple,
+        scalars: &[Scalar::F64],
+        ..Variant::DEFAULT
+    }
+}
+
+/// The formulations that are measured beside others.
+const BESIDE_PEERS: [&str; 4] = ["default", "platform_sines", "refined_1", "articulated"];
+
+/// A robot that does not ship, as it stands beside others: on a base that is free, or else with what
+/// does not move the tip locked; and ours are computed with our sines, with those that they call as
+/// well, and in other forms that have more digits or fewer operations.
 ///
 /// # Errors
 /// Where its file cannot be read or has mistakes.
-pub fn beside_peers(name: &str, title: &str, path: &Path, tip: &str) -> Result<Scene, Errors> {
+pub fn beside_peers(
+    [name, title, tip]: [&str; 3],
+    path: &Path,
+    floating: bool,
+) -> Result<Scene, Errors> {
     let request = Request {
-        path_only: true,
+        floating,
+        path_only: !floating,
         ..to(tip)
     };
     let mut scene = Scene::read(name, title, path, request)?;
-    scene.states = states(scene.joints, Range::WIDE);
+    scene.states = states(&scene.spaces, Range::WIDE);
     scene.functions = FUNCTIONS.to_vec();
     let ways = formulations().into_iter();
     scene.variants = ways
-        .filter(|way| ["default", "platform_sines", "refined_1"].contains(&way.name))
+        .filter(|way| BESIDE_PEERS.contains(&way.name))
+        .chain([unrefined()])
         .collect();
     scene.generic = true;
     Ok(scene)
@@ -250,6 +272,9 @@ const RECURSIONS: [Function; 5] = [
 
 /// The cheapest, what is called most, and the dearest: enough to tell sines apart.
 const SINES: [Function; 3] = [ForwardKinematics, InverseDynamics, ForwardDynamics];
+
+/// What an equation of motion is solved for.
+const SOLUTIONS: [Function; 2] = [MassMatrixInverse, ForwardDynamics];
 
 const DYNAMICS: [Function; 6] = [
     Gravity,
@@ -285,7 +310,7 @@ pub fn robots(root: &Path) -> Result<Vec<Scene>, Errors> {
     .map(|(name, title, tip, more)| {
         let path = root.join("robots").join(name).with_extension("urdf");
         let mut scene = Scene::read(name, title, &path, to(tip))?;
-        scene.states = states(scene.joints, Range::WIDE);
+        scene.states = states(&scene.spaces, Range::WIDE);
         scene.functions = FUNCTIONS.to_vec();
         scene.variants = formulations();
         scene.variants.extend(more);
@@ -293,6 +318,24 @@ pub fn robots(root: &Path) -> Result<Vec<Scene>, Errors> {
         Ok(scene)
     })
     .collect()
+}
+
+/// A robot whose coordinates are not its velocities: that everything runs with those as well.
+///
+/// # Errors
+/// Where its file cannot be read.
+pub fn free(root: &Path) -> Result<Scene, Errors> {
+    let request = Request {
+        floating: true,
+        ..to("fl_foot")
+    };
+    let path = root.join("robots/quadruped.urdf");
+    let mut scene = Scene::read("free", "Quadruped with a free base", &path, request)?;
+    scene.states = states(&scene.spaces, Range::WIDE);
+    scene.functions = FUNCTIONS.to_vec();
+    scene.variants = vec![Variant::DEFAULT];
+    scene.generic = true;
+    Ok(scene)
 }
 
 /// The scenes in which a simpler model may do.
@@ -304,7 +347,7 @@ pub fn models(root: &Path) -> Result<Vec<Scene>, Errors> {
     let scene = |name, title, range, variants| {
         let scene = Scene::read(name, title, &path, to("link8"))?;
         Ok(Scene {
-            states: states(scene.joints, range),
+            states: states(&scene.spaces, range),
             functions: vec![InverseDynamics],
             variants,
             ..scene
@@ -327,28 +370,6 @@ pub fn models(root: &Path) -> Result<Vec<Scene>, Errors> {
     ])
 }
 
-/// Limits of random coordinates, rates, second rates and torques, and the joints that have any.
-#[derive(Clone, Copy)]
-struct Range {
-    limits: [f64; 4],
-    moves: fn(usize) -> bool,
-}
-
-impl Range {
-    const WIDE: Self = Self {
-        limits: [4.0, 2.0, 8.0, 16.0],
-        moves: |_| true,
-    };
-    const SLOW: Self = Self {
-        limits: [4.0, 2.0 / 128.0, 8.0 / 128.0, 16.0],
-        moves: |_| true,
-    };
-    const PLANE: Self = Self {
-        moves: |joint| simplified::PLANE.contains(&joint),
-        ..Self::WIDE
-    };
-}
-
 impl Scene {
     /// A robot in no state yet, of which nothing is computed.
     ///
@@ -369,9 +390,15 @@ impl Scene {
             functions: Vec::new(),
             variants: Vec::new(),
             generic: false,
-            joints: chain.joints.len(),
+            spaces: chain.spaces().clone(),
+            joints: chain.report.joints,
             states: Vec::new(),
         })
+    }
+
+    /// How many entries a list has.
+    pub fn length(&self, space: Space) -> usize {
+        self.spaces.len(space)
     }
 
     /// The robot and the request of a variant.
@@ -388,19 +415,4 @@ fn to(tip: &str) -> Request {
         tip: Some(Name::from(tip)),
         ..Request::default()
     }
-}
-
-/// Random states whose numbers are exact in single precision, so that both types see the same.
-fn states(joints: usize, range: Range) -> Vec<f64> {
-    let mut random = Random::new(1);
-    let mut states = Vec::with_capacity(STATES * 4 * joints);
-    for _ in 0..STATES {
-        for limit in range.limits {
-            states.extend((0..joints).map(|joint| {
-                let number = limit * f64::from(random.coarse());
-                if (range.moves)(joint) { number } else { 0.0 }
-            }));
-        }
-    }
-    states
 }

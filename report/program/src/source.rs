@@ -10,7 +10,7 @@ use homogen_codegen::Function;
 use homogen_codegen::expand::expand;
 use homogen_codegen::print::rust::{self, Item, World};
 use homogen_codegen::schedule::Price;
-use homogen_codegen::space::Variable;
+use homogen_codegen::space::{Space, Variable};
 
 use crate::scene::{Scalar, Scene, Variant};
 use crate::truth::told;
@@ -54,7 +54,10 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
             let methods = rust::print(&listing, &item, &World::default());
             let module = format!("m_{count}");
             count += 1;
-            writeln!(modules, "mod {module} {{ {methods} }}")?;
+            writeln!(
+                modules,
+                "#[allow(dead_code, reason = \"steps are not measured\")] mod {module} {{ {methods} }}"
+            )?;
             for (listed, k) in listing.functions.iter().zip(served) {
                 let (function, cases) = (scene.functions[k], &mut cases[k]);
                 prices.push((scene.name.clone(), variant.name, function, listed.price));
@@ -90,7 +93,7 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
     let text = format!(
         "#[allow(unused_imports, reason = \"for the functions of chains\")]\n\
          use homogen::robot::*;\n\
-         fn cases(scene: &str, function: &str, truth: &Truth) -> Vec<Case> {{\n\
+         fn cases(scene: &str, function: &str, truths: &Truths) -> Vec<Case> {{\n\
          match (scene, function) {{ {arms} _ => Vec::new() }}\n}}\n{modules}"
     );
     Ok(Source { text, prices })
@@ -115,10 +118,12 @@ fn case(
     };
     let arguments: Vec<String> = function.arguments().iter().map(argument).collect();
     let (arguments, function) = (arguments.join(", "), function.name());
-    let (joints, entries, scalar) = (scene.joints, variant.joints, scalar.name());
+    let lengths = [Space::Coordinates, Space::Velocities].map(|space| scene.length(space));
+    let ([coordinates, velocities], entries) = (lengths, variant.joints);
+    let scalar = scalar.name();
     let number = variant.number.unwrap_or(scalar);
     format!(
-        "Case::of([\"{name}\", \"{scalar}\"], truth, &{entries:?}, \
-         |s: &State<{number}, {joints}>| ({robot}).{function}({arguments})),\n"
+        "Case::of([\"{name}\", \"{scalar}\"], truths, &{entries:?}, \
+         |s: &State<{number}, {coordinates}, {velocities}>| ({robot}).{function}({arguments})),\n"
     )
 }

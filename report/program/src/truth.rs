@@ -1,7 +1,8 @@
 //! What functions should return.
 //!
 //! In: a scene. Out: a folder with its states and, for each function, every entry of every result to
-//! 106 bits with the magnitude that an error is measured by, as `measured` reads them. The values are
+//! 106 bits with the magnitude that an error is measured by, as `measured` reads them; and in a folder
+//! `f32` there the same of the states that single precision sees, where it sees others. The values are
 //! those of the expressions in the frames and with the parameters of the description, before
 //! anything is regrouped or simplified.
 
@@ -14,9 +15,11 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
+use homogen_codegen::space::{Space, Variable};
 use homogen_magnitude::{Magnitude, Measure};
 
 use crate::scene::Scene;
+use crate::states::in_single_precision;
 
 /// A number of 106 bits, which keeps what it was summed from; for every type, and so without a floor.
 pub type Exact = Magnitude<OfEveryType>;
@@ -40,18 +43,36 @@ impl Measure for OfEveryType {
 /// Where the robot has mistakes; where a file cannot be written.
 pub fn write(scene: &Scene, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let chain: Chain = chain::build(&scene.description, &scene.request).map_err(told)?;
+    let single = folder.join("f32");
+    if single.exists() {
+        fs::remove_dir_all(&single)?;
+    }
+    write_of(scene, &chain, &scene.states, folder)?;
+    if let Some(states) = in_single_precision(&scene.states) {
+        write_of(scene, &chain, &states, &single)?;
+    }
+    Ok(())
+}
+
+fn write_of(scene: &Scene, chain: &Chain, states: &[f64], folder: &Path) -> io::Result<()> {
+    let lengths = [Space::Coordinates, Space::Velocities].map(|space| scene.length(space));
+    let [coordinates, velocities] = lengths;
     fs::create_dir_all(folder)?;
-    fs::write(folder.join("joints"), scene.joints.to_string())?;
-    save(&folder.join("states"), &scene.states)?;
+    fs::write(
+        folder.join("lengths"),
+        format!("{coordinates} {velocities}"),
+    )?;
+    save(&folder.join("states"), states)?;
     for &function in &scene.functions {
         let mut numbers = Vec::new();
         let graph = chain.graph.clone();
-        let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
+        let bodies = arrange(&graph, chain, Layout::DESCRIBED);
         let results = function.build(&graph, &bodies, 0, Way::PLAIN);
         let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
         let evaluation = Evaluation::of(&graph, &results);
-        for state in scene.states.chunks_exact(4 * scene.joints) {
-            numbers.extend(exact(&evaluation, function, state).into_iter().flatten());
+        for state in states.chunks_exact(coordinates + 3 * velocities) {
+            let exact = exact(&evaluation, function, coordinates, state);
+            numbers.extend(exact.into_iter().flatten());
         }
         save(&folder.join(function.name()), &numbers)?;
     }
@@ -64,18 +85,26 @@ pub fn told(errors: Errors) -> Box<dyn std::error::Error> {
     errors.to_string().into()
 }
 
-/// High part, low part and magnitude of each result at a state. What is found by division has the
+/// High part, low part and magnitude of each result at a state: so many coordinates, and as many
+/// velocities as accelerations and torques. What is found by division has the
 /// largest result for its magnitude, since its terms may be far larger than itself; so has what is
 /// always zero.
-pub fn exact(evaluation: &Evaluation<Exact>, function: Function, state: &[f64]) -> Vec<[f64; 3]> {
-    let joints = state.len() / 4;
+pub fn exact(
+    evaluation: &Evaluation<Exact>,
+    function: Function,
+    coordinates: usize,
+    state: &[f64],
+) -> Vec<[f64; 3]> {
+    let (q, rates) = state.split_at(coordinates);
     let results = evaluation.at(|input| {
-        let (part, k) = match input {
-            // A state lists them in this order.
-            Input::Variable(variable, k) => (variable as usize, k),
+        Exact::given(match input {
+            Input::Variable(Variable::Q, k) => q[usize::from(k)],
+            // A state lists the others in their order.
+            Input::Variable(variable, k) => {
+                rates[(variable as usize - 1) * (rates.len() / 3) + usize::from(k)]
+            }
             Input::Parameter(..) => unreachable!("no number was left open"),
-        };
-        Exact::given(state[part * joints + usize::from(k)])
+        })
     });
     let sizes = results.iter().map(|x| x.value().to_f64().abs());
     let largest = sizes.fold(0.0, f64::max);

@@ -24,10 +24,13 @@
 
 use super::dense::{axial, block, column, gravity_matrix, inverse, pseudo_scalar_product};
 use super::motion::{Freedom, Motion, Positions};
-use crate::matrix::{Acceleration, Pose, Screw, Velocity};
+use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
 use crate::robot::chain::{Chain, Frame};
+use crate::robot::derivatives::ForwardDynamicsDerivatives;
 use core::array::from_fn;
 use nalgebra::{Cholesky, Const, Matrix4, RealField, SMatrix, SVector};
+
+pub use super::derivatives::{coriolis_matrix, gravity_derivative, inverse_dynamics_derivatives};
 
 /// M₀,frame.
 ///
@@ -100,6 +103,66 @@ pub fn geometric_jacobian<
     })
 }
 
+/// L̇₁ … L̇_N in frame 0 [1/s, m/s]; zero for joints that do not move the frame.
+#[must_use]
+pub fn spatial_jacobian_rate<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian_rate(chain, frame, q, qd, |_, _| {
+        (Matrix4::identity(), Matrix4::zeros())
+    })
+}
+
+/// L̇₁ … L̇_N in `frame`, entry by entry in its moving axes [1/s, m/s].
+#[must_use]
+pub fn body_jacobian_rate<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian_rate(chain, frame, q, qd, |m_0_frame, w| (inverse(m_0_frame), *w))
+}
+
+/// L̇₁ … L̇_N with the axes of frame 0, pole at the moving origin of `frame` [1/s, m/s].
+#[must_use]
+pub fn geometric_jacobian_rate<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian_rate(chain, frame, q, qd, |m_0_frame, w| {
+        let tip = m_0_frame.column(3);
+        // Ṗ = W P of the pole, whose axes do not turn.
+        let mut w_pole = Matrix4::zeros();
+        w_pole.set_column(3, &(w * tip));
+        let back = Matrix4::new_translation(&-m_0_frame.fixed_view::<3, 1>(0, 3));
+        (back, w_pole)
+    })
+}
+
 /// W₀,frame₍₀₎ [rad/s, m/s].
 #[must_use]
 pub fn velocity<
@@ -136,6 +199,23 @@ pub fn acceleration<
 ) -> Acceleration<T> {
     let h = Motion::at(chain, q, qd, qdd).acceleration_of(frame.body);
     Acceleration::new(block(&h), column(&h))
+}
+
+/// H₀,frame₍₀₎ at q̈ = 0 [rad/s², m/s²], without gravity: H̃ of Part II.
+#[must_use]
+pub fn acceleration_bias<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> Acceleration<T> {
+    acceleration(chain, frame, q, qd, &[T::zero(); N])
 }
 
 /// The torques [N m] and forces \[N\] of the joints that produce q̈ (Part II, Newton–Euler).
@@ -287,6 +367,38 @@ pub fn mass_matrix_inverse<
     from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
 }
 
+/// ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂τ of the accelerations that the torques \[N m\] and forces \[N\] `tau` produce: of
+/// M q̈ + … = τ with q̈ as it is, ∂q̈ = M⁻¹ (∂τ − what inverse dynamics changes by), by Cholesky.
+///
+/// NaN where M is not positive definite.
+#[must_use]
+pub fn forward_dynamics_derivatives<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+    tau: &[T; N],
+) -> ForwardDynamicsDerivatives<N, T> {
+    let qdd = forward_dynamics(chain, q, qd, tau);
+    let needed = inverse_dynamics_derivatives(chain, q, qd, &qdd);
+    let factors = mass_matrix_factors(chain, q);
+    let answer = |needed: [[T; N]; N]| {
+        let needed: SMatrix<T, N, N> = SMatrix::from_fn(|i, m| -needed[i][m]);
+        let found = factors.as_ref().map(|factors| factors.solve(&needed));
+        from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
+    };
+    ForwardDynamicsDerivatives {
+        dq: answer(needed.dq),
+        dqd: answer(needed.dqd),
+        dtau: mass_matrix_inverse(chain, q),
+    }
+}
+
 /// The kinetic energy Σ ½ Tr(W J Wᵗ) \[J\] (22).
 #[must_use]
 pub fn kinetic_energy<
@@ -326,6 +438,212 @@ pub fn potential_energy<
     sum(positions.j.iter().map(|j| -(h_g * j).trace()))
 }
 
+/// Y of τ = Y π [m²/s², m/s², 1/s² and a unit of length less for forces]: π lists for each body m, q_x, q_y, q_z, J_xx,
+/// J_xy, J_xz, J_yy, J_yz, J_zz in its frame.
+///
+/// A column is the torques of Φ = skew[(H − H_g) J] of a J that is 1 in one place and its mirror image (25).
+///
+/// # Panics
+/// Where P is not 10 B, while compiling.
+#[must_use]
+pub fn regressor<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const P: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+    qdd: &[T; N],
+) -> [[T; P]; N] {
+    const PLACES: [(usize, usize); 10] = [
+        (3, 3),
+        (0, 3),
+        (1, 3),
+        (2, 3),
+        (0, 0),
+        (0, 1),
+        (0, 2),
+        (1, 1),
+        (1, 2),
+        (2, 2),
+    ];
+    const { assert!(P == PLACES.len() * B, "a body has ten parameters") };
+    let motion = Motion::at(chain, q, qd, qdd);
+    let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
+    let mut rows = [[T::zero(); P]; N];
+    for (parameter, k) in (0..P).map(|parameter| (parameter, parameter % PLACES.len())) {
+        let body = parameter / PLACES.len();
+        let mut unit = Matrix4::zeros();
+        let (row, place) = PLACES[k];
+        unit[(row, place)] = T::one();
+        unit[(place, row)] = T::one();
+        let m = positions.m[body];
+        let hj = (motion.h[body] - h_g) * m * unit * m.transpose();
+        let phi = hj - hj.transpose();
+        for freedom in positions.freedoms() {
+            if let Some(row) = rows.get_mut(freedom.velocity)
+                && chain.carries(freedom.body, Some(body))
+            {
+                row[parameter] += pseudo_scalar_product(&freedom.l, &phi);
+            }
+        }
+    }
+    rows
+}
+
+/// The centre of mass of what joints move \[m\], in frame 0: the last column of Σ J is ∫P dm (16).
+///
+/// NaN without mass.
+#[must_use]
+pub fn center_of_mass<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+) -> Point<T> {
+    let j = total(&Positions::at(chain, q));
+    Point(column(&j).map(|moment| moment / j[(3, 3)]))
+}
+
+/// Its velocity [m/s], in the axes of frame 0: the last column of Σ W J is ∫Ṗ dm.
+#[must_use]
+pub fn center_of_mass_velocity<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [T; 3] {
+    let motion = Motion::at(chain, q, qd, &[T::zero(); N]);
+    let mass = total(&motion.positions)[(3, 3)];
+    column(&moments(&motion)).map(|momentum| momentum / mass)
+}
+
+/// Its velocity at a unit rate of each joint, in the axes of frame 0.
+#[must_use]
+pub fn center_of_mass_jacobian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+) -> [[T; 3]; N] {
+    from_fn(|i| center_of_mass_velocity(chain, q, &unit(i)))
+}
+
+/// Γ₍₀₎ = skew[Σ W J] of what joints move [kg m²/s, kg m/s], pole at the origin of frame 0 (20).
+#[must_use]
+pub fn momentum<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> Momentum<T> {
+    let moments = moments(&Motion::at(chain, q, qd, &[T::zero(); N]));
+    let gamma = moments - moments.transpose();
+    Momentum::new(axial(&gamma), column(&gamma))
+}
+
+/// Γ of what joints move about their centre of mass [kg m²/s, kg m/s], in the axes of frame 0.
+#[must_use]
+pub fn centroidal_momentum<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> Momentum<T> {
+    let motion = Motion::at(chain, q, qd, &[T::zero(); N]);
+    let gamma = about_center(&motion.positions, &moments(&motion));
+    Momentum::new(axial(&gamma), column(&gamma))
+}
+
+/// Γ about the centre of mass at a unit rate of each joint [kg m², kg m, kg], in the axes of frame 0.
+#[must_use]
+pub fn centroidal_momentum_matrix<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+) -> [Momentum<T>; N] {
+    from_fn(|i| centroidal_momentum(chain, q, &unit(i)))
+}
+
+/// Φ = skew[Σ H J] at q̈ = 0 without gravity, about the centre of mass [N m, N], in the axes of frame 0: the rate of
+/// the centroidal momentum matrix times q̇.
+#[must_use]
+pub fn centroidal_momentum_bias<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> Action<T> {
+    let motion = Motion::at(chain, q, qd, &[T::zero(); N]);
+    let each = motion.h.iter().zip(&motion.positions.j);
+    let forces = each.fold(Matrix4::zeros(), |sum, (h, j)| sum + h * j);
+    let phi = about_center(&motion.positions, &forces);
+    Action::new(axial(&phi), column(&phi))
+}
+
+/// Σ J.
+fn total<T: RealField + Copy, const B: usize>(positions: &Positions<T, B>) -> Matrix4<T> {
+    positions.j.iter().fold(Matrix4::zeros(), |sum, j| sum + j)
+}
+
+/// Σ W J.
+fn moments<T: RealField + Copy, const B: usize>(motion: &Motion<T, B>) -> Matrix4<T> {
+    let each = motion.w.iter().zip(&motion.positions.j);
+    each.fold(Matrix4::zeros(), |sum, (w, j)| sum + w * j)
+}
+
+/// skew[X] of X = Σ W J or Σ H J with the centre of mass as pole (17).
+fn about_center<T: RealField + Copy, const B: usize>(
+    positions: &Positions<T, B>,
+    x: &Matrix4<T>,
+) -> Matrix4<T> {
+    let j = total(positions);
+    let back = Matrix4::new_translation(&(-j.fixed_view::<3, 1>(0, 3) / j[(3, 3)]));
+    back * (x - x.transpose()) * back.transpose()
+}
+
+/// A unit rate of one joint.
+fn unit<T: RealField + Copy, const N: usize>(joint: usize) -> [T; N] {
+    from_fn(|i| if i == joint { T::one() } else { T::zero() })
+}
+
 /// The columns M L₍₀₎ M⁻¹, M being the change of frame that `m_from_0` makes of M₀,frame.
 fn jacobian<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
     chain: &Chain<N, F, Q, B>,
@@ -344,6 +662,36 @@ fn jacobian<T: RealField + Copy, const N: usize, const F: usize, const Q: usize,
         }
     }
     columns.map(|l| Screw::new(axial(&l), column(&l)))
+}
+
+/// The rates of the columns M L₍₀₎ M⁻¹: of L₍₀₎ the rate is W L − L W, and of the frame in which they are seen,
+/// M and its own W in frame 0 are made by `seen_by` of M₀,frame and W₀,frame.
+fn jacobian_rate<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+    seen_by: impl Fn(&Matrix4<T>, &Matrix4<T>) -> (Matrix4<T>, Matrix4<T>),
+) -> [Screw<T>; N] {
+    let motion = Motion::at(chain, q, qd, &[T::zero(); N]);
+    let positions = &motion.positions;
+    let (m, w_seen) = seen_by(&positions.pose_of(frame), &motion.velocity_of(frame.body));
+    let mut columns = [Matrix4::zeros(); N];
+    for Freedom { body, velocity, l } in positions.freedoms() {
+        if let Some(column) = columns.get_mut(velocity)
+            && chain.carries(body, frame.body)
+        {
+            let w = motion.w[body] - w_seen;
+            *column += m * (w * l - l * w) * inverse(&m);
+        }
+    }
+    columns.map(|rate| Screw::new(axial(&rate), column(&rate)))
 }
 
 /// M by Cholesky; `None` where it is not positive definite.

@@ -76,7 +76,7 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
     }
 
     /// What the velocities of one joint do to its body.
-    fn of(&self, body: usize) -> impl Iterator<Item = Freedom<T>> {
+    pub(super) fn of(&self, body: usize) -> impl Iterator<Item = Freedom<T>> {
         let (start, count) = self.velocities[body];
         (0..count).map(move |k| Freedom {
             body,

@@ -14,6 +14,25 @@ macro_rules! of_a_chain {
         $(#[doc = $about:literal])+
         $kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty;
     )*) => {$(
+        implement!($kind $name $method($($argument),*) -> $result);
+    )*};
+}
+
+macro_rules! implement {
+    // Which columns of its regressor depend on others, a chain does not know.
+    (chosen $($row:tt)*) => {};
+    (sized $name:ident $method:ident($($argument:ident),*) -> $result:ty) => {
+        impl<T, const N: usize, const F: usize, const P: usize, const Q: usize, const B: usize>
+            robot::$name<N, P, T, Q> for Chain<N, F, Q, B>
+        where
+            T: RealField + Copy,
+        {
+            fn $method(&self, $($argument: &robot::list_of!($argument)),*) -> $result {
+                call!(whole self.$method($($argument),*))
+            }
+        }
+    };
+    ($kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty) => {
         impl<T, const N: usize, const F: usize, const Q: usize, const B: usize>
             robot::$name<N, T, Q> for Chain<N, F, Q, B>
         where
@@ -23,7 +42,7 @@ macro_rules! of_a_chain {
                 call!($kind self.$method($($argument),*))
             }
         }
-    )*};
+    };
 }
 
 macro_rules! call {

@@ -4,6 +4,8 @@
 //! function should return. No matrix is taken apart and no zero is known: this is the definition, and
 //! therefore slow (about 1 ms a joint).
 
+mod derivatives;
+
 use homogen_codegen::Function;
 
 use super::matrix::Matrix;
@@ -13,12 +15,22 @@ use super::state::State;
 use crate::arguments::Arguments;
 use crate::big::Big;
 
+/// Every function that is told here: of a base regressor, the selection of columns is the engine's own.
+pub fn told() -> impl Iterator<Item = Function> {
+    let all = Function::ALL.into_iter();
+    all.filter(|&function| function != Function::BaseRegressor)
+}
+
 /// What a function returns; of the frame of that index where it is of one.
 ///
 /// # Panics
 /// Where a frame is asked for that is not there, the mass matrix is singular and asked to be inverted, or
 /// a function has no oracle.
 #[must_use]
+#[expect(
+    clippy::too_many_lines,
+    reason = "one arm for each function, which is its definition"
+)]
 pub fn evaluate(
     robot: &Robot,
     function: Function,
@@ -41,6 +53,37 @@ pub fn evaluate(
             let tip = positions.of_frame(at()).column().map(|entry| -entry);
             jacobian(robot, &positions, at(), &Matrix::translation(&tip))
         }
+        Function::SpatialJacobianRate => {
+            let motion = moving(&qd, &rest);
+            let still = Matrix::zero();
+            jacobian_rate(
+                robot,
+                &positions,
+                &motion,
+                at(),
+                (&Matrix::identity(), &still),
+            )
+        }
+        Function::BodyJacobianRate => {
+            let motion = moving(&qd, &rest);
+            let back = positions.of_frame(at()).inverse();
+            jacobian_rate(
+                robot,
+                &positions,
+                &motion,
+                at(),
+                (&back, &motion.w_of(at())),
+            )
+        }
+        Function::GeometricJacobianRate => {
+            let motion = moving(&qd, &rest);
+            let tip = positions.of_frame(at()).column();
+            let rate = (&motion.w_of(at()) * &Matrix::translation(&tip)).column();
+            let of_pole = Matrix::screw(&[(); 3].map(|()| Big::zero()), &rate);
+            let back = Matrix::translation(&tip.map(|entry| -entry));
+            jacobian_rate(robot, &positions, &motion, at(), (&back, &of_pole))
+        }
+        Function::AccelerationBias => moving(&qd, &rest).h_of(at()).rows(),
         Function::Velocity => {
             let w = moving(&qd, &rest).w_of(at());
             [w.vector(), w.column()].concat()
@@ -74,18 +117,173 @@ pub fn evaluate(
             vec![energies.fold(Big::zero(), |sum, energy| sum + energy) * Big::new(0.5)]
         }
         Function::PotentialEnergy => {
-            // What no joint moves is not the robot's.
-            let mut moves: Vec<bool> = Vec::new();
-            for body in &robot.bodies {
-                let carried = body.parent.is_some_and(|parent| moves[parent]);
-                moves.push(carried || body.motion.moves());
-            }
-            let links = positions.j.iter().zip(moves).filter(|(_, moves)| *moves);
-            let energies = links.map(|(j, _)| (&robot.gravity * j).trace());
+            let links = moved(robot).map(|body| &positions.j[body]);
+            let energies = links.map(|j| (&robot.gravity * j).trace());
             vec![energies.fold(Big::zero(), |sum, energy| sum - energy)]
+        }
+        Function::Regressor => {
+            let motion = moving(&qd, &qdd);
+            regressor(robot, &positions, &motion)
+        }
+        Function::CenterOfMass => mass_center(robot, &positions).to_vec(),
+        Function::CenterOfMassVelocity => {
+            let motion = moving(&qd, &rest);
+            by_mass(robot, &positions, &moments(robot, &positions, &motion.w))
+        }
+        Function::CenterOfMassJacobian => unit_motions(robot, &positions)
+            .flat_map(|motion| by_mass(robot, &positions, &moments(robot, &positions, &motion.w)))
+            .collect(),
+        Function::Momentum => {
+            let motion = moving(&qd, &rest);
+            let moments = moments(robot, &positions, &motion.w);
+            let gamma = &moments - &moments.transposed();
+            [gamma.vector(), gamma.column()].concat()
+        }
+        Function::CentroidalMomentum => {
+            let motion = moving(&qd, &rest);
+            about_mass_center(robot, &positions, &moments(robot, &positions, &motion.w))
+        }
+        Function::CentroidalMomentumMatrix => unit_motions(robot, &positions)
+            .flat_map(|motion| {
+                let moments = moments(robot, &positions, &motion.w);
+                about_mass_center(robot, &positions, &moments)
+            })
+            .collect(),
+        Function::CentroidalMomentumBias => {
+            let motion = moving(&qd, &rest);
+            about_mass_center(robot, &positions, &moments(robot, &positions, &motion.h))
+        }
+        Function::InverseDynamicsDerivatives => {
+            derivatives::of_torques(robot, &positions, [&qd, &qdd]).concat()
+        }
+        Function::ForwardDynamicsDerivatives => {
+            let qdd = evaluate(robot, Function::ForwardDynamics, frame, arguments);
+            let motion = [&*qd, &*qdd];
+            let found = derivatives::of_torques(robot, &positions, motion).map(|needed| {
+                let rows = needed.chunks(rest.len().max(1));
+                let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
+                solve(mass_matrix(robot, &positions), lacking.collect()).concat()
+            });
+            let dtau = evaluate(robot, Function::MassMatrixInverse, frame, arguments);
+            [found.concat(), dtau].concat()
+        }
+        Function::GravityDerivative => {
+            derivatives::by_coordinate(robot, &positions, [&rest, &rest])
+        }
+        Function::CoriolisMatrix => {
+            let motion = moving(&qd, &rest);
+            derivatives::coriolis(robot, &positions, &motion)
         }
         other => panic!("{} has no oracle", other.name()),
     }
+}
+
+/// Y of τ = Y π, row by row: of each link that a joint moves ten columns, which are the torques of
+/// Φ = skew[(H − H_g) J] of a J that is 1 in one place and its mirror image.
+fn regressor(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
+    let first = [(3, 3), (0, 3), (1, 3), (2, 3)];
+    let second = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+    let units = first.into_iter().chain(second).map(|(row, column)| {
+        let is = |i, j| (i, j) == (row, column) || (j, i) == (row, column);
+        Matrix::of(|i, j| Big::new(f64::from(u8::from(is(i, j)))))
+    });
+    let units: Vec<Matrix> = units.collect();
+    let links = (0..robot.bodies.len()).filter(|&k| {
+        let body = &robot.bodies[k];
+        body.link && body.motion.moves()
+    });
+    let columns = links.flat_map(|body| {
+        let h = &motion.h[body] - &robot.gravity;
+        let m = &positions.m[body];
+        units.iter().map(move |unit| {
+            let j = &(m * unit) * &m.transposed();
+            let moved = &h * &j;
+            (body, &moved - &moved.transposed())
+        })
+    });
+    let columns: Vec<(usize, Matrix)> = columns.collect();
+    let row = |velocity: usize| {
+        let freedoms = positions
+            .freedoms
+            .iter()
+            .filter(move |one| one.velocity == velocity);
+        let freedoms: Vec<&Freedom> = freedoms.collect();
+        let entries = columns.iter().map(|(body, action)| {
+            let feels = |one: &&&Freedom| {
+                robot
+                    .upwards(Some(*body))
+                    .any(|carrier| carrier == one.body)
+            };
+            let felt = freedoms.iter().filter(feels);
+            felt.fold(Big::zero(), |sum, one| sum + pseudo_product(&one.l, action))
+        });
+        entries.collect::<Vec<Big>>()
+    };
+    (0..robot.velocities()).flat_map(row).collect()
+}
+
+/// The bodies that a joint moves: what none moves is not the robot's.
+fn moved(robot: &Robot) -> impl Iterator<Item = usize> {
+    let mut moves: Vec<bool> = Vec::new();
+    for body in &robot.bodies {
+        let carried = body.parent.is_some_and(|parent| moves[parent]);
+        moves.push(carried || body.motion.moves());
+    }
+    let bodies = moves.into_iter().enumerate();
+    bodies.filter_map(|(body, moves)| moves.then_some(body))
+}
+
+/// What the bodies that joints move weigh together \[kg\].
+#[must_use]
+pub fn mass(robot: &Robot) -> f64 {
+    let masses = moved(robot).map(|body| robot.bodies[body].inertia.0[3][3].to_f64());
+    masses.sum()
+}
+
+/// Σ J of what joints move.
+fn inertia(robot: &Robot, positions: &Positions) -> Matrix {
+    moved(robot).fold(Matrix::zero(), |sum, body| &sum + &positions.j[body])
+}
+
+/// Σ X J of what joints move, where X is W or H of each body.
+fn moments(robot: &Robot, positions: &Positions, of: &[Matrix]) -> Matrix {
+    moved(robot).fold(Matrix::zero(), |sum, body| {
+        &sum + &(&of[body] * &positions.j[body])
+    })
+}
+
+/// Where the mass has its centre: Σ J has the first moments and the mass in the last column.
+fn mass_center(robot: &Robot, positions: &Positions) -> [Big; 3] {
+    let inertia = inertia(robot, positions);
+    inertia.column().map(|moment| moment / &inertia.0[3][3])
+}
+
+/// The velocity of the centre of mass by Σ W J.
+fn by_mass(robot: &Robot, positions: &Positions, moments: &Matrix) -> Vec<Big> {
+    let mass = &inertia(robot, positions).0[3][3];
+    let column = moments.column();
+    column.map(|momentum| momentum / mass).to_vec()
+}
+
+/// skew\[X\] with the centre of mass as pole.
+fn about_mass_center(robot: &Robot, positions: &Positions, moments: &Matrix) -> Vec<Big> {
+    let skew = moments - &moments.transposed();
+    let back = Matrix::translation(&mass_center(robot, positions).map(|entry| -entry));
+    let seen = &(&back * &skew) * &back.transposed();
+    [seen.vector(), seen.column()].concat()
+}
+
+/// The motions at a unit rate of each joint alone.
+fn unit_motions<'r>(
+    robot: &'r Robot,
+    positions: &'r Positions,
+) -> impl Iterator<Item = Motion> + use<'r> {
+    let rest = vec![Big::zero(); robot.velocities()];
+    (0..robot.velocities()).map(move |k| {
+        let mut unit = rest.clone();
+        unit[k] = Big::one();
+        Motion::at(robot, positions, &unit, &rest)
+    })
 }
 
 /// What depends on q alone, in frame 0.
@@ -306,6 +504,28 @@ fn jacobian(robot: &Robot, positions: &Positions, frame: Option<usize>, m: &Matr
     for Freedom { body, velocity, l } in &positions.freedoms {
         if moves(*body) {
             columns[*velocity] = &columns[*velocity] + &(&(m * l) * &m.inverse());
+        }
+    }
+    let entries = columns.iter().map(|l| [l.vector(), l.column()].concat());
+    entries.flatten().collect()
+}
+
+/// The rates of the columns M L₍₀₎ M⁻¹, of a frame that moves by M and W: M (V L − L V) M⁻¹ where V is the
+/// velocity of the body less W; null for the velocities that do not move the frame.
+fn jacobian_rate(
+    robot: &Robot,
+    positions: &Positions,
+    motion: &Motion,
+    frame: Option<usize>,
+    (m, w): (&Matrix, &Matrix),
+) -> Vec<Big> {
+    let moves = |joint: usize| robot.upwards(frame).any(|body| body == joint);
+    let mut columns = vec![Matrix::zero(); robot.velocities()];
+    for Freedom { body, velocity, l } in &positions.freedoms {
+        if moves(*body) {
+            let v = &motion.w[*body] - w;
+            let rate = &(&v * l) - &(l * &v);
+            columns[*velocity] = &columns[*velocity] + &(&(m * &rate) * &m.inverse());
         }
     }
     let entries = columns.iter().map(|l| [l.vector(), l.column()].concat());

@@ -37,6 +37,8 @@ pub struct Body {
     pub motion: Motion,
     /// J in frame (i).
     pub inertia: Matrix,
+    /// Whether it is a link, and not what moves by a part of a joint's freedoms.
+    pub link: bool,
 }
 
 impl Robot {
@@ -186,6 +188,7 @@ impl<'d> Reader<'d> {
                     velocity: 0,
                 },
                 inertia: self.inertia(base),
+                link: true,
             });
         }
         for joint in kept {
@@ -208,6 +211,7 @@ impl<'d> Reader<'d> {
                     placement: &placement * &turn,
                     motion,
                     inertia,
+                    link: k == last,
                 });
                 (parent, placement) = (Some(robot.bodies.len() - 1), Matrix::identity());
             }

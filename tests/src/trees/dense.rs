@@ -131,6 +131,7 @@ impl Dense {
                 velocity: 0,
             },
             inertia,
+            link: true,
         });
     }
 
@@ -211,6 +212,7 @@ impl Dense {
                 } else {
                     Matrix::zero()
                 },
+                link: k == last,
             });
             (parent, placement) = (Some(self.links.len() - 1), Matrix::identity());
         }

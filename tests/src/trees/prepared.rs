@@ -17,6 +17,7 @@ use homogen_codegen::space::Space;
 use homogen_codegen::{Function, Real};
 
 use crate::arguments::Arguments;
+use crate::oracle::frame_0;
 use crate::states::Random;
 
 use super::cases::{Case, Choice};
@@ -193,9 +194,10 @@ impl<'r> Prepared<'r> {
             // Of a small arm far from the base, frame 0 may keep too few digits.
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
+            let weightless = case.function.is_of_mass() && refusal.contains("has mass");
             let states = || (0..self.states.len()).any(singular);
             let excused = || states() || solves && (self.is_described_singular() || self.cancels());
-            if far || !own && excused() {
+            if far || weightless && self.is_weightless() || !own && excused() {
                 Ok(None)
             } else {
                 Err(refusal)
@@ -214,6 +216,18 @@ impl<'r> Prepared<'r> {
         let program = program_as(formulation, &self.chain, &functions, frame, Real::F64)?;
         self.check.judge(&functions, frame, &program, Real::F64)?;
         Ok(program)
+    }
+
+    /// Whether nothing that moves is described with a mass.
+    fn is_weightless(&self) -> bool {
+        let described = Robot {
+            asked: Asked {
+                fields: Vec::new(),
+                ..self.robot.asked.clone()
+            },
+            ..self.robot.clone()
+        };
+        frame_0::mass(&Dense::of(&described).robot) == 0.0
     }
 
     /// Whether accelerations may be refused, or be none: where the mass matrix is singular or nearly,
@@ -307,20 +321,46 @@ impl<'r> Prepared<'r> {
         for velocity in 0..order.len() {
             order[self.place(Space::Velocities, velocity)] = velocity;
         }
-        permuted(found, function.result().over.len(), &order)
+        // Of each link that moves against the one it hangs on, ten.
+        let places = self.links().into_iter();
+        let parameters = places.flat_map(|place| (0..10).map(move |k| 10 * place + k));
+        let parameters: Vec<usize> = parameters.collect();
+        let result = function.result();
+        let parts = result.parts().zip(result.split(self.chain.spaces(), found));
+        let parts = parts.map(|((_, part), found)| {
+            let orders = part.over.iter().map(|space| match space {
+                Space::Parameters => &*parameters,
+                _ => &*order,
+            });
+            permuted(found, &orders.collect::<Vec<_>>())
+        });
+        parts.flatten().collect()
+    }
+
+    /// For each link of the dense robot that moves against the one it hangs on, its place among the chain's.
+    fn links(&self) -> Vec<usize> {
+        let parameters = &self.chain.spaces().parameters;
+        let names = parameters.iter().step_by(10);
+        let names = names.map(|entry| entry.name.trim_end_matches(".m"));
+        let known: Vec<usize> = names.map(id).collect();
+        let bodies = self.dense.robot.bodies.iter().zip(&self.dense.links);
+        let links = bodies.filter(|(body, _)| body.link && body.motion.moves());
+        let links = links.filter_map(|(_, link)| *link);
+        let place = |link| known.iter().position(|&other| other == link);
+        links
+            .map(|link| place(link).expect("the same links"))
+            .collect()
     }
 }
 
-/// The parts of nested arrays in another order, at as many levels as are over the velocities.
-fn permuted(found: &[f64], levels: usize, order: &[usize]) -> Vec<f64> {
-    if levels == 0 {
+/// The parts of nested arrays in other orders, the outermost first.
+fn permuted(found: &[f64], orders: &[&[usize]]) -> Vec<f64> {
+    let Some((order, inner)) = orders.split_first() else {
         return found.to_vec();
-    }
+    };
     let each = found.len() / order.len();
     let parts = order.iter().map(|&k| &found[k * each..][..each]);
-    parts
-        .flat_map(|part| permuted(part, levels - 1, order))
-        .collect()
+    parts.flat_map(|part| permuted(part, inner)).collect()
 }
 
 /// One number in [−4, 4) for each entry, which depends on nothing but the number of its joint and its part.

@@ -14,7 +14,7 @@ fn worst_of(chain: &Chain, function: Function, bound: &Bound, errors: &[f64]) ->
     let (result, spaces) = (function.result(), chain.spaces());
     let name = |k: usize| {
         let owner = result.owner(spaces, k)?;
-        Some(&spaces.entries(result.over[0])[owner].name)
+        Some(&spaces.velocities[owner].name)
     };
     let units = result.units(spaces).into_iter();
     let own = units.zip(errors).enumerate();

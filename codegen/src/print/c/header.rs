@@ -6,7 +6,7 @@
 use std::fmt::Write;
 
 use super::comments::comment;
-use super::declarations::{indices, parameters, structure};
+use super::declarations::{base_parameters, indices, parameters, structure};
 use super::names::{ascii, symbols};
 use crate::print::Listing;
 use crate::print::documentation::{self, Angles};
@@ -47,6 +47,7 @@ impl Header<'_> {
             indices(&mut text, listing, prefix);
         }
         structure(&mut text, listing, prefix);
+        base_parameters(&mut text, listing, prefix);
         let qualifier = if is_c { "HOMOGEN_FN " } else { "" };
         for (listed, name) in listing.functions.iter().zip(symbols(listing, prefix)) {
             let about = documentation::of_function(listing, listed, Some(self.angles));

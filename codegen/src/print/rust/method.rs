@@ -39,13 +39,13 @@ pub(super) fn method(
         listing,
         dialect,
     );
-    let result = result_value(&listed.functions, &listing.spaces, &results, dialect);
+    let result = result_value(item, &listed.functions, &listing.spaces, &results, dialect);
 
     let about = documentation::of_function(listing, listed, dialect.angles().as_ref());
     let about = doc(&about);
     let visibility = &item.visibility;
     let lengths = known(&listing.spaces);
-    let signature = signature(name, &listed.functions, &lengths, None, dialect);
+    let signature = signature(item, name, &listed.functions, &lengths, None, dialect);
     quote! {
         #about
         #[must_use]
@@ -87,16 +87,18 @@ pub(super) fn implementation(
     let [count, coordinates] = [Space::Velocities, Space::Coordinates].map(lengths);
     let same = count.to_string() == coordinates.to_string();
     let coordinates = (!same).then(|| quote! { , #coordinates });
-    let of = quote! { #runtime::robot::#name<#count, #number #coordinates> };
+    let further = function.further().map(lengths);
+    let of = quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> };
     let head = declaration::implementation(item, &of, &generics(unknown, dialect));
     let method = ident(function.name());
-    let parameters = parameters(&[function], lengths, dialect);
+    let parameters = parameters(item, &[function], lengths, dialect);
     quote! { #head { #[inline] fn #method #parameters { #call } } }
 }
 
 /// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]`; `unknown` is a generic
 /// parameter that stands for the number of joints.
 pub(super) fn signature(
+    item: &Item,
     name: &Ident,
     functions: &[Function],
     lengths: Lengths<'_>,
@@ -108,7 +110,7 @@ pub(super) fn signature(
         [] => quote! { #name },
         generics => quote! { #name<#(#generics),*> },
     };
-    let parameters = parameters(functions, lengths, dialect);
+    let parameters = parameters(item, functions, lengths, dialect);
     quote! { fn #name #parameters }
 }
 
@@ -122,13 +124,18 @@ fn generics(unknown: Option<&TokenStream>, dialect: &Dialect) -> Vec<TokenStream
 }
 
 /// `(&self, q: &[T; 2]) -> [T; 2]`.
-fn parameters(functions: &[Function], lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
+fn parameters(
+    item: &Item,
+    functions: &[Function],
+    lengths: Lengths<'_>,
+    dialect: &Dialect,
+) -> TokenStream {
     let number = &dialect.number;
     let parameters = arguments(functions).into_iter().map(|argument| {
         let name = ident(argument.name());
         let length = lengths(argument.space());
         quote! { #name: &[#number; #length] }
     });
-    let result = result_type(functions, lengths, dialect);
+    let result = result_type(item, functions, lengths, dialect);
     quote! { (&self, #(#parameters),*) -> #result }
 }

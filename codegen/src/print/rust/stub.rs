@@ -4,7 +4,7 @@
 //! bodies that type-check and never run. It never says what the mistake was; that is in
 //! [`Errors`](crate::error::Errors).
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::dialect::Dialect;
@@ -13,6 +13,7 @@ use super::lengths::literal;
 use super::names::{ident, unscoped};
 use super::world::World;
 use super::{chain, declaration, method};
+use crate::function::Function;
 use crate::print;
 use crate::request::Request;
 use crate::space::{Space, Spaces};
@@ -31,9 +32,14 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
         let known = spaces.map(|spaces| literal(spaces.len(space)));
         known.unwrap_or_else(|| quote! { #unknown })
     };
-    let parameter = unknown
-        .as_ref()
-        .map(|name| quote! { const #name: ::core::primitive::usize });
+    // How many entries spaces of parameters have, the description tells later than how it moves.
+    let other = ident(&dialect.names.clone().alone("P"));
+    let lengths = |space: Space| match space {
+        Space::Coordinates | Space::Velocities => lengths(space),
+        _ => quote! { #other },
+    };
+    let constant = |name: &Ident| quote! { const #name: ::core::primitive::usize };
+    let parameter = unknown.as_ref().map(constant);
 
     let mut methods = TokenStream::new();
     let mut traits = TokenStream::new();
@@ -46,8 +52,15 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
                 continue;
             }
             let name = ident(&names.fresh(&print::name(functions, frame)));
-            let parameter = parameter.as_ref();
-            let signature = method::signature(&name, functions, &lengths, parameter, &dialect);
+            let further = functions
+                .iter()
+                .any(|function| function.further().next().is_some());
+            let further = further.then(|| constant(&other));
+            let parameters: Vec<_> = parameter.iter().chain(&further).collect();
+            let parameters = (!parameters.is_empty()).then(|| quote! { #(#parameters),* });
+            let parameter = parameters.as_ref();
+            let signature =
+                method::signature(item, &name, functions, &lengths, parameter, &dialect);
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
@@ -80,6 +93,15 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
             &signature,
             &nothing(&joints, &frames, runtime),
         ));
+    }
+    let wanted = request.items().concat();
+    if wanted.contains(&Function::BaseRegressor) {
+        let number = dialect.field();
+        let visibility = &item.visibility;
+        methods.extend(quote! {
+            /// Not generated: the description has errors.
+            #visibility const BASE_PARAMETERS: [#number; 0] = [];
+        });
     }
     let declaration = match &item.declaration {
         Declaration::Written(tokens) => tokens.clone(),

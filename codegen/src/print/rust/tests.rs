@@ -97,6 +97,7 @@ pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
     Spaces {
         coordinates: entries.clone(),
         velocities: entries,
+        ..Spaces::default()
     }
 }
 
@@ -135,6 +136,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
             frames: vec![("rod-2".to_owned(), Some(1))],
             program: constant(&data),
         },
+        base_values: Vec::new(),
         scalar,
         sines: Sines::default(),
         parameters: Vec::new(),

@@ -44,6 +44,7 @@ fn routine(names: Names) -> Routine {
     let spaces = Spaces {
         coordinates: ["hip", "knee", "toe"].map(entry).to_vec(),
         velocities: vec![entry("hip")],
+        ..Spaces::default()
     };
     let fields = [vec!["load"], vec!["t_1", "qd"]];
     let fields = fields.map(|wishes| wishes.into_iter().map(str::to_owned).collect());

@@ -9,23 +9,23 @@ use std::rc::Rc;
 use homogen::Scalar;
 
 use crate::entries::Entries;
-use crate::truth::Truth;
+use crate::truth::Truths;
 
-/// Arguments of N joints.
+/// Arguments of a robot with so many coordinates and velocities.
 #[derive(Clone, Copy)]
 #[allow(
     dead_code,
     reason = "the generated robots read it, where there are any"
 )]
-pub struct State<T, const N: usize> {
+pub struct State<T, const NQ: usize, const NV: usize> {
     /// q.
-    pub q: [T; N],
+    pub q: [T; NQ],
     /// q̇.
-    pub qd: [T; N],
+    pub qd: [T; NV],
     /// q̈.
-    pub qdd: [T; N],
+    pub qdd: [T; NV],
     /// τ.
-    pub tau: [T; N],
+    pub tau: [T; NV],
 }
 
 /// A program to be timed and judged.
@@ -48,18 +48,18 @@ impl Case {
         dead_code,
         reason = "the generated robots need it, where there are any"
     )]
-    pub fn of<T, R, F, const N: usize>(
+    pub fn of<T, R, F, const NQ: usize, const NV: usize>(
         [name, scalar]: [&'static str; 2],
-        truth: &Truth,
+        truths: &Truths,
         entries: &[usize],
         call: F,
     ) -> Self
     where
         T: Scalar + 'static,
         R: Entries,
-        F: Fn(&State<T, N>) -> R + Copy + 'static,
+        F: Fn(&State<T, NQ, NV>) -> R + Copy + 'static,
     {
-        let states: Rc<[State<T, N>]> = truth.states().into();
+        let states: Rc<[State<T, NQ, NV>]> = truths.of(scalar).states().into();
         let same = Rc::clone(&states);
         Self {
             name: name.to_owned(),

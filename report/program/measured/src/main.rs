@@ -23,7 +23,7 @@ use case::Case;
     reason = "the generated robots need it, where there are any"
 )]
 use case::State;
-use truth::Truth;
+use truth::Truths;
 #[allow(
     unused_imports,
     reason = "the generated robots need it, where there are any"
@@ -40,15 +40,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [scene, function, folder, batches, peers @ ..] = &arguments[..] else {
         return Err("measured SCENE FUNCTION TRUTH BATCHES [MAKER TYPE SYMBOL LIBRARY]…".into());
     };
-    let truth = Truth::read(folder.as_ref(), function)?;
-    let mut cases = cases(scene, function, &truth);
+    let truths = Truths::read(folder.as_ref(), function)?;
+    let mut cases = cases(scene, function, &truths);
     for peer in peers.as_chunks().0 {
-        cases.push(peer::load(peer, function, &truth)?);
+        cases.push(peer::load(peer, function, &truths)?);
     }
     let batches_of_cases: Vec<&dyn Fn()> = cases.iter().map(|case| &*case.batch).collect();
-    let calls = u32::try_from(truth.states)?;
+    let calls = u32::try_from(truths.of("f64").states)?;
     let times = timing::alternate(batches.parse()?, calls, SHORTEST, &batches_of_cases);
     for (case, time) in cases.iter().zip(times) {
+        let truth = truths.of(case.scalar);
         let errors = truth.errors(&*case.results, &case.entries);
         println!(
             "{} {} {:.3} {:.3} {:.3} {:e} {:e} {:e}",

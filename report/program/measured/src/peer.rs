@@ -19,7 +19,7 @@ use libloading::Library;
 
 use crate::case::Case;
 use crate::entries::Entries;
-use crate::truth::Truth;
+use crate::truth::Truths;
 
 type Function<T> =
     unsafe extern "C" fn(*const *const T, *const *mut T, *mut c_longlong, *mut T, c_int) -> c_int;
@@ -27,19 +27,18 @@ type Function<T> =
 /// A library, and what its function is called with.
 struct Peer<T> {
     function: Function<T>,
-    joints: usize,
     states: Vec<T>,
-    /// Which parts of a state it takes.
+    /// Where the parts of a state begin that it takes.
     arguments: [usize; 3],
     result: RefCell<Vec<T>>,
     _library: Library,
 }
 
 /// The program that MAKER, TYPE, SYMBOL and LIBRARY tell, for a function of ours.
-pub fn load(what: &[String; 4], function: &str, truth: &Truth) -> Result<Case, Box<dyn Error>> {
+pub fn load(what: &[String; 4], function: &str, truths: &Truths) -> Result<Case, Box<dyn Error>> {
     match &*what[1] {
-        "f64" => load_of::<f64>(what, "f64", function, truth),
-        "f32" => load_of::<f32>(what, "f32", function, truth),
+        "f64" => load_of::<f64>(what, "f64", function, truths),
+        "f32" => load_of::<f32>(what, "f32", function, truths),
         other => Err(format!("no type {other}").into()),
     }
 }
@@ -48,28 +47,29 @@ fn load_of<T: Scalar + Entries + 'static>(
     [maker, _, symbol, path]: &[String; 4],
     scalar: &'static str,
     function: &str,
-    truth: &Truth,
+    truths: &Truths,
 ) -> Result<Case, Box<dyn Error>> {
     // SAFETY: the libraries are what `report/peer/setup.sh` compiled: loading them runs at most the
     // constructor of a robot.
     let library = unsafe { Library::new(path) }?;
     // SAFETY: all functions in them have this signature.
     let call: Function<T> = unsafe { *library.get(symbol.as_bytes())? };
+    let truth = truths.of(scalar);
+    let rates = |k: usize| truth.coordinates + k * truth.velocities;
     let peer = Rc::new(Peer {
         function: call,
-        joints: truth.joints,
         states: truth.arguments().iter().map(|x| T::constant(*x)).collect(),
         arguments: if function == "forward_dynamics" {
-            [0, 1, 3]
+            [0, rates(0), rates(2)]
         } else {
-            [0, 1, 2]
+            [0, rates(0), rates(1)]
         },
         result: RefCell::new(vec![T::constant(0.0); truth.entries()]),
         _library: library,
     });
     // Pinocchio's users read results where it leaves them: copies of them are not part of its time.
     let copies = maker != "pinocchio";
-    let length = 4 * truth.joints;
+    let length = truth.length();
     let same = Rc::clone(&peer);
     Ok(Case {
         name: format!("{maker}/{symbol}"),
@@ -93,14 +93,14 @@ fn load_of<T: Scalar + Entries + 'static>(
 
 impl<T> Peer<T> {
     fn call(&self, state: &[T], copies: bool) {
-        let arguments = self.arguments.map(|k| state[k * self.joints..].as_ptr());
+        let arguments = self.arguments.map(|start| state[start..].as_ptr());
         let mut result = self.result.borrow_mut();
         let results = [if copies {
             result.as_mut_ptr()
         } else {
             ptr::null_mut()
         }];
-        // SAFETY: the function reads as many numbers of each argument as there are joints, and writes
+        // SAFETY: the function reads as many numbers of each argument as the robot has coordinates or velocities, and writes
         // as many as our result has, or none where there is no place for them. It needs no work space:
         // CasADi's functions of scalars keep all in local variables.
         unsafe {

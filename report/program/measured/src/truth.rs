@@ -1,8 +1,10 @@
 //! The states of a scene, and what a function should return at each of them.
 //!
-//! In: two files of `f64` in little-endian order. `states` holds q, q̇, q̈ and τ of each state;
-//! the file of a function three numbers for each entry of each result: the exact value as a sum of
-//! two, and the magnitude that an error is measured by. Out: states, and the errors of results.
+//! In: two files of `f64` in little-endian order. `states` holds q, q̇, q̈ and τ of each state, whose
+//! `lengths` are written beside it; the file of a function three numbers for each entry of each result:
+//! the exact value as a sum of two, and the magnitude that an error is measured by. A folder `f32`
+//! has the same for single precision, where that does not see the same states. Out: states, and the
+//! errors of results.
 
 use std::path::Path;
 use std::{fs, io};
@@ -11,12 +13,38 @@ use homogen::Scalar;
 
 use crate::case::State;
 
+/// States and exact results of one function, for each type of number.
+pub struct Truths {
+    double: Truth,
+    single: Option<Truth>,
+}
+
+impl Truths {
+    /// Reads what lies in a folder of a function.
+    pub fn read(folder: &Path, function: &str) -> io::Result<Self> {
+        let single = folder.join("f32");
+        let single = single.exists().then(|| Truth::read(&single, function));
+        Ok(Self {
+            double: Truth::read(folder, function)?,
+            single: single.transpose()?,
+        })
+    }
+
+    /// What a type of number sees.
+    pub fn of(&self, scalar: &str) -> &Truth {
+        let single = self.single.as_ref().filter(|_| scalar == "f32");
+        single.unwrap_or(&self.double)
+    }
+}
+
 /// States and exact results of one function.
 pub struct Truth {
     /// How many states there are.
     pub states: usize,
-    /// How many joints move.
-    pub joints: usize,
+    /// How many coordinates the robot has.
+    pub coordinates: usize,
+    /// How many velocities it has, and accelerations and torques.
+    pub velocities: usize,
     arguments: Vec<f64>,
     exact: Vec<[f64; 3]>,
 }
@@ -32,15 +60,22 @@ pub struct Errors {
 }
 
 impl Truth {
-    /// Reads `joints`, `states` and the file of a function.
-    pub fn read(folder: &Path, function: &str) -> io::Result<Self> {
-        let joints = fs::read_to_string(folder.join("joints"))?;
-        let joints = joints.trim().parse().map_err(io::Error::other)?;
+    /// Reads `lengths`, `states` and the file of a function.
+    fn read(folder: &Path, function: &str) -> io::Result<Self> {
+        let lengths = fs::read_to_string(folder.join("lengths"))?;
+        let lengths = lengths.split_whitespace().map(str::parse);
+        let lengths: Vec<usize> = lengths
+            .collect::<Result<_, _>>()
+            .map_err(io::Error::other)?;
+        let [coordinates, velocities] = lengths[..] else {
+            return Err(io::Error::other("two lengths were expected"));
+        };
         let arguments = numbers(&folder.join("states"))?;
         let exact = numbers(&folder.join(function))?;
         Ok(Self {
-            states: arguments.len() / (4 * joints),
-            joints,
+            states: arguments.len() / (coordinates + 3 * velocities),
+            coordinates,
+            velocities,
             arguments,
             exact: exact.as_chunks().0.to_vec(),
         })
@@ -56,22 +91,32 @@ impl Truth {
         &self.arguments
     }
 
+    /// How many numbers a state has.
+    pub fn length(&self) -> usize {
+        self.coordinates + 3 * self.velocities
+    }
+
     /// The states in a type of number.
     ///
     /// # Panics
-    /// Where the robot has another number of joints.
-    pub fn states<T: Scalar, const N: usize>(&self) -> Vec<State<T, N>> {
-        assert_eq!(self.joints, N, "the scene was made for another robot");
+    /// Where the robot has other numbers of coordinates and velocities.
+    pub fn states<T: Scalar, const NQ: usize, const NV: usize>(&self) -> Vec<State<T, NQ, NV>> {
+        let lengths = (self.coordinates, self.velocities);
+        assert_eq!(lengths, (NQ, NV), "the scene was made for another robot");
         let state = |numbers: &[f64]| {
-            let part = |k: usize| std::array::from_fn(|i| T::constant(numbers[k * N + i]));
+            let (q, rates) = numbers.split_at(NQ);
+            let part = |k: usize| std::array::from_fn(|i| T::constant(rates[k * NV + i]));
             State {
-                q: part(0),
-                qd: part(1),
-                qdd: part(2),
-                tau: part(3),
+                q: std::array::from_fn(|i| T::constant(q[i])),
+                qd: part(0),
+                qdd: part(1),
+                tau: part(2),
             }
         };
-        self.arguments.chunks_exact(4 * N).map(state).collect()
+        self.arguments
+            .chunks_exact(self.length())
+            .map(state)
+            .collect()
     }
 
     /// The errors of what is computed state by state; entry k of a result stands for entry

@@ -1,0 +1,135 @@
+//! Base parameters: what torques can tell of the inertial parameters, and of which others each is told together with.
+//!
+//! In: a [`Chain`]. Out: [`BaseParameters`]. Whatever of a link's mass has a kinetic and a potential energy that its own
+//! joint does not change is, to all other joints, mass of the link that it hangs on: so each link's ten columns of the
+//! regressor depend on each other and on those of that link, or not at all (Mayeda, Yoshida and Osuka, "Base
+//! parameters of manipulator dynamic models", 1990). That is found numerically, in dense matrices at a
+//! few states, link by link (Gautier, "Numerical calculation of the base inertial parameters of robots", 1991).
+//!
+//! Fields are what is described in their place.
+
+mod columns;
+mod span;
+
+use std::collections::BTreeMap;
+
+use super::Chain;
+use columns::{Columns, PARAMETERS};
+use span::Span;
+
+/// The order in which columns of a link are taken, where not all are needed: off the diagonal first, the mass
+/// last.
+const ORDER: [usize; PARAMETERS] = [5, 6, 8, 4, 7, 9, 1, 2, 3, 0];
+
+/// What torques can tell of a robot's inertial parameters.
+#[derive(Clone, Debug, Default)]
+pub struct BaseParameters {
+    /// In the order of the parameters that lead them.
+    pub groups: Vec<Group>,
+}
+
+impl BaseParameters {
+    /// The columns of the regressor that torques are made of by them.
+    pub fn columns(&self) -> impl Iterator<Item = usize> {
+        self.groups.iter().map(Group::leader)
+    }
+}
+
+/// Parameters that are told as one number: the first, and so much of each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// The parameters, by their place among [all](crate::space::Space::Parameters), with their factors; the first has 1.
+    pub members: Vec<(usize, f64)>,
+    /// What they are described as, together.
+    pub value: f64,
+}
+
+impl Group {
+    /// The parameter whose column of the regressor is that of the group.
+    #[must_use]
+    pub fn leader(&self) -> usize {
+        self.members[0].0
+    }
+}
+
+/// So much of each parameter, where there is any of it.
+type Form = BTreeMap<usize, f64>;
+
+/// Of chains of more joints no function is generated, and nothing is looked for.
+const MOST: usize = 1000;
+
+/// Finds them.
+pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
+    if chain.joints.len() > MOST {
+        return BaseParameters::default();
+    }
+    let columns = Columns::of(chain);
+    let count = columns.links.len();
+    let unit = |parameter: usize| Form::from([(parameter, 1.0)]);
+    // What torques see in the place of each parameter: it, and what outboard links hand on.
+    let mut seen: Vec<Form> = (0..PARAMETERS * count).map(unit).collect();
+    let described = columns.described();
+    if chain.all_lead() {
+        for link in (0..count).rev() {
+            let own = columns.of_link(link, link);
+            let parent = columns.links[link].parent;
+            let inboard = parent.map(|parent| (parent, columns.of_link(parent, link)));
+            let others = inboard.iter().flat_map(|(_, columns)| columns);
+            let mut span = Span::among(own.iter().chain(others));
+            if let Some((parent, columns)) = &inboard {
+                for (k, column) in columns.iter().enumerate() {
+                    span.take(PARAMETERS * parent + k, column);
+                }
+            }
+            hand_on(link, &own, &mut span, &mut seen);
+        }
+    } else {
+        // What one coordinate moves in several places may be told apart or not: all columns are looked at together.
+        let all: Vec<_> = (0..count).map(|link| columns.of_link(link, link)).collect();
+        let mut span = Span::among(all.iter().flatten());
+        for (link, own) in all.iter().enumerate() {
+            hand_on(link, own, &mut span, &mut seen);
+        }
+    }
+    let kept = seen.iter().enumerate().filter(|(_, form)| !form.is_empty());
+    let groups = kept.map(|(leader, form)| group(leader, form, &described));
+    BaseParameters {
+        groups: groups.collect(),
+    }
+}
+
+/// Takes the columns of a link; where one is a combination of others, its parameter is handed on to theirs.
+fn hand_on<'c>(
+    link: usize,
+    own: &'c [Vec<f64>; PARAMETERS],
+    span: &mut Span<'c>,
+    seen: &mut [Form],
+) {
+    for k in ORDER {
+        let parameter = PARAMETERS * link + k;
+        let Some(combination) = span.take(parameter, &own[k]) else {
+            continue;
+        };
+        let handed_on = std::mem::take(&mut seen[parameter]);
+        for (other, factor) in combination {
+            add(&mut seen[other], &handed_on, factor);
+        }
+    }
+}
+
+fn add(sum: &mut Form, other: &Form, factor: f64) {
+    for (&parameter, other) in other {
+        *sum.entry(parameter).or_default() += factor * other;
+    }
+}
+
+fn group(leader: usize, form: &Form, described: &[f64]) -> Group {
+    let others = form.iter().map(|(&parameter, &factor)| (parameter, factor));
+    let others = others.filter(|&(parameter, factor)| parameter != leader && factor != 0.0);
+    let members: Vec<(usize, f64)> = [(leader, 1.0)].into_iter().chain(others).collect();
+    let value = members.iter().map(|&(k, factor)| factor * described[k]);
+    Group {
+        value: value.sum(),
+        members,
+    }
+}

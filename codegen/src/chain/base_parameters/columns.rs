@@ -1,0 +1,364 @@
+//! The regressor of a chain in numbers, at a few states, in dense matrices of frame 0.
+//!
+//! In: a chain, whose fields are what is described in their place. Out: columns of a link as some joints see
+//! them. It decides nothing.
+
+use crate::chain::{Chain, Joint, Position};
+use crate::dense::Matrix;
+use crate::expression::{Double, Evaluation, Expr, Input};
+use crate::joint::Motion;
+use crate::space::Space;
+
+/// How many inertial parameters a link has.
+pub const PARAMETERS: usize = 10;
+
+/// How many numbers a link's columns have at least: twice as many as two links have columns.
+const ROWS: usize = 4 * PARAMETERS;
+
+/// Of how many joints on the way to a link columns are looked at, at most: half of them from the base outwards, half
+/// from the link inwards.
+const JOINTS: usize = 64;
+
+/// A link that a joint moves.
+pub struct Link {
+    /// Which of the chain's joints does.
+    joint: usize,
+    /// The link that it hangs on, with nothing but bodies of its own joint between; none for the base.
+    pub parent: Option<usize>,
+    /// The joints whose forces are looked at: those that move it, from the base outwards, or all where some follow
+    /// others.
+    path: Vec<usize>,
+    /// At how many states it is looked at.
+    states: usize,
+}
+
+/// The links of a chain, and their matrices at some states.
+pub struct Columns {
+    /// In the order of their joints.
+    pub links: Vec<Link>,
+    /// Of each state, of each joint that is looked at there.
+    states: Vec<Vec<Option<At>>>,
+    /// The velocity of each joint.
+    velocities: Vec<usize>,
+    /// For each joint the one that carries the body it hangs on.
+    parents: Vec<Option<usize>>,
+    inertias: Vec<Matrix<f64>>,
+}
+
+/// What a body is at a state.
+struct At {
+    pose: Matrix<f64>,
+    /// M of the link that it is.
+    link: Matrix<f64>,
+    /// L times the factor of the joint's rate.
+    screw: Matrix<f64>,
+    w: Matrix<f64>,
+    /// Against gravity.
+    h: Matrix<f64>,
+}
+
+impl Columns {
+    pub fn of(chain: &Chain) -> Self {
+        let links = links(chain);
+        let numbers = Numbers::of(chain);
+        // A joint is looked at as often as any link that it moves.
+        let mut often = vec![0; chain.joints.len()];
+        for link in &links {
+            for &joint in link.path.iter().chain([&link.joint]) {
+                often[joint] = link.states.max(often[joint]);
+            }
+        }
+        let most = often.iter().copied().max().unwrap_or(0);
+        let mut random = Random(chain.source.hash);
+        let states = (0..most).map(|state| {
+            let [q, first, second] = [Space::Coordinates, Space::Velocities, Space::Velocities]
+                .map(|space| random.several(chain.spaces.len(space)));
+            let mut bodies: Vec<Option<At>> = Vec::new();
+            for together in chain.joints.chunk_by(|_, next| taken(next)) {
+                let k = bodies.len();
+                let parent = together[0].parent.map(|parent| bodies[parent].as_ref());
+                if (k..k + together.len()).all(|k| often[k] <= state) {
+                    bodies.extend(together.iter().map(|_| None));
+                } else {
+                    let found = numbers.joint(together, k, parent.flatten(), [&q, &first, &second]);
+                    bodies.extend(found.into_iter().map(Some));
+                }
+            }
+            bodies
+        });
+        let joints = || chain.joints.iter();
+        Self {
+            states: states.collect(),
+            velocities: joints().map(|joint| joint.velocity).collect(),
+            parents: joints().map(|joint| joint.parent).collect(),
+            inertias: numbers.inertias,
+            links,
+        }
+    }
+
+    /// What all links are described as, in the order of their parameters.
+    pub fn described(&self) -> Vec<f64> {
+        let links = self.links.iter().flat_map(|link| {
+            let Matrix(j) = &self.inertias[link.joint];
+            PLACES.map(|(row, column)| j[row][column])
+        });
+        links.collect()
+    }
+
+    /// The columns of a link in the rows of what another one is looked at by.
+    pub fn of_link(&self, link: usize, rows_of: usize) -> [Vec<f64>; PARAMETERS] {
+        let Link { path, states, .. } = &self.links[rows_of];
+        let joint = self.links[link].joint;
+        let inwards = std::iter::successors(Some(joint), |&joint| self.parents[joint]);
+        let mut rows: Vec<usize> = path.iter().map(|&joint| self.velocities[joint]).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        // Of each row, what it moves inboard of the link.
+        let mut movers = vec![Vec::new(); rows.len()];
+        for mover in inwards {
+            if let Ok(row) = rows.binary_search(&self.velocities[mover]) {
+                movers[row].push(mover);
+            }
+        }
+        let mut columns: [Vec<f64>; PARAMETERS] = Default::default();
+        for state in &self.states[..*states] {
+            let Some(body) = &state[joint] else { continue };
+            for movers in &movers {
+                let mut seen = [0.0; PARAMETERS];
+                for mover in movers.iter().filter_map(|&mover| state[mover].as_ref()) {
+                    for (entry, power) in seen.iter_mut().zip(powers(mover, body)) {
+                        *entry += power;
+                    }
+                }
+                for (column, entry) in columns.iter_mut().zip(seen) {
+                    column.push(entry);
+                }
+            }
+        }
+        columns
+    }
+}
+
+/// Where the parameters stand in J.
+const PLACES: [(usize, usize); PARAMETERS] = [
+    (3, 3),
+    (0, 3),
+    (1, 3),
+    (2, 3),
+    (0, 0),
+    (0, 1),
+    (0, 2),
+    (1, 1),
+    (1, 2),
+    (2, 2),
+];
+
+/// L ⊗ skew\[H M E Mᵗ\] = Tr(Mᵗ Lᵗ H M E) of each parameter's E.
+fn powers(mover: &At, body: &At) -> [f64; PARAMETERS] {
+    let turned = mover.screw.transposed().times(&body.h);
+    let Matrix(seen) = body.link.transposed().times(&turned).times(&body.link);
+    PLACES.map(|(row, column)| {
+        let mirrored = if row == column {
+            0.0
+        } else {
+            seen[column][row]
+        };
+        seen[row][column] + mirrored
+    })
+}
+
+fn taken(joint: &Joint) -> bool {
+    matches!(joint.position, Position::Taken)
+}
+
+fn links(chain: &Chain) -> Vec<Link> {
+    let inwards =
+        |joint: usize| std::iter::successors(Some(joint), |&joint| chain.joints[joint].parent);
+    let is_link = |joint: &usize| chain.joints[*joint].link.is_some();
+    let joints: Vec<usize> = (0..chain.joints.len()).filter(is_link).collect();
+    let velocities = chain.spaces.len(Space::Velocities);
+    let links = joints.iter().map(|&joint| {
+        let (path, states) = if chain.all_lead() {
+            let mut path: Vec<usize> = inwards(joint).collect();
+            path.reverse();
+            if path.len() > JOINTS {
+                path.drain(JOINTS / 2..path.len() - JOINTS / 2);
+            }
+            let states = ROWS.div_ceil(path.len());
+            (path, states)
+        } else {
+            let rows = 2 * PARAMETERS * joints.len();
+            ((0..chain.joints.len()).collect(), rows.div_ceil(velocities))
+        };
+        let parent = inwards(joint).skip(1).find(is_link);
+        Link {
+            joint,
+            parent: parent.and_then(|parent| joints.iter().position(|&other| other == parent)),
+            path,
+            states,
+        }
+    });
+    links.collect()
+}
+
+/// The numbers of a chain.
+struct Numbers {
+    /// Of each joint.
+    placements: Vec<Matrix<f64>>,
+    /// u and b, and what its rate is times that of its velocity.
+    screws: Vec<([f64; 3], [f64; 3], f64)>,
+    /// M of the link that it is, from the body's frame.
+    links: Vec<Matrix<f64>>,
+    /// J in the link's frame.
+    inertias: Vec<Matrix<f64>>,
+    /// H of the base that has the effect of gravity.
+    falling: Matrix<f64>,
+}
+
+impl Numbers {
+    fn of(chain: &Chain) -> Self {
+        let described = |input| match input {
+            Input::Parameter(field, entry) => {
+                Double::from(chain.nominal[usize::from(field)][usize::from(entry)])
+            }
+            Input::Variable(..) => unreachable!("a chain depends on no state"),
+        };
+        let numbers = |exprs: &[Expr]| -> Vec<f64> {
+            let found = Evaluation::<Double>::of(&chain.graph, exprs).at(described);
+            found.into_iter().map(Double::to_f64).collect()
+        };
+        let one = |expr| numbers(&[expr])[0];
+        let screw = |joint: &Joint| {
+            let axis = numbers(&joint.axis.0);
+            let axis = [axis[0], axis[1], axis[2]];
+            let factor = match joint.position {
+                Position::Along { factor, .. } => one(factor),
+                Position::Posture(..) | Position::Taken => 1.0,
+            };
+            match joint.motion {
+                Motion::Revolute => (axis, [0.0; 3], factor),
+                Motion::Prismatic => ([0.0; 3], axis, factor),
+                Motion::Screw(pitch) => {
+                    let pitch = one(pitch);
+                    (axis, axis.map(|entry| entry * pitch), factor)
+                }
+            }
+        };
+        let link = |joint: &Joint| match &joint.link {
+            Some((_, pose)) => placement(&numbers(&pose.entries())),
+            None => Matrix::identity(),
+        };
+        let inertia = |joint: &Joint| {
+            let [xx, yy, zz, xy, xz, yz, x, y, z, m] = joint.inertia.entries();
+            let rows = [xx, xy, xz, x, xy, yy, yz, y, xz, yz, zz, z, x, y, z, m];
+            let rows = numbers(&rows);
+            let j = Matrix([0, 4, 8, 12].map(|row| [0, 1, 2, 3].map(|column| rows[row + column])));
+            let back = link(joint).inverse();
+            back.times(&j).times(&back.transposed())
+        };
+        let joints = || chain.joints.iter();
+        let gravity = numbers(&chain.gravity.0);
+        let mut falling = Matrix::zero();
+        falling.set_column([0, 1, 2].map(|k| -gravity[k]));
+        Self {
+            placements: joints()
+                .map(|joint| placement(&numbers(&joint.placement.entries())))
+                .collect(),
+            screws: joints().map(screw).collect(),
+            links: joints().map(link).collect(),
+            inertias: joints().map(inertia).collect(),
+            falling,
+        }
+    }
+
+    /// The bodies of a joint, the first of them being number `k` of all, at q, q̇, q̈. Where a joint takes its bodies
+    /// together, any place that its motions lead to will do for one.
+    fn joint(
+        &self,
+        together: &[Joint],
+        k: usize,
+        outer: Option<&At>,
+        [q, first, second]: [&[f64]; 3],
+    ) -> Vec<At> {
+        let mut pose = self.placements[k].clone();
+        for (place, joint) in together.iter().enumerate() {
+            let (u, b, factor) = self.screws[k + place];
+            let at = match (together[0].position, joint.position) {
+                (_, Position::Along { coordinate, .. }) => factor * q[coordinate],
+                (Position::Posture(_, first), _) => q[first + place],
+                (_, _) => 0.0,
+            };
+            pose = pose.times(&displacement(u, b, at));
+        }
+        let still = Matrix::zero();
+        let (w_outer, h_outer) = match outer {
+            Some(outer) => {
+                pose = outer.pose.times(&pose);
+                (&outer.w, &outer.h)
+            }
+            None => (&still, &self.falling),
+        };
+        let screws = (0..together.len()).map(|place| {
+            let (u, b, factor) = self.screws[k + place];
+            pose.carries(&Matrix::screw(u, b)).scaled(&factor)
+        });
+        let screws: Vec<Matrix<f64>> = screws.collect();
+        let sum = |rates: &[f64]| {
+            let each = together.iter().zip(&screws);
+            each.fold(Matrix::zero(), |sum, (joint, screw)| {
+                sum.plus(&screw.scaled(&rates[joint.velocity]))
+            })
+        };
+        let own = sum(first);
+        let drift = w_outer.times(&own).scaled(&2.0).plus(&own.times(&own));
+        let w = w_outer.plus(&own);
+        let h = h_outer.plus(&sum(second)).plus(&drift);
+        let bodies = screws.into_iter().enumerate().map(|(place, screw)| At {
+            link: pose.times(&self.links[k + place]),
+            pose: pose.clone(),
+            screw,
+            w: w.clone(),
+            h: h.clone(),
+        });
+        bodies.collect()
+    }
+}
+
+/// Q so far along a screw: 1 + u̲ sin q + u̲² (1 − cos q), b q.
+fn displacement(u: [f64; 3], b: [f64; 3], q: f64) -> Matrix<f64> {
+    let turn = Matrix::screw(u, [0.0; 3]);
+    // These sines are the same on every machine.
+    let (sine, cosine) = Double::from(q).sin_cos();
+    let mut displacement = Matrix::identity()
+        .plus(&turn.scaled(&sine.to_f64()))
+        .plus(&turn.times(&turn).scaled(&(1.0 - cosine.to_f64())));
+    displacement.set_column(b.map(|entry| entry * q));
+    displacement
+}
+
+fn placement(entries: &[f64]) -> Matrix<f64> {
+    let mut placement = Matrix::identity();
+    for (row, entries) in placement.0.iter_mut().zip(entries.chunks(4)) {
+        row.copy_from_slice(entries);
+    }
+    placement
+}
+
+/// A sequence of numbers (splitmix64 of Steele, Lea and Flood, 2014).
+struct Random(u64);
+
+impl Random {
+    fn several(&mut self, count: usize) -> Vec<f64> {
+        (0..count).map(|_| self.between_ends()).collect()
+    }
+
+    /// Between −3 and 3.
+    fn between_ends(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let bits = u32::try_from((bits ^ (bits >> 31)) >> 32).unwrap_or(0);
+        6.0 * (f64::from(bits) + 0.5) / 4_294_967_296.0 - 3.0
+    }
+}

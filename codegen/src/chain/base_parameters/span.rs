@@ -1,0 +1,82 @@
+//! What a row of columns spans.
+//!
+//! In: columns, one after the other. Out: of each that adds nothing, the combination of earlier ones that it is. It
+//! never knows what the columns are.
+
+/// A column is a combination of others where no more than this part of it is left.
+const NOTHING: f64 = 1e-9;
+
+/// What is left of a part, or of a column beside the longest, is rounding.
+const ROUNDED: f64 = 1e-11;
+
+/// Columns that do not depend on each other.
+pub struct Span<'c> {
+    columns: Vec<(usize, &'c [f64])>,
+    /// Perpendicular directions of length 1, each with its factors of the columns.
+    directions: Vec<(Vec<f64>, Vec<f64>)>,
+    /// The length of the longest column of those to come.
+    longest: f64,
+}
+
+impl<'c> Span<'c> {
+    /// None yet, of all these.
+    pub fn among(all: impl Iterator<Item = &'c Vec<f64>>) -> Self {
+        let lengths = all.map(|column| length(column));
+        Self {
+            columns: Vec::new(),
+            directions: Vec::new(),
+            longest: lengths.fold(0.0, f64::max),
+        }
+    }
+
+    /// Adds a column; or, where it depends on those that are there, says how: so much of each.
+    pub fn take(&mut self, name: usize, column: &'c [f64]) -> Option<Vec<(usize, f64)>> {
+        let whole = length(column);
+        let mut left = column.to_vec();
+        let mut factors = vec![0.0; self.columns.len()];
+        // Twice is enough (Giraud and others, 2005).
+        for _ in 0..2 {
+            for (direction, of_columns) in &self.directions {
+                let part = dot(direction, &left);
+                add(&mut left, direction, -part);
+                add(&mut factors, of_columns, part);
+            }
+        }
+        let rest = length(&left);
+        if rest > NOTHING * whole && whole > ROUNDED * self.longest {
+            let scale = 1.0 / rest;
+            for entry in &mut left {
+                *entry *= scale;
+            }
+            // It is the column less so much of the others.
+            let mut of_columns: Vec<f64> = factors.iter().map(|factor| -factor * scale).collect();
+            of_columns.push(scale);
+            self.directions.push((left, of_columns));
+            self.columns.push((name, column));
+            return None;
+        }
+        let parts = self.columns.iter().zip(factors);
+        let parts = parts.filter_map(|(&(name, other), factor)| {
+            let share = factor.abs() * length(other);
+            let integer = factor.round();
+            let near = (factor - integer).abs() <= ROUNDED;
+            (share > ROUNDED * whole).then_some((name, if near { integer } else { factor }))
+        });
+        Some(parts.collect())
+    }
+}
+
+fn length(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Adds so much of another one, which may be shorter.
+fn add(sum: &mut [f64], other: &[f64], factor: f64) {
+    for (sum, other) in sum.iter_mut().zip(other) {
+        *sum += factor * other;
+    }
+}

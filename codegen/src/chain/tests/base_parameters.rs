@@ -1,0 +1,206 @@
+//! Base parameters against the whole regressor, of which all columns are looked at together.
+
+use std::path::Path;
+
+use super::{fine, read};
+use crate::Real;
+use crate::chain::{Chain, build};
+use crate::description::{Description, read_file};
+use crate::error::Errors;
+use crate::expand::program;
+use crate::expression::{Double, Input};
+use crate::function::Function;
+use crate::request::Request;
+use crate::schedule::{Program, run};
+use crate::space::Space;
+
+/// So many states that rows are more than columns.
+const STATES: u64 = 40;
+
+/// What is left of a column that depends on others, beside it.
+const NOTHING: f64 = 1e-10;
+
+fn shipped(name: &str) -> Chain {
+    let file = format!("{}/../robots/{name}.urdf", env!("CARGO_MANIFEST_DIR"));
+    let mut errors = Errors::new();
+    let described: Option<Description> = read_file(Path::new(&file), None, &mut errors);
+    let described = described.expect("a robot that ships");
+    build(&described, &Request::default()).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn program_of(chain: &Chain, function: Function) -> Program {
+    program(chain, &[function], 0, Real::F64).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// The results of a program at a state of that number, the same of every program.
+fn at(program: &Program, state: u64) -> Vec<f64> {
+    let results = run(program, |input| {
+        let Input::Variable(variable, k) = input else {
+            unreachable!("there are no fields");
+        };
+        let seed = 1000 * state + 100 * variable as u64 + u64::from(k);
+        let mut random = homogen_random::Random::new(seed);
+        Double::from(3.0 * random.unit())
+    });
+    results.into_iter().map(Double::to_f64).collect()
+}
+
+/// How many columns do not depend on each other: the longest by what those before have left of them, one after the
+/// other (pivoted orthogonalisation of columns of length 1).
+fn rank(mut columns: Vec<Vec<f64>>) -> usize {
+    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+    let length = |column: &[f64]| dot(column, column).sqrt();
+    let longest = columns
+        .iter()
+        .map(|column| length(column))
+        .fold(0.0, f64::max);
+    columns.retain(|column| length(column) > NOTHING * longest);
+    for column in &mut columns {
+        let length = length(column);
+        for entry in column {
+            *entry /= length;
+        }
+    }
+    let mut rank = 0;
+    while rank < columns.len() {
+        let left = |k: &usize| length(&columns[*k]);
+        let most = (rank..columns.len()).max_by(|a, b| left(a).total_cmp(&left(b)));
+        let most = most.expect("some are left");
+        if left(&most) < NOTHING {
+            break;
+        }
+        columns.swap(rank, most);
+        let (before, after) = columns.split_at_mut(rank + 1);
+        let pivot = &before[rank];
+        let square = dot(pivot, pivot);
+        for column in after {
+            let part = dot(pivot, column) / square;
+            for (entry, pivot) in column.iter_mut().zip(pivot) {
+                *entry -= part * pivot;
+            }
+        }
+        rank += 1;
+    }
+    rank
+}
+
+/// Holds that there are as many base parameters as the regressor has rank, that any parameters make the torques that
+/// their groups make, and that the described ones make those of inverse dynamics. Returns how many there are.
+fn hold(chain: &Chain) -> usize {
+    let spaces = chain.spaces();
+    let [all, some] = [Space::Parameters, Space::BaseParameters].map(|space| spaces.len(space));
+    let [regressor, base, torques] = [
+        Function::Regressor,
+        Function::BaseRegressor,
+        Function::InverseDynamics,
+    ]
+    .map(|function| program_of(chain, function));
+    let groups = &chain.base_parameters.groups;
+    let mut columns = vec![Vec::new(); all];
+    for state in 0..STATES {
+        let [regressor, base, torques] =
+            [&regressor, &base, &torques].map(|program| at(program, state));
+        for (row, torque) in torques.iter().enumerate() {
+            let whole = &regressor[all * row..][..all];
+            let part = &base[some * row..][..some];
+            for (column, entry) in columns.iter_mut().zip(whole) {
+                column.push(*entry);
+            }
+            let terms = groups
+                .iter()
+                .zip(part)
+                .map(|(group, entry)| group.value * entry);
+            let size: f64 = terms.clone().map(f64::abs).sum();
+            let off = (terms.sum::<f64>() - torque).abs();
+            assert!(
+                off <= 1e-12 * size.max(1e-6),
+                "{torque} is off by {off:e} of {size}"
+            );
+            for (parameter, entry) in whole.iter().enumerate() {
+                let of_groups = groups.iter().zip(part).map(|(group, column)| {
+                    let member = group
+                        .members
+                        .iter()
+                        .find(|(member, _)| *member == parameter);
+                    member.map_or(0.0, |(_, factor)| factor * column)
+                });
+                let size: f64 = of_groups.clone().map(f64::abs).sum();
+                let off = (of_groups.sum::<f64>() - entry).abs();
+                assert!(
+                    off <= 1e-10 * size.max(1.0),
+                    "{parameter} is off by {off:e} of {size}"
+                );
+            }
+        }
+    }
+    let found = rank(columns);
+    assert_eq!(
+        some, found,
+        "base parameters, and the rank of the regressor"
+    );
+    some
+}
+
+#[test]
+fn the_numbers_of_known_robots_are_the_known_ones() {
+    // Khalil and Dombre, "Modeling, identification and control of robots", 2002: 36 of the PUMA 560 and 33 of the Stanford
+    // arm, as of a Panda 43; of planar arms 3 a link.
+    for (robot, known) in [
+        ("two_link", 6),
+        ("scara", 8),
+        ("stanford_general", 33),
+        ("puma560_general", 36),
+        ("ur5_class", 36),
+        ("panda_class", 43),
+        ("quadruped", 68),
+    ] {
+        assert_eq!(hold(&shipped(robot)), known, "{robot}");
+    }
+}
+
+#[test]
+fn every_kind_of_joint_on_a_tree_of_oblique_axes() {
+    let (description, request) = read(include_str!("../../layout/oblique.txt"));
+    let chain = build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    assert!(hold(&chain) > 0);
+}
+
+#[test]
+fn without_gravity_less_can_be_told() {
+    let arm = |gravity: &str| {
+        fine(&format!(
+            "struct Arm {{ gravity: {gravity} }}
+            link base;
+            joint shoulder: revolute([0.36, 0.48, 0.8]) {{ from: base, to: upper, at: xyz(0.1, 0.2, 0.3) rx(0.3) }}
+            joint slide: cylindrical([0.6, 0.0, 0.8]) {{ from: upper, to: fore, at: xyz(0.4, 0.1, 0) ry(0.2) }}
+            link upper {{ mass: 1.0, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.2, 0.15] }}
+            link fore {{ mass: 2.0, com: [0.1, 0.2, -0.3], inertia: [0.1, 0.2, 0.15, 0.01, 0.02, 0.03] }}"
+        ))
+    };
+    let [with, without] =
+        ["[0.0, 0.0, -9.81]", "[0.0, 0.0, 0.0]"].map(|gravity| hold(&arm(gravity)));
+    assert!(without < with, "{without} and {with}");
+}
+
+#[test]
+fn what_cannot_be_told_is_in_no_group() {
+    // About a vertical axis nothing but the moment about it is felt.
+    let chain = fine(
+        "struct Turntable { }
+        link base;
+        joint pan: revolute(z) { from: base, to: plate, at: xyz(1, 2, 3) }
+        link plate { mass: 3.0, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.2, 0.15] }",
+    );
+    let members: Vec<_> = (chain.base_parameters.groups.iter())
+        .map(|group| group.members.clone())
+        .collect();
+    // J_xx and J_yy.
+    assert_eq!(members, [[(4, 1.0), (7, 1.0)]]);
+    assert_eq!(
+        chain
+            .spaces()
+            .names(Space::BaseParameters)
+            .collect::<Vec<_>>(),
+        ["plate.J_xx"]
+    );
+}

@@ -1,0 +1,42 @@
+//! H₀,tip₍₀₎ at q̈ = 0: what velocities alone make of the acceleration matrix of a frame, without gravity.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{MOVING, Size, Tally};
+use crate::dense::Motion;
+use crate::expression::Term;
+use crate::model::{Carried, Scene, Way};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "acceleration_bias",
+    sentence,
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::ACCELERATION,
+    of_a_frame: true,
+    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Coasting).1.upper()),
+    ways,
+    dense,
+    build,
+};
+
+fn sentence(base: &str, frame: &str) -> String {
+    format!(
+        "Acceleration matrix H₀,ₜ₍₀₎ of {frame} at q̈ = 0 in the axes of {base} (frame 0), pole at its \
+         origin, without gravity; 1/s², m/s²."
+    )
+}
+
+fn dense(size: Size) -> Tally {
+    MOVING.times(size.path)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    scene.acceleration(|_| scene.state.zero())
+}
+
+/// Carried inwards by itself; outwards as dynamics has it, where that is asked for beside it.
+fn ways() -> Vec<Way> {
+    let pose = Carried::Outwards;
+    vec![Way::PLAIN, Way { pose, ..Way::PLAIN }]
+}

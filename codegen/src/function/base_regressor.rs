@@ -1,0 +1,33 @@
+//! What torques are for the base parameters: those columns of the regressor that do not depend on each other.
+
+use super::definition::{Definition, Truth};
+use super::{quantities, regressor};
+use crate::expression::Term;
+use crate::model::Scene;
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "base_regressor",
+    sentence,
+    arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
+    result: quantities::BASE_REGRESSOR,
+    of_a_frame: false,
+    truth: Truth::Value(|dense, _| dense.base_regressor()),
+    ways: Definition::one_way,
+    dense: regressor::dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Base regressor Y(q, q̇, q̈) of τ = Y π, by rows, where π are the base parameters: all that torques can tell of \
+     the inertial parameters, each by the column of the one that leads it."
+        .to_owned()
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let all = scene.regressor();
+    let rows = all.chunks((all.len() / scene.velocities().max(1)).max(1));
+    let columns = &scene.bodies.base_columns;
+    rows.flat_map(|row| columns.iter().map(|&column| row[column]))
+        .collect()
+}

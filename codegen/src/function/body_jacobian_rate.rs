@@ -1,0 +1,40 @@
+//! The rate of the entries of the Jacobian in the frame of the tip, which moves: columns L̇₁ … L̇_N, pole at
+//! its origin.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally;
+use crate::dense::Motion;
+use crate::expression::Term;
+use crate::model::{Scene, jacobian_rate};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "body_jacobian_rate",
+    sentence,
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::SCREW_RATES,
+    of_a_frame: true,
+    truth: Truth::Value(|dense, frame| {
+        let back = dense.pose(frame).inverse();
+        let (w, _) = dense.motion(frame, Motion::Coasting);
+        dense.column_rates(frame, |screw, rate| {
+            back.carries(&rate.minus(&w.commutator(screw)))
+        })
+    }),
+    ways: Definition::one_way,
+    dense: tally::screw_rates_elsewhere,
+    build,
+};
+
+fn sentence(_: &str, frame: &str) -> String {
+    format!(
+        "Rate of the entries of the body Jacobian of {frame}: L̇ of the joints as seen in the moving \
+         axes of {frame}, pole at its origin."
+    )
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let rates = jacobian_rate::body(&scene.link_path(), &scene.state);
+    scene.columns(&rates)
+}

@@ -1,0 +1,49 @@
+//! What each joint adds to the velocity of the centre of mass of all that joints move: the last column of Σ L J of
+//! what it carries.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{INERTIA, KINEMATIC, Size, Tally};
+use crate::expression::Term;
+use crate::model::{Carried, MassCenter, Scene, Way};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "center_of_mass_jacobian",
+    sentence: |base, _| {
+        format!(
+            "Jacobian of the centre of mass of what joints move: its velocity at a unit rate of each joint, in the axes of {base} (frame 0)."
+        )
+    },
+    arguments: &[Variable::Q],
+    result: quantities::POINT_RATES,
+    of_a_frame: false,
+    truth: Truth::OfMass(|dense, _| {
+        let momenta = dense.unit_moments().map(|moments| moments.column());
+        momenta
+            .flat_map(|momentum| dense.by_mass(momentum))
+            .collect()
+    }),
+    ways,
+    dense,
+    build,
+};
+
+fn dense(size: Size) -> Tally {
+    // A composite J and L J a column, and three divisions.
+    let column = KINEMATIC.plus(INERTIA).plus(Tally::of(1, 0, 1)).and(3, 0);
+    column.times(size.joints)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let joints = scene.joints();
+    let center = MassCenter::of(&joints, &scene.bodies.base);
+    let columns = center.columns(scene.way.pose).into_iter();
+    scene.gathered(&columns.map(|column| column.0).collect::<Vec<_>>())
+}
+
+/// Each column is carried through the joints, or turned by the pose of its body.
+fn ways() -> Vec<Way> {
+    let pose = Carried::Outwards;
+    vec![Way::PLAIN, Way { pose, ..Way::PLAIN }]
+}

@@ -1,0 +1,41 @@
+//! What the momentum about the centre of mass changes by at q̈ = 0: the rate of its matrix times q̇, Σ skew\[H J\].
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{INERTIA, MOVING, Size, Tally};
+use crate::dense::Motion;
+use crate::expression::Term;
+use crate::model::{MassCenter, Scene, momentum};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "centroidal_momentum_bias",
+    sentence: |base, _| {
+        format!(
+            "Rate of the centroidal momentum of what joints move at q̈ = 0, the matrix' rate times q̇, in the axes of {base} (frame 0); N m, N."
+        )
+    },
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::ACTION,
+    of_a_frame: false,
+    truth: Truth::OfMass(|dense, _| {
+        let rate = dense.inertia_forces(Motion::Coasting).skew();
+        dense.about_mass_center(&rate).vectors().to_vec()
+    }),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn dense(size: Size) -> Tally {
+    // Σ H J and Σ J, and a change of frame.
+    let link = MOVING.plus(INERTIA).plus(Tally::of(1, 0, 2));
+    link.times(size.joints).plus(Tally::of(2, 0, 1)).and(3, 0)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let joints = scene.joints();
+    let center = MassCenter::of(&joints, &scene.bodies.base).point();
+    let all = momentum::bias(&joints, &scene.state);
+    all.about(center).entries().to_vec()
+}

@@ -1,0 +1,42 @@
+//! What each joint adds to the momentum about the centre of mass: skew\[L J\] of all that it carries.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{INERTIA, KINEMATIC, Size, Tally};
+use crate::expression::Term;
+use crate::matrix::Action;
+use crate::model::{MassCenter, Scene, momentum};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "centroidal_momentum_matrix",
+    sentence: |base, _| {
+        format!(
+            "Centroidal momentum matrix: momentum Γ of what joints move about their centre of mass at a unit rate of each joint, in the axes of {base} (frame 0)."
+        )
+    },
+    arguments: &[Variable::Q],
+    result: quantities::MOMENTA,
+    of_a_frame: false,
+    truth: Truth::OfMass(|dense, _| {
+        let momenta = dense.unit_moments().map(|moments| moments.skew());
+        let momenta = momenta.map(|momentum| dense.about_mass_center(&momentum).vectors());
+        momenta.flatten().collect()
+    }),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn dense(size: Size) -> Tally {
+    // A composite J, L J and a change of frame a column.
+    let column = KINEMATIC.plus(INERTIA).plus(Tally::of(3, 0, 2));
+    column.times(size.joints).and(3, 0)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let joints = scene.joints();
+    let center = MassCenter::of(&joints, &scene.bodies.base).point();
+    let columns = momentum::columns(&joints, center);
+    scene.gathered(&columns.map(Action::entries).collect::<Vec<_>>())
+}

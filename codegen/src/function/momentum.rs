@@ -1,0 +1,36 @@
+//! The momentum Γ = Σ skew\[W J\] of all that joints move (paper, eqs. 20 and 26).
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
+use crate::dense::Motion;
+use crate::expression::Term;
+use crate::model::{Scene, momentum};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "momentum",
+    sentence: |base, _| {
+        format!(
+            "Momentum Γ₍₀₎ of what joints move, in the axes of {base} (frame 0), pole at its origin; kg m²/s, kg m/s."
+        )
+    },
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::MOMENTUM,
+    of_a_frame: false,
+    truth: Truth::Value(|dense, _| dense.moments(Motion::Coasting).skew().vectors().to_vec()),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn dense(size: Size) -> Tally {
+    let link = KINEMATIC.plus(INERTIA).plus(VELOCITY);
+    let link = link.plus(Tally::of(1, 0, 1));
+    link.times(size.joints).plus(Tally::of(0, 0, 1))
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let all = momentum::momentum(&scene.joints(), &scene.state);
+    all.entries().to_vec()
+}

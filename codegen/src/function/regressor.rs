@@ -1,0 +1,41 @@
+//! What torques are for the inertial parameters of the links: τ = Y π, since Φ = skew\[H J\] (paper, eq. 25) is linear in J.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{ACTION, INERTIA, MOVING, Size, Tally};
+use crate::expression::Term;
+use crate::model::Scene;
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "regressor",
+    sentence,
+    arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
+    result: quantities::REGRESSOR,
+    of_a_frame: false,
+    truth: Truth::Value(|dense, _| dense.regressor().to_vec()),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Regressor Y(q, q̇, q̈) of τ = Y π, by rows. π lists for each link that a joint moves, with all that \
+     is fixed to it and in its own frame, m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz: its mass in kg, first moments \
+     ∫r dm in kg m and second moments ∫rrᵗ dm in kg m², zero or not."
+        .to_owned()
+}
+
+pub(super) fn dense(size: Size) -> Tally {
+    // Of each parameter of a link J and Φ, which all joints of a chain feel that are inboard.
+    let parameter = INERTIA.plus(ACTION);
+    let powers = Tally::default()
+        .and(6, 5)
+        .times(10 * size.joints * (size.joints - 1) / 2);
+    let link = MOVING.plus(parameter.times(10));
+    link.times(size.joints).plus(powers)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    scene.regressor()
+}

@@ -1,0 +1,37 @@
+//! The rate of the Jacobian in frame 0: columns L̇₁ … L̇_N, pole at its origin.
+
+use super::definition::{Definition, Truth};
+use super::quantities;
+use super::tally::{KINEMATIC, SCREW_RATE, Size, Tally, VELOCITY};
+use crate::expression::Term;
+use crate::model::{Scene, jacobian_rate};
+use crate::space::Variable;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "spatial_jacobian_rate",
+    sentence,
+    arguments: &[Variable::Q, Variable::Qd],
+    result: quantities::SCREW_RATES,
+    of_a_frame: true,
+    truth: Truth::Value(|dense, frame| dense.column_rates(frame, |_, rate| rate.clone())),
+    ways: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(base: &str, frame: &str) -> String {
+    format!(
+        "Rate of the spatial Jacobian of {frame}: L̇ of the joints in the axes of {base} (frame 0), \
+         pole at its origin."
+    )
+}
+
+fn dense(size: Size) -> Tally {
+    let column = KINEMATIC.plus(VELOCITY).plus(SCREW_RATE);
+    column.times(size.path)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let rates = jacobian_rate::spatial(&scene.link_path(), &scene.state);
+    scene.columns(&rates)
+}

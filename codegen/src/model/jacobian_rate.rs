@@ -1,0 +1,135 @@
+//! The rates of the Jacobians' columns, L̇ = W L − L W of the body that each joint moves, in three frames.
+//!
+//! In: the way from the base to a frame, and the rates. Out: one rate of a screw a body. A motion along L leaves L
+//! as it is, so that of a joint with one velocity W of the body that it hangs on does as well as that of the one it
+//! moves; the screws of a joint with several are constant in the frame of the last body, and all move with that.
+
+use super::carry::{Joint, Path};
+use super::jacobian::columns;
+use super::moving::velocities;
+use super::state::State;
+use super::way::Carried;
+use crate::expression::Term;
+use crate::matrix::{Pose, Screw, Vector, Velocity};
+
+/// Columns in frame 0, pole at its origin.
+pub fn spatial<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
+    let mut w = Velocity::zero(state.graph);
+    let mut found = Vec::new();
+    for together in path.outwards().chunk_by(|_, (next, _)| next.taken) {
+        let screws = seen(together, |pose| pose);
+        let outer = w;
+        w = w + own(&screws, state);
+        let w = if screws.len() == 1 { outer } else { w };
+        found.extend(screws.iter().map(|&(k, screw)| (k, w.rate_of(screw))));
+    }
+    columns(path, found.into_iter())
+}
+
+/// Columns in the axes of frame 0, pole at the origin of the frame at the end, which moves.
+pub fn geometric<'g>(path: &Path<'g>, state: &State<'g>, carried: Carried) -> Vec<Screw<Term<'g>>> {
+    match carried {
+        Carried::Inwards { .. } => geometric_in_links(path, state),
+        Carried::Outwards => geometric_in_frame_0(path, state),
+    }
+}
+
+/// Where each body sees the pole, and how that moves against it.
+fn geometric_in_links<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
+    let (mut tip, mut rate) = (path.end.translation, Vector::zero(state.graph));
+    let mut poles = Vec::with_capacity(path.joints.len());
+    for together in path.joints.chunk_by(|_, next| next.taken).rev() {
+        poles.extend(together.iter().map(|_| (tip, rate)));
+        let own = own(&local(together), state);
+        let joint = &together[0];
+        rate = joint.vector_inboard(rate + own.omega.cross(tip) + own.v);
+        tip = joint.point_inboard(tip);
+    }
+    poles.reverse();
+    let velocities = velocities(&path.joints, state);
+    let placed = path.outwards().into_iter().zip(poles).enumerate();
+    let rates = placed.map(|(k, ((joint, pose), (tip, rate)))| {
+        // All bodies of a joint move as the last does.
+        let taken = path.joints[k + 1..].iter().take_while(|next| next.taken);
+        let w = velocities[k + taken.count()];
+        let Screw { u, b } = joint.screw;
+        let at_tip = b + u.cross(tip);
+        let turned = Screw {
+            u: pose.rotation * w.omega.cross(u),
+            b: pose.rotation * (w.omega.cross(at_tip) + u.cross(rate)),
+        };
+        (joint.index, turned)
+    });
+    columns(path, rates)
+}
+
+/// Where all matrices are in frame 0, about the tip.
+fn geometric_in_frame_0<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
+    let tip = path.pose().translation;
+    let mut omega = Vector::zero(state.graph);
+    let mut outwards = Vec::new();
+    for together in path.outwards().chunk_by(|_, (next, _)| next.taken) {
+        let from_tip = |pose: Pose<Term<'g>>| Pose {
+            translation: pose.translation - tip,
+            ..pose
+        };
+        let screws = seen(together, from_tip);
+        let outer = omega;
+        omega = omega + own(&screws, state).omega;
+        let omega = if screws.len() == 1 { outer } else { omega };
+        outwards.push((screws, omega));
+    }
+    let mut v = Vector::zero(state.graph);
+    let mut found = Vec::new();
+    for (screws, omega) in outwards.into_iter().rev() {
+        let beyond = v;
+        v = v - own(&screws, state).v;
+        let v = if screws.len() == 1 { v } else { beyond };
+        let w = Velocity { omega, v };
+        found.extend(screws.iter().map(|&(k, screw)| (k, w.rate_of(screw))));
+    }
+    columns(path, found.into_iter())
+}
+
+/// Columns in the frame at the end, pole at its origin: of each body the velocity is that against the frame,
+/// which the joints beyond it move.
+pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
+    let mut w = Velocity::zero(state.graph);
+    let mut found = Vec::new();
+    for together in path.inwards().chunk_by(|(joint, _), _| joint.taken) {
+        let rates = together.iter().map(|(joint, pose)| {
+            let rate = w.rate_of(joint.screw).change_frame(*pose);
+            (joint.index, rate)
+        });
+        found.extend(rates);
+        let joints: Vec<Joint<'g>> = together.iter().rev().map(|&(joint, _)| joint).collect();
+        w = (w - own(&local(&joints), state))
+            .change_frame(joints[0].displacement())
+            .change_frame(joints[0].placement);
+    }
+    columns(path, found.into_iter())
+}
+
+/// The screws of some bodies, each with its index, seen from where their poses are given.
+fn seen<'g>(
+    bodies: &[(Joint<'g>, Pose<Term<'g>>)],
+    from: impl Fn(Pose<Term<'g>>) -> Pose<Term<'g>>,
+) -> Vec<(usize, Screw<Term<'g>>)> {
+    let bodies = bodies.iter();
+    bodies
+        .map(|(joint, pose)| (joint.index, joint.screw.change_frame(from(*pose))))
+        .collect()
+}
+
+/// The same in the frames of the bodies.
+fn local<'g>(bodies: &[Joint<'g>]) -> Vec<(usize, Screw<Term<'g>>)> {
+    let bodies = bodies.iter();
+    bodies.map(|joint| (joint.index, joint.screw)).collect()
+}
+
+/// W of a joint by itself.
+fn own<'g>(screws: &[(usize, Screw<Term<'g>>)], state: &State<'g>) -> Velocity<Term<'g>> {
+    let each = screws.iter();
+    let each = each.map(|&(k, screw)| Velocity::of_screw(screw, state.qd(k)));
+    each.reduce(|sum, w| sum + w).expect("a joint moves")
+}

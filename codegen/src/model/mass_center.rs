@@ -1,0 +1,112 @@
+//! Where the mass of a robot is, and how that moves: first moments of all that joints move, carried inwards, by
+//! the mass of it all.
+//!
+//! In: the joints and bodies, and what regrouping has left to the base, which is mass that joints move like any
+//! other. Out: the centre of mass in frame 0, its velocity, and what each joint adds to that.
+
+use super::carry::{self, Joint};
+use super::state::State;
+use super::way::Carried;
+use crate::expression::Term;
+use crate::matrix::{Inertia, Vector};
+
+/// The masses and first moments of bodies and of all that they carry.
+pub struct MassCenter<'s, 'g> {
+    joints: &'s [Joint<'g>],
+    /// Of what hangs on each joint, where the matrices of the joint are: the share of the mass, and the first
+    /// moment by unit of it.
+    carried: Vec<(Term<'g>, Vector<Term<'g>>)>,
+    /// The first moment of all in frame 0, by the same unit.
+    moment: Vector<Term<'g>>,
+    /// What moments are still to be divided by: the mass, where it is an input; where it is a number, they
+    /// are so already.
+    undivided: Option<Term<'g>>,
+}
+
+impl<'s, 'g> MassCenter<'s, 'g> {
+    pub fn of(joints: &'s [Joint<'g>], base: &Inertia<Term<'g>>) -> Self {
+        let masses = joints.iter().map(|joint| joint.inertia.mass);
+        let total = masses.fold(base.mass, |sum, mass| sum + mass);
+        let known = total.value().is_some();
+        let share = |part: Term<'g>| if known { part / total } else { part };
+        let own = |inertia: &Inertia<Term<'g>>| (share(inertia.mass), inertia.q.map(share));
+        let mut carried: Vec<_> = joints.iter().map(|joint| own(&joint.inertia)).collect();
+        let (_, mut moment) = own(base);
+        for (k, joint) in joints.iter().enumerate().rev() {
+            let (mass, q) = carried[k];
+            let (index, frame) = (joint.index + 1, joint.frame);
+            q.label(|| format!("j_{index}_in_{frame}_"));
+            let inboard = joint.first_moment_inboard(q, mass);
+            if let Some(parent) = joint.parent {
+                let (outer_mass, outer) = carried[parent];
+                carried[parent] = (outer_mass + mass, outer + inboard);
+            } else {
+                moment = moment + inboard;
+            }
+        }
+        Self {
+            joints,
+            carried,
+            moment,
+            undivided: (!known).then_some(total),
+        }
+    }
+
+    /// The centre of mass.
+    pub fn point(&self) -> Vector<Term<'g>> {
+        self.divided(self.moment)
+    }
+
+    /// Its velocity: the rates of the moments as seen from each body, carried inwards with what the joint adds.
+    pub fn velocity(&self, state: &State<'g>) -> Vector<Term<'g>> {
+        let still = Vector::zero(state.graph);
+        let mut rates = vec![still; self.joints.len()];
+        let mut rate = still;
+        for (k, joint) in self.joints.iter().enumerate().rev() {
+            let own = self.moved_by(k) * state.qd(joint.index);
+            let inboard = joint.vector_inboard(rates[k] + own);
+            match joint.parent {
+                Some(parent) => rates[parent] = rates[parent] + inboard,
+                None => rate = rate + inboard,
+            }
+        }
+        self.divided(rate)
+    }
+
+    /// What a unit rate of each body adds to the velocity, one after the other.
+    pub fn columns(&self, carried: Carried) -> Vec<Vector<Term<'g>>> {
+        let columns = match carried {
+            Carried::Outwards => {
+                let placed = carry::placed(self.joints).into_iter().enumerate();
+                let turned = placed.map(|(k, (_, pose))| pose.rotation * self.moved_by(k));
+                turned.collect::<Vec<_>>()
+            }
+            Carried::Inwards { .. } => {
+                let inwards = |k: usize| {
+                    let up = std::iter::successors(Some(k), |&k| self.joints[k].parent);
+                    up.fold(self.moved_by(k), |column, at| {
+                        self.joints[at].vector_inboard(column)
+                    })
+                };
+                (0..self.joints.len()).map(inwards).collect()
+            }
+        };
+        columns
+            .into_iter()
+            .map(|column| self.divided(column))
+            .collect()
+    }
+
+    /// What a unit rate of a joint does to the first moment that it carries: u × q + b m.
+    fn moved_by(&self, k: usize) -> Vector<Term<'g>> {
+        let (screw, (mass, q)) = (self.joints[k].screw, self.carried[k]);
+        screw.u.cross(q) + screw.b * mass
+    }
+
+    fn divided(&self, moment: Vector<Term<'g>>) -> Vector<Term<'g>> {
+        match self.undivided {
+            Some(mass) => moment.map(|entry| entry / mass),
+            None => moment,
+        }
+    }
+}

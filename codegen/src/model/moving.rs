@@ -1,0 +1,29 @@
+//! W of bodies, outwards from the base, each where its joint's matrices are.
+
+use super::carry::Joint;
+use super::state::State;
+use crate::expression::Term;
+use crate::matrix::Velocity;
+
+/// W of the body beyond a joint: Wᵢₖ = Wᵢⱼ + Wⱼₖ (eq. 10).
+pub fn beyond<'g>(
+    outer: Velocity<Term<'g>>,
+    joint: &Joint<'g>,
+    rate: Term<'g>,
+) -> Velocity<Term<'g>> {
+    let w = joint.motion_outboard(outer) + Velocity::of_screw(joint.screw, rate);
+    let (index, frame) = (joint.index + 1, joint.frame);
+    w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
+    w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
+    w
+}
+
+/// W of the bodies on a way from the base, in its order.
+pub fn velocities<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Velocity<Term<'g>>> {
+    let mut w = Velocity::zero(state.graph);
+    let joints = joints.iter().map(|joint| {
+        w = beyond(w, joint, state.qd(joint.index));
+        w
+    });
+    joints.collect()
+}

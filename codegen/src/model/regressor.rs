@@ -1,0 +1,91 @@
+//! What torques are for the inertial parameters of each link: τ = Y π.
+//!
+//! In: the joints, where the links' own frames are, and the motion. Out: Y. Φ = skew\[H J\] is linear in J, and the
+//! power of each of its parts along L is found in the frame of the link: L is carried outwards, one screw a joint,
+//! instead of ten actions inwards.
+
+use super::carry::Joint;
+use super::newton_euler::{Moving, beyond};
+use super::state::State;
+use crate::expression::Term;
+use crate::matrix::{Acceleration, Pose, Vector, Velocity};
+
+/// How many inertial parameters a link has.
+pub const PARAMETERS: usize = 10;
+
+/// The columns of Y, one after the other: ten for each body that is a link, whose frame is seen from the body's at a pose;
+/// of what drives each body.
+pub fn regressor<'g>(
+    joints: &[Joint<'g>],
+    links: &[Option<Pose<Term<'g>>>],
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+) -> Vec<Vec<Term<'g>>> {
+    let mut columns = Vec::new();
+    let base = Moving::still(Acceleration::linear(-gravity));
+    let mut all: Vec<Moving<'g>> = Vec::with_capacity(joints.len());
+    // The motion that a unit rate of each joint inboard of a body gives it, in its frame.
+    let mut motions: Vec<Vec<(usize, Velocity<Term<'g>>)>> = Vec::with_capacity(joints.len());
+    for (k, joint) in joints.iter().enumerate() {
+        let outer = joint.parent.map_or(base, |parent| all[parent]);
+        let moving = beyond(outer, joint, state.qd(joint.index), state.qdd(joint.index));
+        let h = moving.h;
+        let (index, frame) = (joint.index + 1, joint.frame);
+        h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
+        h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
+        h.a.label(|| format!("h_0_{index}_in_{frame}_"));
+        all.push(moving);
+
+        let inboard = joint.parent.map_or(&[][..], |parent| &motions[parent]);
+        let inboard = inboard
+            .iter()
+            .map(|&(row, motion)| (row, joint.motion_outboard(motion)));
+        let own = Velocity {
+            omega: joint.screw.u,
+            v: joint.screw.b,
+        };
+        let moved: Vec<_> = inboard.chain([(k, own)]).collect();
+        if let Some(link) = links[k] {
+            let h = h
+                .move_pole(link.translation)
+                .rotate(link.rotation.transposed());
+            let mut own = vec![vec![state.zero(); joints.len()]; PARAMETERS];
+            for &(row, motion) in &moved {
+                let seen = motion
+                    .move_pole(link.translation)
+                    .rotate(link.rotation.transposed());
+                for (column, power) in own.iter_mut().zip(powers(seen, h)) {
+                    column[row] = power;
+                }
+            }
+            columns.extend(own);
+        }
+        motions.push(moved);
+    }
+    columns
+}
+
+/// L ⊗ skew\[H J\] for a J that is 1 in one place and its mirror image: m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz.
+fn powers<'g>(l: Velocity<Term<'g>>, h: Acceleration<Term<'g>>) -> [Term<'g>; PARAMETERS] {
+    let g = h.g();
+    let column = |k: usize| Vector(g.map(|row| row[k]));
+    let [[_, gxy, gxz], [gyx, _, gyz], [gzx, gzy, _]] = g;
+    // The diagonal of G enters by differences, in each of which one square of ω cancels.
+    let [ox, oy, oz] = h.omega.0.map(|entry| entry * entry);
+    let (u, b) = (l.omega, l.v);
+    let [ux, uy, uz] = u.0;
+    let turned = h.a.cross(u).0;
+    let first = |k: usize| column(k).dot(b) + turned[k];
+    [
+        h.a.dot(b),
+        first(0),
+        first(1),
+        first(2),
+        uz * gyx - uy * gzx,
+        ux * gzx - uy * gzy + uz * (oy - ox),
+        uz * gyz - ux * gyx + uy * (ox - oz),
+        ux * gzy - uz * gxy,
+        uy * gxy - uz * gxz + ux * (oz - oy),
+        uy * gxz - ux * gyz,
+    ]
+}

@@ -1,0 +1,114 @@
+//! The regressors of every robot that ships: generated against the generic recursions, and both by what they are for:
+//! torques are linear in the inertial parameters.
+//!
+//! Errors are in units of rounding times the largest entry in any state.
+
+use homogen::{Chain, robot};
+use homogen_tests::functions::Block;
+use homogen_tests::robots::{
+    PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
+    Ur5Class,
+};
+use homogen_tests::rounding::{DOUBLE, Worst};
+use homogen_tests::states::{Random, State};
+
+const STATES: usize = 200;
+
+/// As of the agreement of other functions.
+const LIMIT: f64 = 64.0;
+
+/// Of torques as sums of up to 120 terms that cancel.
+const LIMIT_OF_TORQUES: f64 = 400.0;
+
+/// A robot with regressors and with what they are held against.
+trait Regressed<const N: usize, const P: usize, const B: usize>:
+    robot::Regressor<N, P> + robot::BaseRegressor<N, B> + robot::InverseDynamics<N>
+{
+}
+
+impl<R, const N: usize, const P: usize, const B: usize> Regressed<N, P, B> for R where
+    R: robot::Regressor<N, P> + robot::BaseRegressor<N, B> + robot::InverseDynamics<N>
+{
+}
+
+/// m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz of each body.
+fn parameters<const N: usize, const F: usize>(chain: &Chain<N, F>) -> Vec<f64> {
+    let bodies = chain.joints.iter().flat_map(|joint| {
+        let [
+            [xx, xy, xz, qx],
+            [_, yy, yz, qy],
+            [_, _, zz, qz],
+            [_, _, _, m],
+        ] = joint.inertia.to_matrix();
+        [m, qx, qy, qz, xx, xy, xz, yy, yz, zz]
+    });
+    bodies.collect()
+}
+
+fn times<const P: usize>(rows: &[[f64; P]], parameters: &[f64]) -> Vec<f64> {
+    let rows = rows.iter();
+    rows.map(|row| row.iter().zip(parameters).map(|(y, x)| y * x).sum())
+        .collect()
+}
+
+fn hold<R, const N: usize, const P: usize, const B: usize, const F: usize>(
+    robot: &R,
+    chain: &Chain<N, F>,
+    base_parameters: &[f64; B],
+) where
+    R: Regressed<N, P, B>,
+{
+    let described = parameters(chain);
+    let mut random = Random::new(7);
+    let mut entries = Worst::in_units_of(DOUBLE);
+    let mut torques = Worst::in_units_of(DOUBLE);
+    for _ in 0..STATES {
+        let State { q, qd, qdd } = State::<f64, N>::random(&mut random);
+        let generated: [[f64; P]; N] = robot.regressor(&q, &qd, &qdd);
+        let generic: [[f64; P]; N] = robot::Regressor::regressor(chain, &q, &qd, &qdd);
+        let block = |name, entries: Vec<f64>| [Block::new(name, entries)];
+        entries.note(
+            &block("Y", generated.as_flattened().to_vec()),
+            &block("Y", generic.as_flattened().to_vec()),
+        );
+        let tau = robot.inverse_dynamics(&q, &qd, &qdd).to_vec();
+        let base: [[f64; B]; N] = robot.base_regressor(&q, &qd, &qdd);
+        torques.note(
+            &block("Y π = τ", times(&generated, &described)),
+            &block("Y π = τ", tau.clone()),
+        );
+        torques.note(
+            &block("Y π = τ of base parameters", times(&base, base_parameters)),
+            &block("Y π = τ of base parameters", tau),
+        );
+    }
+    println!("{entries}{torques}");
+    entries.assert_within(LIMIT);
+    torques.assert_within(LIMIT_OF_TORQUES);
+}
+
+macro_rules! regressors {
+    ($($name:ident: $robot:ident, $joints:literal, $base:literal;)*) => {$(
+        #[test]
+        fn $name() {
+            hold::<_, $joints, { 10 * $joints }, $base, _>(
+                &$robot,
+                &$robot::chain(),
+                &$robot::BASE_PARAMETERS,
+            );
+        }
+    )*};
+}
+
+// The numbers of base parameters are the ranks of the regressors.
+regressors! {
+    two_link: TwoLink, 2, 6;
+    scara: Scara, 4, 8;
+    stanford: Stanford, 6, 33;
+    stanford_general: StanfordGeneral, 6, 33;
+    puma560: Puma560, 6, 36;
+    puma560_general: Puma560General, 6, 36;
+    ur5_class: Ur5Class, 6, 36;
+    panda_class: PandaClass, 7, 43;
+    quadruped: Quadruped, 12, 68;
+}

@@ -218,9 +218,12 @@ impl<T: Scalar, const N: usize, const M: usize> Blocks<T> for [[T; M]; N] {
     }
 }
 
+/// One block: of a body without gravity nothing is left of ∂τ/∂q but what was rounded of terms as large as
+/// those of ∂τ/∂q̇.
 impl<T: Scalar, const N: usize> Blocks<T> for InverseDynamicsDerivatives<N, T> {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
-        let entries = [self.dq, self.dqd].map(|matrix| matrix.as_flattened().to_vec());
-        parts(function, ["dq", "dqd"], entries)
+        let entries = [self.dq, self.dqd];
+        let entries = entries.as_flattened().as_flattened();
+        vec![Block::new(function, entries.to_vec())]
     }
 }

@@ -243,15 +243,12 @@ fn every_joint_on_every_base() {
         joint last: cylindrical(x) { from: i, to: j, at: xyz(0.1, 0, 0) }
         joint held: revolute(y) { from: j, to: k, at: xyz(0, 0.1, 0) }
         joint stopped: revolute(x) { from: k, to: l, at: xyz(0.1, 0, 0), mimic: held, multiplier: 2.0, offset: 0.125 }";
-    let mut text =
-        "link a { mass: 2, com: [0.1, 0, 0.02], inertia: [0.03, 0, 0.001, 0.04, 0, 0.05] }"
-            .to_owned();
-    text.push_str(joints);
-    for link in ["b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"] {
-        let body =
-            "mass: 0.5, com: [0.02, 0.01, 0.03], inertia: [0.003, 0.0005, 0, 0.004, 0.0002, 0.005]";
-        text.push_str(&format!(" link {link} {{ {body} }}"));
-    }
+    let first = "link a { mass: 2, com: [0.1, 0, 0.02], inertia: [0.03, 0, 0.001, 0.04, 0, 0.05] }";
+    let body =
+        "mass: 0.5, com: [0.02, 0.01, 0.03], inertia: [0.003, 0.0005, 0, 0.004, 0.0002, 0.005]";
+    let links = ["b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"];
+    let links = links.map(|link| format!("link {link} {{ {body} }}"));
+    let text = [first, joints, &links.join(" ")].concat();
     for base in ["", "floating, "] {
         let head = format!("struct All {{ {base}tip: f, frames(l), lock(held = 0.5) }} ");
         let worst = of_tokens(&(head + &text));

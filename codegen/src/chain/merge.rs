@@ -169,7 +169,6 @@ fn listed(
             inertia: body.inertia.map(Term::expr),
             position,
             velocity,
-            limits: described.limits.filter(|_| !described.kind.has_several()),
         }
     };
     let joints = bodies.into_iter().zip(places).map(joint).collect();
@@ -239,10 +238,8 @@ fn moved<'g>(
     let (kind, name) = (joint.kind, &joint.name.text);
     let mut link = Pose::identity(graph);
     let mut moved = Moved::Own;
-    let mut sign = 1.0;
     if let Some(follow) = branch.follows {
         reader.note_follower(description, branch.joint, follow);
-        sign = follow.multiplier.signum();
         let offset = Number {
             value: follow.offset,
             ..Number::default()
@@ -250,7 +247,7 @@ fn moved<'g>(
         placement = placement * held_at(graph, kind, axes, &offset);
         moved = Moved::Follows {
             leader: follow.leader,
-            factor: graph.constant(follow.multiplier.abs()),
+            factor: graph.constant(follow.multiplier),
         };
     } else {
         reader.report.joints.push(name.clone());
@@ -271,7 +268,7 @@ fn moved<'g>(
             parent,
             motion: reader.motion(kind, freedom),
             placement,
-            axis: axis.map(|entry| entry * graph.constant(sign)),
+            axis,
             link: None,
             inertia: Inertia::zero(graph),
             moved,

@@ -171,6 +171,21 @@ impl Measure {
         }
     }
 
+    /// What one rounding of all that torques are made of is, as accelerations, beside those of a state.
+    #[must_use]
+    pub fn drowned(&self, arguments: &Arguments) -> f64 {
+        let evaluate = |function| frame_0::evaluate(&self.robot, function, 0, arguments);
+        let sizes = self.torques(arguments).into_iter();
+        let matrix = evaluate(Function::MassMatrix);
+        let inertias = matrix.iter().step_by(arguments.qd.len() + 1);
+        let found = evaluate(Function::ForwardDynamics);
+        let found = found.iter().map(|qdd| qdd.to_f64().abs());
+        let rounded = sizes
+            .zip(inertias)
+            .map(|(size, m)| 0.5 * f64::EPSILON * size / m.to_f64());
+        rounded.fold(0.0, f64::max) / found.fold(0.0, f64::max)
+    }
+
     /// What the momentum of a unit rate is made of: its entry of that number, about whichever pole within
     /// reach.
     fn momentum(&self, entry: usize) -> f64 {

@@ -101,20 +101,19 @@ fn function(
         .iter()
         .zip(&values)
         .flat_map(|(function, value)| {
-            function
-                .result()
-                .parts()
-                .map(move |(part, _)| match part.map(ident) {
-                    Some(part) => quote! { #value.#part },
-                    None => quote! { #value },
-                })
+            function.result().parts().map(move |(part, _)| {
+                let part = part.map(ident);
+                let part = part.map(|part| quote! { .#part });
+                quote! { #value #part }
+            })
         });
-    let body = match (&*results, &*listed.functions) {
-        ([result], [_]) => quote! { #result.write(#call); },
-        _ => quote! {
+    let body = if let ([result], [_]) = (&*results, &*listed.functions) {
+        quote! { #result.write(#call); }
+    } else {
+        quote! {
             let #pattern = #call;
             #(#results.write(#parts);)*
-        },
+        }
     };
     let about =
         format!(" [`{robot}::{method}`] for C, whose header tells what the pointers are to be.");

@@ -33,7 +33,7 @@ pub fn of(
     program: &Program,
     means: Means,
 ) -> Option<Accuracy> {
-    let evaluated = |function: &&Function| !function.solves();
+    let evaluated = |function: &&Function| !(function.solves() || function.is_constrained());
     let results = functions.iter().flat_map(|function| {
         let owners = owners(chain, *function).into_iter();
         owners.map(move |owner| evaluated(&function).then_some(owner))

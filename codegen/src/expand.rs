@@ -265,8 +265,13 @@ fn accuracy_of(
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
     let solved = functions.iter().filter_map(|function| {
         let Some(given) = function.given() else {
-            let unknown = "none is derived of derivatives of accelerations";
-            return function.solves().then_some(Accuracy::Unknown(unknown));
+            let unknown = if function.is_constrained() {
+                "none is derived where loops are held together"
+            } else {
+                "none is derived of derivatives of accelerations"
+            };
+            let is_unknown = function.is_constrained() || function.solves();
+            return is_unknown.then_some(Accuracy::Unknown(unknown));
         };
         Some(match (given, found.way.forward) {
             (Given::MassMatrix, Forward::UNREFINED) => {

@@ -42,8 +42,7 @@ macro_rules! every_function {
                 Constraint: constraint, "The residuals of the loops.";
                 ConstraintJacobian: constraint_jacobian, "What velocities change them by.";
                 ConstraintBias: constraint_bias, "Their accelerations at q̈ = 0.";
-                ConstrainedForwardDynamics: constrained_forward_dynamics, "Joint accelerations that forces and torques produce where loops are held together.";
-                ConstraintMultipliers: constraint_multipliers, "The forces and torques that hold loops together meanwhile.";
+                ConstrainedForwardDynamics: constrained_forward_dynamics, "Joint accelerations that forces and torques produce where loops are held together, and what holds them.";
                 ActuatedInverseDynamics: actuated_inverse_dynamics, "The torques and forces of driven joints that produce q̈, where loops move the others.";
             }
         }
@@ -67,7 +66,6 @@ mod constrained_forward_dynamics;
 mod constraint;
 mod constraint_bias;
 mod constraint_jacobian;
-mod constraint_multipliers;
 mod coriolis_matrix;
 mod definition;
 mod forward_dynamics;

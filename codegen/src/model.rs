@@ -206,7 +206,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
 impl<'g> Scene<'_, 'g> {
     /// q̈ that τ produces against gravity where loops are held together, and what holds them: λ.
-    pub(crate) fn constrained(&self) -> (Vec<Term<'g>>, Vec<Term<'g>>) {
+    pub(crate) fn constrained(&self) -> [Vec<Term<'g>>; 2] {
         let bias = self.torques(&vec![self.state.zero(); self.velocities()]);
         let forces: Vec<Term<'g>> = (bias.into_iter().enumerate())
             .map(|(k, bias)| self.state.entry(Variable::Tau, k) - bias)

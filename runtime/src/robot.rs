@@ -24,13 +24,14 @@ mod check;
 pub(crate) mod derivatives;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
+pub(crate) mod constrained;
 mod loops;
 pub mod posture;
 mod step;
 
 pub use loops::{
     ActuatedInverseDynamics, ConstrainedForwardDynamics, Constraint, ConstraintBias,
-    ConstraintJacobian, ConstraintMultipliers,
+    ConstraintJacobian,
 };
 
 /// Calls a macro with every function: what it is; what it returns, in which units; whether it is of the

@@ -154,10 +154,11 @@ fn no_operation_of_a_program_can_be_another() {
 }
 
 /// Residues, a slide, a screw, a branch, a lock, oblique and parallel axes, mass that a joint does not
-/// feel, and a base that is not the root.
+/// feel, a base that is not the root, and loops of which one has both its links on joints.
 const ODD: &str = "
     struct Odd {
-        base: frame, frames(slide, hand), lock(spare = 0.4), drop(cover), gravity: [0.3, -0.2, -9.7]
+        base: frame, frames(slide, hand), lock(spare = 0.4), drop(cover), gravity: [0.3, -0.2, -9.7],
+        actuated(pan, tap)
     }
     link floor; link frame { mass: 3.0, com: [0.1, 0.0, 0.2], inertia: [0.1, 0.2, 0.15] }
     joint feet: fixed { from: floor, to: frame, at: xyz(0.0, 0.0, 1.0) }
@@ -177,6 +178,8 @@ const ODD: &str = "
     joint pinch: revolute(z) { from: hand, to: thumb, at: xyz(0.1, 0.0, 0.02) }
     link nail { mass: 0.1, com: [0.02, 0.0, 0.01], inertia: [1e-5, 2e-5, 3e-5, 1e-6, 0.0, 0.0] }
     joint tap: revolute([0.36, 0.48, 0.8]) { from: thumb, to: nail, at: xyz(0.1, 0.0, 0.02) }
+    loop pin: universal([0.6, 0.0, 0.8], y) { from: bolt, to: thumb, at: xyz(0.1, 1e-12, 0.2) rx(0.3) }
+    loop stay: rod(0.4) { from: frame, to: slide, to_at: xyz(0.2, 0.0, 0.1) }
 ";
 
 /// Robots with all that a robot can have.

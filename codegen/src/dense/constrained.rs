@@ -1,9 +1,10 @@
 //! What loops close, by products of 4×4 matrices: entries of the M of one frame that another sees, of
 //! W M and of H M; and the motion that they leave.
 //!
-//! In: a [`Dense`]. Out: the forces of driven joints, residuals, what velocities change them by, their accelerations, and q̈ and λ of
-//! M q̈ + h = τ + Jᵗ λ, J q̈ + γ = 0 by elimination, row after row of the loops, without what depends on rows
-//! before them: of a pivot d beside the whole a the reciprocal is 1/d less its part of 1/(1 + (d/εa)²)⁴.
+//! In: a [`Dense`]. Out: residuals, what velocities change them by, their accelerations, the forces of driven
+//! joints, and q̈ and λ of M q̈ + h = τ + Jᵗ λ, J q̈ + γ = 0 by elimination, row after row of the loops, without
+//! what depends on rows before them: of a pivot d beside the whole a the reciprocal is 1/d less its part of
+//! 1/(1 + (d/εa)²)⁴.
 
 use super::{Approximate, Dense, Matrix, Motion};
 use crate::closure::Row;
@@ -97,8 +98,8 @@ impl Dense {
         rows.collect()
     }
 
-    /// q̈ and λ, where that part ε of the whole is nothing.
-    pub(crate) fn constrained(&self, vanishing: f64) -> (Vec<Scalar>, Vec<Scalar>) {
+    /// q̈, and behind it λ, where that part ε of the whole is nothing.
+    pub(crate) fn constrained(&self, vanishing: f64) -> Vec<Scalar> {
         let count = self.state.qd.len();
         let (jacobian, bias) = (self.residual_rates(), self.residual_bias());
         let rows: Vec<&[Scalar]> = jacobian.chunks(count.max(1)).collect();
@@ -121,7 +122,7 @@ impl Dense {
                 *acceleration = *acceleration + *moved * *multiplier;
             }
         }
-        (accelerations, multipliers)
+        [accelerations, multipliers].concat()
     }
 
     /// τ of the velocities that are driven in the motion of the state, of which λ gives the others what they

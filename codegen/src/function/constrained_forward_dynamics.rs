@@ -1,4 +1,5 @@
-//! Joint accelerations that forces and torques produce where loops are held together.
+//! Joint accelerations that forces and torques produce where loops are held together, and what holds them
+//! together meanwhile.
 
 use super::definition::{Definition, Truth};
 use super::quantities;
@@ -12,18 +13,20 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "constrained_forward_dynamics",
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Tau],
-    result: quantities::SECOND_RATES,
+    result: quantities::CONSTRAINED_MOTION,
     of_a_frame: false,
-    truth: Truth::Constrained(|dense, vanishing| dense.constrained(vanishing).0),
+    truth: Truth::Constrained(|dense, vanishing| dense.constrained(vanishing)),
     ways: Definition::one_way,
     dense,
     build,
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Joint accelerations q̈ that τ produces against gravity where the loops are held together: \
-     M q̈ + h = τ + Jᵗ λ and J q̈ + γ = 0, with J and γ of constraint_jacobian and constraint_bias; rad/s², \
-     m/s². A residual that depends on those before it to some nine digits (five in f32) is left out."
+    "Joint accelerations q̈ that τ produces against gravity where the loops are held together, and the \
+     multipliers λ that hold them: M q̈ + h = τ + Jᵗ λ and J q̈ + γ = 0, with J and γ of constraint_jacobian and \
+     constraint_bias; rad/s², m/s² and N, N m. λ are forces on B along the axes of A, for products of axes torques; \
+     along a rod its force, positive where it pushes. A residual that depends on those before it to some nine \
+     digits (five in f32) is left out, and its multiplier is zero."
         .to_owned()
 }
 
@@ -35,5 +38,5 @@ pub(super) fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.constrained().0
+    scene.constrained().concat()
 }

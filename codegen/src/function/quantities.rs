@@ -99,8 +99,7 @@ pub(super) const ENERGY: Outcome = Outcome::One(Quantity {
 pub(super) const FORCES: Outcome = Outcome::One(vector(|of| vec![by_one(of, "N m", "N")]));
 
 /// Joint accelerations.
-pub(super) const SECOND_RATES: Outcome =
-    Outcome::One(vector(|of| vec![by_one(of, "rad/s²", "m/s²")]));
+pub(super) const SECOND_RATES: Outcome = Outcome::One(ACCELERATIONS);
 
 /// What torques and forces are for accelerations.
 pub(super) const INERTIAS: Outcome =
@@ -148,6 +147,8 @@ pub(super) const STIFFNESS: Outcome = Outcome::One(STIFFNESSES);
 /// What torques and forces are for rates.
 pub(super) const DAMPING: Outcome = Outcome::One(DAMPINGS);
 
+const ACCELERATIONS: Quantity = vector(|of| vec![by_one(of, "rad/s²", "m/s²")]);
+
 const STIFFNESSES: Quantity = matrix(|of| vec![by_two(of, ["N m", "N", "N/m"])]);
 
 const DAMPINGS: Quantity = matrix(|of| vec![by_two(of, ["N m s", "N s", "N s/m"])]);
@@ -183,8 +184,19 @@ pub(super) const RESIDUALS: Outcome = Outcome::One(of_loops(|of| vec![by_one(of,
 pub(super) const RESIDUAL_ACCELERATIONS: Outcome =
     Outcome::One(of_loops(|of| vec![by_one(of, "1/s²", "m/s²")]));
 
-/// What holds loops together: torques for products of axes, forces for lengths.
-pub(super) const MULTIPLIERS: Outcome = Outcome::One(of_loops(|of| vec![by_one(of, "N m", "N")]));
+/// Joint accelerations, and what holds loops together: torques for products of axes, forces for lengths.
+pub(super) const CONSTRAINED_MOTION: Outcome = Outcome::Parts(&[
+    Part {
+        name: "qdd",
+        about: "q̈, the joint accelerations; rad/s², m/s².",
+        quantity: ACCELERATIONS,
+    },
+    Part {
+        name: "multipliers",
+        about: "λ, what holds the loops together, one for each residual; N m, N.",
+        quantity: of_loops(|of| vec![by_one(of, "N m", "N")]),
+    },
+]);
 
 /// What velocities change residuals by.
 pub(super) const RESIDUAL_RATES: Outcome = Outcome::One(Quantity {

@@ -79,10 +79,10 @@ impl Function {
             .filter(|space| !matches!(space, Space::Coordinates | Space::Velocities))
     }
 
-    /// Whether it solves for what forces do to accelerations.
+    /// Whether it solves for what forces do to accelerations of joints that no loop holds together.
     #[must_use]
     pub const fn solves(self) -> bool {
-        !matches!(self.truth(), Truth::Value(_) | Truth::OfMass(_))
+        matches!(self.truth(), Truth::Solution(_) | Truth::Derivatives)
     }
 
     /// What it is a solution for, if it is one of which as much can be said.
@@ -106,7 +106,7 @@ impl Function {
         matches!(self, Self::ActuatedInverseDynamics)
     }
 
-    /// Whether it solves for what forces do to accelerations where loops hold joints together.
+    /// Whether it solves for what forces and loops do together.
     #[must_use]
     pub const fn is_constrained(self) -> bool {
         matches!(self.truth(), Truth::Constrained(_))

@@ -1,9 +1,9 @@
 //! Accelerations of joints that loops hold together, and what the loops do to that end.
 //!
 //! In: the mass matrix, the tree, the forces that are left for accelerations, and of the loops their Jacobian
-//! and bias; or the forces that a motion needs, and which joints are driven. Out: the forces of those; or q̈ and λ of M q̈ = f + Jᵗ λ and J q̈ + γ = 0, by way of the Schur complement
-//! S = J M⁻¹ Jᵗ. A row that depends on those before it is left out: its λ is zero, and nothing is
-//! divided by what vanishes.
+//! and bias; or the forces that a motion needs, and which joints are driven. Out: q̈ and λ of M q̈ = f + Jᵗ λ
+//! and J q̈ + γ = 0, by way of the Schur complement S = J M⁻¹ Jᵗ; or the forces of those joints. A row that
+//! depends on those before it is left out: its λ is zero, and nothing is divided by what vanishes.
 
 use super::factor::factor;
 use crate::expression::Term;
@@ -26,7 +26,7 @@ pub fn accelerations<'g>(
     parents: &[Option<usize>],
     forces: &[Term<'g>],
     loops: &Loops<'g>,
-) -> (Vec<Term<'g>>, Vec<Term<'g>>) {
+) -> [Vec<Term<'g>>; 2] {
     let factors = factor(matrix, parents);
     // Of M⁻¹ = (L⁻ᵗ)ᵗ D⁻¹ L⁻ᵗ, one half of each: what is left for the joints, and of each row.
     let free = factors.half(forces);
@@ -44,7 +44,7 @@ pub fn accelerations<'g>(
             *driven = *driven + half * multiplier;
         }
     }
-    (factors.other_half(&factors.weighed(&driven)), multipliers)
+    [factors.other_half(&factors.weighed(&driven)), multipliers]
 }
 
 /// τ of the velocities that are driven, where `needed` is what a motion needs of all of them: λ holds what the

@@ -9,6 +9,7 @@ mod error;
 use std::fmt::Write;
 
 use super::{About, LeftOut, Listed, Listing};
+use crate::function::Function;
 use crate::real::Real;
 use crate::request::Target;
 use crate::space::{Kind, Outcome, Space, Spaces, Variable};
@@ -57,6 +58,7 @@ pub(super) fn of_function(
     lines.push(arguments(&listed.arguments()));
     lines.extend(postures(&listing.spaces, &listed.arguments()));
     lines.extend(residuals(&listing.spaces, listed));
+    lines.extend(left_open(&listing.spaces, listed));
     if let Some(angles) = angles {
         let results = listed.functions.iter();
         let results = results.flat_map(|function| function.result().parts());
@@ -200,6 +202,31 @@ fn residuals(spaces: &Spaces, listed: &Listed) -> Option<String> {
     let over = parts.any(|(_, part)| part.over.contains(&Space::Constraints));
     let names: Vec<String> = spaces.names(Space::Constraints).map(code).collect();
     over.then(|| format!("Residuals: {}.", names.join(", ")))
+}
+
+/// Which functions know nothing of the loops of a robot that has some.
+fn left_open(spaces: &Spaces, listed: &Listed) -> Option<String> {
+    let open = listed.functions.iter();
+    let open: Vec<_> = open.filter(|function| !function.is_of_loops()).collect();
+    if spaces.len(Space::Constraints) == 0 || open.is_empty() {
+        return None;
+    }
+    let by = match &*listed.functions {
+        [_] => String::new(),
+        _ => {
+            let names: Vec<String> = open.iter().map(|function| code(function.name())).collect();
+            format!(" by {}", list(names.iter().map(String::as_str)))
+        }
+    };
+    let instead = if open.iter().any(|function| function.solves()) {
+        let held = code(Function::ConstrainedForwardDynamics.name());
+        format!("; {held} holds them together")
+    } else {
+        String::new()
+    };
+    Some(format!(
+        "Loops are left open{by}: what counts is the tree of joints that hangs on the base{instead}."
+    ))
 }
 
 /// Robot, file and coordinates.

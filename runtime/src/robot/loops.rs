@@ -27,18 +27,17 @@ pub trait ConstraintBias<const N: usize, const C: usize, T = f64, const Q: usize
     fn constraint_bias(&self, q: &[T; Q], qd: &[T; N]) -> [T; C];
 }
 
-/// The joint accelerations of given torques and forces where the loops are held together.
-pub trait ConstrainedForwardDynamics<const N: usize, T = f64, const Q: usize = N> {
-    /// q̈ of M q̈ + bias = τ + Jᵗ λ and J q̈ + γ = 0 [rad/s², m/s²].
+/// The joint accelerations of given torques and forces where the loops are held together, and what holds them.
+pub trait ConstrainedForwardDynamics<const N: usize, const C: usize, T = f64, const Q: usize = N> {
+    /// q̈ and λ of M q̈ + bias = τ + Jᵗ λ and J q̈ + γ = 0; of a residual that depends on those before it λ is
+    /// zero.
     #[must_use]
-    fn constrained_forward_dynamics(&self, q: &[T; Q], qd: &[T; N], tau: &[T; N]) -> [T; N];
-}
-
-/// The forces and torques that hold the loops together meanwhile.
-pub trait ConstraintMultipliers<const N: usize, const C: usize, T = f64, const Q: usize = N> {
-    /// λ of the same equations [N, N m]; zero for a residual that depends on those before it.
-    #[must_use]
-    fn constraint_multipliers(&self, q: &[T; Q], qd: &[T; N], tau: &[T; N]) -> [T; C];
+    fn constrained_forward_dynamics(
+        &self,
+        q: &[T; Q],
+        qd: &[T; N],
+        tau: &[T; N],
+    ) -> crate::ConstrainedForwardDynamics<N, C, T>;
 }
 
 /// The torques and forces of the joints that are driven, where loops move the others.

@@ -47,15 +47,10 @@ fn worst(chain: &Chain, scalar: Real) -> [f64; 2] {
     let spaces = chain.spaces();
     let n = spaces.len(Space::Velocities);
     let c = spaces.len(Space::Constraints);
-    let found = [
-        Function::ConstrainedForwardDynamics,
-        Function::ConstraintMultipliers,
-    ]
-    .map(|function| {
-        let (processor, way) = (Processor::Portable, Formulation::default());
-        let program = program_for(processor, way, chain, &[function], 0, scalar);
-        program.unwrap_or_else(|errors| panic!("{errors}"))
-    });
+    let function = Function::ConstrainedForwardDynamics;
+    let (processor, way) = (Processor::Portable, Formulation::default());
+    let program = program_for(processor, way, chain, &[function], 0, scalar);
+    let program = program.unwrap_or_else(|errors| panic!("{errors}"));
     let truth = [
         Function::MassMatrix,
         Function::Bias,
@@ -101,22 +96,21 @@ fn worst(chain: &Chain, scalar: Real) -> [f64; 2] {
         }
         b.extend(gamma.iter().map(|gamma| vec![&zero - gamma]));
         let solution: Vec<f64> = solve(a, b).iter().map(|row| row[0].to_f64()).collect();
-        let (accelerations, multipliers) = solution.split_at(n);
-        for ((worst, program), expected) in worst
-            .iter_mut()
-            .zip(&found)
-            .zip([accelerations, multipliers])
-        {
-            let found: Vec<f64> = match scalar {
-                Real::F32 => {
-                    #[expect(clippy::cast_possible_truncation, reason = "exact in both")]
-                    let found = run(program, |input| at(input) as f32);
-                    found.into_iter().map(f64::from).collect()
-                }
-                _ => run(program, at),
-            };
+        let found: Vec<f64> = match scalar {
+            Real::F32 => {
+                #[expect(clippy::cast_possible_truncation, reason = "exact in both")]
+                let found = run(&program, |input| at(input) as f32);
+                found.into_iter().map(f64::from).collect()
+            }
+            _ => run(&program, at),
+        };
+        let pairs = [
+            (&found[..n], &solution[..n]),
+            (&found[n..], &solution[n..]),
+        ];
+        for (worst, (found, expected)) in worst.iter_mut().zip(pairs) {
             let size = super::largest(expected);
-            *worst = worst.max(super::difference(&found, expected) / size);
+            *worst = worst.max(super::difference(found, expected) / size);
         }
     }
     worst

@@ -16,7 +16,7 @@ homogen::chain! {
         gravity: [0.0, -9.81, 0.0],
         generate(
             constraint, constraint_jacobian, constraint_bias, constrained_forward_dynamics,
-            constraint_multipliers, inverse_dynamics,
+            inverse_dynamics,
         )
     }
     link ground;
@@ -60,7 +60,7 @@ fn accelerations_are_those_of_the_closed_form() {
         let State { q, qd, .. } = LENGTHS.state(alpha, 4.0, 0.0);
         let (q, qd) = (of(q), of(qd));
         let tau = [0.7, 0.0, 3.0];
-        let found: [f64; 3] = Mechanism.constrained_forward_dynamics(&q, &qd, &tau);
+        let found = Mechanism.constrained_forward_dynamics(&q, &qd, &tau).qdd;
         let expected = of(LENGTHS.state(alpha, 4.0, found[0]).qdd);
         let size = largest(&found);
         assert!(
@@ -83,7 +83,8 @@ fn a_slider_that_is_pushed_holds_the_crank_by_the_pin() {
     let gravity = Mechanism.inverse_dynamics(&q, &[0.0; 3], &[0.0; 3]);
     let j = Mechanism.constraint_jacobian(&q);
     // With a force F of the slider and nothing on the rod: λ and the torque of the crank by hand.
-    let lambda = Mechanism.constraint_multipliers(&q, &[0.0; 3], &gravity);
+    let lambda = Mechanism.constrained_forward_dynamics(&q, &[0.0; 3], &gravity);
+    let lambda = lambda.multipliers;
     assert!(largest(&lambda) < 1e-14, "held by its joints: {lambda:?}");
     let (sine, cosine) = (-(0.12 * 0.9_f64.sin() / 0.35), 0.0_f64);
     let along = (1.0 - sine * sine).sqrt() + cosine;
@@ -91,8 +92,8 @@ fn a_slider_that_is_pushed_holds_the_crank_by_the_pin() {
     let x_by_alpha = -0.12 * 0.9_f64.sin() - 0.12 * 0.9_f64.cos() * (-sine / along);
     let tau = [gravity[0] + 5.0 * x_by_alpha, gravity[1], gravity[2] - 5.0];
     let found = Mechanism.constrained_forward_dynamics(&q, &[0.0; 3], &tau);
-    assert!(largest(&found) < 1e-12, "in balance: {found:?}");
-    let lambda: [f64; 2] = Mechanism.constraint_multipliers(&q, &[0.0; 3], &tau);
+    assert!(largest(&found.qdd) < 1e-12, "in balance: {found:?}");
+    let lambda = found.multipliers;
     let held: Vec<f64> = (0..3)
         .map(|k| j[0][k] * lambda[0] + j[1][k] * lambda[1])
         .collect();
@@ -159,9 +160,10 @@ fn singular_postures_are_told() {
     let dead = regularity(&dead);
     assert_eq!(dead.rank, 1, "{dead:?}");
     assert!(dead.singular_values[1] < 1e-15, "{dead:?}");
-    let found: [f64; 2] =
+    let found =
         Held.constrained_forward_dynamics(&[0.0, std::f64::consts::PI], &[1.0, -2.0], &[1.0, 0.0]);
-    assert!(found.iter().all(|x| x.is_finite()), "{found:?}");
+    let mut numbers = found.qdd.iter().chain(&found.multipliers);
+    assert!(numbers.all(|x: &f64| x.is_finite()), "{found:?}");
 }
 
 homogen::chain! {

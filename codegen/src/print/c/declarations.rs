@@ -75,14 +75,20 @@ pub(super) fn members(listing: &Listing) -> Vec<String> {
         .collect()
 }
 
-/// The entries of coordinates and velocities, by which arguments and results are indexed, and how many
-/// there are.
+/// The entries of coordinates and velocities, and of residuals where there are loops, by which arguments and
+/// results are indexed, and how many there are.
 pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
-    let spaces = [(Space::Coordinates, "Q"), (Space::Velocities, "V")];
+    let mut spaces = vec![(Space::Coordinates, "Q"), (Space::Velocities, "V")];
+    if listing.spaces.len(Space::Constraints) > 0 {
+        spaces.push((Space::Constraints, "C"));
+    }
     for (space, letter) in spaces {
         let variables = Variable::ALL.into_iter();
         let variables: Vec<_> = variables.filter(|of| of.space() == space).collect();
-        let letters: Vec<_> = variables.iter().map(|of| of.letter()).collect();
+        let mut letters: Vec<_> = variables.iter().map(|of| of.letter()).collect();
+        if variables.is_empty() {
+            letters.push("the residuals of loops");
+        }
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,

@@ -3,6 +3,8 @@
 use super::{FOUR_BAR, PIN, chain, described};
 use crate::expand::{expand, understand};
 use crate::function::Function;
+use crate::print::Listing;
+use crate::print::rust::{Item, Source, World, methods};
 use crate::request::Request;
 
 #[test]
@@ -23,6 +25,27 @@ fn all_that_a_robot_with_loops_can_have_is_listed() {
     let facts = &listing.about.facts;
     let told = "closed whatever the joints do: pin.z, pin.xz and pin.yz";
     assert!(facts.iter().any(|fact| fact == told), "{facts:?}");
+}
+
+#[test]
+fn what_leaves_loops_open_says_so() {
+    let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
+    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let (item, world) = (Item::named_after("four bar"), World::default());
+    let open = "/// Loops are left open: what counts is the tree of joints that hangs on the base";
+    for listed in &listing.functions {
+        let alone = Listing {
+            functions: vec![listed.clone()],
+            ..listing.clone()
+        };
+        let text = Source::new("", &methods(&alone, &item, &world)).to_string();
+        let [function] = &*listed.functions else {
+            panic!("one at a time");
+        };
+        assert_eq!(text.contains(open), !function.is_of_loops(), "{function:?}");
+        let instead = format!("{open}; `constrained_forward_dynamics` holds them together.");
+        assert_eq!(text.contains(&instead), function.solves(), "{function:?}");
+    }
 }
 
 #[test]

@@ -106,23 +106,32 @@ impl Check {
         Ok(())
     }
 
-    /// Holds the robot as data against the description: its frames, and the torques of its motion.
+    /// Holds the robot as data against the description: its frames, the torques of its motion, and the
+    /// residuals of its loops with what changes them.
     ///
     /// # Errors
     /// Where one of them is another, or where a number is not one.
     pub fn judge_data(&self, data: &ChainData) -> Result<(), Errors> {
         let mut errors = self.source.errors();
-        if let Some(refusal) = literals(&data.program, Real::F64) {
-            errors.push_with_hint(self.place, refusal.message, refusal.hint);
-            return Err(errors);
+        for program in [&data.program, &data.loops.program] {
+            if let Some(refusal) = literals(program, Real::F64) {
+                errors.push_with_hint(self.place, refusal.message, refusal.hint);
+                return Err(errors);
+            }
         }
         for dense in &self.states {
-            let numbers = run(&data.program, |input| {
-                Approximate::exact(dense.state.get(input))
-            });
-            let same = Dense::of(data::robot(data, &numbers), dense.state.clone());
+            let numbers =
+                |program| run(program, |input| Approximate::exact(dense.state.get(input)));
+            let robot = data::robot(data, &numbers(&data.program));
+            let robot = data::mechanism(robot, &data.loops, &numbers(&data.loops.program));
+            let same = Dense::of(robot, dense.state.clone());
             let frames = (0..data.frames.len()).map(|frame| (Function::ForwardKinematics, frame));
-            for (function, frame) in frames.chain([(Function::InverseDynamics, 0)]) {
+            let others = [
+                Function::InverseDynamics,
+                Function::Constraint,
+                Function::ConstraintJacobian,
+            ];
+            for (function, frame) in frames.chain(others.map(|function| (function, 0))) {
                 let Truth::Value(value) = function.truth() else {
                     continue;
                 };

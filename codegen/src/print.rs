@@ -9,6 +9,7 @@ mod documentation;
 pub mod rust;
 
 use crate::accuracy::Accuracy;
+use crate::closure::Row;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::joint::Posture;
@@ -142,6 +143,31 @@ pub struct ChainData {
     /// (rows of the upper 3×4 block), screw (u, b), pseudo-inertia (xx, yy, zz, xy, xz, yz, the
     /// first moments qx, qy, qz, and m). A frame has 12, its placement. Gravity comes last, 3.
     pub program: Program,
+    /// What its loops hold together.
+    pub loops: LoopsData,
+}
+
+/// What closes the loops of a robot, as data.
+#[derive(Clone, Debug)]
+pub struct LoopsData {
+    /// The loops.
+    pub loops: Vec<LoopData>,
+    /// Which velocities are driven.
+    pub driven: Vec<bool>,
+    /// The numbers, of parameters only. A loop has 25: the placements of its two frames, and the length of
+    /// a rod, or the cosine of the angle of two axes.
+    pub program: Program,
+}
+
+/// What closes a loop, as data.
+#[derive(Clone, Debug)]
+pub struct LoopData {
+    /// Its name.
+    pub name: String,
+    /// The frames that it holds together: name, and the joint that carries it.
+    pub frames: [(String, Option<u16>); 2],
+    /// What it closes.
+    pub rows: Vec<Row>,
 }
 
 /// What moves a joint of a [`ChainData`], whose coordinates and velocities follow those of the joints before it.

@@ -32,6 +32,7 @@ pub use robot::constrained::ConstrainedForwardDynamics;
 pub use robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
+pub use robot::mechanism::{Mechanism, Residual, Row};
 pub use scalar::{Real, Scalar, trigonometry};
 
 #[cfg(feature = "derive")]

@@ -5,6 +5,7 @@
 //! products are written once more, so that a mistake in them is not made on both sides. Nothing here
 //! is simplified or fast, and nothing else in the crate calls it.
 
+mod closure;
 mod dense;
 mod derivatives;
 pub mod generic;

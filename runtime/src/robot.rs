@@ -21,11 +21,12 @@
 pub(crate) mod chain;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod check;
+pub(crate) mod constrained;
 pub(crate) mod derivatives;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
-pub(crate) mod constrained;
 mod loops;
+pub(crate) mod mechanism;
 pub mod posture;
 mod step;
 

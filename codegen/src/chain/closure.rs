@@ -1,13 +1,14 @@
 //! Whether loops are of links that can be held together.
 //!
 //! In: the loops of a description and its links, or the merged chain. Out: a mistake for each loop of a link
-//! that is not there, of one link, or of two that are one body. Whether it can close is for the
-//! equations that it is to say.
+//! that is not there, of one link, or of two that are one body; a doubt for what nothing asks for. Whether
+//! it can close is for the equations that it is to say.
 
 use super::names::Names;
 use super::{Chain, Loop};
 use crate::description::Description;
-use crate::error::Errors;
+use crate::error::{Complaint, Errors};
+use crate::function::Function;
 use crate::request::Request;
 use crate::space::Entry;
 use crate::wording::quoted;
@@ -63,7 +64,38 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
     };
     chain.actuated = velocities.clone().map(driven).collect();
     chain.spaces.constraints = entries(&chain.loops);
+    let doubts = unasked(&chain, request);
+    chain.report.warnings.extend(doubts);
     errors.into_result(chain)
+}
+
+/// Doubts about loops and drives that are described, and that nothing asks for.
+fn unasked(chain: &Chain, request: &Request) -> Vec<Complaint> {
+    let asked = |is: fn(Function) -> bool| {
+        let mut functions = request.functions.iter().flatten();
+        request.functions.is_empty() || functions.any(|&function| is(function))
+    };
+    let mut doubts = Vec::new();
+    if !asked(Function::is_of_loops) {
+        doubts.extend(chain.loops.iter().map(|closed| Complaint {
+            place: closed.place,
+            message: format!(
+                "loop {} is left open: no function of loops is asked for",
+                quoted(&closed.name)
+            ),
+            hint: Some("ask for constrained_forward_dynamics, or leave the loop out".into()),
+        }));
+    }
+    if let Some(first) = request.actuated.first()
+        && !asked(Function::wants_drives)
+    {
+        doubts.push(Complaint {
+            place: first.place,
+            message: "which joints are driven is told, and no function asks for it".into(),
+            hint: Some("ask for actuated_inverse_dynamics".into()),
+        });
+    }
+    doubts
 }
 
 /// The list of what loops close.

@@ -3,10 +3,10 @@
 //! In: the numbers that are printed for the generic recursions of the runtime. Out: a [`Robot`] of the
 //! moving joints alone, to be held against the one that was described.
 
-use crate::dense::{Approximate, Body, Freedom, Matrix, Moved, Robot};
+use crate::dense::{Approximate, Body, Closed, Freedom, Matrix, Moved, Robot};
 use crate::expression::Arithmetic;
 use crate::joint::Posture;
-use crate::print::{ChainData, DataMotion};
+use crate::print::{ChainData, DataMotion, LoopsData};
 
 /// How many numbers a joint has, and a frame.
 const JOINT: usize = 28;
@@ -64,15 +64,8 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
             }
         })
         .collect();
-    let nothing = [Approximate::exact(0.0); 3];
     let mut frame = |(numbers, body): (&[Approximate], Option<u16>)| {
-        bodies.push(Body {
-            parent: body.map(usize::from),
-            placement: placement(numbers),
-            moved: Moved::Held([nothing; 2], 0.0),
-            freedoms: Vec::new(),
-            inertia: Matrix::zero(),
-        });
+        bodies.push(fixed(body, numbers));
         Some(bodies.len() - 1)
     };
     let frames = frames.chunks(PLACEMENT).zip(&data.frames);
@@ -87,9 +80,46 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         // Which bodies are links is of the description alone.
         links: Vec::new(),
         base_columns: Vec::new(),
-        // The data says nothing of loops.
         loops: Vec::new(),
         actuated: Vec::new(),
+    }
+}
+
+/// How many numbers a loop has.
+const LOOP: usize = 2 * PLACEMENT + 1;
+
+/// The same with its loops, whose numbers are given as well.
+pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approximate]) -> Robot {
+    for (closed, numbers) in data.loops.iter().zip(numbers.chunks(LOOP)) {
+        let first = robot.frames.len();
+        let (placements, size) = numbers.split_at(2 * PLACEMENT);
+        for ((_, body), numbers) in closed.frames.iter().zip(placements.chunks(PLACEMENT)) {
+            robot.bodies.push(fixed(*body, numbers));
+            robot.frames.push(Some(robot.bodies.len() - 1));
+        }
+        robot.loops.push(Closed {
+            frames: [first, first + 1],
+            rows: closed.rows.clone(),
+            size: size[0],
+        });
+    }
+    let driven = data.driven.iter().enumerate();
+    robot.actuated = driven
+        .filter(|(_, driven)| **driven)
+        .map(|(k, _)| k)
+        .collect();
+    robot
+}
+
+/// A body that is a frame of another.
+fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
+    let nothing = [Approximate::exact(0.0); 3];
+    Body {
+        parent: body.map(usize::from),
+        placement: placement(numbers),
+        moved: Moved::Held([nothing; 2], 0.0),
+        freedoms: Vec::new(),
+        inertia: Matrix::zero(),
     }
 }
 

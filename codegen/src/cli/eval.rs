@@ -17,13 +17,13 @@ use super::states::State;
 use super::{Answer, Said, json, options, states};
 use crate::chain::Chain;
 use crate::check::Check;
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Errors, Place};
 use crate::expand;
 use crate::expression::Input;
 use crate::function::Function;
 use crate::schedule::{Arithmetic, Program, run};
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces, Variable};
-use crate::wording::{quoted, visible};
+use crate::wording::visible;
 
 /// Compute a function at given states, without a compiler
 #[derive(Args, Clone, Debug)]
@@ -64,10 +64,7 @@ impl Eval {
         let description = self.robot.description(input)?;
         let mut request = self.robot.request(&self.frame, vec![vec![function]]);
         request.scalar = self.scalar.into();
-        let mut chain = expand::understand(&description, &request)?;
-        if function.solves() && !chain.loops.is_empty() {
-            chain.report.warnings.push(left_open(function));
-        }
+        let chain = expand::understand(&description, &request)?;
         let (text, file) = self.text(input)?;
         let states = states::read(&text, &file, function.arguments(), chain.spaces())?;
 
@@ -282,16 +279,6 @@ fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec
         Entity::Momentum | Entity::Action => skew([-numbers[3], -numbers[4], -numbers[5]]),
         Entity::Point | Entity::Vector => return None,
     })
-}
-
-/// The doubt about a function that asks what forces do, and knows no loops, of a robot that has some.
-fn left_open(function: Function) -> Complaint {
-    let held = Function::ConstrainedForwardDynamics.name();
-    Complaint {
-        place: Place::Unknown,
-        message: format!("{} leaves the loops open", quoted(function.name())),
-        hint: Some(format!("{held} holds them together")),
-    }
 }
 
 fn in_text(chain: &Chain, function: Function, results: &[Vec<f64>]) -> String {

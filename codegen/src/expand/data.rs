@@ -3,9 +3,9 @@
 //! In: a chain. Out: the [`ChainData`] that the generic recursions of the runtime read. It never
 //! sees a function.
 
-use crate::chain::{Chain, Joint, Position};
+use crate::chain::{Chain, Frame, Joint, Position};
 use crate::expression::{Double, Expr, Term};
-use crate::print::{ChainData, DataMotion};
+use crate::print::{ChainData, DataMotion, LoopData, LoopsData};
 use crate::schedule::schedule;
 
 /// The chain as data: one joint of each with a posture, and of others one for each coordinate.
@@ -69,5 +69,27 @@ pub(super) fn data(chain: &Chain) -> ChainData {
             .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
         program: schedule(&chain.graph, &results),
+        loops: loops(chain, place),
+    }
+}
+
+/// The joints that close loops; `place` is where a body is carried.
+fn loops(chain: &Chain, place: impl Fn(usize) -> u16) -> LoopsData {
+    let frame = |frame: &Frame| (frame.name.clone(), frame.body.map(&place));
+    let loops = chain.loops.iter().map(|closed| LoopData {
+        name: closed.name.clone(),
+        frames: closed.frames.each_ref().map(frame),
+        rows: closed.rows.clone(),
+    });
+    let numbers = chain.loops.iter().flat_map(|closed| {
+        let placements = closed.frames.iter();
+        let placements = placements.flat_map(|frame| frame.placement.entries());
+        placements.chain([closed.size])
+    });
+    let numbers: Vec<Expr> = numbers.collect();
+    LoopsData {
+        loops: loops.collect(),
+        driven: chain.actuated.clone(),
+        program: schedule(&chain.graph, &numbers),
     }
 }

@@ -5,6 +5,7 @@ use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{Size, Tally};
 use super::{constraint_bias, constraint_jacobian, forward_dynamics};
+use crate::dense::Dense;
 use crate::expression::Term;
 use crate::model::Scene;
 use crate::space::Variable;
@@ -15,7 +16,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Tau],
     result: quantities::CONSTRAINED_MOTION,
     of_a_frame: false,
-    truth: Truth::Constrained(|dense, vanishing| dense.constrained(vanishing)),
+    truth: Truth::Constrained(Dense::constrained),
     ways: Definition::one_way,
     dense,
     build,

@@ -88,6 +88,16 @@ pub(super) fn of_chain(listing: &Listing) -> Vec<String> {
     lines
 }
 
+/// What is said of the robot with its loops as data.
+pub(super) fn of_mechanism(listing: &Listing) -> Vec<String> {
+    let names: Vec<String> = listing.spaces.names(Space::Constraints).map(code).collect();
+    vec![
+        "The same robot as data, with what closes its loops.".to_owned(),
+        String::new(),
+        format!("Residuals: {}.", names.join(", ")),
+    ]
+}
+
 /// What is said of the values of base parameters.
 pub(super) fn of_base_parameters(listing: &Listing) -> Vec<String> {
     let names: Vec<String> = (listing.spaces.names(Space::BaseParameters))
@@ -211,12 +221,11 @@ fn left_open(spaces: &Spaces, listed: &Listed) -> Option<String> {
     if spaces.len(Space::Constraints) == 0 || open.is_empty() {
         return None;
     }
-    let by = match &*listed.functions {
-        [_] => String::new(),
-        _ => {
-            let names: Vec<String> = open.iter().map(|function| code(function.name())).collect();
-            format!(" by {}", list(names.iter().map(String::as_str)))
-        }
+    let by = if listed.functions.len() > 1 {
+        let names: Vec<String> = open.iter().map(|function| code(function.name())).collect();
+        format!(" by {}", list(names.iter().map(String::as_str)))
+    } else {
+        String::new()
     };
     let instead = if open.iter().any(|function| function.solves()) {
         let held = code(Function::ConstrainedForwardDynamics.name());

@@ -13,6 +13,7 @@ mod extern_c;
 mod item;
 mod lengths;
 mod literals;
+mod mechanism;
 mod method;
 mod names;
 #[cfg(feature = "pretty")]
@@ -56,6 +57,7 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     }
     methods.extend(base_parameters::base_parameters(listing, item, &dialect));
     methods.extend(chain::chain(listing, item, &dialect));
+    methods.extend(mechanism::mechanism(listing, item, &dialect));
     methods.extend(steps::steps(listing, item, &dialect));
     methods.extend(dialect.own_sines(listing));
     beside.extend(results::own_structures(listing, item, &dialect));

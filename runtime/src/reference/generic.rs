@@ -30,6 +30,10 @@ use crate::robot::derivatives::ForwardDynamicsDerivatives;
 use core::array::from_fn;
 use nalgebra::{Cholesky, Const, Matrix4, RealField, SMatrix, SVector};
 
+pub use super::closure::{
+    actuated_inverse_dynamics, constrained_forward_dynamics, constraint, constraint_bias,
+    constraint_jacobian,
+};
 pub use super::derivatives::{coriolis_matrix, gravity_derivative, inverse_dynamics_derivatives};
 
 /// M₀,frame.

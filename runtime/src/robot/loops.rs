@@ -5,6 +5,8 @@
 //! code. Robots that are generated with loops implement these traits; N is the number of velocities, Q that
 //! of coordinates.
 
+use super::constrained;
+
 /// The residuals of the loops.
 pub trait Constraint<const N: usize, const C: usize, T = f64, const Q: usize = N> {
     /// Of frames A and B that each loop holds together, lengths along the axes of A \[m\] and products of an
@@ -37,7 +39,7 @@ pub trait ConstrainedForwardDynamics<const N: usize, const C: usize, T = f64, co
         q: &[T; Q],
         qd: &[T; N],
         tau: &[T; N],
-    ) -> crate::ConstrainedForwardDynamics<N, C, T>;
+    ) -> constrained::ConstrainedForwardDynamics<N, C, T>;
 }
 
 /// The torques and forces of the joints that are driven, where loops move the others.

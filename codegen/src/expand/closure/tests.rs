@@ -3,6 +3,7 @@
 //!
 //! Every expansion here is also held against dense matrices, as all are.
 
+mod data;
 mod equations;
 mod motion;
 mod refused;

@@ -130,7 +130,8 @@ fn joint(
     }
 }
 
-fn index(joint: Option<u16>) -> TokenStream {
+/// The joint that carries something, of those that are there.
+pub(super) fn index(joint: Option<u16>) -> TokenStream {
     if let Some(joint) = joint {
         let joint = literal(joint.into());
         quote! { ::core::option::Option::Some(#joint) }

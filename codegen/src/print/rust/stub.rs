@@ -12,7 +12,7 @@ use super::item::{Declaration, Item};
 use super::lengths::literal;
 use super::names::{ident, unscoped};
 use super::world::World;
-use super::{chain, declaration, method};
+use super::{chain, declaration, mechanism, method};
 use crate::function::Function;
 use crate::print;
 use crate::request::Request;
@@ -96,6 +96,13 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
         ));
     }
     let wanted = request.items(has_loops).concat();
+    if let World::Runtime(runtime) = &dialect.world
+        && wanted.iter().any(|function| function.is_of_loops())
+    {
+        let signature = mechanism::absent(!request.parameters.is_empty(), runtime);
+        let unreachable = quote! { ::core::unreachable!() };
+        methods.extend(absent(item, &signature, &unreachable));
+    }
     if wanted.contains(&Function::BaseRegressor) {
         let number = dialect.field();
         let visibility = &item.visibility;

@@ -9,7 +9,7 @@ use crate::description::Name;
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
-use crate::print::{About, ChainData, DataMotion, Listed, Listing};
+use crate::print::{About, ChainData, DataMotion, Listed, Listing, LoopsData};
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Operand, Operation, Price, Program, Step};
@@ -136,6 +136,11 @@ pub(crate) fn listing(scalar: Real) -> Listing {
             motions: vec![DataMotion::Along; 2],
             frames: vec![("rod-2".to_owned(), Some(1))],
             program: constant(&data),
+            loops: LoopsData {
+                loops: Vec::new(),
+                driven: Vec::new(),
+                program: constant(&[]),
+            },
         },
         base_values: Vec::new(),
         scalar,

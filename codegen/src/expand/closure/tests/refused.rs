@@ -81,7 +81,7 @@ fn loops_that_cannot_be_are_refused() {
 
 #[test]
 fn functions_of_loops_are_refused_where_there_is_none() {
-    let (description, request) = described(&FOUR_BAR.to_owned());
+    let (description, request) = described(FOUR_BAR);
     for function in Function::OF_LOOPS {
         let request = Request {
             functions: vec![vec![function]],
@@ -123,6 +123,27 @@ fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_doubt() {
         told.contains(&"loop \"pin\" is left open: link \"rocker\" is not modelled"),
         "{told:?}"
     );
+}
+
+#[test]
+fn loops_and_drives_that_nothing_asks_for_are_doubted() {
+    let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
+    let told = |functions: &[Function]| -> Vec<String> {
+        let request = Request {
+            functions: functions.iter().map(|&function| vec![function]).collect(),
+            actuated: vec!["a".into()],
+            ..request.clone()
+        };
+        let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+        let doubts = chain.report.warnings.into_iter();
+        doubts.map(|doubt| doubt.message).collect()
+    };
+    let open = "loop \"pin\" is left open: no function of loops is asked for";
+    let driven = "which joints are driven is told, and no function asks for it";
+    assert_eq!(told(&[Function::ForwardDynamics]), [open, driven]);
+    assert_eq!(told(&[Function::Constraint, Function::Gravity]), [driven]);
+    assert!(told(&[Function::ActuatedInverseDynamics]).is_empty());
+    assert!(told(&[]).is_empty());
 }
 
 #[test]

@@ -1,0 +1,74 @@
+//! The robot with its loops as data, and its entries for C.
+
+use super::{FOUR_BAR, PIN, described};
+use crate::check::Check;
+use crate::expand::{expand, understand};
+use crate::function::Function;
+use crate::print::Listing;
+use crate::print::c;
+use crate::print::rust::{Item, Source, World, print};
+use crate::request::Request;
+
+fn listing() -> Listing {
+    let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
+    let request = Request {
+        functions: vec![vec![Function::ConstraintJacobian]],
+        ..request
+    };
+    expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+#[test]
+fn data_that_closes_something_else_is_refused() {
+    let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
+    let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let check =
+        Check::of(&description, &request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
+    let mut data = listing().data;
+    check
+        .judge_data(&data)
+        .unwrap_or_else(|errors| panic!("{errors}"));
+    data.loops.loops[0].rows.reverse();
+    let told = check.judge_data(&data).expect_err("x is y").to_string();
+    let start = "in the data, entry 0 (residual \"pin.x\") of constraint would be ";
+    assert!(told.contains(start), "{told}");
+}
+
+#[test]
+fn a_robot_with_loops_is_a_mechanism() {
+    let (item, world) = (Item::named_after("four bar"), World::default());
+    let text = Source::new("", &print(&listing(), &item, &world)).to_string();
+    assert!(
+        text.contains("pub const fn mechanism() -> ::homogen::Mechanism<3, 0, 2, 3, 3> {"),
+        "{text}"
+    );
+    for (name, row) in [("pin.x", 0), ("pin.y", 1)] {
+        assert!(text.contains(&format!("\"{name}\"")), "{text}");
+        assert!(
+            text.contains(&format!("::homogen::Row::Along({row})")),
+            "{text}"
+        );
+    }
+    let mut open = listing();
+    open.data.loops.loops.clear();
+    let text = Source::new("", &print(&open, &item, &world)).to_string();
+    assert!(!text.contains("mechanism"), "{text}");
+}
+
+#[test]
+fn headers_of_c_count_residuals() {
+    let writing = c::Writing {
+        prefix: "bars_",
+        header: "bars.h",
+        options: "",
+        fused: false,
+    };
+    let c::Source { header, .. } = c::print(&listing(), &writing);
+    for part in [
+        "/* The entries of the residuals of loops. */\nenum {\n    BARS_C_PIN_X, /* `pin.x` */\n",
+        "    BARS_C_PIN_Y, /* `pin.y` */\n    BARS_NC\n};\n",
+        "(const double q[3], double constraint_jacobian[2][3]);",
+    ] {
+        assert!(header.contains(part), "{header}");
+    }
+}

@@ -1,0 +1,113 @@
+//! The robot with its loops as data.
+//!
+//! In: what closes them, as [`LoopsData`](crate::print::LoopsData). Out: the function `mechanism` that
+//! returns it as the runtime's `Mechanism`, for the generic recursions that generated code is checked
+//! against; none where there is no loop. It never reads the programs of the generated functions.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::{Body, body};
+use super::chain::index;
+use super::comments::doc;
+use super::dialect::Dialect;
+use super::item::Item;
+use super::lengths::literal;
+use super::results::square_and_column;
+use super::world::World;
+use crate::closure::Row;
+use crate::print::{Listing, LoopData, documentation};
+use crate::space::Space;
+
+/// How many numbers a frame has, and a loop.
+const PLACEMENT: usize = 12;
+const LOOP: usize = 2 * PLACEMENT + 1;
+
+/// `fn mechanism() -> ::homogen::Mechanism<N, F, C, Q, B>`, a method where fields enter it.
+pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+    let World::Runtime(runtime) = &dialect.world else {
+        return TokenStream::new();
+    };
+    let data = &listing.data;
+    if data.loops.loops.is_empty() {
+        return TokenStream::new();
+    }
+    let Body {
+        statements,
+        results,
+    } = body(
+        &data.loops.program,
+        (&[], false),
+        listing,
+        &dialect.of_data(),
+    );
+    let loops = data.loops.loops.iter().zip(results.chunks(LOOP));
+    let residuals = loops.flat_map(|(closed, numbers)| residuals(closed, numbers, runtime));
+    let driven = &data.loops.driven;
+
+    let about = doc(&documentation::of_mechanism(listing));
+    let visibility = &item.visibility;
+    let length = |space: Space| literal(listing.spaces.len(space));
+    let [velocities, constraints, coordinates] =
+        [Space::Velocities, Space::Constraints, Space::Coordinates].map(length);
+    let [frames, joints] = [data.frames.len(), data.names.len()].map(literal);
+    let reads_fields = !listing.parameters.is_empty();
+    let this = reads_fields.then(|| quote! { &self });
+    let constant = (!reads_fields).then(|| quote! { const });
+    let chain = if reads_fields {
+        quote! { self.chain() }
+    } else {
+        quote! { Self::chain() }
+    };
+    quote! {
+        #about
+        #[must_use]
+        #visibility #constant fn mechanism(#this) -> #runtime::Mechanism<
+            #velocities, #frames, #constraints, #coordinates, #joints
+        > {
+            #statements
+            #runtime::Mechanism::new(#chain, [#(#residuals),*], [#(#driven),*])
+        }
+    }
+}
+
+/// The function's signature where the description is not known: of any lengths.
+pub(super) fn absent(reads_fields: bool, runtime: &TokenStream) -> TokenStream {
+    let this = reads_fields.then(|| quote! { &self });
+    let names = ["N", "F", "C", "Q", "B"].map(|name| quote::format_ident!("{name}"));
+    quote! {
+        fn mechanism<#(const #names: ::core::primitive::usize),*>(
+            #this
+        ) -> #runtime::Mechanism<#(#names),*>
+    }
+}
+
+/// Each of a loop, with its frames and its size as numbers.
+fn residuals<'a>(
+    closed: &'a LoopData,
+    numbers: &'a [TokenStream],
+    runtime: &'a TokenStream,
+) -> impl Iterator<Item = TokenStream> + 'a {
+    closed.rows.iter().map(move |row| {
+        let frames = closed.frames.iter().zip(numbers.chunks(PLACEMENT));
+        let frames = frames.map(|((name, body), numbers)| {
+            let (body, placement) = (index(*body), square_and_column(numbers));
+            quote! { #runtime::Frame::new(#name, #body, #runtime::Pose::new(#placement)) }
+        });
+        let size = &numbers[2 * PLACEMENT];
+        let kind = match *row {
+            Row::Along(k) => {
+                let k = literal(k);
+                quote! { Along(#k) }
+            }
+            Row::Product(i, j) => {
+                let [i, j] = [i, j].map(literal);
+                quote! { Product(#i, #j) }
+            }
+            Row::Inclined => quote! { Inclined(#size) },
+            Row::Distance => quote! { Distance(#size) },
+        };
+        let name = row.name(&closed.name);
+        quote! { #runtime::Residual::new(#name, [#(#frames),*], #runtime::Row::#kind) }
+    })
+}

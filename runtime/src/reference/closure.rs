@@ -1,0 +1,311 @@
+//! Every function of closed loops, at run time (feature `nalgebra`).
+//!
+//! In: a [`Mechanism`] and a state. Out: what generated code returns. With A and B the matrices of the two
+//! frames of a loop in frame 0, what it closes are entries of M = A⁻¹ B; Ṁ = A⁻¹ (W_B − W_A) B, and
+//! M̈ = A⁻¹ (H_B − H_A − 2 W_A (W_B − W_A)) B, because H = Ẇ + W² of each. It shares nothing with the code
+//! generator.
+
+use super::dense::inverse;
+use super::generic::{bias, inverse_dynamics, mass_matrix};
+use super::motion::{Motion, Positions};
+use crate::robot;
+use crate::robot::chain::Frame;
+use crate::robot::constrained::ConstrainedForwardDynamics;
+use crate::robot::mechanism::{Mechanism, Residual, Row};
+use core::array::from_fn;
+use nalgebra::{Cholesky, Matrix4, RealField, SMatrix, SVector};
+
+/// The residuals of the loops [m, 1].
+#[must_use]
+pub fn constraint<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const C: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    mechanism: &Mechanism<N, F, C, Q, B>,
+    q: &[T; Q],
+) -> [T; C] {
+    let positions = Positions::at(&mechanism.chain, q);
+    mechanism.residuals.map(|residual| {
+        let [a, b] = residual.frames.map(|frame| positions.pose_of(&frame));
+        let m = inverse(&a) * b;
+        match residual.row {
+            Row::Along(k) => entry(&m, k, 3),
+            Row::Product(i, j) => entry(&m, i, j),
+            Row::Inclined(cosine) => m[(2, 2)] - number(cosine),
+            Row::Distance(length) => {
+                let length: T = number(length);
+                (square(&m) - length * length) / (length + length)
+            }
+        }
+    })
+}
+
+/// J, a row for each residual: what a unit of each velocity changes it by.
+#[must_use]
+pub fn constraint_jacobian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const C: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    mechanism: &Mechanism<N, F, C, Q, B>,
+    q: &[T; Q],
+) -> [[T; N]; C] {
+    let chain = &mechanism.chain;
+    let positions = Positions::at(chain, q);
+    mechanism.residuals.map(|residual| {
+        let [a, b] = residual.frames.map(|frame| positions.pose_of(&frame));
+        let back = inverse(&a);
+        let m = back * b;
+        let mut row = [T::zero(); N];
+        for freedom in positions.freedoms() {
+            let moves = |frame: Frame| chain.carries(freedom.body, frame.body);
+            let l = match residual.frames.map(moves) {
+                [true, false] => -freedom.l,
+                [false, true] => freedom.l,
+                _ => continue,
+            };
+            if let Some(entry) = row.get_mut(freedom.velocity) {
+                *entry += changed(residual.row, &m, &(back * l * b));
+            }
+        }
+        row
+    })
+}
+
+/// γ, the acceleration of each residual at q̈ = 0 [m/s², 1/s²].
+#[must_use]
+pub fn constraint_bias<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const C: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    mechanism: &Mechanism<N, F, C, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [T; C] {
+    let motion = Motion::at(&mechanism.chain, q, qd, &[T::zero(); N]);
+    mechanism.residuals.map(|residual| {
+        let frames = residual.frames;
+        let [a, b] = frames.map(|frame| motion.positions.pose_of(&frame));
+        let [w_a, w_b] = frames.map(|frame| motion.velocity_of(frame.body));
+        let [h_a, h_b] = frames.map(|frame| motion.acceleration_of(frame.body));
+        let back = inverse(&a);
+        let w = w_b - w_a;
+        let h = h_b - h_a - w_a * w * number::<T>(2.0);
+        let [m, first, second] = [Matrix4::identity(), w, h].map(|middle| back * middle * b);
+        let second = changed(residual.row, &m, &second);
+        match residual.row {
+            Row::Distance(length) => second + square(&first) / number(length),
+            _ => second,
+        }
+    })
+}
+
+/// q̈ and λ of M q̈ + bias = τ + Jᵗ λ and J q̈ + γ = 0, by the mass matrix and J M⁻¹ Jᵗ, whose rows are
+/// left out that depend on those before them: λ of such is zero.
+///
+/// NaN where M is not positive definite.
+#[must_use]
+pub fn constrained_forward_dynamics<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const C: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    mechanism: &Mechanism<N, F, C, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+    tau: &[T; N],
+) -> ConstrainedForwardDynamics<N, C, T> {
+    let chain = &mechanism.chain;
+    let (m, bias) = (mass_matrix(chain, q), bias(chain, q, qd));
+    let jacobian = constraint_jacobian(mechanism, q);
+    let jacobian: SMatrix<T, C, N> = SMatrix::from_fn(|i, k| jacobian[i][k]);
+    let gamma = constraint_bias(mechanism, q, qd);
+    let lacking: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
+    let Some(factors) = Cholesky::new(SMatrix::from_fn(|i, k| m[i][k])) else {
+        let nan = || T::zero() / T::zero();
+        return ConstrainedForwardDynamics {
+            qdd: from_fn(|_| nan()),
+            multipliers: from_fn(|_| nan()),
+        };
+    };
+    let (free, moved) = (
+        factors.solve(&lacking),
+        factors.solve(&jacobian.transpose()),
+    );
+    let wanted = -(jacobian * free + SVector::from(gamma));
+    let multipliers = eliminated(&mechanism.residuals, jacobian * moved, wanted);
+    let qdd = free + moved * multipliers;
+    ConstrainedForwardDynamics {
+        qdd: qdd.into(),
+        multipliers: multipliers.into(),
+    }
+}
+
+/// τ of the velocities that are driven, zero for all others, which produces q̈ where the loops hold the
+/// others as far as they can (least squares) [N m, N].
+#[must_use]
+pub fn actuated_inverse_dynamics<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const C: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    mechanism: &Mechanism<N, F, C, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+    qdd: &[T; N],
+) -> [T; N] {
+    let needed = SVector::from(inverse_dynamics(&mechanism.chain, q, qd, qdd));
+    let jacobian = constraint_jacobian(mechanism, q);
+    let driven = &mechanism.driven;
+    let only = |wanted: bool| -> SMatrix<T, C, N> {
+        SMatrix::from_fn(|i, k| {
+            if driven[k] == wanted {
+                jacobian[i][k]
+            } else {
+                T::zero()
+            }
+        })
+    };
+    let passive = only(false);
+    let held = passive * passive.transpose();
+    let multipliers = eliminated(&mechanism.residuals, held, passive * needed);
+    let torques = needed - only(true).transpose() * multipliers;
+    from_fn(|k| if driven[k] { torques[k] } else { T::zero() })
+}
+
+/// λ of S λ = y, row after row, without those of which a pivot is nothing beside the whole that their loop
+/// measures alike.
+fn eliminated<T: RealField + Copy, const C: usize>(
+    residuals: &[Residual; C],
+    mut s: SMatrix<T, C, C>,
+    mut y: SVector<T, C>,
+) -> SVector<T, C> {
+    let nothing = T::default_epsilon().sqrt() * number(0.1);
+    let alike = |i: usize, k: usize| {
+        let [one, other] = [residuals[i], residuals[k]];
+        one.frames == other.frames && one.row.is_length() == other.row.is_length()
+    };
+    let wholes: [T; C] = from_fn(|k| {
+        let same = (0..C).filter(|&i| alike(i, k));
+        same.fold(T::zero(), |sum, i| sum + s[(i, i)])
+    });
+    let mut kept = [false; C];
+    for k in 0..C {
+        kept[k] = s[(k, k)] > nothing * wholes[k];
+        if !kept[k] {
+            continue;
+        }
+        for i in k + 1..C {
+            let factor = s[(i, k)] / s[(k, k)];
+            for j in k..C {
+                s[(i, j)] = s[(i, j)] - factor * s[(k, j)];
+            }
+            y[i] = y[i] - factor * y[k];
+        }
+    }
+    let mut found = SVector::zeros();
+    for k in (0..C).rev().filter(|&k| kept[k]) {
+        let known = (k + 1..C).fold(y[k], |left, j| left - s[(k, j)] * found[j]);
+        found[k] = known / s[(k, k)];
+    }
+    found
+}
+
+/// What a residual changes by where M does by this.
+fn changed<T: RealField + Copy>(row: Row, m: &Matrix4<T>, by: &Matrix4<T>) -> T {
+    match row {
+        Row::Along(k) => entry(by, k, 3),
+        Row::Product(i, j) => entry(by, i, j),
+        Row::Inclined(_) => by[(2, 2)],
+        Row::Distance(length) => {
+            let along = (0..3).fold(T::zero(), |sum, k| sum + m[(k, 3)] * by[(k, 3)]);
+            along / number(length)
+        }
+    }
+}
+
+/// The square of the length of the last column.
+fn square<T: RealField + Copy>(m: &Matrix4<T>) -> T {
+    (0..3).fold(T::zero(), |sum, k| sum + m[(k, 3)] * m[(k, 3)])
+}
+
+/// An entry; zero where there is none, as of an axis that is not one of three.
+fn entry<T: RealField + Copy>(m: &Matrix4<T>, row: usize, column: usize) -> T {
+    m.get((row, column)).copied().unwrap_or(T::zero())
+}
+
+fn number<T: RealField>(value: f64) -> T {
+    nalgebra::convert(value)
+}
+
+impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
+    robot::Constraint<N, C, T, Q> for Mechanism<N, F, C, Q, B>
+where
+    T: RealField + Copy,
+{
+    fn constraint(&self, q: &[T; Q]) -> [T; C] {
+        constraint(self, q)
+    }
+}
+
+impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
+    robot::ConstraintJacobian<N, C, T, Q> for Mechanism<N, F, C, Q, B>
+where
+    T: RealField + Copy,
+{
+    fn constraint_jacobian(&self, q: &[T; Q]) -> [[T; N]; C] {
+        constraint_jacobian(self, q)
+    }
+}
+
+impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
+    robot::ConstraintBias<N, C, T, Q> for Mechanism<N, F, C, Q, B>
+where
+    T: RealField + Copy,
+{
+    fn constraint_bias(&self, q: &[T; Q], qd: &[T; N]) -> [T; C] {
+        constraint_bias(self, q, qd)
+    }
+}
+
+impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
+    robot::ConstrainedForwardDynamics<N, C, T, Q> for Mechanism<N, F, C, Q, B>
+where
+    T: RealField + Copy,
+{
+    fn constrained_forward_dynamics(
+        &self,
+        q: &[T; Q],
+        qd: &[T; N],
+        tau: &[T; N],
+    ) -> ConstrainedForwardDynamics<N, C, T> {
+        constrained_forward_dynamics(self, q, qd, tau)
+    }
+}
+
+impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
+    robot::ActuatedInverseDynamics<N, T, Q> for Mechanism<N, F, C, Q, B>
+where
+    T: RealField + Copy,
+{
+    fn actuated_inverse_dynamics(&self, q: &[T; Q], qd: &[T; N], qdd: &[T; N]) -> [T; N] {
+        actuated_inverse_dynamics(self, q, qd, qdd)
+    }
+}

@@ -255,6 +255,10 @@ const HARDLY_SOLVED: f64 = 1e6;
 /// which columns depend on each other.
 const GROUPED: f64 = 1e-8;
 
+/// How far off beside the largest entry a solution may be of which pivots are left out that roundings might
+/// have made: no bound of it is finite.
+const UNBOUNDED: f64 = 1e-6;
+
 /// The first entry of a function that is not what the description says.
 fn first_wrong(
     dense: &Dense,
@@ -273,7 +277,8 @@ fn first_wrong(
     // Frames that are turned, and turned back, leave of a residue no more digits than 106 bits have
     // beside the whole.
     let sizes = expected.iter().map(|expected| expected.size());
-    let whole = Approximate::literal(sizes.fold(0.0, f64::max)).noise();
+    let largest = sizes.fold(0.0, f64::max);
+    let whole = Approximate::literal(largest).noise();
     let mut pairs = found.iter().zip(&expected).enumerate();
     pairs.find_map(|(entry, (found, expected))| {
         let distance = (found.value - expected.value).to_f64().abs();
@@ -281,6 +286,9 @@ fn first_wrong(
         if function.is_constrained() {
             // What is solved for is as uncertain by what was written as by what is printed.
             most += expected.error;
+            if !most.is_finite() {
+                most = UNBOUNDED * largest;
+            }
         }
         let (found, expected) = (found.to_f64(), expected.to_f64());
         wrong(entry, found, expected, distance <= most)

@@ -12,7 +12,7 @@ pub use quantity::{Entity, Outcome, Part, Quantity};
 pub use variable::Variable;
 
 /// One of the lists that every robot has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Space {
     /// What says where it is: q.

@@ -13,7 +13,7 @@ use crate::function::{Function, Given};
 use crate::real::{Real, Trigonometry};
 use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
-use crate::space::Variable;
+use crate::space::{Space, Variable};
 
 /// What is promised of the results of a function.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,8 +42,8 @@ pub struct Promise {
 /// type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
-    /// The joint whose they are: entry, row of a matrix or column of a Jacobian; none where they are
-    /// of a frame.
+    /// The joint whose they are: entry, row of a matrix or column of a Jacobian; the residual, where they are
+    /// of loops; none where they are of a frame.
     pub joint: Option<String>,
     /// The unit; 1 for a number without.
     pub unit: &'static str,
@@ -65,8 +65,8 @@ pub struct Means {
 /// The worst error of each result, or why there is none.
 pub(super) type Worst = Result<Vec<f64>, &'static str>;
 
-/// The joint and the unit of a result.
-pub(super) type Owner = (Option<usize>, &'static str);
+/// The entry, of a joint or a loop, and the unit of a result.
+pub(super) type Owner = (Option<(Space, usize)>, &'static str);
 
 /// Those of all results of a function.
 pub(super) fn owners(chain: &Chain, function: Function) -> Vec<Owner> {
@@ -126,10 +126,10 @@ pub(super) fn promise(
             *most = most.zip(found).map(|(a, b)| a.max(b));
         }
     }
-    let bounds = order.into_iter().map(|owner @ (joint, unit)| {
+    let bounds = order.into_iter().map(|owner @ (of, unit)| {
         let [double, single] = all[&owner];
         Bound {
-            joint: joint.map(|joint| chain.spaces().velocities[joint].name.clone()),
+            joint: of.map(|(space, entry)| chain.spaces().entries(space)[entry].name.clone()),
             unit,
             double,
             single,

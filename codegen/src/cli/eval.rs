@@ -308,7 +308,7 @@ fn quantity_in_text(text: &mut String, spaces: &Spaces, quantity: &Quantity, num
     } else {
         for (k, number) in numbers.iter().enumerate() {
             let owner = quantity.owner(spaces, k);
-            let entry = owner.map(|owner| &spaces.entries(quantity.over[0])[owner]);
+            let entry = owner.map(|(space, entry)| &spaces.entries(space)[entry]);
             let name = entry.map_or(String::new(), |entry| format!("  {}", visible(&entry.name)));
             let _ = writeln!(text, "{number:>24?}{name}");
         }

@@ -130,12 +130,12 @@ impl Quantity {
         units.collect()
     }
 
-    /// The entry of the first of its spaces that a number belongs to; none where it is over no space.
+    /// The first of its spaces, and the entry of it that a number belongs to; none where it is over no space.
     #[must_use]
-    pub fn owner(&self, spaces: &Spaces, number: usize) -> Option<usize> {
-        let first = self.over.first()?;
-        let each = self.size(spaces) / spaces.len(*first);
-        Some(number / each)
+    pub fn owner(&self, spaces: &Spaces, number: usize) -> Option<(Space, usize)> {
+        let &first = self.over.first()?;
+        let each = self.size(spaces) / spaces.len(first);
+        Some((first, number / each))
     }
 }
 
@@ -183,10 +183,10 @@ impl Outcome {
             .collect()
     }
 
-    /// The entry that a number belongs to, of the first of the spaces of its quantity; none where that is
-    /// over no space.
+    /// The first of the spaces of the quantity that a number is of, and the entry of it that the number
+    /// belongs to; none where the quantity is over no space.
     #[must_use]
-    pub fn owner(self, spaces: &Spaces, number: usize) -> Option<usize> {
+    pub fn owner(self, spaces: &Spaces, number: usize) -> Option<(Space, usize)> {
         let mut number = number;
         for (_, part) in self.parts() {
             let size = part.size(spaces);

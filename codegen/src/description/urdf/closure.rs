@@ -59,7 +59,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
         let element = reader.required(node, &children, end, &subject, &hint)?;
         let what = format!("the <{end}> of {subject}");
         let link = reader.name(element, "link", &what)?;
-        let place: Vec<Step> = reader.origin(Some(element), &what);
+        let place: Vec<Step> = reader.placement(element, &what, &["link"]);
         Some((link, place))
     });
     let ((from, at), (to, to_at)) = (from?, to?);

@@ -223,9 +223,17 @@ impl<'t> Reader<'_, 't> {
 
     /// The placement in `<origin xyz="…" rpy="…"/>`; none means that frames coincide.
     pub(super) fn origin(&mut self, origin: Option<Node<'_, 't>>, subject: &str) -> Vec<Step> {
-        let Some(node) = origin else {
-            return Vec::new();
-        };
+        origin.map_or_else(Vec::new, |node| self.placement(node, subject, &[]))
+    }
+
+    /// The placement that an element has in its own `xyz` and `rpy`, beside attributes that are read
+    /// elsewhere.
+    pub(super) fn placement(
+        &mut self,
+        node: Node<'_, 't>,
+        subject: &str,
+        beside: &[&str],
+    ) -> Vec<Step> {
         let mut steps = Vec::new();
         for attribute in node.attributes() {
             let name = attribute.name();
@@ -235,7 +243,7 @@ impl<'t> Reader<'_, 't> {
                     format!("the origin of {subject} has a quaternion, which is not read"),
                     "write rpy=\"roll pitch yaw\"",
                 );
-            } else if !matches!(name, "xyz" | "rpy") {
+            } else if !matches!(name, "xyz" | "rpy") && !beside.contains(&name) {
                 self.warn(
                     self.positions.place(attribute.range().start),
                     format!(

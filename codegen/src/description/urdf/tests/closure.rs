@@ -23,6 +23,7 @@ fn loop_joints_hold_two_links_together() {
            <loop_joint name="bar" type="rod"><rod length="0.3"/>
              <link1 link="a"/><link2 link="b" xyz="1 2 3"/></loop_joint>"#,
     ));
+    assert!(robot.warnings.is_empty(), "{:?}", robot.warnings);
     let [ball, pin, bar] = &robot.loops[..] else {
         panic!("{:?}", robot.loops);
     };

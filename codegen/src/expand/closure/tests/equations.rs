@@ -2,11 +2,12 @@
 //! the plainest.
 
 use super::{
-    FOUR_BAR, PIN, arms_held_by, chain, closed_four_bar, described, kinds, numbers, plain, upright,
-    values,
+    ARMS, FOUR_BAR, PIN, arms_held_by, chain, closed_four_bar, described, kinds, numbers, plain,
+    upright, values,
 };
+use crate::accuracy::Accuracy;
 use crate::check::Check;
-use crate::expand::{program_by, program_for, understand};
+use crate::expand::{expand, program_by, program_for, understand};
 use crate::formulation::{Angles, Formulation, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
@@ -15,6 +16,7 @@ use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::Program;
+use crate::space::Space;
 
 #[test]
 fn accelerations_solve_the_equations_of_motion_with_their_multipliers() {
@@ -162,4 +164,52 @@ fn every_kind_is_what_the_description_says_in_both_precisions() {
             }
         }
     }
+}
+
+#[test]
+fn more_residuals_than_passive_joints_are_held_against_the_description_as_well() {
+    // Seven residuals and five velocities that nothing drives: of two pivots nothing is left but roundings.
+    let text = ARMS.to_owned()
+        + "loop hands: fixed { from: left_3, to: right_2, at: xyz(0.1, 0.0, 0.1) rpy(0.1, 0.2, 0.3) }
+           loop stay: rod(0.4) { from: base, to: left_2, to_at: xyz(0.0, 0.1, 0.0) }";
+    let (description, request) = described(&text);
+    let request = Request {
+        functions: vec![vec![Function::ActuatedInverseDynamics]],
+        actuated: ["trunk", "left_1", "right_1"].map(Into::into).to_vec(),
+        ..request
+    };
+    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let check =
+        Check::of(&description, &request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
+    let function = [Function::ActuatedInverseDynamics];
+    let mut program = listing.functions[0].program.clone();
+    check
+        .judge(&function, 0, &program, Real::F64)
+        .unwrap_or_else(|errors| panic!("{errors}"));
+    program.results.swap(0, 1);
+    assert!(check.judge(&function, 0, &program, Real::F64).is_err());
+}
+
+#[test]
+fn bounds_are_told_of_residuals_by_name() {
+    // More residuals than velocities.
+    let text = ARMS.to_owned()
+        + "loop hands: fixed { from: left_3, to: right_2 }
+           loop elbows: fixed { from: left_2, to: right_1 }
+           loop ball: spherical { from: base, to: left_1 }";
+    let (description, request) = described(&text);
+    let request = Request {
+        functions: vec![vec![Function::ConstraintJacobian]],
+        ..request
+    };
+    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let residuals = listing.spaces.names(Space::Constraints).map(str::to_owned);
+    let residuals: Vec<String> = residuals.collect();
+    assert!(residuals.len() > listing.spaces.len(Space::Velocities));
+    let [Accuracy::Within(promise)] = &*listing.functions[0].accuracy else {
+        panic!("{:?}", listing.functions[0].accuracy);
+    };
+    let mut named = promise.bounds.iter().map(|bound| bound.joint.as_ref());
+    assert!(named.all(|name| name.is_some_and(|name| residuals.contains(name))));
 }

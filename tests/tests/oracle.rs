@@ -37,6 +37,13 @@ const DERIVATIVES: [Function; 3] = [
     Function::GravityDerivative,
 ];
 
+/// What is no solution, of robots with loops.
+const OF_LOOPS: [Function; 3] = [
+    Function::Constraint,
+    Function::ConstraintJacobian,
+    Function::ConstraintBias,
+];
+
 /// As described, and with all that the generator can do about frames and parameters.
 const LAYOUTS: [Layout; 2] = [
     Layout::DESCRIBED,
@@ -66,6 +73,7 @@ fn agree_within(tolerance: f64, description: &Description, request: &Request) ->
     assert_eq!(robot.frames.len(), chain.frames.len());
     let functions: Vec<Function> = frame_0::told()
         .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())
+        .chain(OF_LOOPS.into_iter().filter(|_| !chain.loops.is_empty()))
         .collect();
     let frame = chain.frames.len().saturating_sub(1);
     let way = Way::PLAIN;
@@ -254,6 +262,33 @@ fn every_joint_on_every_base() {
         let worst = of_tokens(&(head + &text));
         println!("{base}: {worst:.1e}");
     }
+}
+
+/// A loop of each kind between two arms, or to their base.
+#[test]
+fn loops_of_every_kind() {
+    let text = "struct Arms { frames(c, e) }
+        joint trunk: revolute([0.6, 0.0, 0.8]) { from: base, to: a, at: xyz(0.1, 0.2, 0.3) rpy(0.1, -0.2, 0.3) }
+        joint left_1: universal(x, [0.0, 0.8, 0.6]) { from: a, to: b, at: xyz(0.2, 0.1, 0.0) rpy(0.0, 0.5, 0.0) }
+        joint left_2: spherical { from: b, to: c, at: xyz(0.0, 0.2, 0.1) rpy(0.2, 0.1, 0.0) }
+        joint right_1: planar([0.0, 0.6, 0.8]) { from: a, to: d, at: xyz(-0.2, 0.1, 0.1) }
+        joint right_2: screw(y, pitch: 0.05) {
+            from: d, to: e, at: xyz(0.1, 0.1, 0.0) rpy(0.3, 0.0, 0.1), mimic: trunk, multiplier: -0.5
+        }
+        loop weld: fixed { from: c, to: e, at: xyz(0.1, 0.0, 0.1) rpy(0.1, 0.2, 0.3) }
+        loop pin: revolute([0.0, 0.6, 0.8]) { from: c, to: e, to_at: xyz(0.0, 0.1, 0.0) rx(1.5708) }
+        loop slot: prismatic(-y) { from: base, to: b, at: xyz(0.1, 0.0, 0.1) }
+        loop axle: cylindrical(x) { from: e, to: b, to_at: xyz(0.1, 0.2, 0.0) }
+        loop cross: universal([0.6, 0.8, 0.0], z) { from: base, to: d, at: xyz(0.1, 0.2, 0.0) }
+        loop face: planar(y) { from: b, to: d, at: xyz(0.1, 0.2, 0.0) rpy(0.4, 0.2, 0.1) }
+        loop table: translation { from: c, to: base, to_at: rpy(0.2, 0.3, 0.1) }
+        loop ball: spherical { from: a, to: e, at: xyz(0.1, 0.2, 0.0) rpy(0.4, 0.2, 0.1) }
+        loop stay: rod(0.4) { from: c, to: d, to_at: xyz(0.0, 0.1, 0.0) }";
+    let body =
+        "mass: 0.5, com: [0.02, 0.01, 0.03], inertia: [0.003, 0.0005, 0, 0.004, 0.0002, 0.005]";
+    let links = ["a", "b", "c", "d", "e"].map(|link| format!("link {link} {{ {body} }} "));
+    let worst = of_tokens(&format!("{text} link base; {}", links.concat()));
+    println!("{worst:.1e}");
 }
 
 /// The worst difference of a robot in the tokens of `chain!`.

@@ -4,6 +4,7 @@
 //! function should return. No matrix is taken apart and no zero is known: this is the definition, and
 //! therefore slow (about 1 ms a joint).
 
+mod closure;
 mod derivatives;
 
 use homogen_codegen::Function;
@@ -173,6 +174,19 @@ pub fn evaluate(
         Function::CoriolisMatrix => {
             let motion = moving(&qd, &rest);
             derivatives::coriolis(robot, &positions, &motion)
+        }
+        Function::Constraint => closure::residuals(robot, &positions),
+        Function::ConstraintJacobian => closure::jacobian(robot, &positions),
+        Function::ConstraintBias => closure::bias(robot, &positions, &moving(&qd, &rest)),
+        Function::ConstrainedForwardDynamics => {
+            let tau = tau.into_iter().zip(bias());
+            let (matrix, right) = closure::system(
+                &mass_matrix(robot, &positions),
+                tau.map(|(tau, bias)| tau - bias).collect(),
+                &closure::jacobian(robot, &positions),
+                &closure::bias(robot, &positions, &moving(&qd, &rest)),
+            );
+            solve(matrix, right).concat()
         }
         other => panic!("{} has no oracle", other.name()),
     }

@@ -7,7 +7,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use homogen_codegen::description::{Axis, Description, Inertial, Joint, Name, Number, Step};
+use homogen_codegen::closure::Closure;
+use homogen_codegen::description::{self, Axis, Description, Inertial, Joint, Name, Number, Step};
 use homogen_codegen::joint::JointKind;
 use homogen_codegen::request::Request;
 
@@ -24,6 +25,20 @@ pub struct Robot {
     pub frames: Vec<Option<usize>>,
     /// H_g (§ 4.5).
     pub gravity: Matrix,
+    /// What holds bodies together that hang on the base anyhow.
+    pub loops: Vec<Loop>,
+}
+
+/// Two frames that are held together.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// By what.
+    pub closure: Closure,
+    /// A and B, each with the body that it is fixed to, none for the base, and its place there; z is the
+    /// axis of what holds them, where that has one.
+    pub frames: [(Option<usize>, Matrix); 2],
+    /// Of two axes the cosine of their angle as described.
+    pub cosine: Big,
 }
 
 /// A joint and the link that it carries.
@@ -59,6 +74,7 @@ impl Robot {
             bodies: Vec::new(),
             frames: Vec::new(),
             gravity: reader.gravity(),
+            loops: Vec::new(),
         };
         let links = reader.hang(base, tip, &mut robot);
         let seat = |link: &str| {
@@ -71,6 +87,10 @@ impl Robot {
         };
         let further = request.frames.iter().map(|frame| frame.text.as_str());
         robot.frames = tip.into_iter().chain(further).map(seat).collect();
+        let loops = description.loops.iter();
+        robot.loops = loops
+            .map(|described| reader.held(described, seat))
+            .collect();
         robot
     }
 
@@ -297,6 +317,27 @@ impl<'d> Reader<'d> {
         let mut locks = self.request.lock.iter();
         let (_, at) = locks.find(|(name, _)| name.text == joint.name.text)?;
         Some(at.as_ref().map_or_else(Big::zero, big))
+    }
+
+    fn held(&self, described: &description::Loop, seat: impl Fn(&str) -> Option<usize>) -> Loop {
+        use Closure::{Fixed, Rod, Spherical, Translation};
+        let closure = described.closure;
+        let has_axes = !matches!(closure, Fixed | Rod { .. } | Spherical | Translation);
+        let axes = has_axes.then(|| described.axes.each_ref().map(axis));
+        let frame = |link: &Name, at: &[Step], end: usize| {
+            let turn = axes.as_ref().map(|axes| across(&axes[end]));
+            let turn = turn.unwrap_or_else(Matrix::identity);
+            (seat(&link.text), &self.placement(at) * &turn)
+        };
+        let products = axes.iter().flat_map(|[one, other]| one.iter().zip(other));
+        Loop {
+            closure,
+            frames: [
+                frame(&described.from, &described.at, 0),
+                frame(&described.to, &described.to_at, 1),
+            ],
+            cosine: products.fold(Big::zero(), |sum, (x, y)| sum + x * y),
+        }
     }
 
     fn gravity(&self) -> Matrix {

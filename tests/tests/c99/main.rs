@@ -58,6 +58,11 @@ fn joints_with_quaternions_and_joints_that_follow_others() {
     agree(&Robot::with_every_kind_of_joint());
 }
 
+#[test]
+fn a_robot_with_loops() {
+    agree(&Robot::with_loops());
+}
+
 /// As standard output has them.
 #[test]
 fn header_and_source_are_one_text_where_one_follows_the_other() {

@@ -2,9 +2,9 @@
 //!
 //! In: descriptions. Out: robots with what is asked of them. It never compiles anything.
 
-use homogen_codegen::chain;
 use homogen_codegen::description::{Description, Name, read_file, read_text};
 use homogen_codegen::error::Errors;
+use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::Sines;
 use homogen_codegen::print::c::Source;
 use homogen_codegen::request::{Parameter, Request};
@@ -48,10 +48,10 @@ fn named(text: &str) -> Name {
 
 impl Robot {
     fn new(name: &str, description: Description, request: Request) -> Self {
-        let chain = chain::build(&description, &request);
+        let chain = understand(&description, &request);
         let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
         let mut asked = Vec::new();
-        for functions in request.items() {
+        for functions in request.items(!chain.loops.is_empty()) {
             let names: Vec<_> = functions.iter().map(|function| function.name()).collect();
             let name = names.join("_and_");
             let of_a_frame = functions.iter().all(|function| function.of_a_frame());
@@ -159,6 +159,46 @@ impl Robot {
             read("every_joint.urdf", &text.concat()),
             request,
         )
+    }
+
+    /// A slider-crank that a rod holds as well, with all functions of loops and one of others.
+    pub fn with_loops() -> Self {
+        let link = |name: &str, at: f64| {
+            format!(
+                r#"<link name="{name}"><inertial><origin xyz="{at} 0.01 0"/><mass value="0.5"/>
+                <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.004" iyz="0" izz="0.005"/></inertial></link>"#
+            )
+        };
+        let joint = |kind: &str, [parent, child]: [&str; 2], x: f64, axis: &str| {
+            format!(
+                r#"<joint name="to {child}" type="{kind}"><parent link="{parent}"/>
+                <child link="{child}"/><origin xyz="{x} 0 0"/><axis xyz="{axis}"/>
+                <limit lower="-9" upper="9" velocity="9" effort="9"/></joint>"#
+            )
+        };
+        let text = [
+            r#"<robot name="slider crank"><link name="ground"/>"#.to_owned(),
+            link("crank", 0.05),
+            link("rod", 0.15),
+            link("slider", 0.0),
+            joint("continuous", ["ground", "crank"], 0.0, "0 0 1"),
+            joint("continuous", ["crank", "rod"], 0.1, "0 0 1"),
+            joint("prismatic", ["ground", "slider"], 0.0, "1 0 0"),
+            r#"<loop_joint name="pin" type="revolute"><axis xyz="0 0 1"/>
+                <link1 link="rod" xyz="0.3 0 0"/><link2 link="slider"/></loop_joint>
+            <loop_joint name="stay" type="rod"><rod length="0.4"/>
+                <link1 link="ground" xyz="0 0.2 0"/><link2 link="slider"/></loop_joint></robot>"#
+                .to_owned(),
+        ];
+        let functions = Function::OF_LOOPS.into_iter();
+        let functions = functions.chain([Function::ForwardDynamics]);
+        let request = Request {
+            actuated: vec![named("to crank")],
+            functions: functions.map(|function| vec![function]).collect(),
+            ..Request::default()
+        };
+        let description = read("slider_crank.urdf", &text.concat());
+        Self::new("slider_crank", description, request)
     }
 
     /// A pendulum with a bob that can be changed.

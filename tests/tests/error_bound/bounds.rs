@@ -13,8 +13,8 @@ use homogen_codegen::chain::Chain;
 fn worst_of(chain: &Chain, function: Function, bound: &Bound, errors: &[f64]) -> f64 {
     let (result, spaces) = (function.result(), chain.spaces());
     let name = |k: usize| {
-        let owner = result.owner(spaces, k)?;
-        Some(&spaces.velocities[owner].name)
+        let (space, entry) = result.owner(spaces, k)?;
+        Some(&spaces.entries(space)[entry].name)
     };
     let units = result.units(spaces).into_iter();
     let own = units.zip(errors).enumerate();

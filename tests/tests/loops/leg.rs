@@ -131,7 +131,9 @@ fn rods_of_the_leg_keep_their_length_and_the_leg_its_energy() {
         Leg.constraint(&q)
     );
     // A rod pulls and pushes along itself alone: what it does to the joints is its force times its Jacobian.
-    let force = Leg.constrained_forward_dynamics(&q, &qd, &[0.0; 7]).multipliers;
+    let force = Leg
+        .constrained_forward_dynamics(&q, &qd, &[0.0; 7])
+        .multipliers;
     assert!(
         force.iter().all(|x| x.is_finite() && x.abs() > 1e-3),
         "{force:?}"
@@ -155,7 +157,9 @@ fn rods_know_nothing_of_a_free_body() {
         assert_eq!(row[..9], [0.0; 9], "body, roll, yaw and pitch");
     }
     // Falling freely, nothing bends.
-    let found = FreeLeg.constrained_forward_dynamics(&found.q, &[0.0; 13], &[0.0; 13]).qdd;
+    let found = FreeLeg
+        .constrained_forward_dynamics(&found.q, &[0.0; 13], &[0.0; 13])
+        .qdd;
     assert!(largest(&found[3..]) < 1e-11, "{found:?}");
     let fall = found[..3].iter().map(|x| x * x).sum::<f64>().sqrt();
     assert!((fall - 9.81).abs() < 1e-11, "{fall}");

@@ -7,6 +7,7 @@ mod equations;
 mod four_bar;
 mod leg;
 mod slider_crank;
+mod twin;
 
 /// A step of Runge and Kutta of the fourth order, of coordinates that are the integrals of their rates.
 fn step<const N: usize>(

@@ -1,0 +1,72 @@
+//! The tables of closed loops in the README, computed anew.
+//!
+//! In: the kinds of loops, the functions of loops, and the slider-crank of the README. Out: nothing where
+//! the README has the residuals of each kind and the operations of each function; else the row that
+//! should stand there.
+
+use std::path::Path;
+
+use homogen_codegen::Function;
+use homogen_codegen::closure;
+use homogen_codegen::description::inline;
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::expand;
+use homogen_codegen::request::Request;
+
+const README: &str = include_str!("../../README.md");
+
+/// What stands between the braces of the macro in the section on loops.
+fn slider_crank() -> &'static str {
+    let (_, section) = README
+        .split_once("\n## Closed loops\n")
+        .expect("it is there");
+    let (_, inside) = section.split_once("homogen::chain! {").expect("a robot");
+    let (inside, _) = inside.split_once("\n}\n").expect("its end");
+    inside
+}
+
+#[test]
+fn every_kind_has_a_row_with_its_residuals() {
+    for kind in &closure::ALL {
+        let start = format!("| `{}", kind.word);
+        let (_, section) = README
+            .split_once("\n## Closed loops\n")
+            .expect("it is there");
+        let row = section.lines().find(|line| {
+            let rest = line.strip_prefix(&start);
+            rest.is_some_and(|rest| rest.starts_with(['`', '(']))
+        });
+        let row = row.unwrap_or_else(|| panic!("{} has no row", kind.word));
+        let (_, said) = row[2..].split_once('|').expect("two columns");
+        let names: Vec<String> = (kind.rows.iter())
+            .map(|row| row.name("").trim_start_matches('.').to_owned())
+            .filter(|name| !name.is_empty())
+            .collect();
+        let told: Vec<&str> = said.split('`').skip(1).step_by(2).collect();
+        assert_eq!(told, names, "{row}");
+    }
+}
+
+#[test]
+fn the_prices_of_the_slider_crank_are_those_of_today() {
+    let mut errors = Errors::new();
+    let tokens = slider_crank().parse().expect("tokens");
+    let item = inline::read(tokens, Path::new(""), &mut errors).expect("a robot");
+    assert!(errors.is_empty(), "{errors}");
+    let request = Request {
+        functions: Function::OF_LOOPS.map(|function| vec![function]).to_vec(),
+        ..item.request
+    };
+    let description = item.description.expect("it is in place");
+    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let (_, table) = README.split_once("<!-- loops -->").expect("it is there");
+    for (function, listed) in Function::OF_LOOPS.into_iter().zip(&listing.functions) {
+        let (name, price) = (function.name(), &listed.price);
+        let end = format!(" | {} | {} |", price.mul, price.add);
+        let row = table
+            .lines()
+            .find(|line| line.starts_with(&format!("| `{name}` |")));
+        let row = row.unwrap_or_else(|| panic!("{name} has no row"));
+        assert!(row.ends_with(&end), "`{name}` should end with{end}: {row}");
+    }
+}

@@ -83,6 +83,17 @@ impl<'s, 'g> Scene<'s, 'g> {
         carry::joints(self.bodies, &self.state, self.way.angles)
     }
 
+    /// The same, but seen from the body at the root where that is one and carries all mass: for what is the same
+    /// wherever the origin of frame 0 is. So nothing is lost of a robot that is far from there, and its way there is
+    /// not computed.
+    pub(crate) fn joints_seen_from_root(&self) -> Vec<carry::Joint<'g>> {
+        if self.way.frame == Frame::Link && self.bodies.base.mass.is_zero() {
+            carry::from_root(self.link_joints())
+        } else {
+            self.joints()
+        }
+    }
+
     /// The joints at work, in the frame in which recursions run.
     pub(crate) fn joints(&self) -> Vec<carry::Joint<'g>> {
         match self.way.frame {

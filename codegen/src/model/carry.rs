@@ -30,6 +30,8 @@ pub struct Joint<'g> {
     pub frame: usize,
     /// The number of the frame in which those of the body are that it hangs on.
     pub outer_frame: usize,
+    /// Whether what is placed in frame 0 is seen from the body at the root, in the axes of frame 0.
+    pub from_root: bool,
     /// M from the parent's frame to where the displacement starts.
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of the turn.
@@ -79,6 +81,7 @@ impl<'g> Joint<'g> {
             motion: body.motion,
             frame: k + 1,
             outer_frame: body.parent.map_or(0, |parent| parent + 1),
+            from_root: false,
             placement,
             angle,
             slide,
@@ -121,12 +124,24 @@ impl<'g> Joint<'g> {
     fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
         let index = self.index + 1;
-        pose.translation.label(|| format!("m_0_{index}_t"));
+        if !self.from_root {
+            pose.translation.label(|| format!("m_0_{index}_t"));
+        }
         for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
             let column = pose.rotation.column(k);
             column.label(|| format!("m_0_{index}_{axis}"));
         }
         pose
+    }
+
+    /// Leaves the origin of a body at the root where that of frame 0 is: it turns there.
+    fn stay(&mut self) {
+        let zero = Vector::zero(self.slide.graph());
+        self.placement.translation = zero;
+        self.slide = zero.x();
+        if let Some(posture) = &mut self.posture {
+            posture.translation = zero;
+        }
     }
 
     /// Whether its motion carries the screw of a joint `at` inboard of it: its own, and those of the joint with
@@ -230,6 +245,18 @@ pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec
     (0..bodies.bodies.len())
         .map(|k| Joint::new(bodies, k, state, &left))
         .collect()
+}
+
+/// The same joints, seen from the body at the root where that is one.
+pub fn from_root<'g>(mut joints: Vec<Joint<'g>>) -> Vec<Joint<'g>> {
+    let mut roots = joints.iter_mut().filter(|joint| joint.parent.is_none());
+    if let (Some(root), None) = (roots.next(), roots.next()) {
+        root.stay();
+        for joint in &mut joints {
+            joint.from_root = true;
+        }
+    }
+    joints
 }
 
 /// The way from the base to a frame.

@@ -6,12 +6,11 @@
 //! taken: M, the product of the matrices along the loop, W and H by the composition rules (paper, eqs. 10
 //! and 11), and of M the first and the second rate W M and H M.
 
-use super::Scene;
 use super::carry::{self, Joint};
 use super::state::State;
+use super::{Scene, Way};
 use crate::closure::Row;
 use crate::expression::Term;
-use crate::formulation::Angles;
 use crate::layout::{Bodies, Closed};
 use crate::matrix::{Acceleration, Pose, Screw, Vector, Velocity};
 
@@ -76,26 +75,21 @@ fn each<'g, T>(scene: &Scene<'_, 'g>, of: impl Fn(&Closed<'g>, Seen<'g>) -> Vec<
     let loops = scene.bodies.loops.iter();
     loops
         .flat_map(|closed| {
-            let seen = seen(scene.bodies, closed, &scene.state, scene.way.angles);
+            let seen = seen(scene.bodies, closed, &scene.state, scene.way);
             of(closed, seen)
         })
         .collect()
 }
 
 /// Frame B of a loop, as seen from frame A: from A inwards to the body that carries both, and out to B.
-fn seen<'g>(
-    bodies: &Bodies<'g>,
-    closed: &Closed<'g>,
-    state: &State<'g>,
-    angles: Angles,
-) -> Seen<'g> {
+fn seen<'g>(bodies: &Bodies<'g>, closed: &Closed<'g>, state: &State<'g>, way: Way) -> Seen<'g> {
     let inwards = |frame: usize| {
         let (last, _) = bodies.frames[frame];
         std::iter::successors(last, |&k| bodies.bodies[k].parent)
     };
     let [a, b] = closed.frames;
     let both = inwards(a).find(|k| inwards(b).any(|other| other == *k));
-    let [a, b] = [a, b].map(|frame| carry::path_beyond(bodies, both, frame, state, angles));
+    let [a, b] = [a, b].map(|frame| carry::path_beyond(bodies, both, frame, state, way));
     let together = |_: &Joint<'g>, next: &Joint<'g>| next.taken;
     let mut pose = a.end.inverse();
     let mut joints = Vec::new();

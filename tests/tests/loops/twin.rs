@@ -36,7 +36,7 @@ macro_rules! arms {
 arms! {
     /// Arms that hold each other's hands.
     struct Hands {
-        actuated(trunk, left_1, right_1),
+        actuated(trunk, left_1),
         generate(
             constraint, constraint_jacobian, constraint_bias, constrained_forward_dynamics,
             actuated_inverse_dynamics,

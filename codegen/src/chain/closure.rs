@@ -22,7 +22,8 @@ pub fn check(description: &Description, links: &Names<'_>, errors: &mut Errors) 
         {
             let [name, link] = [&described.name, &described.to].map(|name| quoted(&name.text));
             let message = format!("loop {name} joins link {link} to itself");
-            errors.push(described.to.place, message);
+            let hint = "name two links that move against each other";
+            errors.push_with_hint(described.to.place, message, hint);
         }
     }
 }

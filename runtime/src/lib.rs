@@ -9,6 +9,7 @@ pub mod checklist {}
 mod error;
 mod matrix;
 mod paper;
+pub mod reach;
 #[cfg(feature = "nalgebra")]
 mod reference;
 pub mod robot;

@@ -8,6 +8,7 @@
 mod angle;
 pub mod base_parameters;
 mod check;
+mod drive;
 mod limits;
 mod merge;
 mod mimic;
@@ -22,7 +23,7 @@ mod tree;
 use crate::description::{Description, Limits, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
-use crate::joint::{Motion, Posture};
+use crate::joint::{Drive, Motion, Posture};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
 use crate::space::{Entry, Kind, Spaces};
@@ -82,6 +83,8 @@ pub struct Joint {
     pub position: Position,
     /// Its place among the velocities.
     pub velocity: usize,
+    /// What is modelled of its drive.
+    pub drive: Drive<Expr>,
     /// Range of the coordinate and bound of its rate, where described.
     pub limits: Option<Limits>,
 }

@@ -195,6 +195,17 @@ impl Dense {
         momentum.map(|entry| entry / mass)
     }
 
+    /// What the armatures of all joints have of twice the kinetic energy.
+    pub(crate) fn twice_energy_of_drives(&self) -> Approximate {
+        let rates = self.rates(Motion::Coasting).first;
+        let energies = self.posture.freedoms().map(|freedom| {
+            let rate = freedom.factor * rates[freedom.velocity];
+            let [armature, ..] = freedom.drive;
+            armature * rate * rate
+        });
+        energies.fold(Approximate::exact(0.0), |sum, energy| sum + energy)
+    }
+
     /// H_g, the acceleration of gravity.
     pub(crate) fn gravity(&self) -> Matrix<Approximate> {
         let mut gravity = Matrix::zero();

@@ -138,9 +138,12 @@ pub struct ChainData {
     pub motions: Vec<DataMotion>,
     /// Further frames, the tip's first: name, and the joint that carries it.
     pub frames: Vec<(String, Option<u16>)>,
+    /// The drives of which something is modelled: each the joint, and which of its velocities.
+    pub driven: Vec<(u16, u16)>,
     /// The numbers, of parameters only. A joint has 28: placement at q = 0 in its parent's frame
     /// (rows of the upper 3×4 block), screw (u, b), pseudo-inertia (xx, yy, zz, xy, xz, yz, the
-    /// first moments qx, qy, qz, and m). A frame has 12, its placement. Gravity comes last, 3.
+    /// first moments qx, qy, qz, and m). A frame has 12, its placement. Gravity has 3, and each drive
+    /// has 3: armature, damping, friction.
     pub program: Program,
 }
 

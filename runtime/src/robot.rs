@@ -21,6 +21,7 @@
 pub(crate) mod chain;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod check;
+pub(crate) mod drive;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
 pub mod posture;

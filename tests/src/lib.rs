@@ -7,6 +7,7 @@
 pub mod arguments;
 pub mod big;
 pub mod climb;
+pub mod drives;
 pub mod dual;
 pub mod fire;
 pub mod functions;

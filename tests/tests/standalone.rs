@@ -201,6 +201,18 @@ macro_rules! standalone_files {
 }
 for_every_robot!(standalone_files);
 
+/// With drives, whose friction has a sign.
+#[derive(homogen::Robot)]
+#[robot(
+    urdf = "../robots/scara.urdf",
+    armature(shoulder = 0.25),
+    rotor(lift = 2e-5),
+    ratio(lift = 300)
+)]
+#[robot(damping(elbow = 0.75), friction(elbow = 0.5, lift = 3))]
+struct Driven;
+standalone_files!(driven, Driven);
+
 /// The sines that a file brings along are the straight half of the runtime's.
 mod single_sines {
     use super::{bits, single};

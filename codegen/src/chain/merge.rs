@@ -4,13 +4,15 @@
 //! the mass of all that is fixed to them. Struct fields enter here as inputs; from here on they are
 //! scalars like all others. It never drops a mass.
 
+mod drive;
+
 use std::collections::HashMap;
 
 use super::tree::{Branch, Follow, Tree};
 use super::{Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
 use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
-use crate::joint::{Along, Freedom, JointKind, Motion, Movement, Posture};
+use crate::joint::{Along, Drive, Freedom, JointKind, Motion, Movement, Posture};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
 use crate::space::{Entry, Spaces};
@@ -37,6 +39,7 @@ struct Body<'g> {
     link: Option<(usize, Pose<Term<'g>>)>,
     inertia: Inertia<Term<'g>>,
     moved: Moved<'g>,
+    drive: Drive<Term<'g>>,
 }
 
 /// What moves a body.
@@ -164,6 +167,7 @@ fn listed(
             inertia: body.inertia.map(Term::expr),
             position,
             velocity,
+            drive: body.drive.map(Term::expr),
             limits: described.limits.filter(|_| !described.kind.has_several()),
         }
     };
@@ -258,7 +262,7 @@ fn moved<'g>(
             link = turn.inverse();
         }
     }
-    for (velocity, freedom) in kind.velocities(name) {
+    for (place, (velocity, freedom)) in kind.velocities(name).enumerate() {
         let axis = direction(graph, freedom, axes);
         bodies.push(Body {
             joint: branch.joint,
@@ -270,6 +274,7 @@ fn moved<'g>(
             link: None,
             inertia: Inertia::zero(graph),
             moved,
+            drive: reader.drive(joint, place),
         });
         (parent, placement) = (Some(bodies.len() - 1), Pose::identity(graph));
         if kind.posture().is_some() {

@@ -4,6 +4,7 @@
 
 mod base_parameters;
 mod bodies;
+mod drives;
 mod joints;
 
 use std::path::Path;

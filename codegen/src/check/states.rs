@@ -46,7 +46,10 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
             .fold(0.0_f64, |most, entry| most.max(entry.abs()));
         let size = if size > 0.0 { size } else { 1.0 };
         let mut near = |entry: f64| match parameter.target {
-            Target::MassOf(_) => size * (0.5 + random.unit()),
+            Target::MassOf(_)
+            | Target::ArmatureOf(_)
+            | Target::DampingOf(_)
+            | Target::FrictionOf(_) => size * (0.5 + random.unit()),
             _ => entry + size * (random.unit() - 0.5),
         };
         state

@@ -1,9 +1,9 @@
 //! All matrices of a robot in a posture.
 //!
 //! In: a [`Robot`] and q. Out: poses, screws and inertias in frame 0; of rates, velocities,
-//! accelerations and actions, and what they add up to.
+//! accelerations and actions, and what they and the joints' drives add up to.
 
-use super::{Approximate, Matrix, Moved, Robot};
+use super::{Approximate, Freedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
 
@@ -75,6 +75,11 @@ impl Posture {
             moves.push(carried || !body.freedoms.is_empty());
         }
         moves
+    }
+
+    /// How all bodies move on.
+    pub(super) fn freedoms(&self) -> impl Iterator<Item = &Freedom> {
+        self.robot.bodies.iter().flat_map(|body| &body.freedoms)
     }
 
     /// Acceleration of gravity in frame 0.
@@ -182,7 +187,19 @@ impl Posture {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
         let motions = self.motions(rates);
-        self.forces(|k| Some(motions[k].1.plus(&falling)))
+        let mut forces = self.forces(|k| Some(motions[k].1.plus(&falling)));
+        for Freedom {
+            velocity,
+            factor,
+            drive: [armature, damping, friction],
+            ..
+        } in self.freedoms()
+        {
+            let [rate, second] = [&rates.first, &rates.second].map(|of| *factor * of[*velocity]);
+            let drive = *armature * second + *damping * rate + *friction * rate.sign();
+            forces[*velocity] = forces[*velocity] + *factor * drive;
+        }
+        forces
     }
 
     /// Y of τ = Y π, row by row: each column is τ of a link that alone has mass, of which one parameter is 1.
@@ -222,7 +239,15 @@ impl Posture {
                 let own = own.map(|(_, screw)| screw.clone());
                 accelerations.push(outer.into_iter().chain(own).reduce(|a, b| a.plus(&b)));
             }
-            self.forces(|link| accelerations[link].clone())
+            let mut forces = self.forces(|link| accelerations[link].clone());
+            for freedom in self
+                .freedoms()
+                .filter(|freedom| freedom.velocity == velocity)
+            {
+                let [armature, ..] = freedom.drive;
+                forces[velocity] = forces[velocity] + freedom.factor * freedom.factor * armature;
+            }
+            forces
         };
         let velocities = 0..self.robot.velocities;
         let columns: Vec<Vec<Scalar>> = velocities.clone().map(column).collect();

@@ -25,6 +25,8 @@ pub(crate) struct Freedom {
     pub(crate) velocity: usize,
     /// What the velocity is multiplied by.
     pub(crate) factor: Approximate,
+    /// Armature, damping and friction.
+    pub(crate) drive: [Approximate; 3],
 }
 
 /// What says how far a joint is displaced.

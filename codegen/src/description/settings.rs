@@ -13,6 +13,7 @@ use super::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::error::{Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
+use crate::joint::drive::Part;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
@@ -20,7 +21,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 20] = [
+const WORDS: [&str; 26] = [
     "urdf",
     "dh",
     "base",
@@ -31,6 +32,12 @@ const WORDS: [&str; 20] = [
     "drop",
     "frames",
     "gravity",
+    "friction",
+    "damping",
+    "armature",
+    "rotor",
+    "ratio",
+    "rotors",
     "exact",
     "strict",
     "scalar",
@@ -44,7 +51,7 @@ const WORDS: [&str; 20] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 17;
+const KEYS: usize = 23;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -130,6 +137,22 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             tokens::separator(input, &key)?;
             request.gravity = Some(gravity(input)?);
         }
+        "rotors" => request.rotors = true,
+        "friction" if !has_value(input) => request.friction = true,
+        "friction" | "damping" | "armature" | "rotor" | "ratio" => {
+            let content = in_parentheses(input, &key, &format!("{key}(joint = 0.1)"))?;
+            let said = tokens::list(&content, |input| {
+                let name = tokens::name(input)?;
+                tokens::separator(input, &key)?;
+                let subject = format!("the {key} of joint {}", quoted(&name.text));
+                Ok((name, tokens::one_or_more(input, &subject)?))
+            })?;
+            if let Some(part) = Part::from_word(&text) {
+                let said = said.into_iter();
+                let said = said.map(|(name, numbers)| (name, part, numbers));
+                request.drives.extend(said);
+            }
+        }
         "scalar" => {
             tokens::separator(input, &key)?;
             request.scalar = scalar(input)?;
@@ -153,6 +176,11 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         }
     }
     Ok(())
+}
+
+/// Whether more than the word is there.
+fn has_value(input: ParseStream) -> bool {
+    input.peek(token::Paren) || input.peek(Token![=]) || input.peek(Token![:])
 }
 
 fn in_parentheses<'a>(

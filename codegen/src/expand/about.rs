@@ -10,6 +10,7 @@ use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, Node, Term};
 use crate::formulation::{Formulation, Parameters};
 use crate::function::Function;
+use crate::joint::Drive;
 use crate::layout::{Layout, arrange};
 use crate::model::Way;
 use crate::print::About;
@@ -68,6 +69,23 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
         "residue taken for zero",
         "residues taken for zero",
     );
+    let drives = |is: fn(&Drive<Expr>) -> Expr| {
+        let joints = chain.joints.iter();
+        let joints = joints.filter(|joint| !chain.graph.term(is(&joint.drive)).is_zero());
+        joints.count()
+    };
+    let what = [
+        (drives(|drive| drive.armature), "armature of"),
+        (drives(|drive| drive.damping), "viscous friction of"),
+        (
+            drives(|drive| drive.friction),
+            "Coulomb friction (its sign that of q̇, 0 at rest: a step) of",
+        ),
+    ];
+    for (number, what) in what.into_iter().filter(|(number, _)| *number > 0) {
+        let joints = if number == 1 { "joint" } else { "joints" };
+        facts.push(format!("{what} {number} {joints}"));
+    }
     facts.push(gravity(chain));
     let used = inertial_parameters(chain, parameters);
     facts.push(format!(

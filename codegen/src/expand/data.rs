@@ -45,6 +45,17 @@ pub(super) fn data(chain: &Chain) -> ChainData {
         results.extend(frame.placement.entries());
     }
     results.extend(chain.gravity.0);
+    let mut driven = Vec::new();
+    for (k, joint) in chain.joints.iter().enumerate() {
+        let of_joint = places[k];
+        let before = places[..k].iter().filter(|&&place| place == of_joint);
+        let drive = joint.drive.entries();
+        let is_zero = |entry: &Expr| chain.graph.term(*entry).is_zero();
+        if !drive.iter().all(is_zero) {
+            results.extend(drive);
+            driven.push((of_joint, narrow(before.count())));
+        }
+    }
     let place = |body: usize| places[body];
     let name = |(joint, motion): &(&Joint, DataMotion)| match motion {
         DataMotion::Posture(_) => joint.of.clone(),
@@ -68,6 +79,7 @@ pub(super) fn data(chain: &Chain) -> ChainData {
             .iter()
             .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
+        driven,
         program: schedule(&chain.graph, &results),
     }
 }

@@ -307,6 +307,10 @@ macro_rules! implement {
                 Self(self.0.sqrt())
             }
 
+            fn sign(self) -> Self {
+                Self(Arithmetic::sign(self.0))
+            }
+
             fn sin_cos(self) -> (Self, Self) {
                 let (sine, cosine) = Double::from(self.to_f64()).sin_cos();
                 (Self::literal(sine.to_f64()), Self::literal(cosine.to_f64()))

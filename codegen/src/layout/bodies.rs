@@ -5,7 +5,7 @@
 
 use crate::chain::{Chain, Position};
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::joint::Motion;
+use crate::joint::{Drive, Motion};
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
 
 /// The bodies of a chain with their frames.
@@ -44,6 +44,8 @@ pub struct Body<'g> {
     pub inertia: Inertia<Term<'g>>,
     /// M from this frame to that of the link that the body is; none for one between two coordinates of a joint.
     pub link: Option<Pose<Term<'g>>>,
+    /// What is modelled of its joint's drive.
+    pub drive: Drive<Term<'g>>,
 }
 
 impl Body<'_> {
@@ -129,6 +131,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             offset: None,
             inertia: joint.inertia.map(term).change_frame(turn.inverse()),
             link: (joint.link.as_ref()).map(|(_, link)| turn.inverse() * link.map(term)),
+            drive: joint.drive.map(term),
         })
         .collect();
     let frames = (chain.frames.iter())

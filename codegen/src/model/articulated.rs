@@ -32,7 +32,8 @@ pub fn forward_dynamics<'g>(
     for k in (0..count).rev() {
         let (joint, action) = (&joints[k], actions[k]);
         let given = articulated[k].yielding(joint);
-        let lacking = state.tau(k) - action.along(joint.screw);
+        let friction = joint.drive.resistance(state.qd(k));
+        let lacking = state.tau(k) - friction - action.along(joint.screw);
         if let Some(parent) = joint.parent {
             let left = given.left;
             let push = lacking * given.inverse;
@@ -163,7 +164,9 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
         b: Rotation(b),
         m: Symmetric(m),
     };
-    left.clear(joint);
+    if joint.drive.armature.is_zero() {
+        left.clear(joint);
+    }
     let (left, action) = passed_on(joint, &left, Action { c, f });
     let inertia = left
         .a
@@ -277,7 +280,8 @@ struct Yielding<'g> {
 
 impl<'g> Yielding<'g> {
     /// What the joint passes on of an action, if there is one, when it yields to the force that it lacks:
-    /// along itself nothing of the action, and the force of the joint where there is none.
+    /// along itself nothing of the action, and the force of the joint where there is none. That is exact
+    /// without an armature; with one, part of the force is left.
     fn pushed(
         &self,
         lacking: Term<'g>,
@@ -292,6 +296,7 @@ impl<'g> Yielding<'g> {
             along = along.graph().constant(0.0);
         }
         match joint.motion {
+            _ if !joint.drive.armature.is_zero() => {}
             Motion::Revolute => c.0[joint.axis] = along,
             Motion::Prismatic => f.0[joint.axis] = along,
             Motion::Screw(_) => {}
@@ -321,10 +326,10 @@ impl<'g> Articulated<'g> {
     }
 
     /// What a joint takes and leaves: the map minus U Uᵗ / D, of which the joint's own row and
-    /// column vanish.
+    /// column vanish, but for what an armature adds to D.
     fn yielding(&self, joint: &Joint<'g>) -> Yielding<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
-        let share = action.along(joint.screw);
+        let share = action.along(joint.screw) + joint.drive.armature;
         share.label(|| format!("d_{}", joint.index + 1));
         let inverse = share.graph().constant(1.0) / share;
         let (c, f) = (action.c, action.f);
@@ -336,7 +341,9 @@ impl<'g> Articulated<'g> {
             })),
             m: self.m - Symmetric::half_product(f, over_f),
         };
-        left.clear(joint);
+        if joint.drive.armature.is_zero() {
+            left.clear(joint);
+        }
         Yielding {
             action,
             inverse,

@@ -11,7 +11,7 @@ use super::turn::{self, Turn};
 use crate::chain::Position;
 use crate::expression::Term;
 use crate::formulation::{Angles, Frame};
-use crate::joint::Motion;
+use crate::joint::{Drive, Motion};
 use crate::layout::{Bodies, Body};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
 use crate::space::Variable;
@@ -46,6 +46,8 @@ pub struct Joint<'g> {
     pub screw: Screw<Term<'g>>,
     /// J of the body.
     pub inertia: Inertia<Term<'g>>,
+    /// What is modelled of its drive.
+    pub drive: Drive<Term<'g>>,
 }
 
 impl<'g> Joint<'g> {
@@ -90,6 +92,7 @@ impl<'g> Joint<'g> {
                 Some(turn) => body.inertia.rotate_about_z(turn.sine_and_cosine(graph)),
                 None => body.inertia,
             },
+            drive: body.drive,
         }
     }
 

@@ -34,7 +34,9 @@ pub fn inverse_dynamics<'g>(
         let (joint, action) = (&joints[k], actions[k]);
         let (index, frame, outer) = (k + 1, joint.frame, joint.outer_frame);
         action.label(|| format!("phi_{index}_in_{frame}_"));
-        tau[k] = action.along(joint.screw);
+        let drive = joint.drive;
+        tau[k] =
+            action.along(joint.screw) + drive.armature * qdd[k] + drive.resistance(state.qd(k));
         if let Some(parent) = joint.parent {
             let carried = action
                 .change_frame(joint.displacement())

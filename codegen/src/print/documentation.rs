@@ -120,6 +120,17 @@ pub(super) fn of_field(target: &Target) -> String {
                 code(&link.text)
             )
         }
+        Target::ArmatureOf(joint) => format!(
+            "Inertia that {} feels beside that of the bodies, in kg m² or kg.",
+            code(&joint.text)
+        ),
+        Target::DampingOf(joint) => format!(
+            "Viscous friction of {}, in N m s/rad or N s/m.",
+            code(&joint.text)
+        ),
+        Target::FrictionOf(joint) => {
+            format!("Coulomb friction of {}, in N m or N.", code(&joint.text))
+        }
         Target::Gravity => "Acceleration of gravity in the base frame, in m/s².".to_owned(),
         Target::OriginOf(joint) => format!(
             "Translation from the parent's frame to that of {}, in m.",

@@ -108,7 +108,13 @@ pub fn evaluate(
             let motion = moving(&qd, &rest);
             let links = motion.w.iter().zip(&positions.j);
             let energies = links.map(|(w, j)| (&(w * j) * &w.transposed()).trace());
-            vec![energies.fold(Big::zero(), |sum, energy| sum + energy) * Big::new(0.5)]
+            let drives = robot.drives.iter();
+            let drives = drives.map(|drive| {
+                let rate = &qd[drive.velocity];
+                drive.armature() * rate * rate
+            });
+            let twice = energies.chain(drives);
+            vec![twice.fold(Big::zero(), |sum, energy| sum + energy) * Big::new(0.5)]
         }
         Function::PotentialEnergy => {
             let links = moved(robot).map(|body| &positions.j[body]);
@@ -320,6 +326,8 @@ struct Motion {
     w: Vec<Matrix>,
     /// H₀ᵢ.
     h: Vec<Matrix>,
+    /// What drives take of the torque of each velocity.
+    driven: Vec<Big>,
 }
 
 impl Motion {
@@ -329,7 +337,12 @@ impl Motion {
         let mut motion = Self {
             w: Vec::new(),
             h: Vec::new(),
+            driven: vec![Big::zero(); robot.velocities()],
         };
+        for drive in &robot.drives {
+            let taken = &mut motion.driven[drive.velocity];
+            *taken = &*taken + drive.takes(qd, qdd);
+        }
         for (index, body) in robot.bodies.iter().enumerate() {
             let (mut w, mut h) = (motion.w_of(body.parent), motion.h_of(body.parent));
             let along = |rates: &[Big]| {
@@ -369,10 +382,11 @@ fn carried(robot: &Robot, mut each: Vec<Matrix>) -> Vec<Matrix> {
     each
 }
 
-/// τ = Σ L ⊗ Σ Φ: over what a velocity moves, of the bodies that that carries (Newton–Euler).
+/// τ = Σ L ⊗ Σ Φ: over what a velocity moves, of the bodies that that carries (Newton–Euler); and what
+/// drives take.
 fn torques(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
     let actions = carried(robot, actions(robot, positions, motion).collect());
-    let mut torques = vec![Big::zero(); robot.velocities()];
+    let mut torques = motion.driven.clone();
     for Freedom { body, velocity, l } in &positions.freedoms {
         let torque = pseudo_product(l, &actions[*body]);
         torques[*velocity] = &torques[*velocity] + torque;
@@ -466,6 +480,10 @@ fn mass_matrix(robot: &Robot, positions: &Positions) -> Vec<Vec<Big>> {
             let sum = &mut rows[one.velocity][other.velocity];
             *sum = &*sum + entry;
         }
+    }
+    for drive in &robot.drives {
+        let entry = &mut rows[drive.velocity][drive.velocity];
+        *entry = &*entry + drive.armature();
     }
     rows
 }

@@ -11,6 +11,7 @@ use homogen_codegen::description::{Axis, Description, Inertial, Joint, Name, Num
 use homogen_codegen::joint::JointKind;
 use homogen_codegen::request::Request;
 
+use super::drive::Drive;
 use super::matrix::Matrix;
 use super::motion::{self, Motion, Posture, across};
 use crate::big::Big;
@@ -24,6 +25,8 @@ pub struct Robot {
     pub frames: Vec<Option<usize>>,
     /// H_g (§ 4.5).
     pub gravity: Matrix,
+    /// What drives joints beside bodies.
+    pub drives: Vec<Drive>,
 }
 
 /// A joint and the link that it carries.
@@ -59,6 +62,7 @@ impl Robot {
             bodies: Vec::new(),
             frames: Vec::new(),
             gravity: reader.gravity(),
+            drives: Vec::new(),
         };
         let links = reader.hang(base, tip, &mut robot);
         let seat = |link: &str| {
@@ -206,6 +210,8 @@ impl<'d> Reader<'d> {
                 } else {
                     Matrix::zero()
                 };
+                let drives = Drive::of(self.request, joint, k, &motion);
+                robot.drives.extend(drives);
                 robot.bodies.push(Body {
                     parent,
                     placement: &placement * &turn,

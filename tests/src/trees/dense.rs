@@ -69,6 +69,7 @@ impl Dense {
                 bodies: Vec::new(),
                 frames: Vec::new(),
                 gravity: Matrix::screw(&big([0.0; 3]), &big(gravity)),
+                drives: Vec::new(),
             },
             coordinates: Vec::new(),
             velocities: Vec::new(),

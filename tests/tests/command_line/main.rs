@@ -6,6 +6,7 @@
 mod check;
 mod count;
 mod doubts;
+mod drives;
 mod eval;
 mod formulation;
 mod generate;

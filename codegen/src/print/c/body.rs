@@ -136,6 +136,10 @@ impl Writer<'_> {
             (Operation::Mul(a, b), _) => format!("{a} * {b}"),
             (Operation::Div(a, b), _) => format!("{a} / {b}"),
             (Operation::Sqrt(a), _) => self.call("sqrt", &a),
+            (Operation::Sign(a), _) => {
+                let (number, zero) = (number(self.real), literal(0.0, self.real));
+                format!("({number})(({a} > {zero}) - ({a} < {zero}))")
+            }
             (Operation::Neg(a), _) => negative(&a),
             (Operation::MulAdd(a, b, c), Some(fused)) => format!("{fused}({a}, {b}, {c})"),
             (Operation::MulSub(a, b, c), Some(fused)) => {

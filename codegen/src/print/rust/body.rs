@@ -146,6 +146,7 @@ impl Writer<'_> {
             (Operation::Mul(a, b), _) => quote! { #a * #b },
             (Operation::Div(a, b), _) => quote! { #a / #b },
             (Operation::Sqrt(a), _) => self.dialect.sqrt(&a),
+            (Operation::Sign(a), _) => self.dialect.sign(&a),
             (Operation::Neg(a), _) => quote! { -#a },
             (Operation::MulAdd(a, b, c), Some(fused)) => quote! { #fused(#a, #b, #c) },
             (Operation::MulSub(a, b, c), Some(fused)) => quote! { #fused(#a, #b, -#c) },

@@ -134,6 +134,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
             parents: vec![None, Some(0)],
             motions: vec![DataMotion::Along; 2],
             frames: vec![("rod-2".to_owned(), Some(1))],
+            driven: Vec::new(),
             program: constant(&data),
         },
         base_values: Vec::new(),

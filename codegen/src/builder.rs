@@ -165,6 +165,19 @@ impl Builder {
         self
     }
 
+    /// A link on which the surroundings act: inverse and forward dynamics take `actions`, one for each such
+    /// link in the order of these calls, in the link's frame.
+    pub fn external(mut self, link: impl Into<String>) -> Self {
+        self.request.external.push(named(link));
+        self
+    }
+
+    /// All these actions are in frame 0: in its axes, with the couple about its origin.
+    pub fn external_in_frame_0(mut self) -> Self {
+        self.request.external_in_frame_0 = true;
+        self
+    }
+
     /// Models the damping and the friction that the description has.
     pub fn friction(mut self) -> Self {
         self.request.friction = true;

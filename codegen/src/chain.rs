@@ -9,6 +9,7 @@ mod angle;
 pub mod base_parameters;
 mod check;
 mod drive;
+mod external;
 mod limits;
 mod merge;
 mod mimic;
@@ -39,6 +40,10 @@ pub struct Chain {
     spaces: Spaces,
     /// The frames asked for: the tip first, where there is one.
     pub frames: Vec<Frame>,
+    /// The links on which something acts from outside.
+    pub external: Vec<Frame>,
+    /// Whether those actions are in frame 0, and not each in its link's.
+    pub external_in_frame_0: bool,
     /// Whether the first of `frames` is the tip.
     pub has_tip: bool,
     /// Acceleration of gravity in frame 0 [m/s²].

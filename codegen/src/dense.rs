@@ -26,6 +26,8 @@ pub(crate) struct State {
     pub(crate) qd: Vec<f64>,
     pub(crate) qdd: Vec<f64>,
     pub(crate) tau: Vec<f64>,
+    /// Of each action c and f.
+    pub(crate) actions: Vec<f64>,
     pub(crate) fields: Vec<Vec<f64>>,
 }
 
@@ -36,6 +38,7 @@ impl State {
             Input::Variable(Variable::Qd, k) => (&self.qd, k),
             Input::Variable(Variable::Qdd, k) => (&self.qdd, k),
             Input::Variable(Variable::Tau, k) => (&self.tau, k),
+            Input::Variable(Variable::Actions, k) => (&self.actions, k),
             Input::Parameter(field, k) => (&self.fields[usize::from(field)], k),
         };
         list[usize::from(k)].into()
@@ -218,10 +221,22 @@ impl Dense {
         self.posture.torques(&self.rates(motion))
     }
 
-    /// τ of accelerations that were found.
+    /// τ of the whole motion, under the actions from outside.
+    pub(crate) fn driving_torques(&self) -> Vec<Approximate> {
+        self.less_outside(self.torques(Motion::Driven))
+    }
+
+    /// τ less what actions from outside do.
+    fn less_outside(&self, torques: Vec<Approximate>) -> Vec<Approximate> {
+        let outside = self.posture.outside(&self.state.actions);
+        let both = torques.into_iter().zip(outside);
+        both.map(|(torque, outside)| torque - outside).collect()
+    }
+
+    /// τ of accelerations that were found, under the actions from outside.
     pub(crate) fn torques_of(&self, qdd: Vec<Approximate>) -> Vec<Approximate> {
         let first = Approximate::exactly(&self.state.qd);
-        self.posture.torques(&Rates { first, second: qdd })
+        self.less_outside(self.posture.torques(&Rates { first, second: qdd }))
     }
 
     /// Y of τ = Y π, row by row.

@@ -261,8 +261,12 @@ fn accuracy_of(
     means: Means,
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
+    let acted = !chain.external.is_empty();
     let solved = functions.iter().filter_map(|function| {
         Some(match (function.given()?, found.way.forward) {
+            (Given::Torques, _) if acted => {
+                Accuracy::Unknown("what actions from outside do to it is not followed")
+            }
             (Given::MassMatrix, Forward::UNREFINED) => {
                 let parts = parts(&[Function::MassMatrix]);
                 accuracy::of_inverse(chain, &parts, means)

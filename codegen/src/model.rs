@@ -34,7 +34,7 @@ pub use self::way::{Angles, Carried, Forward, Frame, Way};
 
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
-use crate::matrix::{Screw, Vector};
+use crate::matrix::{Action, Screw, Vector};
 use crate::space::Variable;
 
 /// What a function is built from: bodies with their frames, a state, and the way.
@@ -113,14 +113,25 @@ impl<'s, 'g> Scene<'s, 'g> {
         }
     }
 
+    /// τ of a motion with the given q̈, one entry a velocity each, less what the surroundings do: τ − Σ Jᵗ Φ.
+    pub(crate) fn driving(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
+        let outside = self.outside(self.way.frame);
+        self.against(self.bodies.gravity, &self.state, qdd, &outside)
+    }
+
+    /// The actions of the surroundings on bodies, in the frames of the links or in frame 0.
+    pub(crate) fn outside(&self, frame: Frame) -> Vec<(usize, Action<Term<'g>>)> {
+        carry::outside(self.bodies, &self.state, (frame, self.way.angles))
+    }
+
     /// τ of a motion with the given q̈, one entry a velocity each.
     pub(crate) fn torques(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
-        self.against(self.bodies.gravity, &self.state, qdd)
+        self.against(self.bodies.gravity, &self.state, qdd, &[])
     }
 
     /// M q̈: τ at rest and without gravity.
     pub(crate) fn inertial(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
-        self.against(Vector::zero(self.graph), &self.state.at_rest(), qdd)
+        self.against(Vector::zero(self.graph), &self.state.at_rest(), qdd, &[])
     }
 
     fn against(
@@ -128,9 +139,11 @@ impl<'s, 'g> Scene<'s, 'g> {
         gravity: Vector<Term<'g>>,
         state: &State<'g>,
         qdd: &[Term<'g>],
+        outside: &[(usize, Action<Term<'g>>)],
     ) -> Vec<Term<'g>> {
         let qdd = velocities::shared(state, self.bodies, qdd);
-        let driving = newton_euler::inverse_dynamics(&self.joints(), gravity, state, &qdd);
+        let joints = self.joints();
+        let driving = newton_euler::inverse_dynamics(&joints, gravity, state, &qdd, outside);
         self.forces(&driving)
     }
 

@@ -34,6 +34,10 @@ pub struct Request {
     pub drop: Vec<Name>,
     /// Further links whose frames are computed.
     pub frames: Vec<Name>,
+    /// Links on which the surroundings act, an action each.
+    pub external: Vec<Name>,
+    /// Whether those actions are in frame 0, and not each in its link's.
+    pub external_in_frame_0: bool,
     /// Model the damping and the friction that are described.
     pub friction: bool,
     /// Model the rotors that are described.

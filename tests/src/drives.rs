@@ -16,7 +16,10 @@ pub fn driven(description: &Description, mut request: Request) -> Request {
     let is_held = |name: &str| held.contains(&name);
     let moving = description.joints.iter().filter(|joint| {
         // What follows a joint that is held does not move either.
-        let follows = joint.mimic.as_ref().is_some_and(|mimic| is_held(&mimic.leader.text));
+        let follows = joint
+            .mimic
+            .as_ref()
+            .is_some_and(|mimic| is_held(&mimic.leader.text));
         joint.kind.moves() && !is_held(&joint.name.text) && !follows
     });
     let mut said = Vec::new();

@@ -9,7 +9,7 @@ use super::mimic;
 use super::names::Names;
 use super::shape::{Joints, downstream, find_base};
 use super::tree::{Branch, Follow, Tree};
-use super::{drive, numbers};
+use super::{drive, external, numbers};
 use crate::description::{Description, Name, Number};
 use crate::error::Errors;
 use crate::request::{Request, Target};
@@ -66,6 +66,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         branches,
         tip,
         frames,
+        external: Vec::new(),
         dropped,
     };
     check_kept(description, request, &tree, &links, &mut errors);
@@ -81,6 +82,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     check_size(description, &tree, &mut errors);
     numbers::check(description, request, &tree, &mut errors);
     drive::check(description, request, &tree, &joints, &mut errors);
+    tree.external = external::check(description, request, &tree, &links, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         errors.push(

@@ -5,6 +5,7 @@
 mod base_parameters;
 mod bodies;
 mod drives;
+mod external;
 mod joints;
 
 use std::path::Path;

@@ -81,9 +81,12 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         Some(bodies.len() - 1)
     };
     let frames = frames.chunks(PLACEMENT).zip(&data.frames);
-    let frames = frames
+    let frames: Vec<Option<usize>> = frames
         .map(|(numbers, (_, body))| frame((numbers, *body)))
         .collect();
+    // Those that are acted on come last.
+    let external = &frames[frames.len() - data.external.0..];
+    let external = external.iter().copied().flatten().collect();
     Robot {
         bodies,
         velocities,
@@ -92,6 +95,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         // Which bodies are links is of the description alone.
         links: Vec::new(),
         base_columns: Vec::new(),
+        external: (external, data.external.1),
     }
 }
 

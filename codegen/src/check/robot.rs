@@ -88,7 +88,10 @@ pub(super) fn robot(
     if moving != spaces.velocities.len() {
         return Err(Contradiction("how many joints move".to_owned()));
     }
-    let frames = chain.frames.iter();
+    let frames = chain.frames.iter().chain(&chain.external);
+    let on = |name: &Name| seats.get(name.text.as_str()).copied();
+    let external: Option<Vec<usize>> = request.external.iter().map(on).collect();
+    let external = external.ok_or_else(|| Contradiction("what is acted on".to_owned()))?;
     Ok(Robot {
         bodies,
         velocities: moving,
@@ -100,6 +103,7 @@ pub(super) fn robot(
         links: (chain.joints.iter())
             .filter_map(|joint| seats.get(joint.link.as_ref()?.0.as_str()).copied())
             .collect(),
+        external: (external, request.external_in_frame_0),
     })
 }
 

@@ -40,6 +40,9 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
         state.qdd.push(10.0 * random.unit() - 5.0);
         state.tau.push(20.0 * random.unit() - 10.0);
     }
+    for _ in &spaces.actions {
+        state.actions.push(20.0 * random.unit() - 10.0);
+    }
     for (parameter, nominal) in request.parameters.iter().zip(&chain.nominal) {
         let size = nominal
             .iter()

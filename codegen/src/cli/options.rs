@@ -49,6 +49,13 @@ pub(super) struct Robot {
     /// Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]
     #[arg(long, value_name = "x,y,z", value_parser = gravity, allow_hyphen_values = true)]
     gravity: Option<Gravity>,
+    /// A link on which the surroundings act: inverse and forward dynamics take an action for each, in
+    /// its own frame
+    #[arg(long, value_name = "LINK,…", value_delimiter = ',')]
+    external: Vec<String>,
+    /// These actions are in frame 0
+    #[arg(long, requires = "external")]
+    external_in_frame_0: bool,
     /// Model the friction that the file has, and that of a joint where one is given (N m or N)
     #[arg(long, value_name = "JOINT=f", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "", value_parser = friction)]
@@ -157,6 +164,8 @@ impl Robot {
             lock: self.lock.iter().map(lock).collect(),
             drop: self.drop.iter().map(named).collect(),
             frames: frames.into_iter().map(named).collect(),
+            external: self.external.iter().map(named).collect(),
+            external_in_frame_0: self.external_in_frame_0,
             friction: !self.friction.is_empty(),
             rotors: self.rotors,
             drives: drives.collect(),

@@ -228,6 +228,32 @@ impl Posture {
         (0..self.robot.velocities).flat_map(row).collect()
     }
 
+    /// What each joint feels of actions from outside: L of all joints inboard of where they act, along Φ.
+    pub(super) fn outside(&self, actions: &[f64]) -> Vec<Scalar> {
+        let mut forces = vec![Scalar::exact(0.0); self.robot.velocities];
+        let (bodies, in_frame_0) = &self.robot.external;
+        for (&body, entries) in bodies.iter().zip(actions.chunks(6)) {
+            let entry = |k: usize| Scalar::exact(entries[k]);
+            let [c, f] = [0, 3].map(|first| [entry(first), entry(first + 1), entry(first + 2)]);
+            let action = Matrix::action(c, f);
+            let action = if *in_frame_0 {
+                action
+            } else {
+                let pose = &self.poses[body];
+                pose.times(&action).times(&pose.transposed())
+            };
+            let inwards = |body: &usize| self.robot.bodies[*body].parent;
+            for body in std::iter::successors(Some(body), inwards) {
+                for (velocity, screw) in &self.screws[body] {
+                    let terms = screw.vectors().into_iter().zip(action.vectors());
+                    let along = terms.map(|(screw, action)| screw * action);
+                    forces[*velocity] = along.fold(forces[*velocity], |sum, term| sum + term);
+                }
+            }
+        }
+        forces
+    }
+
     /// M, row by row: column k is what the joints feel where H is the sum of the L that go with velocity k,
     /// of all joints inboard of a link.
     pub(super) fn mass_matrix(&self) -> Vec<Vec<Scalar>> {

@@ -61,4 +61,6 @@ pub(crate) struct Robot {
     pub(crate) links: Vec<usize>,
     /// The columns of the regressor that the base regressor has.
     pub(crate) base_columns: Vec<usize>,
+    /// The bodies on which something acts from outside, and whether that is in frame 0 and not in theirs.
+    pub(crate) external: (Vec<usize>, bool),
 }

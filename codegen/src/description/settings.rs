@@ -21,7 +21,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 26] = [
+const WORDS: [&str; 27] = [
     "urdf",
     "dh",
     "base",
@@ -38,6 +38,7 @@ const WORDS: [&str; 26] = [
     "rotor",
     "ratio",
     "rotors",
+    "external",
     "exact",
     "strict",
     "scalar",
@@ -51,7 +52,7 @@ const WORDS: [&str; 26] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 23;
+const KEYS: usize = 24;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -137,6 +138,10 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             tokens::separator(input, &key)?;
             request.gravity = Some(gravity(input)?);
         }
+        "external" => {
+            let content = in_parentheses(input, &key, "external(gripper)")?;
+            tokens::list(&content, |input| external(input, request))?;
+        }
         "rotors" => request.rotors = true,
         "friction" if !has_value(input) => request.friction = true,
         "friction" | "damping" | "armature" | "rotor" | "ratio" => {
@@ -176,6 +181,26 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         }
     }
     Ok(())
+}
+
+/// A link, or `frame = 0`.
+fn external(input: ParseStream, request: &mut Request) -> Parsed<()> {
+    let name = tokens::name(input)?;
+    if !input.peek(Token![=]) && !input.peek(Token![:]) {
+        request.external.push(name);
+        return Ok(());
+    }
+    let hint = "write external(gripper), or external(gripper, frame = 0)";
+    let word = Ident::new("frame", Span::call_site());
+    tokens::separator(input, &word)?;
+    let span = input.span();
+    let zero = tokens::number(input, "the frame of the actions")?.value == 0.0;
+    if name.text == "frame" && zero {
+        request.external_in_frame_0 = true;
+        return Ok(());
+    }
+    let message = "actions are in the frames of their links, or all in frame 0";
+    Err(complaint_with_hint(span, message, hint))
 }
 
 /// Whether more than the word is there.

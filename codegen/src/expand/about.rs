@@ -14,6 +14,7 @@ use crate::joint::Drive;
 use crate::layout::{Layout, arrange};
 use crate::model::Way;
 use crate::print::About;
+use crate::wording::{code, list};
 
 /// What they say.
 pub(super) fn about(description: &Description, chain: &Chain, formulation: Formulation) -> About {
@@ -85,6 +86,17 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
     for (number, what) in what.into_iter().filter(|(number, _)| *number > 0) {
         let joints = if number == 1 { "joint" } else { "joints" };
         facts.push(format!("{what} {number} {joints}"));
+    }
+    if !chain.external.is_empty() {
+        let links = chain.external.iter().map(|link| code(&link.name));
+        let links: Vec<String> = links.collect();
+        let frame = if chain.external_in_frame_0 {
+            "in frame 0"
+        } else {
+            "in the link's frame"
+        };
+        let links = list(links.iter().map(String::as_str));
+        facts.push(format!("what the surroundings exert on {links}, {frame}"));
     }
     facts.push(gravity(chain));
     let used = inertial_parameters(chain, parameters);

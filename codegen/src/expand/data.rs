@@ -41,7 +41,8 @@ pub(super) fn data(chain: &Chain) -> ChainData {
         results.extend(chain.screw(joint).map(Term::expr));
         results.extend(inertia.entries());
     }
-    for frame in &chain.frames {
+    let frames = || chain.frames.iter().chain(&chain.external);
+    for frame in frames() {
         results.extend(frame.placement.entries());
     }
     results.extend(chain.gravity.0);
@@ -74,11 +75,10 @@ pub(super) fn data(chain: &Chain) -> ChainData {
             .map(|(joint, _)| joint.parent.map(place))
             .collect(),
         motions: joints.iter().map(motion).collect(),
-        frames: chain
-            .frames
-            .iter()
+        frames: frames()
             .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
+        external: (chain.external.len(), chain.external_in_frame_0),
         driven,
         program: schedule(&chain.graph, &results),
     }

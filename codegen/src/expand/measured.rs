@@ -90,6 +90,7 @@ struct Arguments {
     q: Vec<f64>,
     qd: Vec<f64>,
     tau: Vec<f64>,
+    actions: Vec<f64>,
 }
 
 impl<'c> Measure<'c> {
@@ -209,6 +210,7 @@ impl Arguments {
             q: all(&q),
             qd: all(&range.qd),
             tau: all(&vec![[-TORQUE, TORQUE]; range.qd.len()]),
+            actions: all(&vec![[-TORQUE, TORQUE]; range.actions.len()]),
         };
         range.upright(&mut arguments.q);
         arguments
@@ -219,6 +221,7 @@ impl Arguments {
             Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
             Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
             Input::Variable(Variable::Tau, k) => self.tau[usize::from(k)],
+            Input::Variable(Variable::Actions, k) => self.actions[usize::from(k)],
             // No function that solves something reads accelerations; one beside it may.
             Input::Variable(Variable::Qdd, _) => 1.0,
             Input::Parameter(..) => single(field(chain, range, input)),

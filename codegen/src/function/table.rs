@@ -51,6 +51,19 @@ impl Function {
         self.definition().arguments
     }
 
+    /// Whether what acts on links from outside enters it.
+    #[must_use]
+    pub const fn takes_actions(self) -> bool {
+        matches!(self, Self::InverseDynamics | Self::ForwardDynamics)
+    }
+
+    /// What it is a function of, where actions from outside are among the lists of a robot or not.
+    #[must_use]
+    pub fn arguments_with(self, actions: bool) -> Vec<Variable> {
+        let taken = (actions && self.takes_actions()).then_some(Variable::Actions);
+        self.arguments().iter().copied().chain(taken).collect()
+    }
+
     /// Its result.
     #[must_use]
     pub const fn result(self) -> Quantity {

@@ -17,6 +17,7 @@ pub fn forward_dynamics<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
+    outside: &[(usize, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
     let count = joints.len();
     let Drift {
@@ -24,6 +25,9 @@ pub fn forward_dynamics<'g>(
         drifts,
         mut actions,
     } = Drift::of(joints, state);
+    for &(body, action) in outside {
+        actions[body] = actions[body] - action;
+    }
     let mut articulated: Vec<Articulated<'g>> = (joints.iter())
         .map(|joint| Articulated::of(joint.inertia))
         .collect();

@@ -6,6 +6,8 @@
 //! instant, so no formula minds. Neither does any where all matrices are in frame 0: each L and J is
 //! taken there, and from one body to the next nothing is left to be carried.
 
+use std::iter::successors;
+
 use super::state::State;
 use super::turn::{self, Turn};
 use crate::chain::Position;
@@ -13,7 +15,7 @@ use crate::expression::Term;
 use crate::formulation::{Angles, Frame};
 use crate::joint::{Drive, Motion};
 use crate::layout::{Bodies, Body};
-use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
+use crate::matrix::{Action, Inertia, Pose, Rotation, Screw, Vector, Velocity};
 use crate::space::Variable;
 
 /// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it,
@@ -211,16 +213,68 @@ pub fn in_frame_0<'g>(joints: &[Joint<'g>]) -> Vec<Joint<'g>> {
     placed.map(|(joint, pose)| joint.in_frame_0(pose)).collect()
 }
 
-/// All joints, in the order of the bodies.
-pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Joint<'g>> {
-    let left = turn::left_to_carried(bodies, state, angles, |k| {
+/// What the frame of each body leaves of its turn, where all joints are at work.
+fn left<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Option<Turn<'g>>> {
+    turn::left_to_carried(bodies, state, angles, |k| {
         let mut carried = bodies
             .bodies
             .iter()
             .filter(|body| body.parent == Some(k))
             .peekable();
         carried.peek().is_some() && carried.all(turn::is_parallel)
-    });
+    })
+}
+
+/// The actions from outside, each on a body, where the matrices of its joint are.
+pub fn outside<'g>(
+    bodies: &Bodies<'g>,
+    state: &State<'g>,
+    (frame, angles): (Frame, Angles),
+) -> Vec<(usize, Action<Term<'g>>)> {
+    if bodies.external.is_empty() {
+        return Vec::new();
+    }
+    let left = left(bodies, state, angles);
+    let joints = joints(bodies, state, angles);
+    let acted = bodies.external.iter().enumerate();
+    acted
+        .filter_map(|(k, &(body, placement))| {
+            let body = body?;
+            let action = state.action(k);
+            let action = match (bodies.external_in_frame_0, frame) {
+                (true, Frame::Base) => action,
+                (true, Frame::Link) => {
+                    let inwards = |&body: &usize| joints[body].parent;
+                    let mut way: Vec<usize> = successors(Some(body), inwards).collect();
+                    way.reverse();
+                    way.iter().fold(action, |action, &k| {
+                        let placed = action.seen_from(joints[k].placement);
+                        placed.seen_from(joints[k].displacement())
+                    })
+                }
+                (false, _) => {
+                    let turned = match left[body] {
+                        Some(turn) => {
+                            let turn = turn.sine_and_cosine(state.graph);
+                            Pose::rotation(Rotation::about_z(turn)) * placement
+                        }
+                        None => placement,
+                    };
+                    let seen = action.change_frame(turned);
+                    match frame {
+                        Frame::Link => seen,
+                        Frame::Base => seen.change_frame(placed(&joints)[body].1),
+                    }
+                }
+            };
+            Some((body, action))
+        })
+        .collect()
+}
+
+/// All joints, in the order of the bodies.
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Joint<'g>> {
+    let left = left(bodies, state, angles);
     (0..bodies.bodies.len())
         .map(|k| Joint::new(bodies, k, state, &left))
         .collect()
@@ -274,7 +328,7 @@ impl<'g> Path<'g> {
 /// The way to the frame of that index.
 pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, angles: Angles) -> Path<'g> {
     let (last, end) = bodies.frames[frame];
-    let inwards = || std::iter::successors(last, |&k| bodies.bodies[k].parent);
+    let inwards = || successors(last, |&k| bodies.bodies[k].parent);
     let left = turn::left_to_carried(bodies, state, angles, |k| {
         let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
         next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))

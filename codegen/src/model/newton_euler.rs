@@ -6,12 +6,13 @@ use super::state::State;
 use crate::expression::Term;
 use crate::matrix::{Acceleration, Action, Vector};
 
-/// What drives each body in a motion with the given second rates.
+/// What drives each body in a motion with the given second rates, where actions from outside are on some.
 pub fn inverse_dynamics<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
     qdd: &[Term<'g>],
+    outside: &[(usize, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
     let count = joints.len();
     // Gravity is an acceleration of the base the other way.
@@ -28,6 +29,9 @@ pub fn inverse_dynamics<'g>(
         h.a.label(|| format!("h_0_{index}_in_{frame}_"));
         motions.push(moving);
         actions.push(Action::of(h, joint.inertia));
+    }
+    for &(body, action) in outside {
+        actions[body] = actions[body] - action;
     }
     let mut tau = vec![state.zero(); count];
     for k in (0..count).rev() {

@@ -54,8 +54,9 @@ pub(super) fn of_function(
         }
     }
     lines.push(String::new());
-    lines.push(arguments(&listed.arguments()));
-    lines.extend(postures(&listing.spaces, &listed.arguments()));
+    let of = listed.arguments(&listing.spaces);
+    lines.push(arguments(&of));
+    lines.extend(postures(&listing.spaces, &of));
     if let Some(angles) = angles {
         let results = listed.functions.iter().map(|function| function.result());
         let layouts = results.filter_map(|result| result.entity.layout());
@@ -174,7 +175,10 @@ fn range(angles: &Angles, listed: &Listed) -> String {
 fn arguments(arguments: &[Variable]) -> String {
     let units = |argument: &Variable| {
         let [turning, sliding] = [Kind::Turn, Kind::Slide].map(|kind| argument.unit(kind));
-        format!("{} in {turning} or {sliding}", argument.letter())
+        match argument {
+            Variable::Actions => format!("{} (c, f) in {turning}, {sliding}", argument.letter()),
+            _ => format!("{} in {turning} or {sliding}", argument.letter()),
+        }
     };
     let all = arguments.iter().map(units);
     format!("{}.", all.collect::<Vec<_>>().join(", "))
@@ -257,7 +261,7 @@ mod tests {
     fn arguments_are_told_with_their_units() {
         assert_eq!(
             arguments(&Variable::ALL),
-            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N."
+            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, Φ (c, f) in N m, N."
         );
         assert_eq!(arguments(&[Variable::Q]), "q in rad or m.");
     }

@@ -95,6 +95,7 @@ pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
     };
     let entries: Vec<Entry> = names.into_iter().map(entry).collect();
     Spaces {
+        actions: Vec::new(),
         coordinates: entries.clone(),
         velocities: entries,
         ..Spaces::default()
@@ -134,6 +135,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
             parents: vec![None, Some(0)],
             motions: vec![DataMotion::Along; 2],
             frames: vec![("rod-2".to_owned(), Some(1))],
+            external: (0, false),
             driven: Vec::new(),
             program: constant(&data),
         },

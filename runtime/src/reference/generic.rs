@@ -257,6 +257,29 @@ pub fn inverse_dynamics<
     torques
 }
 
+/// Jᵗ Φ: what an action on a frame, in its axes and with the couple about its origin, is for the joints
+/// [N m, N].
+///
+/// A motion under the actions Φ of the surroundings takes the torques of [`inverse_dynamics`] less the sum
+/// of these.
+#[must_use]
+pub fn torques_of_action<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    action: &Action<T>,
+) -> [T; N] {
+    let dot = |a: [T; 3], b: [T; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let screws = body_jacobian(chain, frame, q);
+    screws.map(|screw| dot(screw.u(), action.c()) + dot(screw.b(), action.f()))
+}
+
 /// Inverse dynamics at rest: what holds the robot against gravity [N m, N].
 ///
 /// As virtual work: −Σ Tr(H_g Jₕ Lₘᵗ) over the bodies h that joint m carries (Part II, Lagrange).

@@ -8,6 +8,7 @@ mod count;
 mod doubts;
 mod drives;
 mod eval;
+mod external;
 mod formulation;
 mod generate;
 mod hostile;

@@ -14,6 +14,7 @@ mod solvable;
 mod weighable;
 
 pub use choice::{program, program_as, program_for};
+use program::equation_by;
 pub use program::{expressions_by, program_by};
 
 use crate::accuracy::{self, Accuracy, Means};
@@ -261,12 +262,8 @@ fn accuracy_of(
     means: Means,
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
-    let acted = !chain.external.is_empty();
     let solved = functions.iter().filter_map(|function| {
         Some(match (function.given()?, found.way.forward) {
-            (Given::Torques, _) if acted => {
-                Accuracy::Unknown("what actions from outside do to it is not followed")
-            }
             (Given::MassMatrix, Forward::UNREFINED) => {
                 let parts = parts(&[Function::MassMatrix]);
                 accuracy::of_inverse(chain, &parts, means)
@@ -275,12 +272,7 @@ fn accuracy_of(
                 "none is derived of an inverse that is refined or made of articulated bodies",
             ),
             (Given::Torques, Forward::MassMatrix { refinements }) => {
-                let all = [
-                    Function::MassMatrix,
-                    Function::Bias,
-                    Function::InverseDynamics,
-                ];
-                let parts = parts(&all[..if refinements == 0 { 2 } else { 3 }]);
+                let parts = equation_by(chain, found.layout, found.way, refinements > 0);
                 accuracy::of_accelerations(chain, &parts, refinements, means)
             }
             (Given::Torques, Forward::Articulated) => {

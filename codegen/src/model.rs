@@ -197,6 +197,23 @@ pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
     forward_dynamics::pivots(&scene.mass_matrix(), &scene.parents())
 }
 
+/// What accelerations are solved from: M, row by row, the torques at q̈ = 0 and, where a residual is made of
+/// them, those of q̈.
+pub(crate) fn equation<'g>(
+    graph: &'g Graph,
+    bodies: &Bodies<'g>,
+    way: Way,
+    has_residual: bool,
+) -> Vec<Term<'g>> {
+    let scene = Scene::new(graph, bodies, 0, way);
+    let mut terms = scene.mass_matrix();
+    terms.extend(scene.driving(&vec![scene.state.zero(); scene.velocities()]));
+    if has_residual {
+        terms.extend(scene.driving(&scene.qdd()));
+    }
+    terms
+}
+
 /// What the articulated-body recursion takes from a motion: see [`articulated::motion`].
 pub(crate) fn articulated_motion<'g>(
     graph: &'g Graph,
@@ -204,7 +221,8 @@ pub(crate) fn articulated_motion<'g>(
     way: Way,
 ) -> Vec<Term<'g>> {
     let scene = Scene::new(graph, bodies, 0, way);
-    articulated::motion(&scene.link_joints(), bodies.gravity, &scene.state)
+    let outside = scene.outside(Frame::Link);
+    articulated::motion(&scene.link_joints(), bodies.gravity, &scene.state, &outside)
 }
 
 /// One step inwards of the articulated-body recursion from each joint: see [`articulated::step`].

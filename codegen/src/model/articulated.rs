@@ -120,7 +120,7 @@ pub fn mass_matrix_inverse<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<T
     entries
 }
 
-/// How many numbers [`motion`] gives for each joint: c and f of the velocities, ω̇ and a that they
+/// How many numbers [`motion`] gives for each joint: c and f of the velocities (less those from outside), ω̇ and a that they
 /// cause beyond the joint, ω̇ and a of the body.
 pub const MOTION: usize = 18;
 
@@ -129,8 +129,12 @@ pub fn motion<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
+    outside: &[(usize, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
-    let drift = Drift::of(joints, state);
+    let mut drift = Drift::of(joints, state);
+    for &(body, action) in outside {
+        drift.actions[body] = drift.actions[body] - action;
+    }
     let given = |k: usize, _: Acceleration<Term<'g>>| state.qdd(k);
     let accelerations = outwards(joints, gravity, state, &drift.velocities, given);
     let all = drift.actions.iter().zip(&drift.drifts).zip(accelerations);

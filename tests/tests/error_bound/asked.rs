@@ -19,7 +19,7 @@ pub struct Asked {
     pub formulation: Formulation,
     /// Links whose masses are fields.
     pub loads: &'static [&'static str],
-    /// Whether its joints have drives.
+    /// Whether its joints have drives, and the surroundings act on its tip.
     pub driven: bool,
     /// How many times the worst error that was measured a bound may be.
     pub farthest: f64,
@@ -74,7 +74,10 @@ pub fn described(asked: Asked) -> (Description, Request) {
         ..Request::default()
     };
     let request = if asked.driven {
-        driven(&description, request)
+        Request {
+            external: vec![Name::from(asked.tip)],
+            ..driven(&description, request)
+        }
     } else {
         request
     };

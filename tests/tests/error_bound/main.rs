@@ -168,9 +168,9 @@ fn by_articulated_bodies() {
     }
 }
 
-/// What friction and armatures round is counted, in every form of forward dynamics.
+/// What friction, armatures and actions from outside round is counted, in every form of forward dynamics.
 #[test]
-fn with_drives() {
+fn with_drives_and_actions() {
     for (robot, tip) in [("stanford_general", "tool"), ("panda_class", "link8")] {
         check_both(Asked {
             driven: true,

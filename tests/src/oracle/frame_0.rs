@@ -37,6 +37,12 @@ pub fn evaluate(
     let moving = |qd: &[Big], qdd: &[Big]| Motion::at(robot, &positions, qd, qdd);
     let bias = || torques(robot, &positions, &moving(&qd, &rest));
     let at = || robot.frames[frame];
+    let less_outside = |torques: Vec<Big>| {
+        let outside = outside(robot, &positions, &arguments.actions);
+        let both = torques.into_iter().zip(outside);
+        both.map(|(torque, outside)| torque - outside)
+            .collect::<Vec<Big>>()
+    };
     match function {
         Function::ForwardKinematics => positions.of_frame(at()).rows(),
         Function::SpatialJacobian => jacobian(robot, &positions, at(), &Matrix::identity()),
@@ -88,13 +94,13 @@ pub fn evaluate(
         }
         Function::InverseDynamics => {
             let motion = moving(&qd, &qdd);
-            torques(robot, &positions, &motion)
+            less_outside(torques(robot, &positions, &motion))
         }
         Function::Gravity => torques(robot, &positions, &moving(&rest, &rest)),
         Function::Bias => bias(),
         Function::MassMatrix => mass_matrix(robot, &positions).concat(),
         Function::ForwardDynamics => {
-            let tau = tau.into_iter().zip(bias());
+            let tau = tau.into_iter().zip(less_outside(bias()));
             let lacking = tau.map(|(tau, bias)| vec![tau - bias]).collect();
             solve(mass_matrix(robot, &positions), lacking).concat()
         }
@@ -390,6 +396,30 @@ fn torques(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
     for Freedom { body, velocity, l } in &positions.freedoms {
         let torque = pseudo_product(l, &actions[*body]);
         torques[*velocity] = &torques[*velocity] + torque;
+    }
+    torques
+}
+
+/// Σ L ⊗ Φ of the actions from outside, over what a velocity moves, where it carries what is acted on.
+fn outside(robot: &Robot, positions: &Positions, actions: &[f64]) -> Vec<Big> {
+    let mut torques = vec![Big::zero(); robot.velocities()];
+    let (bodies, in_frame_0) = &robot.external;
+    for (&acted, entries) in bodies.iter().zip(actions.chunks(6)) {
+        let [c, f] = [0, 3].map(|first| [0, 1, 2].map(|k| Big::new(entries[first + k])));
+        let mut phi = Matrix::screw(&c, &f);
+        for (entry, of_force) in phi.0[3].iter_mut().zip(&f) {
+            *entry = -of_force;
+        }
+        if !in_frame_0 {
+            let m = &positions.m[acted];
+            phi = &(m * &phi) * &m.transposed();
+        }
+        for Freedom { body, velocity, l } in &positions.freedoms {
+            if robot.upwards(Some(acted)).any(|carrier| carrier == *body) {
+                let torque = pseudo_product(l, &phi);
+                torques[*velocity] = &torques[*velocity] + torque;
+            }
+        }
     }
     torques
 }

@@ -27,6 +27,8 @@ pub struct Robot {
     pub gravity: Matrix,
     /// What drives joints beside bodies.
     pub drives: Vec<Drive>,
+    /// The bodies that the surroundings act on, and whether their actions are in frame 0.
+    pub external: (Vec<usize>, bool),
 }
 
 /// A joint and the link that it carries.
@@ -63,6 +65,7 @@ impl Robot {
             frames: Vec::new(),
             gravity: reader.gravity(),
             drives: Vec::new(),
+            external: (Vec::new(), request.external_in_frame_0),
         };
         let links = reader.hang(base, tip, &mut robot);
         let seat = |link: &str| {
@@ -75,6 +78,8 @@ impl Robot {
         };
         let further = request.frames.iter().map(|frame| frame.text.as_str());
         robot.frames = tip.into_iter().chain(further).map(seat).collect();
+        let external = request.external.iter();
+        robot.external.0 = external.filter_map(|link| seat(&link.text)).collect();
         robot
     }
 

@@ -70,6 +70,7 @@ impl Dense {
                 frames: Vec::new(),
                 gravity: Matrix::screw(&big([0.0; 3]), &big(gravity)),
                 drives: Vec::new(),
+                external: (Vec::new(), false),
             },
             coordinates: Vec::new(),
             velocities: Vec::new(),

@@ -86,6 +86,7 @@ impl<'r> Prepared<'r> {
             qd: drawn(&dense.velocities, seed, 4 * state + 1),
             qdd: drawn(&dense.velocities, seed, 4 * state + 2),
             tau: drawn(&dense.velocities, seed, 4 * state + 3),
+            actions: Vec::new(),
         };
         let states = (0..states as u64).map(of_state).collect();
         Ok(Self {

@@ -3,6 +3,8 @@
 //! In: `key = value` (or `key: value`), `key(…)` or `key`. Out: a [`Request`] and the file that is
 //! named, if one is. It never looks at the description, so it knows no link from a joint.
 
+mod forces;
+
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::ParseStream;
@@ -13,7 +15,6 @@ use super::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::error::{Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
-use crate::joint::drive::Part;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
@@ -138,26 +139,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             tokens::separator(input, &key)?;
             request.gravity = Some(gravity(input)?);
         }
-        "external" => {
-            let content = in_parentheses(input, &key, "external(gripper)")?;
-            tokens::list(&content, |input| external(input, request))?;
-        }
-        "rotors" => request.rotors = true,
-        "friction" if !has_value(input) => request.friction = true,
-        "friction" | "damping" | "armature" | "rotor" | "ratio" => {
-            let content = in_parentheses(input, &key, &format!("{key}(joint = 0.1)"))?;
-            let said = tokens::list(&content, |input| {
-                let name = tokens::name(input)?;
-                tokens::separator(input, &key)?;
-                let subject = format!("the {key} of joint {}", quoted(&name.text));
-                Ok((name, tokens::one_or_more(input, &subject)?))
-            })?;
-            if let Some(part) = Part::from_word(&text) {
-                let said = said.into_iter();
-                let said = said.map(|(name, numbers)| (name, part, numbers));
-                request.drives.extend(said);
-            }
-        }
+        word if forces::KEYS.contains(&word) => forces::read(input, &key, request)?,
         "scalar" => {
             tokens::separator(input, &key)?;
             request.scalar = scalar(input)?;
@@ -181,31 +163,6 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         }
     }
     Ok(())
-}
-
-/// A link, or `frame = 0`.
-fn external(input: ParseStream, request: &mut Request) -> Parsed<()> {
-    let name = tokens::name(input)?;
-    if !input.peek(Token![=]) && !input.peek(Token![:]) {
-        request.external.push(name);
-        return Ok(());
-    }
-    let hint = "write external(gripper), or external(gripper, frame = 0)";
-    let word = Ident::new("frame", Span::call_site());
-    tokens::separator(input, &word)?;
-    let span = input.span();
-    let zero = tokens::number(input, "the frame of the actions")?.value == 0.0;
-    if name.text == "frame" && zero {
-        request.external_in_frame_0 = true;
-        return Ok(());
-    }
-    let message = "actions are in the frames of their links, or all in frame 0";
-    Err(complaint_with_hint(span, message, hint))
-}
-
-/// Whether more than the word is there.
-fn has_value(input: ParseStream) -> bool {
-    input.peek(token::Paren) || input.peek(Token![=]) || input.peek(Token![:])
 }
 
 fn in_parentheses<'a>(

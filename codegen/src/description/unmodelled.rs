@@ -79,7 +79,7 @@ impl Unmodelled {
                 words.push(word);
             }
         }
-        let words = list(words.into_iter());
+        let words = list(words);
         let friction = doubt(
             &friction,
             |of| format!("not modelled: {words} of {of}"),

@@ -21,7 +21,7 @@ mod shape;
 pub(crate) mod tests;
 mod tree;
 
-use crate::description::{Description, Limits, Source, freed};
+use crate::description::{Description, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
 use crate::joint::{Drive, Motion, Posture};
@@ -90,8 +90,6 @@ pub struct Joint {
     pub velocity: usize,
     /// What is modelled of its drive.
     pub drive: Drive<Expr>,
-    /// Range of the coordinate and bound of its rate, where described.
-    pub limits: Option<Limits>,
 }
 
 /// What the displacement of a body against the one it hangs on is a function of.
@@ -102,7 +100,7 @@ pub enum Position {
     Along {
         /// The entry.
         coordinate: usize,
-        /// The factor, a positive number.
+        /// The factor, a number.
         factor: Expr,
     },
     /// The entries of q from here on, with all that come after it of its joint.

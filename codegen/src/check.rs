@@ -22,7 +22,7 @@ use crate::print::ChainData;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
-use crate::space::{Entity, Spaces};
+use crate::space::{Entity, Outcome, Quantity, Spaces};
 use crate::wording::quoted;
 use robot::Contradiction;
 
@@ -177,9 +177,12 @@ impl Check {
             expected,
         } = wrong;
         let name = function.name();
-        let result = function.result();
-        let whose = match (result.over, result.entity) {
-            (&[space], Entity::Number) => {
+        let whose = match function.result() {
+            Outcome::One(Quantity {
+                over: &[space],
+                entity: Entity::Number,
+                ..
+            }) => {
                 let entry = &self.spaces.entries(space)[*entry];
                 format!(" (joint {})", quoted(&entry.name))
             }
@@ -249,6 +252,7 @@ fn first_wrong(
         Truth::Value(value) | Truth::OfMass(value) => value,
         Truth::Solution(Given::Torques) => return first_unsolved(dense, found),
         Truth::Solution(Given::MassMatrix) => return first_not_inverse(dense, found),
+        Truth::Derivatives => return first_wrong_derivative(dense, found),
     };
     let expected = value(dense, frame);
     debug_assert_eq!(expected.len(), found.len());
@@ -292,6 +296,49 @@ fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
         let distance = (product.to_f64() - unit).abs();
         let most = most_unsolved(dense, row, product, &solution);
         wrong(entry, product.to_f64(), unit, distance <= most)
+    })
+}
+
+/// The first entry of M ∂q̈/∂q and M ∂q̈/∂q̇ that is not what inverse dynamics changes by the other way, at the
+/// accelerations that ∂q̈/∂τ makes of τ; or of M ∂q̈/∂τ that is not of the identity.
+fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
+    let matrix = dense.mass_matrix();
+    let count = matrix.len();
+    let (by_motion, inverse) = found.split_at(2 * count * count);
+    if let Some(wrong) = first_not_inverse(dense, inverse) {
+        let entry = by_motion.len() + wrong.entry;
+        return Some(Wrong { entry, ..wrong });
+    }
+    let bias = dense.coasting_torques();
+    let lacking = bias.iter().zip(&dense.state.tau);
+    let lacking: Vec<Approximate> = lacking
+        .map(|(bias, tau)| Approximate::exact(*tau) - *bias)
+        .collect();
+    let accelerations = (0..count).map(|row| {
+        let terms = inverse[row * count..].iter().zip(&lacking);
+        terms.fold(Approximate::exact(0.0), |sum, (x, y)| sum + *x * *y)
+    });
+    let needed = dense
+        .torque_derivatives_of(accelerations.collect())
+        .concat();
+    (0..by_motion.len()).find_map(|entry| {
+        let (of, row, column) = (
+            entry / (count * count),
+            entry / count % count,
+            entry % count,
+        );
+        let solution = by_motion[of * count * count..][..count * count].iter();
+        let solution: Vec<Approximate> = solution.skip(column).step_by(count).copied().collect();
+        let terms = matrix[row].iter().zip(&solution);
+        let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
+            sum + *m * x.as_found()
+        });
+        let needed = -needed[entry];
+        let distance = (product.value - needed.value).to_f64().abs();
+        let most = most_unsolved(dense, row, product, &solution) + SOLVED * needed.error;
+        let most = most + needed.noise();
+        let (product, needed) = (product.to_f64(), needed.to_f64());
+        wrong(entry, product, needed, distance <= most)
     })
 }
 

@@ -254,6 +254,42 @@ impl Dense {
             .collect()
     }
 
+    /// τ of the motion without q̈, under the actions from outside.
+    pub(crate) fn coasting_torques(&self) -> Vec<Approximate> {
+        self.less_outside(self.torques(Motion::Coasting))
+    }
+
+    /// ∂τ/∂q at rest, against gravity, row by row.
+    pub(crate) fn gravity_derivative(&self) -> Vec<Approximate> {
+        let [by_coordinate, _] = self.posture.torque_derivatives(&self.rates(Motion::Rest));
+        by_coordinate
+    }
+
+    /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, under the actions from outside, each row by row.
+    pub(crate) fn torque_derivatives(&self) -> [Vec<Approximate>; 2] {
+        self.derivatives_at(&self.rates(Motion::Driven))
+    }
+
+    /// The same of accelerations that were found.
+    pub(crate) fn torque_derivatives_of(&self, qdd: Vec<Approximate>) -> [Vec<Approximate>; 2] {
+        let first = Approximate::exactly(&self.state.qd);
+        self.derivatives_at(&Rates { first, second: qdd })
+    }
+
+    fn derivatives_at(&self, rates: &Rates) -> [Vec<Approximate>; 2] {
+        let [mut by_coordinate, by_rate] = self.posture.torque_derivatives(rates);
+        let outside = self.posture.outside_derivative(&self.state.actions);
+        for (entry, outside) in by_coordinate.iter_mut().zip(outside) {
+            *entry = *entry - outside;
+        }
+        [by_coordinate, by_rate]
+    }
+
+    /// C, row by row.
+    pub(crate) fn coriolis_matrix(&self) -> Vec<Approximate> {
+        self.posture.coriolis_matrix(&self.rates(Motion::Coasting))
+    }
+
     /// M, row by row.
     pub(crate) fn mass_matrix(&self) -> &[Vec<Approximate>] {
         self.mass_matrix.get_or_init(|| self.posture.mass_matrix())

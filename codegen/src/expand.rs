@@ -8,12 +8,14 @@ mod about;
 mod choice;
 mod data;
 mod forward;
+mod identifiable;
 mod measured;
 mod program;
 mod solvable;
 mod weighable;
 
 pub use choice::{program, program_as, program_for};
+pub use identifiable::identifiable;
 use program::equation_by;
 pub use program::{expressions_by, program_by};
 
@@ -263,7 +265,11 @@ fn accuracy_of(
 ) -> Vec<Accuracy> {
     let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
     let solved = functions.iter().filter_map(|function| {
-        Some(match (function.given()?, found.way.forward) {
+        let Some(given) = function.given() else {
+            let unknown = "none is derived of derivatives of accelerations";
+            return function.solves().then_some(Accuracy::Unknown(unknown));
+        };
+        Some(match (given, found.way.forward) {
             (Given::MassMatrix, Forward::UNREFINED) => {
                 let parts = parts(&[Function::MassMatrix]);
                 accuracy::of_inverse(chain, &parts, means)

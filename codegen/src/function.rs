@@ -34,6 +34,10 @@ macro_rules! every_function {
             CentroidalMomentum: centroidal_momentum, "Γ of what joints move about their centre of mass, in the axes of frame 0.";
             CentroidalMomentumMatrix: centroidal_momentum_matrix, "Its columns: Γ at a unit rate of each joint.";
             CentroidalMomentumBias: centroidal_momentum_bias, "What changes it at q̈ = 0.";
+            InverseDynamicsDerivatives: inverse_dynamics_derivatives, "What changes of q and q̇ do to the torques of inverse dynamics.";
+            ForwardDynamicsDerivatives: forward_dynamics_derivatives, "What changes of q, q̇ and τ do to the accelerations of forward dynamics.";
+            GravityDerivative: gravity_derivative, "What a change of q does to the torques at rest.";
+            CoriolisMatrix: coriolis_matrix, "C of τ = M q̈ + C q̇ + gravity, with Ṁ = C + Cᵗ.";
         }
     };
 }
@@ -50,13 +54,17 @@ mod center_of_mass_velocity;
 mod centroidal_momentum;
 mod centroidal_momentum_bias;
 mod centroidal_momentum_matrix;
+mod coriolis_matrix;
 mod definition;
 mod forward_dynamics;
+mod forward_dynamics_derivatives;
 mod forward_kinematics;
 mod geometric_jacobian;
 mod geometric_jacobian_rate;
 mod gravity;
+mod gravity_derivative;
 mod inverse_dynamics;
+mod inverse_dynamics_derivatives;
 mod kinetic_energy;
 mod mass_matrix;
 mod mass_matrix_inverse;

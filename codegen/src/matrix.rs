@@ -1,6 +1,6 @@
 //! The 4×4 matrices of Legnani et al. 1996 over scalars that are not known yet.
 //!
-//! In: [`Term`](crate::expression::Term)s. Out: the paper's M, L, W, H, J and Φ, each kept as its blocks, with
+//! In: [`Term`](crate::expression::Term)s. Out: the paper's M, L, W, H, J and Φ, and Y, each kept as its blocks, with
 //! the operations that mean something for it. What is zero or one in a block costs nothing, because
 //! the graph folds it away. It never decides in which frame or order anything is computed.
 //!
@@ -12,9 +12,11 @@
 //! | H | [`Acceleration`] | ω, ω̇, a₀, with G = ω̲̇ + ω̲² rebuilt on demand |
 //! | J | [`Inertia`] | ∫PPᵗ, q, m |
 //! | Φ | [`Action`] | c, f |
+//! | Y = W J | [`Flow`] | N, p |
 
 mod acceleration;
 mod action;
+mod flow;
 mod inertia;
 mod pose;
 mod screw;
@@ -23,6 +25,7 @@ mod velocity;
 
 pub use acceleration::Acceleration;
 pub use action::Action;
+pub use flow::Flow;
 pub use inertia::{Inertia, Symmetric};
 pub use pose::{Pose, Rotation};
 pub use screw::Screw;

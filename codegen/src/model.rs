@@ -7,6 +7,7 @@
 pub(crate) mod articulated;
 mod carry;
 mod composite;
+mod derivatives;
 mod factor;
 pub(crate) mod forward_dynamics;
 pub(crate) mod gravity;
@@ -181,6 +182,38 @@ impl<'s, 'g> Scene<'s, 'g> {
         let rows = 0..self.velocities();
         rows.flat_map(|row| columns.iter().map(move |column| column[row]))
             .collect()
+    }
+
+    /// ∂τ/∂q and ∂τ/∂q̇ of a motion with the given q̈, under the actions from outside.
+    pub(crate) fn torque_derivatives(&self, qdd: &[Term<'g>]) -> [Vec<Term<'g>>; 2] {
+        let qdd = velocities::shared(&self.state, self.bodies, qdd);
+        let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        let outside = self.outside(self.way.frame);
+        let (standing, turning) = if self.bodies.external_in_frame_0 {
+            (outside, Vec::new())
+        } else {
+            (Vec::new(), outside)
+        };
+        let [mut by_coordinate, by_rate] =
+            derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd, &turning);
+        derivatives::add_standing(&mut by_coordinate, &joints, &standing);
+        [by_coordinate, by_rate].map(|matrix| self.by_velocities(matrix))
+    }
+
+    /// ∂τ/∂q at rest, row by row.
+    pub(crate) fn gravity_derivative(&self) -> Vec<Term<'g>> {
+        let gravity = self.bodies.gravity;
+        self.by_velocities(gravity::derivative(&self.joints(), gravity, &self.state))
+    }
+
+    /// C, row by row.
+    pub(crate) fn coriolis_matrix(&self) -> Vec<Term<'g>> {
+        self.by_velocities(derivatives::coriolis_matrix(&self.joints(), &self.state))
+    }
+
+    /// A matrix that has a row and a column for each velocity, of one that has them for each body.
+    fn by_velocities(&self, matrix: Vec<Term<'g>>) -> Vec<Term<'g>> {
+        velocities::gathered_by_both(&self.state, self.bodies, matrix)
     }
 
     /// M, row by row.

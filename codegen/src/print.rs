@@ -44,8 +44,8 @@ impl Listing {
     pub(crate) fn base_parameters(&self) -> Option<&[f64]> {
         let mut functions = self.functions.iter().flat_map(|listed| &listed.functions);
         let asked = functions.any(|function| {
-            let over = function.result().over;
-            over.contains(&Space::BaseParameters)
+            let mut parts = function.result().parts();
+            parts.any(|(_, part)| part.over.contains(&Space::BaseParameters))
         });
         asked.then_some(&self.base_values)
     }

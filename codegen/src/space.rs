@@ -1,13 +1,14 @@
 //! The signature as data: ordered lists of named entries, over which arguments and results are taken.
 //!
 //! A shared noun. A [`Space`] names one of a robot's lists, [`Spaces`] are the lists of one robot, a
-//! [`Variable`] is what an argument holds of a list, a [`Quantity`] what a result holds of several.
+//! [`Variable`] is what an argument holds of a list, a [`Quantity`] what a result holds of several,
+//! an [`Outcome`] all that a function returns.
 //! It knows no function and no joint.
 
 mod quantity;
 mod variable;
 
-pub use quantity::{Entity, Quantity};
+pub use quantity::{Entity, Outcome, Part, Quantity};
 pub use variable::Variable;
 
 /// One of the lists that every robot has.

@@ -1,9 +1,12 @@
 //! The results of generated functions, taken apart.
 //!
-//! In: an array, a matrix or one of the typed matrices. Out: its numbers, row by row, in `f64`. It
+//! In: an array, a matrix, one of the typed matrices or a struct of several. Out: its numbers, row by row, in `f64`. It
 //! never computes any.
 
-use homogen::{Acceleration, Action, Momentum, Point, Pose, Real, Screw, Velocity};
+use homogen::{
+    Acceleration, Action, ForwardDynamicsDerivatives, InverseDynamicsDerivatives, Momentum, Point,
+    Pose, Real, Screw, Velocity,
+};
 
 /// The numbers of a result, row by row.
 pub trait Entries {
@@ -70,5 +73,20 @@ impl<T: Real + Entries> Entries for Action<T> {
 impl<T: Real + Entries> Entries for Acceleration<T> {
     fn push(&self, numbers: &mut Vec<f64>) {
         self.to_matrix().push(numbers);
+    }
+}
+
+impl<T: Entries, const N: usize> Entries for InverseDynamicsDerivatives<N, T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        self.dq.push(numbers);
+        self.dqd.push(numbers);
+    }
+}
+
+impl<T: Entries, const N: usize> Entries for ForwardDynamicsDerivatives<N, T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        self.dq.push(numbers);
+        self.dqd.push(numbers);
+        self.dtau.push(numbers);
     }
 }

@@ -3,6 +3,8 @@
 //! In: the tables of joints and of functions, and one body on a joint of each kind. Out: nothing where the
 //! README has the operations of each function for each joint; else the table that should stand there.
 
+use std::fmt::Write;
+
 use homogen_codegen::Function;
 use homogen_codegen::description::read_text;
 use homogen_codegen::error::Errors;
@@ -52,11 +54,8 @@ fn every_function_has_a_price_for_every_joint() {
     for (row, function) in Function::ALL.into_iter().enumerate() {
         let prices = columns.iter().map(|column| column[row].to_string());
         let prices: Vec<String> = prices.collect();
-        table.push_str(&format!(
-            "| `{}` | {} |\n",
-            function.name(),
-            prices.join(" | ")
-        ));
+        // Writing to a string cannot fail.
+        let _ = writeln!(table, "| `{}` | {} |", function.name(), prices.join(" | "));
     }
     let marked = format!("<!-- joints -->\n{table}");
     assert!(README.contains(&marked), "the README should have\n{marked}");

@@ -6,6 +6,7 @@
 //! is simplified or fast, and nothing else in the crate calls it.
 
 mod dense;
+mod derivatives;
 pub mod generic;
 mod motion;
 mod traits;

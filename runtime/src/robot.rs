@@ -21,6 +21,7 @@
 pub(crate) mod chain;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod check;
+pub(crate) mod derivatives;
 pub(crate) mod drive;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
@@ -121,6 +122,18 @@ macro_rules! every_function {
             /// What changes the momentum about the centre of mass at q̈ = 0.
             /// The rate of the centroidal momentum matrix times q̇, in the axes of frame 0 [N m, N].
             whole CentroidalMomentumBias centroidal_momentum_bias(q, qd) -> $crate::Action<T>;
+            /// What changes of q and q̇ do to the torques of a motion.
+            /// ∂τ/∂q and ∂τ/∂q̇ of inverse dynamics, a row for each torque or force.
+            whole InverseDynamicsDerivatives inverse_dynamics_derivatives(q, qd, qdd) -> $crate::InverseDynamicsDerivatives<N, T>;
+            /// What changes of q, q̇ and τ do to the accelerations.
+            /// ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂τ of forward dynamics, a row for each acceleration.
+            solution ForwardDynamicsDerivatives forward_dynamics_derivatives(q, qd, tau) -> $crate::ForwardDynamicsDerivatives<N, T>;
+            /// What a change of q does to the torques at rest.
+            /// ∂τ/∂q of what holds the robot against gravity, a row for each torque or force.
+            whole GravityDerivative gravity_derivative(q) -> [[T; N]; N];
+            /// The Coriolis matrix.
+            /// C(q, q̇) of τ = M q̈ + C q̇ + gravity, with Ṁ − 2C skew-symmetric, as rows.
+            whole CoriolisMatrix coriolis_matrix(q, qd) -> [[T; N]; N];
         }
     };
 }

@@ -4,7 +4,10 @@
 //! one unit where the result has (rotations, translations, angular and linear parts), so that the
 //! entries of a block can share one measure of error.
 
-use homogen::{Acceleration, Action, Momentum, Point, Pose, Scalar, Screw, Velocity, robot};
+use homogen::{
+    Acceleration, Action, InverseDynamicsDerivatives, Momentum, Point, Pose, Scalar, Screw,
+    Velocity, robot,
+};
 
 use crate::states::State;
 
@@ -212,5 +215,15 @@ impl<T: Scalar, const N: usize> Blocks<T> for [T; N] {
 impl<T: Scalar, const N: usize, const M: usize> Blocks<T> for [[T; M]; N] {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
         vec![Block::new(function, self.as_flattened().to_vec())]
+    }
+}
+
+/// One block: of a body without gravity nothing is left of ∂τ/∂q but what was rounded of terms as large as
+/// those of ∂τ/∂q̇.
+impl<T: Scalar, const N: usize> Blocks<T> for InverseDynamicsDerivatives<N, T> {
+    fn blocks(&self, function: &str) -> Vec<Block<T>> {
+        let entries = [self.dq, self.dqd];
+        let entries = entries.as_flattened().as_flattened();
+        vec![Block::new(function, entries.to_vec())]
     }
 }

@@ -6,6 +6,7 @@
 
 pub mod arguments;
 pub mod big;
+pub mod cholesky;
 pub mod climb;
 pub mod drives;
 pub mod dual;

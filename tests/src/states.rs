@@ -8,6 +8,25 @@ use std::array::from_fn;
 use homogen::{Chain, Scalar};
 pub use homogen_random::Random;
 
+/// What no sensor should say, to take the place of some entries of a random state; every type of number
+/// has each of them.
+pub const NASTY: [f32; 14] = [
+    f32::NAN,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::MAX,
+    -1e30,
+    1e10,
+    -3.0e6,
+    3201.0,
+    -3200.0,
+    1e-30,
+    f32::MIN_POSITIVE,
+    1e-40,
+    -0.0,
+    0.0,
+];
+
 /// A state of a robot with N velocities and Q coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct State<T, const N: usize, const Q: usize = N> {

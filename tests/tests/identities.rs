@@ -9,6 +9,7 @@ use std::array::from_fn;
 use homogen::{
     Acceleration, Action, Chain, Jacobian, Momentum, Point, Pose, Screw, Velocity, generic,
 };
+use homogen_tests::cholesky::least_pivot;
 use homogen_tests::dual::Dual;
 use homogen_tests::for_every_robot;
 use homogen_tests::functions::{Block, EveryFunction};
@@ -353,23 +354,6 @@ fn unit<const N: usize>(k: usize) -> [f64; N] {
 
 fn slopes<const N: usize>(duals: [Dual; N]) -> [f64; N] {
     duals.map(|dual| dual.slope)
-}
-
-/// The smallest pivot of the Cholesky decomposition, positive where the matrix is.
-fn least_pivot<const N: usize>(mut matrix: [[f64; N]; N]) -> f64 {
-    let mut least = f64::INFINITY;
-    for k in 0..N {
-        let (above, below) = matrix.split_at_mut(k + 1);
-        let (row, pivot) = (above[k], above[k][k]);
-        least = least.min(pivot);
-        for other in below {
-            let factor = other[k] / pivot;
-            for (entry, x) in other.iter_mut().zip(row) {
-                *entry -= factor * x;
-            }
-        }
-    }
-    least
 }
 
 macro_rules! identities {

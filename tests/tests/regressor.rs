@@ -14,10 +14,10 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 200;
 
-/// As of the agreement of other functions; the worst is REGRESSOR_WORST u.
+/// As of the agreement of other functions.
 const LIMIT: f64 = 64.0;
 
-/// Of torques as sums of up to 120 terms that cancel; the worst is TORQUES_WORST u.
+/// Of torques as sums of up to 120 terms that cancel.
 const LIMIT_OF_TORQUES: f64 = 400.0;
 
 /// A robot with regressors and with what they are held against.

@@ -6,7 +6,7 @@
 #![cfg(not(any(target_feature = "fma", target_arch = "aarch64")))]
 
 use homogen::Chain;
-use homogen::robot::{ForwardDynamics, MassMatrixInverse};
+use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives, MassMatrixInverse};
 use homogen::trigonometry::single;
 use homogen_tests::for_every_robot;
 use homogen_tests::functions::{EveryFunction, evaluate};
@@ -14,28 +14,10 @@ use homogen_tests::robots::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
     Ur5Class,
 };
-use homogen_tests::states::{Random, State};
+use homogen_tests::states::{NASTY, Random, State};
 
 /// Random states of each robot.
 const STATES: usize = 200;
-
-/// What no sensor should say: each takes the place of some entries of a random state.
-const NASTY: [f32; 14] = [
-    f32::NAN,
-    f32::INFINITY,
-    f32::NEG_INFINITY,
-    f32::MAX,
-    -1e30,
-    1e10,
-    -3.0e6,
-    3201.0,
-    -3200.0,
-    1e-30,
-    f32::MIN_POSITIVE,
-    1e-40,
-    -0.0,
-    0.0,
-];
 
 /// A state and the torques of forward dynamics.
 struct Arguments<const N: usize> {
@@ -74,13 +56,19 @@ impl<const N: usize> Arguments<N> {
 /// Every function of a derived robot but regressors, in the order of [`standalone`].
 fn derived<R, const N: usize>(robot: &R, arguments: &Arguments<N>) -> Vec<f32>
 where
-    R: EveryFunction<N, f32> + ForwardDynamics<N, f32> + MassMatrixInverse<N, f32>,
+    R: EveryFunction<N, f32>
+        + ForwardDynamics<N, f32>
+        + MassMatrixInverse<N, f32>
+        + ForwardDynamicsDerivatives<N, f32>,
 {
     let Arguments { state, tau } = arguments;
     let blocks = evaluate(robot, state).into_iter();
     let mut numbers: Vec<_> = blocks.flat_map(|block| block.entries).collect();
     numbers.extend(robot.forward_dynamics(&state.q, &state.qd, tau));
     numbers.extend(robot.mass_matrix_inverse(&state.q).as_flattened());
+    let by = robot.forward_dynamics_derivatives(&state.q, &state.qd, tau);
+    let parts = [by.dq, by.dqd, by.dtau];
+    numbers.extend(parts.as_flattened().as_flattened());
     numbers
 }
 
@@ -99,7 +87,7 @@ fn halves(screws: &[[f32; 6]]) -> Vec<f32> {
     [first, second].concat()
 }
 
-/// Every function of a robot written for `core` alone.
+/// Every function of a robot written for `core` alone, the regressors last.
 macro_rules! standalone {
     ($robot:expr, $arguments:expr) => {{
         let Arguments {
@@ -130,8 +118,32 @@ macro_rules! standalone {
             $robot.centroidal_momentum(q, qd).to_vec(),
             halves(&$robot.centroidal_momentum_matrix(q)),
             $robot.centroidal_momentum_bias(q, qd).to_vec(),
+            {
+                let by = $robot.inverse_dynamics_derivatives(q, qd, qdd);
+                [by.dq, by.dqd].as_flattened().as_flattened().to_vec()
+            },
+            $robot.gravity_derivative(q).as_flattened().to_vec(),
+            $robot.coriolis_matrix(q, qd).as_flattened().to_vec(),
             $robot.forward_dynamics(q, qd, tau).to_vec(),
             $robot.mass_matrix_inverse(q).as_flattened().to_vec(),
+            {
+                let by = $robot.forward_dynamics_derivatives(q, qd, tau);
+                let parts = [by.dq, by.dqd, by.dtau];
+                parts.as_flattened().as_flattened().to_vec()
+            },
+            regressors!($robot, $arguments),
+        ]
+        .concat()
+    }};
+}
+
+/// The regressors of any robot, whose lengths no trait knows without the robot.
+macro_rules! regressors {
+    ($robot:expr, $arguments:expr) => {{
+        let State { q, qd, qdd } = &$arguments.state;
+        [
+            $robot.regressor(q, qd, qdd).as_flattened(),
+            $robot.base_regressor(q, qd, qdd).as_flattened(),
         ]
         .concat()
     }};
@@ -153,22 +165,26 @@ fn bits(numbers: &[f32]) -> Vec<u32> {
 fn agree<R, const N: usize, const F: usize>(
     robot: &R,
     _: &Chain<N, F>,
+    regressors: impl Fn(&Arguments<N>) -> Vec<f32>,
     own: impl Fn(&Arguments<N>) -> Vec<f32>,
     named: impl Fn(&Arguments<N>) -> Vec<f32>,
 ) where
-    R: EveryFunction<N, f32> + ForwardDynamics<N, f32> + MassMatrixInverse<N, f32>,
+    R: EveryFunction<N, f32>
+        + ForwardDynamics<N, f32>
+        + MassMatrixInverse<N, f32>
+        + ForwardDynamicsDerivatives<N, f32>,
 {
+    let expected = |arguments: &Arguments<N>| {
+        bits(&[derived(robot, arguments), regressors(arguments)].concat())
+    };
     let mut random = Random::new(5);
     for _ in 0..STATES {
         let arguments = Arguments::random(&mut random);
-        let expected = bits(&derived(robot, &arguments));
-        assert_eq!(bits(&own(&arguments)), expected);
+        assert_eq!(bits(&own(&arguments)), expected(&arguments));
         let arguments = arguments.spoilt(&mut random);
-        let expected = bits(&derived(robot, &arguments));
-        assert_eq!(bits(&named(&arguments)), expected);
+        assert_eq!(bits(&named(&arguments)), expected(&arguments));
         let arguments = arguments.moderate();
-        let expected = bits(&derived(robot, &arguments));
-        assert_eq!(bits(&own(&arguments)), expected);
+        assert_eq!(bits(&own(&arguments)), expected(&arguments));
     }
 }
 
@@ -190,11 +206,17 @@ macro_rules! standalone_files {
 
         #[test]
         fn $name() {
+            use $name::{named, own};
+            assert_eq!(
+                own::Standalone::BASE_PARAMETERS,
+                named::Standalone::BASE_PARAMETERS
+            );
             agree(
                 &$robot,
                 &$robot::chain(),
-                |arguments| standalone!($name::own::Standalone, arguments),
-                |arguments| standalone!($name::named::Standalone, arguments),
+                |arguments| regressors!($robot, arguments),
+                |arguments| standalone!(own::Standalone, arguments),
+                |arguments| standalone!(named::Standalone, arguments),
             );
         }
     };

@@ -11,6 +11,8 @@
 mod columns;
 mod span;
 
+use std::collections::BTreeMap;
+
 use super::Chain;
 use columns::{Columns, PARAMETERS};
 use span::Span;
@@ -50,18 +52,20 @@ impl Group {
     }
 }
 
-/// So much of each parameter.
-type Form = Vec<f64>;
+/// So much of each parameter, where there is any of it.
+type Form = BTreeMap<usize, f64>;
+
+/// Of chains of more joints no function is generated, and nothing is looked for.
+const MOST: usize = 1000;
 
 /// Finds them.
 pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
+    if chain.joints.len() > MOST {
+        return BaseParameters::default();
+    }
     let columns = Columns::of(chain);
     let count = columns.links.len();
-    let unit = |parameter: usize| -> Form {
-        let mut form = vec![0.0; PARAMETERS * count];
-        form[parameter] = 1.0;
-        form
-    };
+    let unit = |parameter: usize| Form::from([(parameter, 1.0)]);
     // What torques see in the place of each parameter: it, and what outboard links hand on.
     let mut seen: Vec<Form> = (0..PARAMETERS * count).map(unit).collect();
     let described = columns.described();
@@ -114,14 +118,14 @@ fn hand_on<'c>(
 }
 
 fn add(sum: &mut Form, other: &Form, factor: f64) {
-    for (sum, other) in sum.iter_mut().zip(other) {
-        *sum += factor * other;
+    for (&parameter, other) in other {
+        *sum.entry(parameter).or_default() += factor * other;
     }
 }
 
 fn group(leader: usize, form: &Form, described: &[f64]) -> Group {
-    let others = form.iter().copied().enumerate();
-    let others = others.filter(|&(k, factor)| k != leader && factor != 0.0);
+    let others = form.iter().map(|(&parameter, &factor)| (parameter, factor));
+    let others = others.filter(|&(parameter, factor)| parameter != leader && factor != 0.0);
     let members: Vec<(usize, f64)> = [(leader, 1.0)].into_iter().chain(others).collect();
     let value = members.iter().map(|&(k, factor)| factor * described[k]);
     Group {

@@ -75,7 +75,8 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     }
     check_targets(request, &tree, &links, &joints, &mut errors);
     check_coordinates(description, &joints, &mut errors);
-    let follows = mimic::follows(description, &tree.branches, &joints, &mut errors);
+    let locked = |joint: usize| locks.contains_key(&joint);
+    let follows = mimic::follows(description, &tree.branches, locked, &joints, &mut errors);
     choose_tip(description, request, &follows, &mut tree, &mut errors);
     mimic::hold(&mut tree.branches, &follows);
     check_moving(description, request, &tree, &links, &mut errors);

@@ -51,7 +51,7 @@ pub fn check(
     {
         errors.push_with_hint(
             first.place,
-            "actions from outside enter inverse and forward dynamics, and neither is asked for",
+            "actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for",
             "leave them out, or ask for inverse_dynamics or forward_dynamics",
         );
     } else if request.external.is_empty() && request.external_in_frame_0 {

@@ -185,7 +185,6 @@ fn listed(
             position,
             velocity,
             drive: body.drive.map(Term::expr),
-            limits: described.limits.filter(|_| !described.kind.has_several()),
         }
     };
     let joints = bodies.into_iter().zip(places).map(joint).collect();
@@ -255,10 +254,8 @@ fn moved<'g>(
     let (kind, name) = (joint.kind, &joint.name.text);
     let mut link = Pose::identity(graph);
     let mut moved = Moved::Own;
-    let mut sign = 1.0;
     if let Some(follow) = branch.follows {
         reader.note_follower(description, branch.joint, follow);
-        sign = follow.multiplier.signum();
         let offset = Number {
             value: follow.offset,
             ..Number::default()
@@ -266,7 +263,7 @@ fn moved<'g>(
         placement = placement * held_at(graph, kind, axes, &offset);
         moved = Moved::Follows {
             leader: follow.leader,
-            factor: graph.constant(follow.multiplier.abs()),
+            factor: graph.constant(follow.multiplier),
         };
     } else {
         reader.report.joints.push(name.clone());
@@ -287,7 +284,7 @@ fn moved<'g>(
             parent,
             motion: reader.motion(kind, freedom),
             placement,
-            axis: axis.map(|entry| entry * graph.constant(sign)),
+            axis,
             link: None,
             inertia: Inertia::zero(graph),
             moved,

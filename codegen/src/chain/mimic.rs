@@ -6,35 +6,42 @@
 
 use super::names::Names;
 use super::tree::{Branch, Follow, Tree};
-use crate::description::{Description, Joint, Number};
+use crate::description::{Description, Number};
 use crate::error::{Complaint, Errors, Place};
 use crate::wording::quoted;
 
-/// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are held
-/// or not there follow nothing.
+/// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are locked
+/// follow nothing; those that are not there pass on what they follow.
 pub fn follows(
     description: &Description,
     branches: &[Branch],
+    locked: impl Fn(usize) -> bool,
     joints: &Names<'_>,
     errors: &mut Errors,
 ) -> Vec<Option<Follow>> {
     let mut leaders: Vec<Option<usize>> = vec![None; description.joints.len()];
-    let mut refused = false;
-    for branch in branches.iter().filter(|branch| branch.held.is_none()) {
-        let joint = &description.joints[branch.joint];
-        let Some(mimic) = &joint.mimic else { continue };
-        leaders[branch.joint] = joints.get(&mimic.leader);
-        // In a vendor's file it is a slip that other readers pass over, and in a grammar of our own a mistake.
-        if leaders[branch.joint].is_none() && !matches!(mimic.place, Place::File { .. }) {
-            refused |= joints.find(&mimic.leader, errors).is_none();
+    let there = branches.iter().filter(|branch| branch.held.is_none());
+    let mut waiting: Vec<usize> = there.map(|branch| branch.joint).collect();
+    while let Some(follower) = waiting.pop() {
+        let joint = &description.joints[follower];
+        let Some(mimic) = joint.mimic.as_ref().filter(|_| joint.kind.moves()) else {
+            continue;
+        };
+        if locked(follower) || leaders[follower].is_some() {
+            continue;
         }
-        let several = |joint: &Joint| joint.kind.has_several();
-        let leader = leaders[branch.joint].map(|leader| &description.joints[leader]);
-        let several = [Some(joint), leader]
-            .into_iter()
-            .flatten()
-            .find(|&joint| several(joint));
-        if let Some(several) = several {
+        let Some(leader) = joints.get(&mimic.leader) else {
+            // In a vendor's file it is a slip that other readers pass over, and in a grammar of our own a
+            // mistake.
+            if !matches!(mimic.place, Place::File { .. }) {
+                joints.find(&mimic.leader, errors);
+            }
+            continue;
+        };
+        leaders[follower] = Some(leader);
+        waiting.push(leader);
+        let mut both = [joint, &description.joints[leader]].into_iter();
+        if let Some(several) = both.find(|joint| joint.kind.has_several()) {
             errors.push_with_hint(
                 mimic.place,
                 format!(
@@ -45,10 +52,9 @@ pub fn follows(
                 ),
                 "only joints with one coordinate can lead and follow",
             );
-            refused = true;
         }
     }
-    refused |= refuse_cycles(description, &leaders, errors);
+    let refused = refuse_cycles(description, &leaders, errors);
     let follow = |joint: usize| {
         leaders[joint].filter(|_| !refused)?;
         let mut follow = Follow {

@@ -246,7 +246,9 @@ fn no_joint_is_called_as_a_coordinate_of_another() {
 #[test]
 fn limits_of_two_coordinates_are_left_out_with_a_word() {
     let chain = fine(&plunger("", "limits: [-1.0, 1.0]"));
-    assert!(chain.joints.iter().all(|joint| joint.limits.is_none()));
+    let spaces = chain.spaces();
+    let mut entries = spaces.coordinates.iter().chain(&spaces.velocities);
+    assert!(entries.all(|entry| entry.range.is_none()));
     let doubts: Vec<&str> = (chain.report.warnings.iter())
         .map(|doubt| doubt.message.as_str())
         .collect();

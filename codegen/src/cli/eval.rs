@@ -22,7 +22,7 @@ use crate::expand;
 use crate::expression::Input;
 use crate::function::Function;
 use crate::schedule::{Arithmetic, Program, run};
-use crate::space::{Entity, Quantity, Space, Spaces, Variable};
+use crate::space::{Entity, Outcome, Quantity, Space, Spaces, Variable};
 use crate::wording::visible;
 
 /// Compute a function at given states, without a compiler
@@ -146,7 +146,7 @@ impl Eval {
 
     fn in_json(&self, chain: &Chain, frame: usize, results: &[Vec<f64>]) -> Value {
         let spaces = chain.spaces();
-        let quantity = self.function.result();
+        let result = self.function.result();
         let names = |space| spaces.names(space).collect::<Value>();
         let mut answer = Map::new();
         answer.insert("function".into(), json!(self.function.name()));
@@ -157,19 +157,26 @@ impl Eval {
             answer.insert("base".into(), json!(chain.report.base));
             answer.insert("frame".into(), json!(chain.frames[frame].name));
         }
-        answer.insert("shape".into(), json!(dimensions(&quantity, spaces)));
-        if let Some(rows) = names_of_rows(&quantity) {
+        let shapes = result
+            .parts()
+            .map(|(_, part)| json!(dimensions(&part, spaces)));
+        answer.insert("shape".into(), by_name(result, shapes));
+        if let Some(rows) = result.parts().find_map(|(_, part)| names_of_rows(&part)) {
             answer.insert("rows".into(), json!(rows));
         }
         answer.insert("warnings".into(), json::warnings(&chain.report.warnings));
-        let results =
-            results.iter().map(
-                |numbers| match (rows(&quantity, spaces, numbers), &**numbers) {
-                    (Some(rows), _) => json!(rows),
-                    (None, [number]) if quantity.over.is_empty() => json!(number),
-                    (None, numbers) => json!(numbers),
-                },
-            );
+        let results = results.iter().map(|numbers| {
+            let parts = result.parts().zip(result.split(spaces, numbers));
+            let values =
+                parts.map(
+                    |((_, part), numbers)| match (rows(&part, spaces, numbers), numbers) {
+                        (Some(rows), _) => json!(rows),
+                        (None, [number]) if part.over.is_empty() => json!(number),
+                        (None, numbers) => json!(numbers),
+                    },
+                );
+            by_name(result, values)
+        });
         answer.insert("results".into(), results.collect());
         Value::Object(answer)
     }
@@ -191,6 +198,18 @@ fn names_of_rows(quantity: &Quantity) -> Option<&'static [&'static str]> {
         (_, Entity::Vector) => Some(&["x", "y", "z"]),
         _ => None,
     }
+}
+
+/// A value of each quantity: an object where there are several, and the only one where there are not.
+fn by_name(result: Outcome, values: impl Iterator<Item = Value>) -> Value {
+    let parts = result.parts().zip(values);
+    parts.fold(Value::Null, |mut all, ((name, _), value)| match name {
+        Some(name) => {
+            all[name] = value;
+            all
+        }
+        None => value,
+    })
 }
 
 /// The results as the `f64`s that print like them.
@@ -267,25 +286,34 @@ fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec
 
 fn in_text(chain: &Chain, function: Function, results: &[Vec<f64>]) -> String {
     let spaces = chain.spaces();
-    let quantity = function.result();
+    let result = function.result();
     let mut text = String::new();
     for (index, numbers) in results.iter().enumerate() {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{} of state {index}", function.name());
-        if let Some(rows) = rows(&quantity, spaces, numbers) {
-            for row in rows {
-                let row: Vec<String> = row.iter().map(|number| format!("{number:>24?}")).collect();
-                let _ = writeln!(text, "{}", row.concat());
-            }
-        } else {
-            for (k, number) in numbers.iter().enumerate() {
-                let owner = quantity.owner(spaces, k);
-                let entry = owner.map(|owner| &spaces.entries(quantity.over[0])[owner]);
-                let name =
-                    entry.map_or(String::new(), |entry| format!("  {}", visible(&entry.name)));
-                let _ = writeln!(text, "{number:>24?}{name}");
-            }
+        for ((part, quantity), numbers) in result.parts().zip(result.split(spaces, numbers)) {
+            // Writing to a string cannot fail.
+            let _ = match part {
+                Some(part) => writeln!(text, "{part} of {} of state {index}", function.name()),
+                None => writeln!(text, "{} of state {index}", function.name()),
+            };
+            quantity_in_text(&mut text, spaces, &quantity, numbers);
         }
     }
     text
+}
+
+fn quantity_in_text(text: &mut String, spaces: &Spaces, quantity: &Quantity, numbers: &[f64]) {
+    if let Some(rows) = rows(quantity, spaces, numbers) {
+        for row in rows {
+            let row: Vec<String> = row.iter().map(|number| format!("{number:>24?}")).collect();
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{}", row.concat());
+        }
+    } else {
+        for (k, number) in numbers.iter().enumerate() {
+            let owner = quantity.owner(spaces, k);
+            let entry = owner.map(|owner| &spaces.entries(quantity.over[0])[owner]);
+            let name = entry.map_or(String::new(), |entry| format!("  {}", visible(&entry.name)));
+            let _ = writeln!(text, "{number:>24?}{name}");
+        }
+    }
 }

@@ -3,6 +3,8 @@
 //! In: a [`Robot`] and q. Out: poses, screws and inertias in frame 0; of rates, velocities,
 //! accelerations and actions, and what they and the joints' drives add up to.
 
+mod derivatives;
+
 use super::{Approximate, Freedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
@@ -182,10 +184,16 @@ impl Posture {
         forces
     }
 
-    /// τ of a motion, against gravity.
-    pub(super) fn torques(&self, rates: &Rates) -> Vec<Scalar> {
+    /// −H_g.
+    fn falling(&self) -> Matrix<Scalar> {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
+        falling
+    }
+
+    /// τ of a motion, against gravity.
+    pub(super) fn torques(&self, rates: &Rates) -> Vec<Scalar> {
+        let falling = self.falling();
         let motions = self.motions(rates);
         let mut forces = self.forces(|k| Some(motions[k].1.plus(&falling)));
         for Freedom {
@@ -231,27 +239,40 @@ impl Posture {
     /// What each joint feels of actions from outside: L of all joints inboard of where they act, along Φ.
     pub(super) fn outside(&self, actions: &[f64]) -> Vec<Scalar> {
         let mut forces = vec![Scalar::exact(0.0); self.robot.velocities];
-        let (bodies, in_frame_0) = &self.robot.external;
-        for (&body, entries) in bodies.iter().zip(actions.chunks(6)) {
-            let entry = |k: usize| Scalar::exact(entries[k]);
-            let [c, f] = [0, 3].map(|first| [entry(first), entry(first + 1), entry(first + 2)]);
-            let action = Matrix::action(c, f);
-            let action = if *in_frame_0 {
-                action
-            } else {
-                let pose = &self.poses[body];
-                pose.times(&action).times(&pose.transposed())
-            };
-            let inwards = |body: &usize| self.robot.bodies[*body].parent;
-            for body in std::iter::successors(Some(body), inwards) {
+        for (link, action) in self.outside_actions(actions) {
+            for body in self.inwards(link) {
                 for (velocity, screw) in &self.screws[body] {
-                    let terms = screw.vectors().into_iter().zip(action.vectors());
-                    let along = terms.map(|(screw, action)| screw * action);
-                    forces[*velocity] = along.fold(forces[*velocity], |sum, term| sum + term);
+                    forces[*velocity] = forces[*velocity] + along(screw, &action);
                 }
             }
         }
         forces
+    }
+
+    /// Actions from outside in frame 0, each with the body on which it is.
+    fn outside_actions(&self, actions: &[f64]) -> impl Iterator<Item = (usize, Matrix<Scalar>)> {
+        let (bodies, in_frame_0) = &self.robot.external;
+        bodies
+            .iter()
+            .zip(actions.chunks(6))
+            .map(|(&body, entries)| {
+                let entry = |k: usize| Scalar::exact(entries[k]);
+                let [c, f] = [0, 3].map(|first| [entry(first), entry(first + 1), entry(first + 2)]);
+                let action = Matrix::action(c, f);
+                let pose = &self.poses[body];
+                let action = if *in_frame_0 {
+                    action
+                } else {
+                    pose.times(&action).times(&pose.transposed())
+                };
+                (body, action)
+            })
+    }
+
+    /// A body and those that it hangs on, from it inwards.
+    fn inwards(&self, body: usize) -> impl Iterator<Item = usize> {
+        let outer = |body: &usize| self.robot.bodies[*body].parent;
+        std::iter::successors(Some(body), outer)
     }
 
     /// M, row by row: column k is what the joints feel where H is the sum of the L that go with velocity k,

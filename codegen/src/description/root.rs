@@ -32,6 +32,11 @@ pub fn freed<'a>(
         return (Cow::Borrowed(description), Cow::Borrowed(request));
     };
     let mut description = description.clone();
+    let carrier = description
+        .joints
+        .iter()
+        .find(|joint| joint.child.text == base.text);
+    let carrier = carrier.map(|joint| joint.name.text.clone());
     description
         .joints
         .retain(|joint| joint.child.text != base.text);
@@ -57,9 +62,16 @@ pub fn freed<'a>(
         drive: Parts::default(),
         place,
     });
+    // What carried the base is not there to be locked.
+    let is_there = |lock: &&(Name, Option<Number>)| {
+        let name = &lock.0.text;
+        Some(name) != carrier.as_ref()
+    };
+    let lock = request.lock.iter().filter(is_there).cloned().collect();
     let request = Request {
         base: Some(ground),
         floating: false,
+        lock,
         ..request.clone()
     };
     (Cow::Owned(description), Cow::Owned(request))

@@ -4,7 +4,7 @@
 //! be tried, in rounds; a doubt about the form that was asked for, or about a robot for which none is
 //! as good as it should be; or the mistake that no form helps. It never measures or counts.
 
-use super::measured::{Measure, Off};
+use super::measured::{Measure, Off, allowed};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
 use crate::chain::Chain;
@@ -54,7 +54,13 @@ pub(super) fn rounds(
     };
     let left = bodies.filter(|bodies| !first.contains(bodies));
     // Each column of an inverse has a residual of its own, which is much dearer than articulated bodies.
-    let inverts = functions.contains(&Function::MassMatrixInverse);
+    let inverting = [
+        Function::MassMatrixInverse,
+        Function::ForwardDynamicsDerivatives,
+    ];
+    let inverts = inverting
+        .iter()
+        .any(|function| functions.contains(function));
     let rounds = if inverts {
         [first, left.into_iter().collect(), vec![once], vec![twice]]
     } else {
@@ -117,7 +123,11 @@ pub(super) fn hopeless(
         chain,
         worst,
         scalar,
-        &format!("{} would lose {}", named(functions), lost(error, scalar)),
+        &format!(
+            "{} would lose {}",
+            named(functions),
+            lost(functions, error, scalar)
+        ),
     );
     let hint = match (frame, scalar) {
         (Frame::Base, _) => "leave frame_0 out: link frames keep the digits that it loses",
@@ -209,7 +219,7 @@ fn doubt(
             chain,
             worst,
             scalar,
-            &format!("{by} loses {}", lost(error, scalar)),
+            &format!("{by} loses {}", lost(functions, error, scalar)),
         )
     })
 }
@@ -249,9 +259,10 @@ fn complaint(chain: &Chain, worst: Worst, scalar: Real, what: &str) -> Complaint
     }
 }
 
-/// How much of the largest result an error is.
-fn lost(error: f64, scalar: Real) -> String {
-    let share = error * scalar.roundoff();
+/// How much of the largest result an error is, or may be of one function among others.
+fn lost(functions: &[Function], error: f64, scalar: Real) -> String {
+    let allowed = functions.iter().map(|&function| allowed(function));
+    let share = error * allowed.fold(1.0, f64::max) * scalar.roundoff();
     if share < 0.1 {
         format!("{share:.0e} of its largest result")
     } else {

@@ -11,7 +11,7 @@ use crate::accuracy::range::Range;
 use crate::chain::Chain;
 use crate::expression::{Arithmetic, Double, Evaluation, Input};
 use crate::formulation::Forward;
-use crate::function::Function;
+use crate::function::{Function, Truth};
 use crate::layout::Layout;
 use crate::model::Way;
 use crate::real::Real;
@@ -42,12 +42,31 @@ const TORQUE: f64 = 4.0;
 pub(super) struct Measure<'c> {
     chain: &'c Chain,
     range: Range,
-    /// Of each function that solves something, where its results are among those of all.
-    solved: Vec<(Evaluation<Double>, std::ops::Range<usize>)>,
+    solved: Vec<Solved>,
     states: Vec<State>,
 }
 
-/// How far off a program is, beside its largest result \[u\].
+/// A function that solves something.
+struct Solved {
+    exactly: Evaluation<Double>,
+    /// Where its results are among those of all.
+    place: std::ops::Range<usize>,
+    /// How many times as far off it may be.
+    allowed: f64,
+}
+
+/// How many times as far off as accelerations a function that solves something may be. Derivatives of
+/// accelerations solve with what their torques change by, which has been rounded, and with accelerations
+/// that were found: the best form loses not much less than the others.
+pub(super) const fn allowed(function: Function) -> f64 {
+    match function.truth() {
+        Truth::Derivatives => 10.0,
+        Truth::Value(_) | Truth::OfMass(_) | Truth::Solution(_) => 1.0,
+    }
+}
+
+/// How far off a program is, beside its largest result \[u\]; of a function that may be farther off by so much
+/// less.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Off {
     /// In the worst of a thousand states, as far as a few tell.
@@ -111,7 +130,11 @@ impl<'c> Measure<'c> {
             if function.solves() {
                 let (graph, results) =
                     expressions_by(chain, &[function], 0, Layout::DESCRIBED, way);
-                solved.push((Evaluation::of(&graph, &results), start..end));
+                solved.push(Solved {
+                    exactly: Evaluation::of(&graph, &results),
+                    place: start..end,
+                    allowed: allowed(function),
+                });
             }
         }
         Self {
@@ -153,7 +176,7 @@ impl<'c> Measure<'c> {
     fn state(&self, number: u32) -> State {
         let arguments = Arguments::new(&self.range, number);
         let input = |input| Double::from(arguments.at(self.chain, &self.range, input));
-        let exact = self.solved.iter().map(|(function, _)| function.at(input));
+        let exact = self.solved.iter().map(|solved| solved.exactly.at(input));
         State {
             exact: exact.collect(),
             arguments,
@@ -167,9 +190,9 @@ impl<'c> Measure<'c> {
             T::literal(arguments.at(self.chain, &self.range, input))
         });
         let functions = self.solved.iter().zip(exact);
-        functions.fold(0.0, |worst, ((_, place), exact)| {
+        functions.fold(0.0, |worst, (solved, exact)| {
             let size = largest(exact.iter().map(|exact| exact.to_f64()));
-            let errors = found[place.clone()].iter().zip(exact);
+            let errors = found[solved.place.clone()].iter().zip(exact);
             let errors =
                 errors.map(|(found, exact)| (Double::from(found.to_f64()) - *exact).to_f64());
             let error = largest(errors);
@@ -178,7 +201,7 @@ impl<'c> Measure<'c> {
                 f64::INFINITY => f64::INFINITY,
                 // Where all are zero, so is what is found.
                 _ if error == 0.0 => 0.0,
-                _ => error / size,
+                _ => error / size / solved.allowed,
             })
         })
     }

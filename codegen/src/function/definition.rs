@@ -4,7 +4,7 @@ use super::tally::{Size, Tally};
 use crate::dense::{Approximate, Dense};
 use crate::expression::Term;
 use crate::model::{Scene, Way};
-use crate::space::{Quantity, Variable};
+use crate::space::{Outcome, Variable};
 
 /// What the results of a function are held against, whatever way they were found.
 #[derive(Clone, Copy)]
@@ -15,6 +15,9 @@ pub(crate) enum Truth {
     OfMass(fn(&Dense, usize) -> Vec<Approximate>),
     /// An equation that they solve, in which that is given.
     Solution(Given),
+    /// What the accelerations of τ change by, which solves an equation whose right-hand sides the
+    /// accelerations decide.
+    Derivatives,
 }
 
 /// What a solution is found for.
@@ -36,7 +39,7 @@ pub(super) struct Definition {
     /// What it is a function of, in the order of its parameters.
     pub(super) arguments: &'static [Variable],
     /// Its result.
-    pub(super) result: Quantity,
+    pub(super) result: Outcome,
     /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
     pub(super) of_a_frame: bool,
     /// What every expansion is held against.
@@ -45,7 +48,7 @@ pub(super) struct Definition {
     pub(super) ways: fn() -> Vec<Way>,
     /// What it costs by dense 4×4 matrices.
     pub(super) dense: fn(Size) -> Tally,
-    /// Its results, in the order of its quantity.
+    /// Its results, in the order of its quantities.
     pub(super) build: for<'g> fn(&Scene<'_, 'g>) -> Vec<Term<'g>>,
 }
 

@@ -24,14 +24,14 @@ fn sentence(_: &str, _: &str) -> String {
     "Joint accelerations q̈ that τ produces against gravity; rad/s², m/s².".to_owned()
 }
 
-fn dense(size: Size) -> Tally {
+pub(super) fn dense(size: Size) -> Tally {
     // M, the bias, a dense factorisation and one solve.
     let (cubes, squares) = (size.joints.pow(3) / 6, size.joints.pow(2));
     let parts = mass_matrix::dense(size).plus(tally::torques(size));
     parts.and(cubes + squares, cubes + squares)
 }
 
-fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+pub(super) fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     match scene.way.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
             &scene.mass_matrix(),

@@ -30,7 +30,7 @@ fn dense(size: Size) -> Tally {
     mass_matrix::dense(size).and(cubes, cubes)
 }
 
-fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+pub(super) fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     match scene.way.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::mass_matrix_inverse(
             &scene.mass_matrix(),

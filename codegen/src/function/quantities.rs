@@ -1,122 +1,168 @@
 //! The quantities that several functions return, with their units.
 
-use crate::space::{Entity, Kind, Quantity, Space};
+use crate::space::{Entity, Kind, Outcome, Part, Quantity, Space};
 
 /// A pose.
-pub(super) const POSE: Quantity = Quantity {
+pub(super) const POSE: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Pose,
     units: |_| ["1", "1", "1", "m"].repeat(3),
-};
+});
 
 /// A velocity matrix.
-pub(super) const VELOCITY: Quantity = Quantity {
+pub(super) const VELOCITY: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Velocity,
     units: |_| ["rad/s", "m/s"].map(|unit| [unit; 3]).concat(),
-};
+});
 
 /// An acceleration matrix.
-pub(super) const ACCELERATION: Quantity = Quantity {
+pub(super) const ACCELERATION: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Acceleration,
     units: |_| ["1/s²", "1/s²", "1/s²", "m/s²"].repeat(3),
-};
+});
 
 /// A screw for each velocity.
-pub(super) const SCREWS: Quantity = Quantity {
+pub(super) const SCREWS: Outcome = Outcome::One(Quantity {
     over: &[Space::Velocities],
     entity: Entity::Screw,
     units: |of| {
         let b = by_one(of, "m", "1");
         vec!["1", "1", "1", b, b, b]
     },
-};
+});
 
 /// The rate of a screw for each velocity.
-pub(super) const SCREW_RATES: Quantity = Quantity {
+pub(super) const SCREW_RATES: Outcome = Outcome::One(Quantity {
     over: &[Space::Velocities],
     entity: Entity::Screw,
     units: |of| {
         let b = by_one(of, "m/s", "1/s");
         vec!["1/s", "1/s", "1/s", b, b, b]
     },
-};
+});
 
 /// A point.
-pub(super) const POINT: Quantity = Quantity {
+pub(super) const POINT: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Point,
     units: |_| vec!["m"; 3],
-};
+});
 
 /// The velocity of a point.
-pub(super) const POINT_RATE: Quantity = Quantity {
+pub(super) const POINT_RATE: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Vector,
     units: |_| vec!["m/s"; 3],
-};
+});
 
 /// What each velocity adds to that of a point.
-pub(super) const POINT_RATES: Quantity = Quantity {
+pub(super) const POINT_RATES: Outcome = Outcome::One(Quantity {
     over: &[Space::Velocities],
     entity: Entity::Vector,
     units: |of| vec![by_one(of, "m", "1"); 3],
-};
+});
 
 /// A momentum matrix.
-pub(super) const MOMENTUM: Quantity = Quantity {
+pub(super) const MOMENTUM: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Momentum,
     units: |_| ["kg m²/s", "kg m/s"].map(|unit| [unit; 3]).concat(),
-};
+});
 
 /// What each velocity adds to a momentum matrix.
-pub(super) const MOMENTA: Quantity = Quantity {
+pub(super) const MOMENTA: Outcome = Outcome::One(Quantity {
     over: &[Space::Velocities],
     entity: Entity::Momentum,
     units: |of| {
         let (gamma, rho) = (by_one(of, "kg m²", "kg m"), by_one(of, "kg m", "kg"));
         [gamma, rho].map(|unit| [unit; 3]).concat()
     },
-};
+});
 
 /// An action matrix.
-pub(super) const ACTION: Quantity = Quantity {
+pub(super) const ACTION: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Action,
     units: |_| ["N m", "N"].map(|unit| [unit; 3]).concat(),
-};
+});
 
 /// An energy.
-pub(super) const ENERGY: Quantity = Quantity {
+pub(super) const ENERGY: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Number,
     units: |_| vec!["J"],
-};
+});
 
 /// Joint torques and forces.
-pub(super) const FORCES: Quantity = vector(|of| vec![by_one(of, "N m", "N")]);
+pub(super) const FORCES: Outcome = Outcome::One(vector(|of| vec![by_one(of, "N m", "N")]));
 
 /// Joint accelerations.
-pub(super) const SECOND_RATES: Quantity = vector(|of| vec![by_one(of, "rad/s²", "m/s²")]);
+pub(super) const SECOND_RATES: Outcome =
+    Outcome::One(vector(|of| vec![by_one(of, "rad/s²", "m/s²")]));
 
 /// What torques and forces are for accelerations.
-pub(super) const INERTIAS: Quantity = matrix(|of| vec![by_two(of, ["kg m²", "kg m", "kg"])]);
+pub(super) const INERTIAS: Outcome =
+    Outcome::One(matrix(|of| vec![by_two(of, ["kg m²", "kg m", "kg"])]));
 
 /// What accelerations are for torques and forces.
-pub(super) const INVERSE_INERTIAS: Quantity =
-    matrix(|of| vec![by_two(of, ["1/(kg m²)", "1/(kg m)", "1/kg"])]);
+pub(super) const INVERSE_INERTIAS: Outcome = Outcome::One(MOBILITIES);
+
+/// What changes of coordinates and of rates do to joint torques and forces.
+pub(super) const FORCE_DERIVATIVES: Outcome = Outcome::Parts(&[
+    Part {
+        name: "dq",
+        about: "∂τ/∂q, a row for each force; N m, N, N/m.",
+        quantity: STIFFNESSES,
+    },
+    Part {
+        name: "dqd",
+        about: "∂τ/∂q̇, a row for each force; N m s, N s, N s/m.",
+        quantity: DAMPINGS,
+    },
+]);
+
+/// What changes of coordinates, of rates and of torques and forces do to joint accelerations.
+pub(super) const ACCELERATION_DERIVATIVES: Outcome = Outcome::Parts(&[
+    Part {
+        name: "dq",
+        about: "∂q̈/∂q, a row for each acceleration; 1/s², 1/(m s²), m/s².",
+        quantity: matrix(|of| vec![by_row_and_column(of, ["1/s²", "1/(m s²)", "m/s²"])]),
+    },
+    Part {
+        name: "dqd",
+        about: "∂q̈/∂q̇, a row for each acceleration; 1/s, 1/(m s), m/s.",
+        quantity: matrix(|of| vec![by_row_and_column(of, ["1/s", "1/(m s)", "m/s"])]),
+    },
+    Part {
+        name: "dtau",
+        about: "∂q̈/∂τ = M⁻¹, by rows; 1/(kg m²), 1/(kg m), 1/kg.",
+        quantity: MOBILITIES,
+    },
+]);
+
+/// What torques and forces are for coordinates.
+pub(super) const STIFFNESS: Outcome = Outcome::One(STIFFNESSES);
+
+/// What torques and forces are for rates.
+pub(super) const DAMPING: Outcome = Outcome::One(DAMPINGS);
+
+const STIFFNESSES: Quantity = matrix(|of| vec![by_two(of, ["N m", "N", "N/m"])]);
+
+const DAMPINGS: Quantity = matrix(|of| vec![by_two(of, ["N m s", "N s", "N s/m"])]);
+
+const MOBILITIES: Quantity = matrix(|of| vec![by_two(of, ["1/(kg m²)", "1/(kg m)", "1/kg"])]);
 
 /// What torques and forces are for inertial parameters.
-pub(super) const REGRESSOR: Quantity = of_parameters(&[Space::Velocities, Space::Parameters]);
+pub(super) const REGRESSOR: Outcome = of_parameters(&[Space::Velocities, Space::Parameters]);
 
 /// What they are for base parameters.
-pub(super) const BASE_REGRESSOR: Quantity =
+pub(super) const BASE_REGRESSOR: Outcome =
     of_parameters(&[Space::Velocities, Space::BaseParameters]);
 
-const fn of_parameters(over: &'static [Space]) -> Quantity {
-    Quantity {
+const fn of_parameters(over: &'static [Space]) -> Outcome {
+    Outcome::One(Quantity {
         over,
         entity: Entity::Number,
         units: |of| {
@@ -127,7 +173,7 @@ const fn of_parameters(over: &'static [Space]) -> Quantity {
             };
             vec![by_one(of, turning, sliding)]
         },
-    }
+    })
 }
 
 const fn vector(units: fn(&[Kind]) -> Vec<&'static str>) -> Quantity {
@@ -159,5 +205,14 @@ fn by_two(of: &[Kind], [both, one, none]: [&'static str; 3]) -> &'static str {
         [Kind::Slide, Kind::Slide] => none,
         [Kind::Slide, _] | [_, Kind::Slide] => one,
         _ => both,
+    }
+}
+
+/// Of two entries that are alike, of a row that turns and a column that slides, and the other way round.
+fn by_row_and_column(of: &[Kind], [alike, sliding, turning]: [&'static str; 3]) -> &'static str {
+    match [of[0], of[1]] {
+        [Kind::Turn, Kind::Slide] => sliding,
+        [Kind::Slide, Kind::Turn] => turning,
+        _ => alike,
     }
 }

@@ -9,7 +9,7 @@ use super::tally::{Size, Tally};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::model::{Scene, Way};
-use crate::space::{Quantity, Space, Variable};
+use crate::space::{Outcome, Space, Variable};
 
 macro_rules! definitions {
     ($($variant:ident: $module:ident, $about:literal;)*) => {
@@ -54,7 +54,13 @@ impl Function {
     /// Whether what acts on links from outside enters it.
     #[must_use]
     pub const fn takes_actions(self) -> bool {
-        matches!(self, Self::InverseDynamics | Self::ForwardDynamics)
+        matches!(
+            self,
+            Self::InverseDynamics
+                | Self::ForwardDynamics
+                | Self::InverseDynamicsDerivatives
+                | Self::ForwardDynamicsDerivatives
+        )
     }
 
     /// What it is a function of, where actions from outside are among the lists of a robot or not.
@@ -66,27 +72,28 @@ impl Function {
 
     /// Its result.
     #[must_use]
-    pub const fn result(self) -> Quantity {
+    pub const fn result(self) -> Outcome {
         self.definition().result
     }
 
     /// The spaces of its result beside those of coordinates and velocities, whose lengths its trait has to know.
     pub(crate) fn further(self) -> impl Iterator<Item = Space> {
-        let over = self.result().over.iter().copied();
-        over.filter(|space| !matches!(space, Space::Coordinates | Space::Velocities))
+        let over = self.result().parts().flat_map(|(_, part)| part.over);
+        over.copied()
+            .filter(|space| !matches!(space, Space::Coordinates | Space::Velocities))
     }
 
     /// Whether it solves for what forces do to accelerations.
     #[must_use]
     pub const fn solves(self) -> bool {
-        self.given().is_some()
+        !matches!(self.truth(), Truth::Value(_) | Truth::OfMass(_))
     }
 
-    /// What it is a solution for, if it is one.
+    /// What it is a solution for, if it is one of which as much can be said.
     #[must_use]
     pub const fn given(self) -> Option<Given> {
         match self.truth() {
-            Truth::Value(_) | Truth::OfMass(_) => None,
+            Truth::Value(_) | Truth::OfMass(_) | Truth::Derivatives => None,
             Truth::Solution(given) => Some(given),
         }
     }
@@ -95,6 +102,12 @@ impl Function {
     #[must_use]
     pub const fn is_of_mass(self) -> bool {
         matches!(self.truth(), Truth::OfMass(_))
+    }
+
+    /// Whether it is of what torques tell of the parameters of links.
+    #[must_use]
+    pub const fn identifies(self) -> bool {
+        matches!(self, Self::Regressor | Self::BaseRegressor)
     }
 
     /// What every expansion of it is held against.
@@ -122,7 +135,7 @@ impl Function {
         (mul, add)
     }
 
-    /// Its results in the order of its quantity; of the frame of that index where it is of one.
+    /// Its results in the order of its quantities; of the frame of that index where it is of one.
     #[must_use]
     pub fn build<'g>(
         self,

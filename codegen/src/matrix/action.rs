@@ -62,6 +62,15 @@ impl<'g> Action<Term<'g>> {
         }
     }
 
+    /// L Φ + Φ Lᵗ: how the action changes that is moved along a screw.
+    #[must_use]
+    pub fn turned(self, screw: Screw<Term<'g>>) -> Self {
+        Self {
+            c: screw.u.cross(self.c) + screw.b.cross(self.f),
+            f: screw.u.cross(self.f),
+        }
+    }
+
     /// The pseudo scalar product L ⊗ Φ = u·c + b·f: the power of the action at unit rate.
     #[must_use]
     pub fn along(self, screw: Screw<Term<'g>>) -> Term<'g> {

@@ -144,12 +144,17 @@ impl<'g> Inertia<Term<'g>> {
     /// M J Mᵗ (eq. 17).
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
-        let turned = Self {
-            second: self.second.rotate(pose.rotation),
-            q: pose.rotation * self.q,
+        self.rotate(pose.rotation).translate(pose.translation)
+    }
+
+    /// M J Mᵗ for a rotation.
+    #[must_use]
+    pub fn rotate(self, rotation: Rotation<Term<'g>>) -> Self {
+        Self {
+            second: self.second.rotate(rotation),
+            q: rotation * self.q,
             mass: self.mass,
-        };
-        turned.translate(pose.translation)
+        }
     }
 
     /// M J Mᵗ for a rotation about z.

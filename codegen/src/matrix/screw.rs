@@ -1,5 +1,7 @@
 //! L, the screw axis matrix (paper, § 5): direction and moment of the axis of a motion.
 
+use std::ops::Add;
+
 use super::{Pose, Vector};
 use crate::expression::Term;
 
@@ -28,5 +30,16 @@ impl<'g> Screw<Term<'g>> {
     pub fn entries(self) -> [Term<'g>; 6] {
         let ([ux, uy, uz], [bx, by, bz]) = (self.u.0, self.b.0);
         [ux, uy, uz, bx, by, bz]
+    }
+}
+
+impl Add for Screw<Term<'_>> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            u: self.u + other.u,
+            b: self.b + other.b,
+        }
     }
 }

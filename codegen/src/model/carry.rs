@@ -134,6 +134,15 @@ impl<'g> Joint<'g> {
         pose
     }
 
+    /// Whether its motion carries the screw of a joint `at` inboard of it: its own, and those of the joint with
+    /// several velocities of which it is one.
+    pub fn carries_screw(&self, at: usize, joints: &[Self]) -> bool {
+        let mut own = successors(Some(self), |joint| {
+            joint.parent.filter(|_| joint.taken).map(|k| &joints[k])
+        });
+        own.any(|joint| joint.index == at)
+    }
+
     /// The turn as a matrix.
     pub fn turn(&self) -> Rotation<Term<'g>> {
         self.posture

@@ -65,6 +65,25 @@ pub fn mass_matrix_inverse<'g>(
     entries
 }
 
+/// M⁻¹ of a square matrix, row by row, column by column from the factors: on a tree they have zeros that
+/// the inverse has not.
+pub fn solved<'g>(
+    matrix: &[Term<'g>],
+    parents: &[Option<usize>],
+    of: &[Term<'g>],
+) -> Vec<Term<'g>> {
+    let count = parents.len();
+    let factors = factor(matrix, parents);
+    let mut found = of.to_vec();
+    for column in 0..count {
+        let given: Vec<Term<'g>> = (0..count).map(|row| of[row * count + column]).collect();
+        for (row, entry) in factors.solve(&given).into_iter().enumerate() {
+            found[row * count + column] = entry;
+        }
+    }
+    found
+}
+
 /// For each joint the diagonal entry of the mass matrix and the pivot left of it.
 pub fn pivots<'g>(matrix: &[Term<'g>], parents: &[Option<usize>]) -> Vec<Term<'g>> {
     let factors = factor(matrix, parents);

@@ -14,6 +14,27 @@ pub fn inverse_dynamics<'g>(
     qdd: &[Term<'g>],
     outside: &[(usize, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
+    motion(joints, gravity, state, qdd, outside).tau
+}
+
+/// A motion and what it takes, each in the frame of its joint's matrices.
+pub struct Motion<'g> {
+    /// Of each body.
+    pub motions: Vec<Moving<'g>>,
+    /// Φ of all that each joint carries, less the actions from outside.
+    pub actions: Vec<Action<Term<'g>>>,
+    /// What drives each body.
+    pub tau: Vec<Term<'g>>,
+}
+
+/// The motion with the given second rates, where actions from outside are on some bodies.
+pub fn motion<'g>(
+    joints: &[Joint<'g>],
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+    qdd: &[Term<'g>],
+    outside: &[(usize, Action<Term<'g>>)],
+) -> Motion<'g> {
     let count = joints.len();
     // Gravity is an acceleration of the base the other way.
     let base = Moving::still(Acceleration::linear(-gravity));
@@ -49,7 +70,11 @@ pub fn inverse_dynamics<'g>(
             actions[parent] = actions[parent] + carried;
         }
     }
-    tau
+    Motion {
+        motions,
+        actions,
+        tau,
+    }
 }
 
 /// How a body moves, in the frame of its joint's matrices.
@@ -85,17 +110,7 @@ pub fn beyond<'g>(
     rate: Term<'g>,
     second: Term<'g>,
 ) -> Moving<'g> {
-    let placed = (outer.h)
-        .move_pole(joint.placement.translation)
-        .rotate(joint.placement.rotation.transposed());
-    let (carried, offset) = match joint.posture {
-        Some(posture) => {
-            let moved = placed.move_pole(posture.translation);
-            let turned = moved.rotate(posture.rotation.transposed());
-            (turned, Vector::zero(rate.graph()))
-        }
-        None => (placed.rotate(joint.turn().transposed()), joint.offset()),
-    };
+    let (carried, offset) = seen(outer.h, joint);
     let (u, b) = (joint.screw.u, joint.screw.b);
     let (turning, sliding) = (u * rate, b * rate);
     let (base, relative, coriolis) = if joint.taken {
@@ -116,5 +131,23 @@ pub fn beyond<'g>(
         h,
         outer: base,
         relative,
+    }
+}
+
+/// H of the body that a joint hangs on, in the axes of the joint's matrices, and where from its pole theirs is.
+pub fn seen<'g>(
+    outer: Acceleration<Term<'g>>,
+    joint: &Joint<'g>,
+) -> (Acceleration<Term<'g>>, Vector<Term<'g>>) {
+    let placed = outer
+        .move_pole(joint.placement.translation)
+        .rotate(joint.placement.rotation.transposed());
+    match joint.posture {
+        Some(posture) => {
+            let moved = placed.move_pole(posture.translation);
+            let turned = moved.rotate(posture.rotation.transposed());
+            (turned, Vector::zero(joint.slide.graph()))
+        }
+        None => (placed.rotate(joint.turn().transposed()), joint.offset()),
     }
 }

@@ -39,6 +39,27 @@ pub fn gathered<'g>(state: &State<'g>, bodies: &Bodies<'g>, of: &[Term<'g>]) -> 
 }
 
 /// The same of rows and columns of a matrix.
+pub fn gathered_by_both<'g>(
+    state: &State<'g>,
+    bodies: &Bodies<'g>,
+    matrix: Vec<Term<'g>>,
+) -> Vec<Term<'g>> {
+    let count = count(bodies);
+    if count == bodies.bodies.len() {
+        return matrix;
+    }
+    let rows = matrix.chunks(bodies.bodies.len());
+    let rows: Vec<Vec<Term<'g>>> = rows.map(|row| gathered(state, bodies, row)).collect();
+    let columns = (0..count).map(|k| {
+        let column: Vec<Term<'g>> = rows.iter().map(|row| row[k]).collect();
+        gathered(state, bodies, &column)
+    });
+    let columns: Vec<Vec<Term<'g>>> = columns.collect();
+    let rows = (0..count).flat_map(|row| columns.iter().map(move |column| column[row]));
+    rows.collect()
+}
+
+/// The same of a symmetric matrix.
 pub fn gathered_twice<'g>(
     state: &State<'g>,
     bodies: &Bodies<'g>,

@@ -19,6 +19,7 @@ use super::documentation::Angles;
 use crate::formulation::Sines;
 use crate::real::Real;
 
+pub(super) use declarations::results;
 pub(super) use header::Header;
 pub(super) use names::symbols;
 

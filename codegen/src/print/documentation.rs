@@ -58,8 +58,9 @@ pub(super) fn of_function(
     lines.push(arguments(&of));
     lines.extend(postures(&listing.spaces, &of));
     if let Some(angles) = angles {
-        let results = listed.functions.iter().map(|function| function.result());
-        let layouts = results.filter_map(|result| result.entity.layout());
+        let results = listed.functions.iter();
+        let results = results.flat_map(|function| function.result().parts());
+        let layouts = results.filter_map(|(_, result)| result.entity.layout());
         lines.extend(layouts.map(str::to_owned));
         lines.push(range(angles, listed));
     }

@@ -59,6 +59,7 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     methods.extend(chain::chain(listing, item, &dialect));
     methods.extend(steps::steps(listing, item, &dialect));
     methods.extend(dialect.own_sines(listing));
+    beside.extend(results::own_structures(listing, item, &dialect));
     beside.extend(extern_c::functions(listing, item, &dialect));
     let declaration = declaration::declaration(listing, item, &dialect);
     let methods = declaration::block(item, &methods, &dialect);

@@ -61,6 +61,8 @@ impl Signs {
                 (Node::Sub(a, b), _) => sum(signs.term(a), signs.term(b).map(|minus| !minus)),
                 (Node::Mul(a, _), _) if signs.numbers[a.index()] => None,
                 (Node::Mul(a, b) | Node::Div(a, b), _) => Some(signs.of_factors(a, b)),
+                // Of the opposite angle it is the opposite; the cosine is the same.
+                (Node::Sin(a), _) => Some(signs.turned(a)),
                 _ => Some(false),
             };
             signs.turned[expr.index()] = forced.unwrap_or(wishes[expr.index()] == Some(true));

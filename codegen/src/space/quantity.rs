@@ -1,4 +1,4 @@
-//! What a function returns: an entity for each entry of some spaces.
+//! What a function returns: an entity for each entry of some spaces, or several such by name.
 //!
 //! In: spaces of a robot. Out: how many numbers a result holds, in which arrays, in which units, and
 //! whose they are. It never says how a language writes it.
@@ -39,6 +39,26 @@ pub struct Quantity {
     /// The units of one entity's numbers, 1 where there is none, by the kinds of the entries that it is
     /// for.
     pub units: fn(&[Kind]) -> Vec<&'static str>,
+}
+
+/// What a function returns: its numbers stand part by part, in this order.
+#[derive(Clone, Copy, Debug)]
+pub enum Outcome {
+    /// A quantity by itself.
+    One(Quantity),
+    /// Several quantities: a struct with named fields, an object, or an array each.
+    Parts(&'static [Part]),
+}
+
+/// A quantity among several.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// Its name.
+    pub name: &'static str,
+    /// What it tells, a sentence.
+    pub about: &'static str,
+    /// What it is.
+    pub quantity: Quantity,
 }
 
 impl Entity {
@@ -116,5 +136,65 @@ impl Quantity {
         let first = self.over.first()?;
         let each = self.size(spaces) / spaces.len(*first);
         Some(number / each)
+    }
+}
+
+impl Outcome {
+    /// Its quantities, by name where there are several.
+    pub fn parts(self) -> impl Iterator<Item = (Option<&'static str>, Quantity)> {
+        let (one, parts): (_, &[Part]) = match self {
+            Self::One(quantity) => (Some((None, quantity)), &[]),
+            Self::Parts(parts) => (None, parts),
+        };
+        let parts = parts.iter().map(|part| (Some(part.name), part.quantity));
+        one.into_iter().chain(parts)
+    }
+
+    /// Whether it is one number by itself.
+    #[must_use]
+    pub fn is_number(self) -> bool {
+        matches!(self, Self::One(quantity) if quantity.is_number())
+    }
+
+    /// How many numbers it is.
+    #[must_use]
+    pub fn size(self, spaces: &Spaces) -> usize {
+        self.parts().map(|(_, part)| part.size(spaces)).sum()
+    }
+
+    /// The numbers of each of its quantities, of all of them.
+    #[must_use]
+    pub fn split<'n, T>(self, spaces: &Spaces, numbers: &'n [T]) -> Vec<&'n [T]> {
+        let mut rest = numbers;
+        let parts = self.parts().map(|(_, part)| {
+            // Of a function that could not be expanded there are none.
+            let (own, others) = rest.split_at(part.size(spaces).min(rest.len()));
+            rest = others;
+            own
+        });
+        parts.collect()
+    }
+
+    /// The unit of each number.
+    #[must_use]
+    pub fn units(self, spaces: &Spaces) -> Vec<&'static str> {
+        self.parts()
+            .flat_map(|(_, part)| part.units(spaces))
+            .collect()
+    }
+
+    /// The entry that a number belongs to, of the first of the spaces of its quantity; none where that is
+    /// over no space.
+    #[must_use]
+    pub fn owner(self, spaces: &Spaces, number: usize) -> Option<usize> {
+        let mut number = number;
+        for (_, part) in self.parts() {
+            let size = part.size(spaces);
+            if number < size {
+                return part.owner(spaces, number);
+            }
+            number -= size;
+        }
+        None
     }
 }

@@ -51,10 +51,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let states = random::<7>(1000, 1);
     println!();
     println!(
-        "                                  price            worst error        ns per call in f64"
+        "                                      price            worst error        ns per call in f64"
     );
     println!(
-        "                             mul add trig dense      f64     f32  generated generic ratio"
+        "                                mul  add trig dense      f64     f32  generated generic ratio"
     );
     let all = Function::ALL.into_iter();
     // Which columns a base regressor has, a chain does not know.
@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [wide, single] = errors(function, &states);
         let (generated, generic) = times(function, &states[..64]);
         println!(
-            "  {:<26} {:>3} {:>3} {:>4} {:>5} {wide:>8.0e} {single:>7.0e} {:>10.0} {:>7.0} {:>5.0}",
+            "  {:<28} {:>4} {:>4} {:>4} {:>5} {wide:>8.0e} {single:>7.0e} {:>10.0} {:>7.0} {:>5.0}",
             function.name(),
             price.mul,
             price.add,

@@ -26,8 +26,11 @@ use super::dense::{axial, block, column, gravity_matrix, inverse, pseudo_scalar_
 use super::motion::{Freedom, Motion, Positions};
 use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
 use crate::robot::chain::{Chain, Frame};
+use crate::robot::derivatives::ForwardDynamicsDerivatives;
 use core::array::from_fn;
 use nalgebra::{Cholesky, Const, Matrix4, RealField, SMatrix, SVector};
+
+pub use super::derivatives::{coriolis_matrix, gravity_derivative, inverse_dynamics_derivatives};
 
 /// M₀,frame.
 ///
@@ -395,6 +398,38 @@ pub fn mass_matrix_inverse<
 ) -> [[T; N]; N] {
     let found = mass_matrix_factors(chain, q).map(|factors| factors.inverse());
     from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
+}
+
+/// ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂τ of the accelerations that the torques \[N m\] and forces \[N\] `tau` produce: of
+/// M q̈ + … = τ with q̈ as it is, ∂q̈ = M⁻¹ (∂τ − what inverse dynamics changes by), by Cholesky.
+///
+/// NaN where M is not positive definite.
+#[must_use]
+pub fn forward_dynamics_derivatives<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+    tau: &[T; N],
+) -> ForwardDynamicsDerivatives<N, T> {
+    let qdd = forward_dynamics(chain, q, qd, tau);
+    let needed = inverse_dynamics_derivatives(chain, q, qd, &qdd);
+    let factors = mass_matrix_factors(chain, q);
+    let answer = |needed: [[T; N]; N]| {
+        let needed: SMatrix<T, N, N> = SMatrix::from_fn(|i, m| -needed[i][m]);
+        let found = factors.as_ref().map(|factors| factors.solve(&needed));
+        from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
+    };
+    ForwardDynamicsDerivatives {
+        dq: answer(needed.dq),
+        dqd: answer(needed.dqd),
+        dtau: mass_matrix_inverse(chain, q),
+    }
 }
 
 /// The kinetic energy Σ ½ Tr(W J Wᵗ) \[J\] (22), and ½ q̇² of each armature.

@@ -91,7 +91,7 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
     }
 
     /// What the velocities of one joint do to its body.
-    fn of(&self, body: usize) -> impl Iterator<Item = Freedom<T>> {
+    pub(super) fn of(&self, body: usize) -> impl Iterator<Item = Freedom<T>> {
         let (start, count) = self.velocities[body];
         (0..count).map(move |k| Freedom {
             body,
@@ -178,6 +178,12 @@ impl<T: RealField + Copy> Freedom<T> {
             T::zero()
         };
         self.multiplier * (armature * second + damping * rate + against)
+    }
+
+    /// Viscous friction as the velocity feels it.
+    pub(super) fn damping(&self) -> T {
+        let damping: T = nalgebra::convert(self.drive.damping);
+        self.multiplier * self.multiplier * damping
     }
 
     /// The armature as the velocity feels it.

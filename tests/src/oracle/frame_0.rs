@@ -4,6 +4,8 @@
 //! function should return. No matrix is taken apart and no zero is known: this is the definition, and
 //! therefore slow (about 1 ms a joint).
 
+mod derivatives;
+
 use homogen_codegen::Function;
 
 use super::matrix::Matrix;
@@ -25,6 +27,10 @@ pub fn told() -> impl Iterator<Item = Function> {
 /// Where a frame is asked for that is not there, the mass matrix is singular and asked to be inverted, or
 /// a function has no oracle.
 #[must_use]
+#[expect(
+    clippy::too_many_lines,
+    reason = "one arm for each function, which is its definition"
+)]
 pub fn evaluate(
     robot: &Robot,
     function: Function,
@@ -158,6 +164,27 @@ pub fn evaluate(
         Function::CentroidalMomentumBias => {
             let motion = moving(&qd, &rest);
             about_mass_center(robot, &positions, &moments(robot, &positions, &motion.h))
+        }
+        Function::InverseDynamicsDerivatives => {
+            derivatives::of_torques(robot, &positions, [&qd, &qdd]).concat()
+        }
+        Function::ForwardDynamicsDerivatives => {
+            let qdd = evaluate(robot, Function::ForwardDynamics, frame, arguments);
+            let motion = [&*qd, &*qdd];
+            let found = derivatives::of_torques(robot, &positions, motion).map(|needed| {
+                let rows = needed.chunks(rest.len().max(1));
+                let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
+                solve(mass_matrix(robot, &positions), lacking.collect()).concat()
+            });
+            let dtau = evaluate(robot, Function::MassMatrixInverse, frame, arguments);
+            [found.concat(), dtau].concat()
+        }
+        Function::GravityDerivative => {
+            derivatives::by_coordinate(robot, &positions, [&rest, &rest])
+        }
+        Function::CoriolisMatrix => {
+            let motion = moving(&qd, &rest);
+            derivatives::coriolis(robot, &positions, &motion)
         }
         other => panic!("{} has no oracle", other.name()),
     }

@@ -186,7 +186,7 @@ fn unit(axis: usize) -> [Big; 3] {
 }
 
 /// Q = 1 + L φ + L² (1 − cos φ) + L³ (φ − sin φ), the series of § 5 summed by u̲ⁿ⁺² = −u̲ⁿ.
-fn exponential(l: &Matrix, phi: &Big) -> Matrix {
+pub(super) fn exponential(l: &Matrix, phi: &Big) -> Matrix {
     let (sine, cosine) = phi.sin_cos();
     let square = l * l;
     let cube = &square * l;

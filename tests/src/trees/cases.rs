@@ -64,7 +64,7 @@ pub fn cases(chain: &Chain, seed: u64, effort: Effort) -> Vec<Case> {
             });
         }
         let choice = if own && random.chance(8) {
-            Choice::Within(formulation(function, &mut random))
+            Choice::Within(formulation(chain, function, &mut random))
         } else {
             by(chain, function, &mut random)
         };
@@ -77,7 +77,7 @@ pub fn cases(chain: &Chain, seed: u64, effort: Effort) -> Vec<Case> {
     cases
 }
 
-fn formulation(function: Function, random: &mut Random) -> Formulation {
+fn formulation(chain: &Chain, function: Function, random: &mut Random) -> Formulation {
     let mut formulation = Formulation {
         frame: *random.choose(&[Frame::Link, Frame::Base]),
         parameters: *random.choose(&[Parameters::Regrouped, Parameters::Raw]),
@@ -86,7 +86,7 @@ fn formulation(function: Function, random: &mut Random) -> Formulation {
         ..Formulation::default()
     };
     if function == Function::ForwardDynamics {
-        formulation.forward = Some(forward(random));
+        formulation.forward = Some(forward(chain, random));
         if formulation.check().is_err() {
             formulation.frame = Frame::Link;
         }
@@ -94,11 +94,13 @@ fn formulation(function: Function, random: &mut Random) -> Formulation {
     formulation
 }
 
-fn forward(random: &mut Random) -> Forward {
+fn forward(chain: &Chain, random: &mut Random) -> Forward {
+    // Articulated bodies do not go over the loop that a joint closes which follows another.
+    let follows = chain.joints.len() > chain.spaces().velocities.len();
     match random.below(4) {
-        0 => Forward::Articulated,
+        0 if !follows => Forward::Articulated,
         refinements => Forward::MassMatrix {
-            refinements: refinements - 1,
+            refinements: refinements.saturating_sub(1),
         },
     }
 }
@@ -117,7 +119,7 @@ fn by(chain: &Chain, function: Function, random: &mut Random) -> Choice {
         ..*random.choose(&function.ways())
     };
     if function == Function::ForwardDynamics {
-        way.forward = forward(random);
+        way.forward = forward(chain, random);
         // What opposes an acceleration must be a body's.
         if way.forward == Forward::Articulated {
             (layout.regroup, way.frame) = (false, Frame::Link);

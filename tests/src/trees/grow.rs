@@ -89,19 +89,23 @@ fn attempt(random: &mut Random) -> Robot {
 
 /// Makes some joints follow others, in no circle.
 fn lead(bodies: &mut [Body], numbers: &mut Numbers) {
-    if !numbers.random.chance(3) {
+    if numbers.random.chance(2) {
         return;
     }
     let one = |body: &Body| body.kind.has_one_coordinate();
     let mut order: Vec<usize> = (0..bodies.len()).collect();
     shuffle(&mut order, numbers.random);
     for follower in 1..order.len() {
-        if !one(&bodies[order[follower]]) || !numbers.random.chance(2) {
+        if !one(&bodies[order[follower]]) || numbers.random.chance(3) {
             continue;
         }
-        let leader = &bodies[order[numbers.random.below(follower)]];
-        if one(leader) || leader.kind == Kind::Fixed {
-            let leader = leader.id;
+        // Rarely one that is fixed.
+        let may_be_fixed = numbers.random.chance(8);
+        let leads = |body: &&Body| one(body) || may_be_fixed && body.kind == Kind::Fixed;
+        let before = order[..follower].iter().map(|&at| &bodies[at]);
+        let leaders: Vec<usize> = before.filter(leads).map(|body| body.id).collect();
+        if !leaders.is_empty() {
+            let leader = *numbers.random.choose(&leaders);
             bodies[order[follower]].mimic = Some(bodies::mimic(leader, numbers));
         }
     }

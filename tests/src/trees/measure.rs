@@ -5,7 +5,8 @@
 //! torque of a joint the sum of the sizes of what its bodies ask of it, of an entry of the mass
 //! matrix the root of the two on its diagonal. Both of these can vanish where lever arms cancel, so
 //! that all masses at a hundredth of the reach stand beside them, and as much of all second moments; where
-//! the recursions run in frame 0, all of both. What solves with the mass matrix is not compared but put back: the torques of the
+//! the recursions run in frame 0, all of both. A derivative of torques is measured by all masses at the end of
+//! all lever arms. What solves with the mass matrix is not compared but put back: the torques of the
 //! accelerations, and the matrix times its inverse, beside the magnitudes that they are sums of.
 //!
 //! It decides nothing: what is wrong is for whoever asks.
@@ -37,6 +38,13 @@ pub struct Measure {
     mass: f64,
     /// The sum of their second moments [kg m²].
     moments: f64,
+}
+
+/// With respect to what a torque changes.
+#[derive(Clone, Copy)]
+enum Change {
+    Coordinate,
+    Rate,
 }
 
 impl Measure {
@@ -138,8 +146,44 @@ impl Measure {
             }
             Function::CentroidalMomentumMatrix => compared(&|k| self.momentum(k % 6)),
             Function::CentroidalMomentumBias => compared(&|k| rates * rates * self.momentum(k)),
+            Function::InverseDynamicsDerivatives => {
+                let sizes = [Change::Coordinate, Change::Rate].map(|of| self.change(arguments, of));
+                compared(&|k| sizes[k / (count * count)])
+            }
+            Function::ForwardDynamicsDerivatives => {
+                let (by_motion, inverse) = found.split_at(2 * count * count);
+                let matrix = expected(Function::MassMatrix);
+                let off = self.off_identity(inverse, count, &matrix);
+                off.max(self.unanswered(by_motion, arguments, &matrix))
+            }
+            Function::GravityDerivative => {
+                let mut at = arguments.clone();
+                at.qd.fill(0.0);
+                at.qdd.fill(0.0);
+                let size = self.change(&at, Change::Coordinate);
+                compared(&|_| size)
+            }
+            Function::CoriolisMatrix => {
+                let size = self.change(arguments, Change::Rate);
+                compared(&|_| size)
+            }
             other => panic!("{} has no measure", other.name()),
         }
+    }
+
+    /// What one rounding of all that torques are made of is, as accelerations, beside those of a state.
+    #[must_use]
+    pub fn drowned(&self, arguments: &Arguments) -> f64 {
+        let evaluate = |function| frame_0::evaluate(&self.robot, function, 0, arguments);
+        let sizes = self.torques(arguments).into_iter();
+        let matrix = evaluate(Function::MassMatrix);
+        let inertias = matrix.iter().step_by(arguments.qd.len() + 1);
+        let found = evaluate(Function::ForwardDynamics);
+        let found = found.iter().map(|qdd| qdd.to_f64().abs());
+        let rounded = sizes
+            .zip(inertias)
+            .map(|(size, m)| 0.5 * f64::EPSILON * size / m.to_f64());
+        rounded.fold(0.0, f64::max) / found.fold(0.0, f64::max)
     }
 
     /// What the momentum of a unit rate is made of: its entry of that number, about whichever pole within
@@ -163,6 +207,21 @@ impl Measure {
         sizes.into_iter().map(|size| size + floor).collect()
     }
 
+    /// What a unit of a coordinate, or of its rate, may change a torque by: all masses at the end of all
+    /// lever arms.
+    fn change(&self, at: &Arguments, of: Change) -> f64 {
+        let rates = self.gain * sum(&at.qd);
+        let inertia = self.mass * self.slide * self.slide + self.second;
+        let size = match of {
+            Change::Coordinate => {
+                let rates = self.gain * sum(&at.qdd) + rates * rates;
+                self.mass * self.slide * self.gravity + inertia * rates
+            }
+            Change::Rate => inertia * rates,
+        };
+        self.gain * self.gain * size
+    }
+
     /// The roots of the diagonal of the mass matrix.
     fn roots(&self, matrix: &[Big], count: usize) -> Vec<f64> {
         let diagonal = (0..count).map(|k| matrix[k * count + k].to_f64());
@@ -183,6 +242,42 @@ impl Measure {
         largest(&at.tau, &torques, &|k| {
             sizes[k] + roots[k] * opposed + at.tau[k].abs()
         })
+    }
+
+    /// M times derivatives of accelerations, and what inverse dynamics changes by, beside what that is for
+    /// accelerations as large as those that torques may be off by.
+    fn unanswered(&self, found: &[f64], arguments: &Arguments, matrix: &[Big]) -> f64 {
+        let count = arguments.qd.len();
+        let evaluate = |function, at: &Arguments| frame_0::evaluate(&self.robot, function, 0, at);
+        let mut at = arguments.clone();
+        let qdd = evaluate(Function::ForwardDynamics, arguments);
+        at.qdd = qdd.iter().map(Big::to_f64).collect();
+        let needed = evaluate(Function::InverseDynamicsDerivatives, &at);
+        let inverse = evaluate(Function::MassMatrixInverse, arguments);
+
+        let roots = self.roots(matrix, count);
+        let opposed = product(&at.qdd, &roots);
+        let sizes = self.torques(&at);
+        let off = (0..count).map(|k| {
+            let size = |j: usize| sizes[j] + roots[j] * opposed + at.tau[j].abs();
+            let row = inverse[k * count..].iter().take(count).enumerate();
+            row.map(|(j, entry)| entry.to_f64().abs() * size(j)).sum()
+        });
+        let off = off.collect();
+        at.qdd = off;
+        let sizes = [Change::Coordinate, Change::Rate].map(|of| self.change(&at, of));
+        let mut worst: f64 = 0.0;
+        for (k, needed) in needed.iter().enumerate() {
+            let (of, i, m) = (k / (count * count), k / count % count, k % count);
+            let column = found[of * count * count + m..].iter().step_by(count);
+            let column: Vec<f64> = column.take(count).copied().collect();
+            let terms = matrix[i * count..].iter().zip(&column);
+            let rest = terms.fold(needed.clone(), |sum, (entry, x)| sum + entry * Big::new(*x));
+            let size = sizes[of] + roots[i] * product(&column, &roots);
+            let rest = rest.abs().to_f64();
+            worst = worst.max(if rest == 0.0 { 0.0 } else { rest / size });
+        }
+        worst
     }
 
     /// M times its inverse, less 1.

@@ -154,7 +154,7 @@ impl<'r> Prepared<'r> {
             let found = run::<f64>(&program, |input| self.input(input, arguments));
             let mut found = found.as_slice();
             for &function in functions {
-                let (these, rest) = found.split_at(function.result().size(&self.chain.spaces()));
+                let (these, rest) = found.split_at(function.result().size(self.chain.spaces()));
                 found = rest;
                 let case = Case {
                     function,
@@ -197,10 +197,8 @@ impl<'r> Prepared<'r> {
             let solves = case.function.solves();
             let weightless = case.function.is_of_mass() && refusal.contains("has mass");
             let states = || (0..self.states.len()).any(singular);
-            if far
-                || weightless && self.is_weightless()
-                || !own && (states() || solves && self.is_described_singular())
-            {
+            let excused = || states() || solves && (self.is_described_singular() || self.cancels());
+            if far || weightless && self.is_weightless() || !own && excused() {
                 Ok(None)
             } else {
                 Err(refusal)
@@ -277,6 +275,14 @@ impl<'r> Prepared<'r> {
         pivot(&self.dense, &described) < REGULAR
     }
 
+    /// Whether a joint does what its follower takes back, so that rounding leaves half of the digits of
+    /// accelerations at most.
+    fn cancels(&self) -> bool {
+        let measure = Measure::of(&self.dense, None, false);
+        let drowned = |at: &Arguments| measure.drowned(at) > f64::EPSILON.sqrt();
+        !self.chain.all_lead() && self.states.iter().any(drowned)
+    }
+
     fn input(&self, input: Input, arguments: &Arguments) -> f64 {
         match input {
             Input::Variable(variable, k) => {
@@ -320,11 +326,16 @@ impl<'r> Prepared<'r> {
         let places = self.links().into_iter();
         let parameters = places.flat_map(|place| (0..10).map(move |k| 10 * place + k));
         let parameters: Vec<usize> = parameters.collect();
-        let orders = function.result().over.iter().map(|space| match space {
-            Space::Parameters => &*parameters,
-            _ => &*order,
+        let result = function.result();
+        let parts = result.parts().zip(result.split(self.chain.spaces(), found));
+        let parts = parts.map(|((_, part), found)| {
+            let orders = part.over.iter().map(|space| match space {
+                Space::Parameters => &*parameters,
+                _ => &*order,
+            });
+            permuted(found, &orders.collect::<Vec<_>>())
         });
-        permuted(found, &orders.collect::<Vec<_>>())
+        parts.flatten().collect()
     }
 
     /// For each link of the dense robot that moves against the one it hangs on, its place among the chain's.

@@ -5,7 +5,7 @@
 
 use std::fmt;
 use std::fs::{self, File};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use homogen_codegen::Real;
@@ -116,7 +116,12 @@ impl C {
     /// Those whose programs run here.
     pub fn that_run() -> Vec<Self> {
         let all = Self::all().into_iter();
-        all.filter(|compiler| compiler.target.is_empty()).collect()
+        all.filter(Self::runs_here).collect()
+    }
+
+    /// Whether its programs run here.
+    pub fn runs_here(&self) -> bool {
+        self.target.is_empty()
     }
 
     fn is_here(&self) -> bool {
@@ -130,32 +135,29 @@ impl C {
         command
     }
 
-    /// Compiles a source without a complaint, and links it with nothing at all: no library is called,
-    /// unless compilers clear memory by one.
-    pub fn alone(&self, folder: &Folder, file: &str) {
-        let (source, alone) = (folder.path(file), folder.path("alone"));
+    /// Compiles a source without a complaint.
+    pub fn object(&self, folder: &Folder, file: &str, options: &[&str]) -> PathBuf {
+        let object = folder.path(&format!("{file}_{}.o", self.name));
         let mut command = self.command();
-        command.args(["-nostdlib", "-Wl,-e,0", "-fno-builtin"]);
-        succeed(command.arg(source).arg("-o").arg(alone));
+        // Compilers would clear memory by a function of the library.
+        command.args(options).args(["-fno-builtin", "-c"]);
+        succeed(command.arg(folder.path(file)).arg("-o").arg(&object));
+        object
     }
 
-    /// Compiles and links a program without a complaint.
-    pub fn program(&self, folder: &Folder, options: &[&str]) -> Program {
-        let program = folder.path(&format!(
-            "main_{}{}",
-            self.name,
-            options.concat().replace('/', "")
-        ));
-        // The program's own code may use what it likes.
-        let sources = ["arm.c", "main.c"].map(|file| folder.path(file));
-        succeed(
-            self.command()
-                .args(options)
-                .args(sources)
-                .arg("-o")
-                .arg(&program)
-                .arg("-lm"),
-        );
+    /// Links an object with nothing at all: it calls no library.
+    pub fn alone(&self, folder: &Folder, object: &Path) {
+        let mut command = self.command();
+        command.args(["-nostdlib", "-Wl,-e,0"]).arg(object);
+        succeed(command.arg("-o").arg(folder.path("alone")));
+    }
+
+    /// Links an object with a program that calls all of it.
+    pub fn program(&self, folder: &Folder, object: &Path) -> Program {
+        let program = folder.path(&format!("main_{}", self.name));
+        let mut command = self.command();
+        command.arg(folder.path("main.c")).arg(object);
+        succeed(command.arg("-o").arg(&program).arg("-lm"));
         Program {
             program,
             folder: folder.path(""),

@@ -26,9 +26,6 @@ pub fn rust(robot: &Robot, real: Real) -> String {
         impl<T: Numbers, const N: usize> Numbers for [T; N] {{
             fn write(&self, bytes: &mut Vec<u8>) {{ self.iter().for_each(|one| one.write(bytes)) }}
         }}
-        impl<A: Numbers, B: Numbers> Numbers for (A, B) {{
-            fn write(&self, bytes: &mut Vec<u8>) {{ self.0.write(bytes); self.1.write(bytes) }}
-        }}
         fn main() {{
             let mut input = Vec::new();
             std::io::stdin().read_to_end(&mut input).unwrap();
@@ -64,11 +61,17 @@ pub fn rust(robot: &Robot, real: Real) -> String {
             .iter()
             .map(|of| format!("&{}", of.name()))
             .collect();
-        let _ = writeln!(
-            text,
-            "arm.{name}({}).write(&mut output);",
-            arguments.join(", ")
-        );
+        let _ = writeln!(text, "let found = arm.{name}({});", arguments.join(", "));
+        for (place, function) in functions.iter().enumerate() {
+            let among = match &**functions {
+                [_] => String::new(),
+                _ => format!(".{place}"),
+            };
+            for (part, _) in function.result().parts() {
+                let part = part.map_or_else(String::new, |part| format!(".{part}"));
+                let _ = writeln!(text, "found{among}{part}.write(&mut output);");
+            }
+        }
     }
     text.push_str("}\nstd::io::stdout().write_all(&output).unwrap();\n}\n");
     text
@@ -90,7 +93,10 @@ pub fn c(robot: &Robot, real: Real) -> String {
     for variable in Variable::ALL {
         let name = variable.name();
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "const {number} *{name} = state + {place};");
+        let _ = writeln!(
+            text,
+            "const {number} *{name} = state + {place}; (void){name};"
+        );
         place += robot.spaces.len(variable.space());
     }
     if !robot.fields.is_empty() {
@@ -106,15 +112,17 @@ pub fn c(robot: &Robot, real: Real) -> String {
         let mut handed: Vec<String> = robot_first.into_iter().collect();
         let arguments = Variable::together(functions.iter().map(|function| function.arguments()));
         handed.extend(arguments.iter().map(|of| of.name().to_owned()));
-        for function in functions {
-            let (result, lengths) = (function.name(), lengths(*function, robot));
+        let results: Vec<(String, String)> = functions
+            .iter()
+            .flat_map(|function| results(*function, robot))
+            .collect();
+        for (result, lengths) in &results {
             let _ = writeln!(text, "{number} {result}{lengths};");
             let address = if lengths.is_empty() { "&" } else { "" };
             handed.push(format!("{address}{result}"));
         }
         let _ = writeln!(text, "arm_{name}({});", handed.join(", "));
-        for function in functions {
-            let result = function.name();
+        for (result, _) in &results {
             let _ = writeln!(text, "fwrite(&{result}, sizeof {result}, 1, stdout);");
         }
         text.push_str("}\n");
@@ -123,10 +131,19 @@ pub fn c(robot: &Robot, real: Real) -> String {
     text
 }
 
-/// `[2][6]`; nothing for a number.
-fn lengths(function: Function, robot: &Robot) -> String {
-    let quantity = function.result();
-    let lengths = quantity.lengths(&robot.spaces).into_iter();
-    let lengths = lengths.chain(quantity.entity.dimensions().iter().copied());
-    lengths.fold(String::new(), |all, length| format!("{all}[{length}]"))
+/// The results of a function, each with its lengths: `[2][6]`, or nothing for a number.
+fn results(function: Function, robot: &Robot) -> Vec<(String, String)> {
+    let parts = function.result().parts().map(|(part, quantity)| {
+        let lengths = quantity.lengths(&robot.spaces).into_iter();
+        let lengths = lengths.chain(quantity.entity.dimensions().iter().copied());
+        let name = match part {
+            Some(part) => format!("{}_{part}", function.name()),
+            None => function.name().to_owned(),
+        };
+        (
+            name,
+            lengths.fold(String::new(), |all, length| format!("{all}[{length}]")),
+        )
+    });
+    parts.collect()
 }

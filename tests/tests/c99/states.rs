@@ -6,25 +6,7 @@
 use std::array::from_fn;
 
 use homogen_codegen::Real;
-use homogen_tests::states::Random;
-
-/// What no sensor should say: of the type whose every number is one of the other's as well.
-const NASTY: [f32; 14] = [
-    f32::NAN,
-    f32::INFINITY,
-    f32::NEG_INFINITY,
-    f32::MAX,
-    -1e30,
-    1e10,
-    -3.0e6,
-    3201.0,
-    -3200.0,
-    1e-30,
-    f32::MIN_POSITIVE,
-    1e-40,
-    -0.0,
-    0.0,
-];
+use homogen_tests::states::{NASTY, Random};
 
 /// So many states with so many numbers, which both types hold.
 pub fn everyday(numbers: usize, states: usize) -> Vec<f64> {

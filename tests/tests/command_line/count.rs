@@ -88,7 +88,7 @@ fn in_words_it_is_a_table() {
     );
     assert!(
         all.remarks
-            .contains(" and acceleration: the robot has more than one end,"),
+            .contains(" and acceleration_bias: the robot has more than one end,"),
         "{}",
         all.remarks
     );

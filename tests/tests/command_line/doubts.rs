@@ -101,8 +101,10 @@ fn what_is_left_out_is_told_with_the_reason() {
     let text = massless();
     let reason = "<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix \
                   is singular";
-    let note =
-        format!("note: left out: forward_dynamics and mass_matrix_inverse: {reason}\n  hint: give");
+    let note = format!(
+        "note: left out: forward_dynamics, mass_matrix_inverse and forward_dynamics_derivatives: \
+         {reason}\n  hint: give"
+    );
     for command in ["count - --tip hand", "generate - --tip hand"] {
         let answer = homogen(command, &text);
         assert_eq!(answer.code, 0);
@@ -125,8 +127,8 @@ fn what_is_left_out_is_told_with_the_reason() {
 #[test]
 fn a_file_tells_what_is_left_out_at_its_head_and_above_the_struct() {
     let answer = homogen("generate - --tip hand", &massless());
-    let line = "Left out: `forward_dynamics` and `mass_matrix_inverse` (<stdin>:21:16: joint \
-                \"slide\" can accelerate without any force: the mass matrix is singular).\n";
+    let line = "Left out: `forward_dynamics`, `mass_matrix_inverse` and \
+                `forward_dynamics_derivatives` (<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix is singular).\n";
     for opening in ["// ", "/// "] {
         let told = answer.output.matches(&format!("\n{opening}{line}")).count();
         assert_eq!(told, 1, "{}", answer.output);

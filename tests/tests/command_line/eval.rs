@@ -51,6 +51,35 @@ fn says_the_shape_and_the_rows() {
 }
 
 #[test]
+fn several_quantities_are_an_object() {
+    let states = r#"{"states":[{"q":[0.5,1,0.25],"qd":[0,0,0],"qdd":[0,0,0]}]}"#;
+    let of = |function: &str| -> Value {
+        let answer = eval(&format!("--function {function} --format json"), states);
+        serde_json::from_str(&answer.output).expect("JSON")
+    };
+    let derivatives = of("inverse_dynamics_derivatives");
+    assert_eq!(derivatives["shape"], json!({ "dq": [3, 3], "dqd": [3, 3] }));
+    let result = &derivatives["results"][0];
+    assert_eq!(keys(result), ["dq", "dqd"]);
+    // At rest only gravity answers, and no rate does.
+    assert_eq!(result["dqd"], json!(vec![vec![0.0; 3]; 3]));
+    let [answered, gravity] =
+        [&result["dq"], &of("gravity_derivative")["results"][0]].map(|rows| {
+            let rows = rows.as_array().expect("rows").iter();
+            let entries = rows.flat_map(|row| row.as_array().expect("entries").clone());
+            entries
+                .map(|entry| entry.as_f64().expect("a number"))
+                .collect::<Vec<_>>()
+        });
+    assert_eq!((answered.len(), gravity.len()), (9, 9));
+    let mut pairs = answered.iter().zip(&gravity);
+    assert!(pairs.all(|(x, y)| (x - y).abs() < 1e-12), "{answered:?}");
+    let text = eval("--function inverse_dynamics_derivatives", states).output;
+    assert!(text.starts_with("dq of inverse_dynamics_derivatives of state 0\n"));
+    assert!(text.contains("\ndqd of inverse_dynamics_derivatives of state 0\n"));
+}
+
+#[test]
 fn prints_the_shortest_digits_of_the_arithmetic() {
     let states = r#"{"states":[{"q":[0.5,1,0.25]}]}"#;
     let results = |scalar: &str| {

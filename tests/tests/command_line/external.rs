@@ -74,7 +74,7 @@ fn mistakes_are_told() {
     }
     assert_eq!(
         refused("count - --functions gravity --external hand", ARM),
-        "error: actions from outside enter inverse and forward dynamics, and neither is asked for\n  \
+        "error: actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for\n  \
          hint: leave them out, or ask for inverse_dynamics or forward_dynamics\n"
     );
     assert_eq!(homogen("count - --external-in-frame-0", ARM).code, 2);

@@ -13,10 +13,10 @@ use homogen_codegen::chain::Chain;
 fn worst_of(chain: &Chain, function: Function, bound: &Bound, errors: &[f64]) -> f64 {
     let (result, spaces) = (function.result(), chain.spaces());
     let name = |k: usize| {
-        let owner = result.owner(&spaces, k)?;
-        Some(&spaces.entries(result.over[0])[owner].name)
+        let owner = result.owner(spaces, k)?;
+        Some(&spaces.velocities[owner].name)
     };
-    let units = result.units(&spaces).into_iter();
+    let units = result.units(spaces).into_iter();
     let own = units.zip(errors).enumerate();
     let own = own.filter(|(k, (unit, _))| *unit == bound.unit && name(*k) == bound.joint.as_ref());
     own.fold(0.0, |most, (_, (_, &error))| most.max(error))

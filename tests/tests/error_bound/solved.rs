@@ -111,7 +111,7 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
     // Of each row, by unit.
     let units = Function::MassMatrix
         .result()
-        .units(&chain.spaces())
+        .units(chain.spaces())
         .into_iter();
     let lost: Vec<f64> = (units.enumerate())
         .map(|(k, unit)| {

@@ -110,19 +110,22 @@ impl Columns {
         let Link { path, states, .. } = &self.links[rows_of];
         let joint = self.links[link].joint;
         let inwards = std::iter::successors(Some(joint), |&joint| self.parents[joint]);
-        let movers: Vec<usize> = inwards.collect();
         let mut rows: Vec<usize> = path.iter().map(|&joint| self.velocities[joint]).collect();
         rows.sort_unstable();
         rows.dedup();
+        // Of each row, what it moves inboard of the link.
+        let mut movers = vec![Vec::new(); rows.len()];
+        for mover in inwards {
+            if let Ok(row) = rows.binary_search(&self.velocities[mover]) {
+                movers[row].push(mover);
+            }
+        }
         let mut columns: [Vec<f64>; PARAMETERS] = Default::default();
         for state in &self.states[..*states] {
             let Some(body) = &state[joint] else { continue };
-            for &row in &rows {
+            for movers in &movers {
                 let mut seen = [0.0; PARAMETERS];
-                let of_row = movers
-                    .iter()
-                    .filter(|&&mover| self.velocities[mover] == row);
-                for mover in of_row.filter_map(|&mover| state[mover].as_ref()) {
+                for mover in movers.iter().filter_map(|&mover| state[mover].as_ref()) {
                     for (entry, power) in seen.iter_mut().zip(powers(mover, body)) {
                         *entry += power;
                     }

@@ -265,6 +265,8 @@ fn every_kind_of_joint_can_have_a_drive() {
                 Function::ForwardDynamics,
                 Function::MassMatrixInverse,
                 Function::KineticEnergy,
+                Function::InverseDynamicsDerivatives,
+                Function::CoriolisMatrix,
             ],
         );
         let facts = listing.about.facts.join("; ");
@@ -283,7 +285,73 @@ fn every_kind_of_joint_can_have_a_drive() {
         };
         generate(
             &alone,
-            &[Function::ForwardDynamics, Function::MassMatrixInverse],
+            &[
+                Function::ForwardDynamics,
+                Function::ForwardDynamicsDerivatives,
+                Function::MassMatrixInverse,
+            ],
         );
     }
+}
+
+/// What drives and the surroundings do, together, where an action turns with its link and where it stays; by joints
+/// whose velocities carry each other's screws, and by one that follows another.
+#[test]
+fn derivatives_know_drives_and_actions_on_every_kind_of_joint() {
+    let link = |name: &str| {
+        format!(
+            "link {name} {{ mass: 1.5, com: [0.1, 0.02, -0.03], inertia: [0.02, 0.001, 0, 0.03, 0, 0.04] }}"
+        )
+    };
+    let links = ["a", "b", "c", "d"].map(link).concat();
+    for joint in ["cylindrical(y)", "planar(y)", "spherical", "floating"] {
+        for frame in ["", ", frame = 0"] {
+            let (description, request) = read(&format!(
+                "struct Robot {{ external(b, c, d{frame}) }} link base; {links}
+                joint one: revolute(z) {{ from: base, to: a, armature: 0.25, friction: 0.5 }}
+                joint two: {joint} {{ from: a, to: b, at: xyz(0.2, 0.1, 0.3) rpy(0.4, -0.3, 0.2), damping: 0.5 }}
+                joint three: revolute(x) {{ from: b, to: c, at: xyz(0, 0.2, 0), mimic: one, multiplier: -2.0,
+                    armature: 0.125, damping: 0.5, friction: 0.75 }}
+                joint four: prismatic(x) {{ from: b, to: d, at: rz(0.3), damping: 2 }}"
+            ));
+            let builder = Builder::from_description(description).request(request);
+            let functions = [
+                Function::InverseDynamicsDerivatives,
+                Function::ForwardDynamicsDerivatives,
+            ];
+            let listing = builder.generate(functions).listing();
+            listing.unwrap_or_else(|errors| panic!("{joint}{frame}: {errors}"));
+        }
+    }
+}
+
+/// Ṁ − 2C is skew-symmetric, with and without friction: it is none of what rates do by the inertia of bodies.
+#[test]
+fn the_coriolis_matrix_has_none() {
+    let price = |settings: &str| {
+        let (description, request) = read(&arm(settings));
+        let builder = Builder::from_description(description).request(request);
+        let listing = builder.generate([Function::CoriolisMatrix]).listing();
+        listing.expect("no mistakes").functions[0].program.clone()
+    };
+    let drives = "armature(shoulder = 1), damping(elbow = 2), friction(shoulder = 3)";
+    assert_eq!(format!("{:?}", price(drives)), format!("{:?}", price("")));
+}
+
+#[test]
+fn regressors_have_no_columns_of_drives() {
+    let said_of = |settings: &str| {
+        let (description, request) = read(&arm(settings));
+        let builder = Builder::from_description(description).request(request);
+        let listing = builder
+            .generate([Function::BaseRegressor, Function::Regressor])
+            .listing();
+        listing.err().map(|errors| errors.to_string())
+    };
+    assert_eq!(said_of(""), None);
+    let refused = said_of("damping(elbow = 2)").expect("a refusal");
+    assert!(
+        refused.contains("friction or armature is modelled"),
+        "{refused}"
+    );
 }

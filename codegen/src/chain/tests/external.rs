@@ -7,6 +7,7 @@ use crate::builder::Builder;
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters};
 use crate::function::Function;
 use crate::print::Listing;
+use crate::space::Variable;
 
 /// A joint with several velocities, parallel axes, a link that is merged.
 fn tree(settings: &str) -> (Description, Request) {
@@ -27,15 +28,26 @@ fn tree(settings: &str) -> (Description, Request) {
     ))
 }
 
-const BOTH: [Function; 2] = [Function::InverseDynamics, Function::ForwardDynamics];
+const ALL: [Function; 4] = [
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::InverseDynamicsDerivatives,
+    Function::ForwardDynamicsDerivatives,
+];
 
 fn listed(settings: &str, formulation: Formulation) -> Listing {
+    // Derivatives are dear, and do not depend on the form of accelerations that are asked for.
+    let functions = if formulation.forward.is_some() {
+        &ALL[..2]
+    } else {
+        &ALL[..]
+    };
     let (description, request) = tree(settings);
     let builder = Builder::from_description(description).request(Request {
         formulation,
         ..request
     });
-    let listing = builder.generate(BOTH).listing();
+    let listing = builder.generate(functions.iter().copied()).listing();
     listing.unwrap_or_else(|errors| panic!("{formulation:?}: {errors}"))
 }
 
@@ -67,6 +79,11 @@ fn every_form_agrees_with_dense_matrices() {
             let listing = listed(&settings, formulation);
             assert_eq!(listing.spaces.actions(), 3);
             assert_eq!(listing.spaces.actions[0].name, "finger.cx");
+            assert!((listing.functions.iter()).all(|listed| {
+                listed
+                    .arguments(&listing.spaces)
+                    .contains(&Variable::Actions)
+            }));
         }
     }
 }
@@ -90,7 +107,7 @@ fn what_is_printed_tells_links_and_frame() {
 }
 
 #[test]
-fn only_inverse_and_forward_dynamics_take_them() {
+fn inverse_and_forward_dynamics_and_their_derivatives_take_them() {
     let (description, request) = tree("tip: tool, external(finger, h)");
     let builder = Builder::from_description(description)
         .request(request)
@@ -98,15 +115,19 @@ fn only_inverse_and_forward_dynamics_take_them() {
     let source = builder
         .clone()
         .runtime("::homogen")
-        .generate([Function::InverseDynamics, Function::Bias])
+        .generate([
+            Function::InverseDynamics,
+            Function::ForwardDynamicsDerivatives,
+            Function::Bias,
+        ])
         .to_source()
         .expect("no mistakes")
         .to_string();
     let count = |text: &str| source.matches(text).count();
-    assert_eq!(count("actions: &[::homogen::Action<T>; 2],"), 1, "{source}");
-    assert_eq!(count("actions.map(|action| (action.c(), action.f()))"), 1);
-    // The trait's method knows of none.
-    assert_eq!(count("&[::homogen::Action::zero(); 2]"), 1, "{source}");
+    assert_eq!(count("actions: &[::homogen::Action<T>; 2],"), 2, "{source}");
+    assert_eq!(count("actions.map(|action| (action.c(), action.f()))"), 2);
+    // The traits' methods know of none.
+    assert_eq!(count("&[::homogen::Action::zero(); 2]"), 2, "{source}");
     let core = builder
         .extern_c("arm_")
         .generate([Function::ForwardDynamics])
@@ -134,7 +155,7 @@ fn actions_that_change_nothing() {
     assert_eq!(
         said(&arm("external(tool), generate(gravity, bias)")),
         lines(&[
-            "error: actions from outside enter inverse and forward dynamics, and neither is asked for",
+            "error: actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for",
             "  hint: leave them out, or ask for inverse_dynamics or forward_dynamics",
         ])
     );

@@ -156,10 +156,9 @@ fn a_follower_has_no_entries_and_tells_what_moves_it() {
         panic!("{:?}", chain.joints[2]);
     };
     assert_eq!((coordinate, chain.joints[2].velocity), (1, 1));
-    // The sign is in the direction of the axis.
     assert_eq!(
         chain.graph.value(factor).unwrap().to_f64().to_bits(),
-        2.0_f64.to_bits()
+        (-2.0_f64).to_bits()
     );
 }
 
@@ -182,6 +181,14 @@ fn a_follower_stands_still_with_its_leader() {
     assert_eq!(entries(&path, Space::Coordinates), ["wrist", "one"]);
     let beside = fine(&hand("tip = palm, path_only", follower));
     assert_eq!(entries(&beside, Space::Coordinates), ["wrist"]);
+    // A joint that is not there passes on what it follows.
+    let through = hand("drop(left)", "mimic: one").replace(
+        "one: prismatic(y) { from: palm, to: left }",
+        "one: prismatic(y) { from: palm, to: left, mimic: wrist, multiplier: 0.5 }",
+    );
+    let through = fine(&through);
+    assert_eq!(entries(&through, Space::Coordinates), ["wrist"]);
+    assert_eq!(through.report.mimicked[0].leader, "wrist");
     // Held by itself, it follows nobody, who need not be there.
     let alone = fine(&hand("lock(other)", "mimic: nobody"));
     assert_eq!(entries(&alone, Space::Coordinates), ["wrist", "one"]);

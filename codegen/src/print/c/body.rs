@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 use super::Writing;
-use super::declarations::{argument_lengths, lengths, members, number};
+use super::declarations::{argument_lengths, lengths, members, number, results};
 use super::literals::literal;
 use super::names::unscoped;
 use crate::formulation::Sines;
@@ -41,10 +41,11 @@ pub(super) fn body(listing: &Listing, listed: &Listed, writing: &Writing<'_>) ->
 /// What nothing in a function can be called.
 fn names(listed: &Listed, writing: &Writing<'_>) -> Names {
     let mut names = unscoped();
-    let results = listed.functions.iter().map(|function| function.name());
-    let library = ["cos", "cosf", "robot", "sin", "sinf", "sqrt", "sqrtf"];
-    for name in results.chain(library) {
+    for name in ["cos", "cosf", "robot", "sin", "sinf", "sqrt", "sqrtf"] {
         names.take(name);
+    }
+    for (name, _) in results(&listed.functions) {
+        names.take(&name);
     }
     for own in ["sin_cos", "turn"] {
         names.take(&writing.own(own));
@@ -192,13 +193,12 @@ impl Writer<'_> {
     /// The results, one after the other.
     fn store(&mut self, routine: &Routine, listing: &Listing, listed: &Listed) {
         let mut values = routine.results.iter();
-        for function in &listed.functions {
-            let lengths = lengths(*function, &listing.spaces);
-            let name = function.name();
+        for (name, quantity) in results(&listed.functions) {
+            let lengths = lengths(&quantity, &listing.spaces);
             let size = lengths.iter().product::<usize>();
             for (k, value) in values.by_ref().take(size).enumerate() {
                 let value = self.read(value);
-                let place = place(name, k, &lengths);
+                let place = place(&name, k, &lengths);
                 self.line(&format!("{place} = {value};"));
             }
         }

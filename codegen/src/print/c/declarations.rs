@@ -11,7 +11,7 @@ use super::names::{ascii, constants, unscoped};
 use crate::function::Function;
 use crate::print::{Listed, Listing, documentation};
 use crate::real::Real;
-use crate::space::{ACTION, Space, Spaces, Variable};
+use crate::space::{ACTION, Quantity, Space, Spaces, Variable};
 use crate::wording::code;
 
 /// The type of number.
@@ -112,17 +112,30 @@ pub(super) fn parameters(listing: &Listing, listed: &Listed, prefix: &str) -> St
     let arguments = arguments
         .map(|argument| declarator(argument.name(), &argument_lengths(argument, spaces)))
         .map(|argument| format!("const {number} {argument}"));
-    let results = listed.functions.iter();
+    let results = results(&listed.functions).into_iter();
     let results = results
-        .map(|function| declarator(function.name(), &lengths(*function, spaces)))
+        .map(|(name, quantity)| declarator(&name, &lengths(&quantity, spaces)))
         .map(|result| format!("{number} {result}"));
     let all: Vec<_> = robot.into_iter().chain(arguments).chain(results).collect();
     all.join(", ")
 }
 
+/// The results of some functions, each with its name: that of the function, and of the quantity where it
+/// returns several.
+pub(in crate::print) fn results(functions: &[Function]) -> Vec<(String, Quantity)> {
+    let results = functions.iter().flat_map(|function| {
+        let name = function.name();
+        let parts = function.result().parts();
+        parts.map(move |(part, quantity)| match part {
+            Some(part) => (format!("{name}_{part}"), quantity),
+            None => (name.to_owned(), quantity),
+        })
+    });
+    results.collect()
+}
+
 /// How long the arrays within arrays are that hold a result, the outermost first; a number is in none.
-pub(super) fn lengths(function: Function, spaces: &Spaces) -> Vec<usize> {
-    let quantity = function.result();
+pub(super) fn lengths(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     [&*quantity.lengths(spaces), quantity.entity.dimensions()].concat()
 }
 

@@ -72,10 +72,11 @@ fn function(
         .iter()
         .map(|argument| ident(argument.name()))
         .collect();
-    let results = listed.functions.iter();
-    let results: Vec<_> = results.map(|function| ident(function.name())).collect();
-    let types = listed.functions.iter();
-    let types = types.map(|function| type_of(&function.result(), &lengths, dialect));
+    let results = c::results(&listed.functions);
+    let types = results
+        .iter()
+        .map(|(_, quantity)| type_of(quantity, &lengths, dialect));
+    let results: Vec<_> = results.iter().map(|(name, _)| ident(name)).collect();
 
     let (receiver, value) = if listing.parameters.is_empty() {
         (TokenStream::new(), quote! { #robot })
@@ -83,15 +84,36 @@ fn function(
         (quote! { robot: &#robot, }, quote! { robot })
     };
     let call = quote! { #value.#method(#(#arguments),*) };
-    let body = match &*results {
-        [result] => quote! { #result.write(#call); },
-        results => {
-            let values = results.iter().map(|result| format_ident!("{result}_"));
-            let values: Vec<_> = values.collect();
-            quote! {
-                let (#(#values),*) = #call;
-                #(#results.write(#values);)*
-            }
+    // What several functions return is a tuple, several quantities of one a struct.
+    let values: Vec<_> = listed
+        .functions
+        .iter()
+        .map(|function| {
+            let value = ident(function.name());
+            format_ident!("{value}_")
+        })
+        .collect();
+    let pattern = match &*values {
+        [value] => quote! { #value },
+        values => quote! { (#(#values),*) },
+    };
+    let parts = listed
+        .functions
+        .iter()
+        .zip(&values)
+        .flat_map(|(function, value)| {
+            function.result().parts().map(move |(part, _)| {
+                let part = part.map(ident);
+                let part = part.map(|part| quote! { .#part });
+                quote! { #value #part }
+            })
+        });
+    let body = if let ([result], [_]) = (&*results, &*listed.functions) {
+        quote! { #result.write(#call); }
+    } else {
+        quote! {
+            let #pattern = #call;
+            #(#results.write(#parts);)*
         }
     };
     let about =

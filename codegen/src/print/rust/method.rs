@@ -40,14 +40,21 @@ pub(super) fn method(
         listing,
         dialect,
     );
-    let result = result_value(&listed.functions, &listing.spaces, &results, dialect);
+    let result = result_value(item, &listed.functions, &listing.spaces, &results, dialect);
 
     let about = documentation::of_function(listing, listed, dialect.angles().as_ref());
     let about = doc(&about);
     let visibility = &item.visibility;
     let lengths = known(&listing.spaces);
     let acted = listing.spaces.actions() > 0;
-    let signature = signature(name, (&listed.functions, acted), &lengths, None, dialect);
+    let signature = signature(
+        item,
+        name,
+        (&listed.functions, acted),
+        &lengths,
+        None,
+        dialect,
+    );
     quote! {
         #about
         #[must_use]
@@ -100,13 +107,14 @@ pub(super) fn implementation(
     let of = quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> };
     let head = declaration::implementation(item, &of, &generics(unknown, dialect));
     let method = ident(function.name());
-    let parameters = parameters((&[function], false), lengths, dialect);
+    let parameters = parameters(item, (&[function], false), lengths, dialect);
     quote! { #head { #[inline] fn #method #parameters { #call } } }
 }
 
 /// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]` of functions, which actions from outside
 /// enter or not; `unknown` is a generic parameter that stands for the number of joints.
 pub(super) fn signature(
+    item: &Item,
     name: &Ident,
     functions: (&[Function], bool),
     lengths: Lengths<'_>,
@@ -118,7 +126,7 @@ pub(super) fn signature(
         [] => quote! { #name },
         generics => quote! { #name<#(#generics),*> },
     };
-    let parameters = parameters(functions, lengths, dialect);
+    let parameters = parameters(item, functions, lengths, dialect);
     quote! { fn #name #parameters }
 }
 
@@ -133,6 +141,7 @@ fn generics(unknown: Option<&TokenStream>, dialect: &Dialect) -> Vec<TokenStream
 
 /// `(&self, q: &[T; 2]) -> [T; 2]`.
 fn parameters(
+    item: &Item,
     (functions, acted): (&[Function], bool),
     lengths: Lengths<'_>,
     dialect: &Dialect,
@@ -142,6 +151,6 @@ fn parameters(
         let of = type_of(argument, lengths, dialect);
         quote! { #name: &#of }
     });
-    let result = result_type(functions, lengths, dialect);
+    let result = result_type(item, functions, lengths, dialect);
     quote! { (&self, #(#parameters),*) -> #result }
 }

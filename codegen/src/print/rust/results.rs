@@ -1,27 +1,113 @@
 //! The types of results, and the expressions that make them.
 //!
 //! In: a quantity and its numbers. Out: the runtime's typed matrices, or arrays where there is no
-//! runtime, in arrays by the spaces that they are over. It never reorders the numbers of a program.
+//! runtime, in arrays by the spaces that they are over; structs of several quantities, which are the
+//! runtime's, or the file's own. It never reorders the numbers of a program.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
+use syn::ext::IdentExt;
 
+use super::comments::doc;
 use super::dialect::Dialect;
-use super::lengths::{Lengths, array, literal};
+use super::item::Item;
+use super::lengths::{Lengths, array, known, literal};
+use super::names::ident;
 use super::world::World;
 use crate::function::Function;
-use crate::space::{Entity, Quantity, Spaces};
+use crate::print::Listing;
+use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 
 /// The type of what `functions` return together.
 pub(super) fn result_type(
+    item: &Item,
     functions: &[Function],
     lengths: Lengths<'_>,
     dialect: &Dialect,
 ) -> TokenStream {
-    let types = functions
-        .iter()
-        .map(|function| type_of(&function.result(), lengths, dialect));
+    let types = functions.iter().map(|&function| match function.result() {
+        Outcome::One(quantity) => type_of(&quantity, lengths, dialect),
+        outcome @ Outcome::Parts(_) => {
+            let path = structure(item, function, dialect);
+            match dialect.world {
+                World::Runtime(_) => {
+                    let lengths = spaces(outcome).into_iter().map(lengths);
+                    let number = &dialect.number;
+                    quote! { #path<#(#lengths,)* #number> }
+                }
+                World::Core(_) => path,
+            }
+        }
+    });
     one_or_tuple(types.collect())
+}
+
+/// The spaces that some quantities are over, each once.
+fn spaces(outcome: Outcome) -> Vec<Space> {
+    let mut found = Vec::new();
+    for &space in outcome.parts().flat_map(|(_, part)| part.over) {
+        if !found.contains(&space) {
+            found.push(space);
+        }
+    }
+    found
+}
+
+/// The path of the struct that a function of several quantities returns.
+fn structure(item: &Item, function: Function, dialect: &Dialect) -> TokenStream {
+    match &dialect.world {
+        World::Runtime(runtime) => {
+            // It is called as the function is, in the case of types.
+            let name = format_ident!("{function:?}");
+            quote! { #runtime::#name }
+        }
+        World::Core(_) => {
+            let name = own_structure(item, function);
+            quote! { #name }
+        }
+    }
+}
+
+/// The name of that struct where there is no runtime.
+fn own_structure(item: &Item, function: Function) -> Ident {
+    format_ident!("{}{function:?}", item.ident.unraw())
+}
+
+/// The structs that functions return, where there is no runtime to have them.
+pub(super) fn own_structures(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+    let World::Core(_) = dialect.world else {
+        return TokenStream::new();
+    };
+    let mut functions: Vec<Function> = (listing.functions.iter())
+        .flat_map(|listed| listed.functions.iter().copied())
+        .collect();
+    functions.sort_unstable();
+    functions.dedup();
+    let lengths = known(&listing.spaces);
+    let structures = functions.into_iter().filter_map(|function| {
+        let Outcome::Parts(parts) = function.result() else {
+            return None;
+        };
+        let name = own_structure(item, function);
+        let about = doc(&[format!(
+            "What [`{}::{}`] returns.",
+            item.ident.unraw(),
+            function.name()
+        )]);
+        let visibility = &item.visibility;
+        let fields = parts.iter().map(|part| {
+            let field = ident(part.name);
+            let about = doc(&[part.about.to_owned()]);
+            let kind = type_of(&part.quantity, &lengths, dialect);
+            quote! { #about pub #field: #kind }
+        });
+        Some(quote! {
+            #about
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            #visibility struct #name { #(#fields),* }
+        })
+    });
+    structures.collect()
 }
 
 /// The type of one result.
@@ -52,17 +138,31 @@ fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
 
 /// The value of what `functions` return together: their numbers stand one after the other.
 pub(super) fn result_value(
+    item: &Item,
     functions: &[Function],
     spaces: &Spaces,
     numbers: &[TokenStream],
     dialect: &Dialect,
 ) -> TokenStream {
     let mut rest = numbers;
-    let values = functions.iter().map(|function| {
-        let quantity = function.result();
-        let (own, others) = rest.split_at(quantity.size(spaces).min(rest.len()));
+    let values = functions.iter().map(|&function| {
+        let outcome = function.result();
+        let (own, others) = rest.split_at(outcome.size(spaces).min(rest.len()));
         rest = others;
-        value_of(&quantity, spaces, own, dialect)
+        let parts = outcome.parts().zip(outcome.split(spaces, own));
+        let fields: Vec<(Option<Ident>, TokenStream)> = parts
+            .map(|((name, quantity), own)| {
+                (name.map(ident), value_of(&quantity, spaces, own, dialect))
+            })
+            .collect();
+        match &*fields {
+            [(None, value)] => value.clone(),
+            fields => {
+                let path = structure(item, function, dialect);
+                let fields = fields.iter().map(|(name, value)| quote! { #name: #value });
+                quote! { #path { #(#fields),* } }
+            }
+        }
     });
     one_or_tuple(values.collect())
 }

@@ -64,8 +64,14 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
             let parameters: Vec<_> = parameter.iter().chain(&further).collect();
             let parameters = (!parameters.is_empty()).then(|| quote! { #(#parameters),* });
             let parameter = parameters.as_ref();
-            let signature =
-                method::signature(&name, (functions, acted), &lengths, parameter, &dialect);
+            let signature = method::signature(
+                item,
+                &name,
+                (functions, acted),
+                &lengths,
+                parameter,
+                &dialect,
+            );
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {

@@ -2,6 +2,7 @@
 
 use super::super::{Library, Source, World, c_header, header, print};
 use super::{function, listing, made, pretty, with_payload};
+use crate::function::Function;
 use crate::real::Real;
 
 #[test]
@@ -83,4 +84,32 @@ pub extern "C" fn arm_gravity(
         "{header}"
     );
     assert!(c_header(&listing, &made(), "f32", &Library::default()).is_none());
+}
+
+#[test]
+fn several_quantities_are_a_struct_and_for_c_an_array_each() {
+    let mut listing = listing(Real::F32);
+    let listed = &mut listing.functions[0];
+    listed.functions = vec![Function::InverseDynamicsDerivatives];
+    listed.program.results = listed.program.results.repeat(4);
+    let library = Library {
+        c_prefix: Some("arm_".to_owned()),
+        ..Library::default()
+    };
+    let text = pretty(&print(&listing, &made(), &World::Core(library.clone())));
+    for part in [
+        "    ) -> PendulumInverseDynamicsDerivatives {\n",
+        "        PendulumInverseDynamicsDerivatives {\n            dq: [[phi_1, phi_2], [phi_1, phi_2]],\n",
+        "#[derive(Clone, Copy, Debug, PartialEq)]\npub struct PendulumInverseDynamicsDerivatives {\n",
+        "    pub dqd: [[f32; 2]; 2],\n",
+        "    inverse_dynamics_derivatives_dq.write(inverse_dynamics_derivatives_.dq);\n",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    let header = c_header(&listing, &made(), "f32", &library).expect("it was asked for");
+    let results = "float inverse_dynamics_derivatives_dq[2][2], float inverse_dynamics_derivatives_dqd[2][2]);";
+    assert!(header.contains(results), "{header}");
+    let text = pretty(&print(&listing, &made(), &World::default()));
+    let path = "-> ::homogen::InverseDynamicsDerivatives<2, ::core::primitive::f32> {\n";
+    assert!(text.contains(path), "{text}");
 }

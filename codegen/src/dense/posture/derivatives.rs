@@ -1,0 +1,171 @@
+//! What a small change of q or q̇ does to the torques of a motion, by the rule for products.
+//!
+//! In: a posture and rates. Out: matrices, row by row, a row a force. A motion along L changes what it carries
+//! by ∂L' = L L' − L' L and ∂J = L J + J Lᵗ; all else follows from W, H and Φ as sums and products of 4×4
+//! matrices, whose changes are carried from link to link. It knows no composite, and no formula for
+//! a derivative.
+
+use super::{Posture, Rates, Scalar};
+use crate::dense::Matrix;
+
+/// With respect to what.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Of {
+    Coordinates,
+    Rates,
+}
+
+/// What a link changes by.
+struct Change {
+    w: Matrix<Scalar>,
+    h: Matrix<Scalar>,
+    /// Of each L of its joint.
+    screws: Vec<Matrix<Scalar>>,
+}
+
+impl Posture {
+    /// ∂τ/∂q and ∂τ/∂q̇ of a motion, against gravity.
+    pub(in crate::dense) fn torque_derivatives(&self, rates: &Rates) -> [Vec<Scalar>; 2] {
+        let [by_coordinate, mut by_rate] = [Of::Coordinates, Of::Rates]
+            .map(|of| self.by_columns(|joint, screw| self.change(rates, joint, screw, of)));
+        // Of drives only viscous friction changes; the sign of a rate does not, but where it steps.
+        for freedom in self.freedoms() {
+            let [_, damping, _] = freedom.drive;
+            let own = &mut by_rate[freedom.velocity * (self.robot.velocities + 1)];
+            *own = *own + freedom.factor * freedom.factor * damping;
+        }
+        [by_coordinate, by_rate]
+    }
+
+    /// ∂(Σ Jᵗ Φ)/∂q of actions from outside, row by row: Φ of a link turns with it, Φ in frame 0 stays.
+    pub(in crate::dense) fn outside_derivative(&self, actions: &[f64]) -> Vec<Scalar> {
+        let turns = !self.robot.external.1;
+        let actions: Vec<_> = self.outside_actions(actions).collect();
+        self.by_columns(|joint, along| {
+            let carried = self.carried(joint);
+            let mut felt = vec![Scalar::exact(0.0); self.robot.velocities];
+            for (link, action) in &actions {
+                let turned = along.times(action);
+                let turned = turned.plus(&action.times(&along.transposed()));
+                for body in self.inwards(*link) {
+                    for (velocity, screw) in &self.screws[body] {
+                        let mut change = Scalar::exact(0.0);
+                        if carried[body] {
+                            change = change + super::along(&along.commutator(screw), action);
+                        }
+                        if turns && carried[*link] {
+                            change = change + super::along(screw, &turned);
+                        }
+                        felt[*velocity] = felt[*velocity] + change;
+                    }
+                }
+            }
+            felt
+        })
+    }
+
+    /// C of M q̈ + C q̇, by what H at q̈ = 0 is linear in: Σ (L̇ₘ + Lₘ W) q̇ₘ.
+    pub(in crate::dense) fn coriolis_matrix(&self, rates: &Rates) -> Vec<Scalar> {
+        let motions = self.motions(rates);
+        self.by_columns(|joint, screw| {
+            let (rate, carried) = (motions[joint].0.commutator(screw), self.carried(joint));
+            self.forces(|link| carried[link].then(|| rate.plus(&screw.times(&motions[link].0))))
+        })
+    }
+
+    /// A matrix by its columns, each the sum of those of all screws that go with a velocity, each with the body
+    /// whose joint has it.
+    fn by_columns(&self, column: impl Fn(usize, &Matrix<Scalar>) -> Vec<Scalar>) -> Vec<Scalar> {
+        let count = self.robot.velocities;
+        let mut matrix = vec![Scalar::exact(0.0); count * count];
+        for (joint, screws) in self.screws.iter().enumerate() {
+            for (velocity, screw) in screws {
+                let entries = matrix.iter_mut().skip(*velocity).step_by(count);
+                for (entry, own) in entries.zip(column(joint, screw)) {
+                    *entry = *entry + own;
+                }
+            }
+        }
+        matrix
+    }
+
+    /// Which bodies the joint of a body carries, with it.
+    fn carried(&self, joint: usize) -> Vec<bool> {
+        let mut carried = vec![false; self.robot.bodies.len()];
+        carried[joint] = true;
+        for (link, body) in self.robot.bodies.iter().enumerate() {
+            carried[link] |= body.parent.is_some_and(|parent| carried[parent]);
+        }
+        carried
+    }
+
+    /// What the torques change by, for each unit that the joint of a body moves farther along a screw, or
+    /// faster.
+    fn change(&self, rates: &Rates, joint: usize, along: &Matrix<Scalar>, of: Of) -> Vec<Scalar> {
+        let carried = self.carried(joint);
+        let motions = self.motions(rates);
+        let falling = self.falling();
+        let mut changes: Vec<Change> = Vec::new();
+        let mut actions: Vec<[Matrix<Scalar>; 2]> = Vec::new();
+        for (link, body) in self.robot.bodies.iter().enumerate() {
+            let inertia = &self.inertias[link];
+            let h = motions[link].1.plus(&falling);
+            let action = h.times(inertia).skew();
+            let screws = self.screws[link].iter().map(|(_, screw)| match of {
+                Of::Coordinates if carried[link] => along.commutator(screw),
+                _ => Matrix::zero(),
+            });
+            let screws: Vec<_> = screws.collect();
+            if !carried[link] {
+                let (w, h) = (Matrix::zero(), Matrix::zero());
+                changes.push(Change { w, h, screws });
+                actions.push([action, Matrix::zero()]);
+                continue;
+            }
+            let still = || (Matrix::zero(), Matrix::zero(), Matrix::zero());
+            let (w, w_change, h_change) = body.parent.map_or_else(still, |parent| {
+                let Change { w, h, .. } = &changes[parent];
+                (motions[parent].0.clone(), w.clone(), h.clone())
+            });
+            // Of H + Σ L q̈ + (Σ L q̇)² + 2 W Σ L q̇.
+            let (mut own, mut own_change) = (Matrix::zero(), Matrix::zero());
+            let mut second_change = Matrix::zero();
+            for ((k, screw), change) in self.screws[link].iter().zip(&screws) {
+                own = own.plus(&screw.scaled(&rates.first[*k]));
+                own_change = own_change.plus(&change.scaled(&rates.first[*k]));
+                second_change = second_change.plus(&change.scaled(&rates.second[*k]));
+            }
+            if of == Of::Rates && link == joint {
+                own_change = along.clone();
+            }
+            let squares = own_change.times(&own).plus(&own.times(&own_change));
+            let mixed = w_change.times(&own).plus(&w.times(&own_change));
+            let h_change = (h_change.plus(&second_change).plus(&squares))
+                .plus(&mixed.scaled(&Scalar::exact(2.0)));
+            let mut flow = h_change.times(inertia);
+            if of == Of::Coordinates {
+                let turned = along.times(inertia);
+                flow = flow.plus(&h.times(&turned.plus(&turned.transposed())));
+            }
+            actions.push([action, flow.skew()]);
+            changes.push(Change {
+                w: w_change.plus(&own_change),
+                h: h_change,
+                screws,
+            });
+        }
+        let mut felt = vec![Scalar::exact(0.0); self.robot.velocities];
+        for (link, body) in self.robot.bodies.iter().enumerate().rev() {
+            let [action, action_change] = actions[link].clone();
+            for ((k, screw), change) in self.screws[link].iter().zip(&changes[link].screws) {
+                let own = super::along(screw, &action_change) + super::along(change, &action);
+                felt[*k] = felt[*k] + own;
+            }
+            if let Some(parent) = body.parent {
+                let [outer, outer_change] = &actions[parent];
+                actions[parent] = [outer.plus(&action), outer_change.plus(&action_change)];
+            }
+        }
+        felt
+    }
+}

@@ -165,8 +165,8 @@ impl Builder {
         self
     }
 
-    /// A link on which the surroundings act: inverse and forward dynamics take `actions`, one for each such
-    /// link in the order of these calls, in the link's frame.
+    /// A link on which the surroundings act: inverse and forward dynamics and their derivatives take
+    /// `actions`, one for each such link in the order of these calls, in the link's frame.
     pub fn external(mut self, link: impl Into<String>) -> Self {
         self.request.external.push(named(link));
         self

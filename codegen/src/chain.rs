@@ -206,6 +206,14 @@ impl Chain {
         self.joints.len() == self.spaces.velocities.len()
     }
 
+    /// Whether joints feel more than their bodies: an armature or friction, or a field that may be one.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        let is_there = |entry: Expr| !self.graph.term(entry).is_zero();
+        let mut drives = self.joints.iter().flat_map(|joint| joint.drive.entries());
+        drives.any(is_there)
+    }
+
     /// Whether every body has a coordinate of its own as well.
     #[must_use]
     pub fn is_plain(&self) -> bool {

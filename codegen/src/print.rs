@@ -64,6 +64,8 @@ pub struct About {
     pub tip: String,
     /// What is modelled and what is not: `2 links merged`, `gravity only along −z`.
     pub facts: Vec<String>,
+    /// Whether joints feel more than their bodies: an armature or friction.
+    pub driven: bool,
     /// The words of the formulation that was asked for, where it is not the default.
     pub formulation: Vec<String>,
     /// Doubts about the description, each a sentence with its place.

@@ -49,8 +49,8 @@ pub(super) struct Robot {
     /// Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]
     #[arg(long, value_name = "x,y,z", value_parser = gravity, allow_hyphen_values = true)]
     gravity: Option<Gravity>,
-    /// A link on which the surroundings act: inverse and forward dynamics take an action for each, in
-    /// its own frame
+    /// A link on which the surroundings act: inverse and forward dynamics and their derivatives take an
+    /// action for each, in its own frame
     #[arg(long, value_name = "LINK,…", value_delimiter = ',')]
     external: Vec<String>,
     /// These actions are in frame 0

@@ -29,6 +29,7 @@ pub(super) fn about(description: &Description, chain: &Chain, formulation: Formu
             _ => String::new(),
         },
         facts: facts(chain, formulation.parameters),
+        driven: chain.is_driven(),
         formulation: formulation.words(),
         warnings: warnings(description, chain),
         left_out: Vec::new(),

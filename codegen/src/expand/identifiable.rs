@@ -11,9 +11,7 @@ use crate::error::{Errors, Place};
 /// Where a joint has either, or a field that may be.
 pub fn identifiable(chain: &Chain) -> Result<(), Errors> {
     let mut errors = chain.source.errors();
-    let feels = |entry| !chain.graph.term(entry).is_zero();
-    let mut joints = chain.joints.iter();
-    if joints.any(|joint| joint.drive.entries().into_iter().any(feels)) {
+    if chain.is_driven() {
         errors.push_with_hint(
             Place::Unknown,
             "regressors have columns of links alone, and friction or armature is modelled: τ would not be Y π",

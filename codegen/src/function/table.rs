@@ -104,6 +104,19 @@ impl Function {
         matches!(self.truth(), Truth::OfMass(_))
     }
 
+    /// Whether it is of bodies that move, and has nothing of what joints feel beside them.
+    #[must_use]
+    pub const fn is_of_bodies(self) -> bool {
+        matches!(
+            self,
+            Self::CoriolisMatrix
+                | Self::Momentum
+                | Self::CentroidalMomentum
+                | Self::CentroidalMomentumMatrix
+                | Self::CentroidalMomentumBias
+        )
+    }
+
     /// Whether it is of what torques tell of the parameters of links.
     #[must_use]
     pub const fn identifies(self) -> bool {

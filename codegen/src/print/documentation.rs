@@ -9,6 +9,7 @@ mod error;
 use std::fmt::Write;
 
 use super::{About, LeftOut, Listed, Listing};
+use crate::function::Function;
 use crate::real::Real;
 use crate::request::Target;
 use crate::space::{Kind, Space, Spaces, Variable};
@@ -66,6 +67,10 @@ pub(super) fn of_function(
     }
     lines.push(origin(listing));
     lines.extend(facts(about));
+    let of_bodies = |function: &Function| function.is_of_bodies();
+    if about.driven && listed.functions.iter().any(of_bodies) {
+        lines.push("Momenta and the Coriolis matrix are of bodies alone: friction and armature are not in them.".to_owned());
+    }
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
     for accuracy in &listed.accuracy {

@@ -724,7 +724,10 @@ fn jacobian_rate<
     let positions = &motion.positions;
     let (m, w_seen) = seen_by(&positions.pose_of(frame), &motion.velocity_of(frame.body));
     let mut columns = [Matrix4::zeros(); N];
-    for Freedom { body, velocity, l } in positions.freedoms() {
+    for freedom in positions.freedoms() {
+        let Freedom {
+            body, velocity, l, ..
+        } = freedom;
         if let Some(column) = columns.get_mut(velocity)
             && chain.carries(body, frame.body)
         {

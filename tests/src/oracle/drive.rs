@@ -55,10 +55,15 @@ impl Drive {
     /// What it takes of the velocity's torque: armature q̈ + damping q̇ + friction sign q̇.
     #[must_use]
     pub fn takes(&self, qd: &[Big], qdd: &[Big]) -> Big {
+        let sign = Arithmetic::sign(&self.factor * &qd[self.velocity]);
+        self.takes_smoothly(qd, qdd) + &self.factor * &self.friction * sign
+    }
+
+    /// The part of it that does not step: armature q̈ + damping q̇.
+    #[must_use]
+    pub fn takes_smoothly(&self, qd: &[Big], qdd: &[Big]) -> Big {
         let own = |rates: &[Big]| &self.factor * &rates[self.velocity];
-        let (rate, second) = (own(qd), own(qdd));
-        let sign = Arithmetic::sign(rate.clone());
-        let force = &self.armature * second + &self.damping * rate + &self.friction * sign;
+        let force = &self.armature * own(qdd) + &self.damping * own(qd);
         &self.factor * force
     }
 

@@ -166,21 +166,23 @@ pub fn evaluate(
             about_mass_center(robot, &positions, &moments(robot, &positions, &motion.h))
         }
         Function::InverseDynamicsDerivatives => {
-            derivatives::of_torques(robot, &positions, [&qd, &qdd]).concat()
+            derivatives::of_torques(robot, &positions, [&qd, &qdd], &arguments.actions).concat()
         }
         Function::ForwardDynamicsDerivatives => {
             let qdd = evaluate(robot, Function::ForwardDynamics, frame, arguments);
             let motion = [&*qd, &*qdd];
-            let found = derivatives::of_torques(robot, &positions, motion).map(|needed| {
-                let rows = needed.chunks(rest.len().max(1));
-                let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
-                solve(mass_matrix(robot, &positions), lacking.collect()).concat()
-            });
+            let found = derivatives::of_torques(robot, &positions, motion, &arguments.actions).map(
+                |needed| {
+                    let rows = needed.chunks(rest.len().max(1));
+                    let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
+                    solve(mass_matrix(robot, &positions), lacking.collect()).concat()
+                },
+            );
             let dtau = evaluate(robot, Function::MassMatrixInverse, frame, arguments);
             [found.concat(), dtau].concat()
         }
         Function::GravityDerivative => {
-            derivatives::by_coordinate(robot, &positions, [&rest, &rest])
+            derivatives::by_coordinate(robot, &positions, [&rest, &rest], &[])
         }
         Function::CoriolisMatrix => {
             let motion = moving(&qd, &rest);

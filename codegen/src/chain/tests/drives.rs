@@ -328,14 +328,25 @@ fn derivatives_know_drives_and_actions_on_every_kind_of_joint() {
 /// Ṁ − 2C is skew-symmetric, with and without friction: it is none of what rates do by the inertia of bodies.
 #[test]
 fn the_coriolis_matrix_has_none() {
-    let price = |settings: &str| {
+    let builder = |settings: &str| {
         let (description, request) = read(&arm(settings));
         let builder = Builder::from_description(description).request(request);
-        let listing = builder.generate([Function::CoriolisMatrix]).listing();
-        listing.expect("no mistakes").functions[0].program.clone()
+        builder.generate([Function::CoriolisMatrix])
+    };
+    let program = |settings: &str| {
+        let listing = builder(settings).listing().expect("no mistakes");
+        format!("{:?}", listing.functions[0].program)
     };
     let drives = "armature(shoulder = 1), damping(elbow = 2), friction(shoulder = 3)";
-    assert_eq!(format!("{:?}", price(drives)), format!("{:?}", price("")));
+    assert_eq!(program(drives), program(""));
+    let says = |settings: &str| {
+        let source = builder(settings)
+            .to_source()
+            .expect("no mistakes")
+            .to_string();
+        source.contains("friction and armature are not in them")
+    };
+    assert_eq!([says(drives), says("")], [true, false]);
 }
 
 #[test]

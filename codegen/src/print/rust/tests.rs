@@ -118,6 +118,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
     Listing {
         spaces: turning(["shoulder", "elbow"].map(str::to_owned)),
         about: About {
+            driven: false,
             robot: "double pendulum".to_owned(),
             source: Some(("pendulum.urdf".to_owned(), 0x00c0_ffee)),
             base: "world".to_owned(),

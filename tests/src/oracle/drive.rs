@@ -24,6 +24,22 @@ pub struct Drive {
 }
 
 impl Drive {
+    /// Armature, damping and friction of a joint whose own rate is so many times that of a velocity.
+    #[must_use]
+    pub const fn new(
+        velocity: usize,
+        factor: Big,
+        [armature, damping, friction]: [Big; 3],
+    ) -> Self {
+        Self {
+            velocity,
+            factor,
+            armature,
+            damping,
+            friction,
+        }
+    }
+
     /// Those of a part of a joint, which is that of the given number.
     pub fn of<'d>(
         request: &'d Request,
@@ -65,6 +81,25 @@ impl Drive {
         let own = |rates: &[Big]| &self.factor * &rates[self.velocity];
         let force = &self.armature * own(qdd) + &self.damping * own(qd);
         &self.factor * force
+    }
+
+    /// The damping as the velocity feels it.
+    #[must_use]
+    pub fn damping(&self) -> Big {
+        &self.factor * &self.factor * &self.damping
+    }
+
+    /// The sum of the sizes of what it takes.
+    #[must_use]
+    pub fn size(&self, qd: f64, qdd: f64) -> f64 {
+        let factor = self.factor.abs().to_f64();
+        let rubs = if qd == 0.0 {
+            0.0
+        } else {
+            self.friction.to_f64()
+        };
+        let (inertia, damping) = (self.armature().to_f64(), self.damping().to_f64());
+        inertia * qdd.abs() + damping * qd.abs() + factor * rubs
     }
 
     /// The armature as the velocity feels it.

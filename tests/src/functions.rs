@@ -200,9 +200,15 @@ impl<T: Scalar> Blocks<T> for Action<T> {
     }
 }
 
+/// One block of a rate: of axes that stay parallel nothing is left of its u but what was rounded.
 impl<T: Scalar, const N: usize> Blocks<T> for [Screw<T>; N] {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
-        screws(function, self)
+        if function.ends_with("_rate") {
+            let entries = self.iter().flat_map(|one| [one.u(), one.b()]).flatten();
+            vec![Block::new(function, entries)]
+        } else {
+            screws(function, self)
+        }
     }
 }
 

@@ -24,6 +24,8 @@ pub struct Matrices {
     /// H, and H − H_g.
     pub h: [Vec<Acceleration<f64>>; 2],
     j: Vec<Inertia<f64>>,
+    /// Of all bodies, and of what regrouping has left to the base.
+    mass: f64,
 }
 
 /// The numbers of terms that no input enters.
@@ -67,6 +69,7 @@ impl Matrices {
             w: Vec::new(),
             h: [Vec::new(), Vec::new()],
             j: Vec::new(),
+            mass: inertia(&bodies.base).mass(),
         };
         for (k, body) in bodies.bodies.iter().enumerate() {
             let l = screw(body);
@@ -95,6 +98,7 @@ impl Matrices {
             .map(|outer| outer.compose(&own.1, &w_outer, &own.0));
             all.m.push(m);
             all.l.push(l);
+            all.mass += j.mass();
             all.j.push(j);
             all.w.push(w_outer + own.0);
             all.h.iter_mut().zip(h).for_each(|(list, h)| list.push(h));
@@ -214,6 +218,12 @@ impl Matrices {
                 return known
                     .map(|j| inertia_entry(&m_k_0.change_frame(&j), entry))
                     .collect();
+            }
+            // The first moment in J, by the mass of the robot.
+            "c" => {
+                let carried = self.outboard(body(pair)?);
+                let whole = carried.fold(Inertia::zero(), |sum, k| sum + self.j[k]);
+                m_k_0.change_frame(&whole).q()[axis(entry)?] / self.mass
             }
             "phi" => return self.actions(body(pair)?, m_k_0, entry),
             _ => return None,

@@ -52,7 +52,7 @@ pub(super) fn method(
         name,
         (&listed.functions, acted),
         &lengths,
-        None,
+        &[],
         dialect,
     );
     quote! {
@@ -81,16 +81,16 @@ pub(super) fn in_trait(
     };
     let arguments = arguments.map(ToTokens::into_token_stream).chain(actions);
     let call = quote! { Self::#name(self, #(#arguments),*) };
-    implementation(item, function, &lengths, None, &call, dialect)
+    implementation(item, function, &lengths, &[], &call, dialect)
 }
 
 /// The implementation of a function's trait, for arrays of the given lengths (which may be the
-/// parameter `unknown`) and with the given body.
+/// parameters `unknown`) and with the given body.
 pub(super) fn implementation(
     item: &Item,
     function: Function,
     lengths: Lengths<'_>,
-    unknown: Option<&TokenStream>,
+    unknown: &[TokenStream],
     call: &TokenStream,
     dialect: &Dialect,
 ) -> TokenStream {
@@ -112,13 +112,13 @@ pub(super) fn implementation(
 }
 
 /// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]` of functions, which actions from outside
-/// enter or not; `unknown` is a generic parameter that stands for the number of joints.
+/// enter or not; `unknown` are generic parameters that stand for lengths.
 pub(super) fn signature(
     item: &Item,
     name: &Ident,
     functions: (&[Function], bool),
     lengths: Lengths<'_>,
-    unknown: Option<&TokenStream>,
+    unknown: &[TokenStream],
     dialect: &Dialect,
 ) -> TokenStream {
     let generics = generics(unknown, dialect);
@@ -131,12 +131,9 @@ pub(super) fn signature(
 }
 
 /// The generic parameters of a function.
-fn generics(unknown: Option<&TokenStream>, dialect: &Dialect) -> Vec<TokenStream> {
-    dialect
-        .bound()
-        .into_iter()
-        .chain(unknown.cloned())
-        .collect()
+fn generics(unknown: &[TokenStream], dialect: &Dialect) -> Vec<TokenStream> {
+    let bound = dialect.bound().into_iter();
+    bound.chain(unknown.iter().cloned()).collect()
 }
 
 /// `(&self, q: &[T; 2]) -> [T; 2]`.

@@ -61,15 +61,13 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
                 .iter()
                 .any(|function| function.further().next().is_some());
             let further = further.then(|| constant(&other));
-            let parameters: Vec<_> = parameter.iter().chain(&further).collect();
-            let parameters = (!parameters.is_empty()).then(|| quote! { #(#parameters),* });
-            let parameter = parameters.as_ref();
+            let parameters: Vec<_> = parameter.iter().cloned().chain(further).collect();
             let signature = method::signature(
                 item,
                 &name,
                 (functions, acted),
                 &lengths,
-                parameter,
+                &parameters,
                 &dialect,
             );
             let unreachable = quote! { ::core::unreachable!() };
@@ -79,7 +77,7 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
                     item,
                     *function,
                     &lengths,
-                    parameter,
+                    &parameters,
                     &unreachable,
                     &dialect,
                 ));

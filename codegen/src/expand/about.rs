@@ -4,6 +4,8 @@
 //! what is not, every doubt with its place. It never says anything of one function: that is its
 //! price and its accuracy.
 
+use std::collections::BTreeSet;
+
 use crate::chain::Chain;
 use crate::description::Description;
 use crate::error::Errors;
@@ -72,9 +74,11 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
         "residues taken for zero",
     );
     let drives = |is: fn(&Drive<Expr>) -> Expr| {
-        let joints = chain.joints.iter();
-        let joints = joints.filter(|joint| !chain.graph.term(is(&joint.drive)).is_zero());
-        joints.count()
+        let driven = chain.joints.iter();
+        let driven = driven.filter(|joint| !chain.graph.term(is(&joint.drive)).is_zero());
+        // A joint with several velocities is one.
+        let joints: BTreeSet<&str> = driven.map(|joint| joint.of.as_str()).collect();
+        joints.len()
     };
     let what = [
         (drives(|drive| drive.armature), "armature of"),

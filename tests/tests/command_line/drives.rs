@@ -47,6 +47,13 @@ fn mistakes_and_doubts_are_told() {
         "error: joint \"mount\" is fixed and has no friction\n\
          error: there is no joint \"nobody\"\n"
     );
+    for command in ["base-parameters -", "count - --functions regressor"] {
+        let refusal = refused(&format!("{command} --damping shoulder=1"), ARM);
+        assert!(
+            refusal.contains("friction or armature is modelled"),
+            "{refusal}"
+        );
+    }
     let doubtful = homogen("check - --friction --rotors", ARM);
     assert_eq!(doubtful.code, 0);
     let any = "is asked for, and no joint that moves is described with any";

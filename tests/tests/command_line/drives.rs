@@ -36,6 +36,21 @@ fn are_added_to_the_torques() {
     assert_eq!(taken(rotor), json!([0.0, 0.5, 0.0]));
 }
 
+/// Beside multiplications and additions, where there are any.
+#[test]
+fn signs_are_counted() {
+    let signs = |options: &str| {
+        let answer = homogen(
+            &format!("count - --functions bias --format json {options}"),
+            ARM,
+        );
+        let answer: Value = serde_json::from_str(&answer.output).expect("JSON");
+        answer["functions"]["bias"]["sign"].clone()
+    };
+    assert_eq!(signs("--friction=elbow=0.25 --friction=slide=3"), json!(2));
+    assert_eq!(signs("--damping shoulder=0.5"), Value::Null);
+}
+
 #[test]
 fn mistakes_and_doubts_are_told() {
     let usage = homogen("check - --damping shoulder", ARM);

@@ -26,11 +26,7 @@ pub struct Drive {
 impl Drive {
     /// Armature, damping and friction of a joint whose own rate is so many times that of a velocity.
     #[must_use]
-    pub const fn new(
-        velocity: usize,
-        factor: Big,
-        [armature, damping, friction]: [Big; 3],
-    ) -> Self {
+    pub fn new(velocity: usize, factor: Big, [armature, damping, friction]: [Big; 3]) -> Self {
         Self {
             velocity,
             factor,

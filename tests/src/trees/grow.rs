@@ -227,8 +227,10 @@ fn load(robot: &mut Robot, numbers: &mut Numbers) {
     }
     if random.chance(4) {
         let mut moving: Vec<usize> = robot.bodies.iter().map(|body| body.id).collect();
-        moving.push(robot.asked.base);
-        moving.retain(|&id| (id == robot.asked.base || robot.models(id)) && robot.moves(id));
+        moving.retain(|&id| id == robot.asked.base || robot.models(id));
+        // The root is no joint's.
+        moving.extend((robot.asked.base == 0).then_some(0));
+        moving.retain(|&id| robot.moves(id));
         shuffle(&mut moving, random);
         moving.truncate(2);
         robot.asked.external = moving;

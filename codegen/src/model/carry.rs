@@ -10,12 +10,13 @@ use std::iter::successors;
 
 use super::state::State;
 use super::turn::{self, Turn};
+use super::way::{Congruence, Way};
 use crate::chain::Position;
 use crate::expression::Term;
-use crate::formulation::{Angles, Frame};
+use crate::formulation::Frame;
 use crate::joint::{Drive, Motion};
 use crate::layout::{Bodies, Body};
-use crate::matrix::{Action, Inertia, Pose, Rotation, Screw, Vector, Velocity};
+use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
 use crate::space::Variable;
 
 /// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it,
@@ -32,6 +33,8 @@ pub struct Joint<'g> {
     pub frame: usize,
     /// The number of the frame in which those of the body are that it hangs on.
     pub outer_frame: usize,
+    /// Whether what is placed in frame 0 is seen from the body at the root, in the axes of frame 0.
+    pub from_root: bool,
     /// M from the parent's frame to where the displacement starts.
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of the turn.
@@ -50,11 +53,19 @@ pub struct Joint<'g> {
     pub inertia: Inertia<Term<'g>>,
     /// What is modelled of its drive.
     pub drive: Drive<Term<'g>>,
+    /// How inertias turn with it.
+    pub congruence: Congruence,
 }
 
 impl<'g> Joint<'g> {
     /// The joint of body `k`, where `left` is what each body's frame leaves of its turn.
-    fn new(bodies: &Bodies<'g>, k: usize, state: &State<'g>, left: &[Option<Turn<'g>>]) -> Self {
+    fn new(
+        bodies: &Bodies<'g>,
+        k: usize,
+        state: &State<'g>,
+        left: &[Option<Turn<'g>>],
+        congruence: Congruence,
+    ) -> Self {
         let body: &Body<'g> = &bodies.bodies[k];
         let graph = state.graph;
         let (zero, one) = (state.zero(), graph.constant(1.0));
@@ -83,6 +94,7 @@ impl<'g> Joint<'g> {
             motion: body.motion,
             frame: k + 1,
             outer_frame: body.parent.map_or(0, |parent| parent + 1),
+            from_root: false,
             placement,
             angle,
             slide,
@@ -95,6 +107,7 @@ impl<'g> Joint<'g> {
                 None => body.inertia,
             },
             drive: body.drive,
+            congruence,
         }
     }
 
@@ -126,12 +139,24 @@ impl<'g> Joint<'g> {
     fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
         let index = self.index + 1;
-        pose.translation.label(|| format!("m_0_{index}_t"));
+        if !self.from_root {
+            pose.translation.label(|| format!("m_0_{index}_t"));
+        }
         for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
             let column = pose.rotation.column(k);
             column.label(|| format!("m_0_{index}_{axis}"));
         }
         pose
+    }
+
+    /// Leaves the origin of a body at the root where that of frame 0 is: it turns there.
+    fn stay(&mut self) {
+        let zero = Vector::zero(self.slide.graph());
+        self.placement.translation = zero;
+        self.slide = zero.x();
+        if let Some(posture) = &mut self.posture {
+            posture.translation = zero;
+        }
     }
 
     /// Whether its motion carries the screw of a joint `at` inboard of it: its own, and those of the joint with
@@ -190,9 +215,17 @@ impl<'g> Joint<'g> {
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
         let moved = match self.posture {
             Some(posture) => inertia.change_frame(posture),
-            None => inertia.rotate_about_z(self.angle).translate(self.offset()),
+            None => self.turned(inertia).translate(self.offset()),
         };
         moved.change_frame(self.placement)
+    }
+
+    /// J of the body where its joint has not turned, but slid.
+    pub fn turned(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
+        match self.congruence {
+            Congruence::Sparing => inertia.rotate_about_z(self.angle),
+            Congruence::Full => inertia.rotate_in_full_about_z(self.angle),
+        }
     }
 
     /// The displacement as a pose, from where it starts.
@@ -223,8 +256,8 @@ pub fn in_frame_0<'g>(joints: &[Joint<'g>]) -> Vec<Joint<'g>> {
 }
 
 /// What the frame of each body leaves of its turn, where all joints are at work.
-fn left<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Option<Turn<'g>>> {
-    turn::left_to_carried(bodies, state, angles, |k| {
+pub(super) fn left<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Option<Turn<'g>>> {
+    turn::left_to_carried(bodies, state, way.angles, |k| {
         let mut carried = bodies
             .bodies
             .iter()
@@ -234,59 +267,24 @@ fn left<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Optio
     })
 }
 
-/// The actions from outside, each on a body, where the matrices of its joint are.
-pub fn outside<'g>(
-    bodies: &Bodies<'g>,
-    state: &State<'g>,
-    (frame, angles): (Frame, Angles),
-) -> Vec<(usize, Action<Term<'g>>)> {
-    if bodies.external.is_empty() {
-        return Vec::new();
-    }
-    let left = left(bodies, state, angles);
-    let joints = joints(bodies, state, angles);
-    let acted = bodies.external.iter().enumerate();
-    acted
-        .filter_map(|(k, &(body, placement))| {
-            let body = body?;
-            let action = state.action(k);
-            let action = match (bodies.external_in_frame_0, frame) {
-                (true, Frame::Base) => action,
-                (true, Frame::Link) => {
-                    let inwards = |&body: &usize| joints[body].parent;
-                    let mut way: Vec<usize> = successors(Some(body), inwards).collect();
-                    way.reverse();
-                    way.iter().fold(action, |action, &k| {
-                        let placed = action.seen_from(joints[k].placement);
-                        placed.seen_from(joints[k].displacement())
-                    })
-                }
-                (false, _) => {
-                    let turned = match left[body] {
-                        Some(turn) => {
-                            let turn = turn.sine_and_cosine(state.graph);
-                            Pose::rotation(Rotation::about_z(turn)) * placement
-                        }
-                        None => placement,
-                    };
-                    let seen = action.change_frame(turned);
-                    match frame {
-                        Frame::Link => seen,
-                        Frame::Base => seen.change_frame(placed(&joints)[body].1),
-                    }
-                }
-            };
-            Some((body, action))
-        })
+/// All joints, in the order of the bodies.
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Joint<'g>> {
+    let left = left(bodies, state, way);
+    (0..bodies.bodies.len())
+        .map(|k| Joint::new(bodies, k, state, &left, way.congruence))
         .collect()
 }
 
-/// All joints, in the order of the bodies.
-pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Joint<'g>> {
-    let left = left(bodies, state, angles);
-    (0..bodies.bodies.len())
-        .map(|k| Joint::new(bodies, k, state, &left))
-        .collect()
+/// The same joints, seen from the body at the root where that is one.
+pub fn from_root<'g>(mut joints: Vec<Joint<'g>>) -> Vec<Joint<'g>> {
+    let mut roots = joints.iter_mut().filter(|joint| joint.parent.is_none());
+    if let (Some(root), None) = (roots.next(), roots.next()) {
+        root.stay();
+        for joint in &mut joints {
+            joint.from_root = true;
+        }
+    }
+    joints
 }
 
 /// The way from the base to a frame.
@@ -335,14 +333,14 @@ impl<'g> Path<'g> {
 }
 
 /// The way to the frame of that index.
-pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, angles: Angles) -> Path<'g> {
+pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, way: Way) -> Path<'g> {
     let (last, end) = bodies.frames[frame];
     let inwards = || successors(last, |&k| bodies.bodies[k].parent);
-    let left = turn::left_to_carried(bodies, state, angles, |k| {
+    let left = turn::left_to_carried(bodies, state, way.angles, |k| {
         let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
         next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))
     });
-    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left));
+    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left, way.congruence));
     let mut joints: Vec<Joint<'g>> = joints.collect();
     joints.reverse();
     Path {

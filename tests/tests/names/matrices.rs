@@ -200,8 +200,12 @@ impl Matrices {
                 }
             }
             "wd" => m_k_0.change_frame(&self.h[0][of_base()?]).omega_dot()[axis(entry)?],
-            // That of dynamics, from which gravity is taken.
-            "h" => m_k_0.change_frame(&self.h[1][of_base()?]).a()[axis(entry)?],
+            // Of dynamics, from which gravity is taken, or of momentum, from which it is not.
+            "h" => {
+                let (body, entry) = (of_base()?, axis(entry)?);
+                let known = [1, 0].map(|which| m_k_0.change_frame(&self.h[which][body]).a()[entry]);
+                return Some(known.to_vec());
+            }
             "l" => {
                 let l = m_k_0.change_frame(&self.l[body(pair)?]);
                 let part = if entry.starts_with('u') { l.u() } else { l.b() };

@@ -37,7 +37,9 @@ pub fn evaluate(
     frame: usize,
     arguments: &Arguments,
 ) -> Vec<Big> {
-    let State { q, qd, qdd, tau } = State::of(arguments, robot.quaternions());
+    let State {
+        q, qd, qdd, tau, ..
+    } = State::of(arguments, robot.quaternions());
     let rest = vec![Big::zero(); robot.velocities()];
     let positions = Positions::at(robot, &q);
     let moving = |qd: &[Big], qdd: &[Big]| Motion::at(robot, &positions, qd, qdd);

@@ -177,6 +177,10 @@ impl<'r> Prepared<'r> {
                 if (0..self.states.len()).any(singular) {
                     return Ok(None);
                 }
+                // Nor is there a centre of no mass.
+                if case.function.is_of_mass() && self.is_weightless() {
+                    return Ok(None);
+                }
                 return Ok(Some(program_by(
                     &self.chain,
                     &functions,

@@ -4,7 +4,7 @@
 use std::array::from_fn;
 
 use homogen::robot::InverseDynamics;
-use homogen::{Action, Robot, generic};
+use homogen::{Action, Robot, Scalar, generic};
 use homogen_tests::dual::Dual;
 use homogen_tests::functions::Block;
 use homogen_tests::rounding::{DOUBLE, SINGLE, Worst};
@@ -94,7 +94,7 @@ fn inverse_dynamics_is_less_what_the_surroundings_do() {
         }
         let narrow = state.to::<f32>();
         let in_f32 = actions.map(|action| {
-            let narrow = |v: [f64; 3]| v.map(|x| x as f32);
+            let narrow = |v: [f64; 3]| v.map(f32::constant);
             Action::new(narrow(action.c()), narrow(action.f()))
         });
         let found = Panda.inverse_dynamics(&narrow.q, &narrow.qd, &narrow.qdd, &in_f32);

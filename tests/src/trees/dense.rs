@@ -123,7 +123,7 @@ impl Dense {
         }
         let bodies = robot.acted_on().filter_map(|link| self.body(link));
         let bodies = bodies.collect();
-        self.robot.external = (bodies, robot.asked.external_in_frame_0);
+        self.robot.external = (bodies, robot.asked.external.1);
     }
 
     /// Adds the coordinates and the velocities of a joint.

@@ -29,10 +29,10 @@ pub const FEATURES: [Feature; 73] = [
         })
     }),
     ("an action on a link in its frame", |robot| {
-        robot.acted_on().next().is_some() && !robot.asked.external_in_frame_0
+        robot.acted_on().next().is_some() && !robot.asked.external.1
     }),
     ("an action on a link in frame 0", |robot| {
-        robot.acted_on().next().is_some() && robot.asked.external_in_frame_0
+        robot.acted_on().next().is_some() && robot.asked.external.1
     }),
     ("a residue in an offset", |robot| {
         any(robot, |body| residue(&body.at.xyz))

@@ -233,8 +233,7 @@ fn load(robot: &mut Robot, numbers: &mut Numbers) {
         moving.retain(|&id| robot.moves(id));
         shuffle(&mut moving, random);
         moving.truncate(2);
-        robot.asked.external = moving;
-        robot.asked.external_in_frame_0 = random.chance(2);
+        robot.asked.external = (moving, random.chance(2));
     }
 }
 

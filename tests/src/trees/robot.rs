@@ -135,10 +135,8 @@ pub struct Asked {
     pub fields: Vec<(Field, [f64; 3])>,
     /// Joints with a drive: armature, damping and friction at each of their velocities.
     pub drives: Vec<(usize, [f64; 3])>,
-    /// Links on which the surroundings act.
-    pub external: Vec<usize>,
-    /// Whether they do in frame 0.
-    pub external_in_frame_0: bool,
+    /// Links on which the surroundings act, and whether they do in frame 0.
+    pub external: (Vec<usize>, bool),
 }
 
 /// What a struct field stands for.
@@ -243,7 +241,7 @@ impl Robot {
 
     /// The links that move and on which the surroundings act.
     pub fn acted_on(&self) -> impl Iterator<Item = usize> {
-        let links = self.asked.external.iter().copied();
+        let links = self.asked.external.0.iter().copied();
         let is_there = |id: usize| id == self.asked.base || self.models(id);
         links.filter(move |&id| is_there(id) && self.moves(id))
     }

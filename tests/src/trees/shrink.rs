@@ -106,7 +106,7 @@ fn remove(robot: &mut Robot, id: usize) {
     asked.frames.retain(|&link| link != id);
     asked.fields.retain(|(field, _)| field.of() != Some(id));
     asked.drives.retain(|(joint, _)| *joint != id);
-    asked.external.retain(|&link| link != id);
+    asked.external.0.retain(|&link| link != id);
 }
 
 /// Leaves of a robot what a link carries.
@@ -148,10 +148,10 @@ fn ask_less(robot: &Robot, with: &mut impl FnMut(&dyn Fn(&mut Robot))) {
             robot.asked.frames.remove(k);
         });
     }
-    with(&|robot| robot.asked.external_in_frame_0 = false);
-    for k in 0..robot.asked.external.len() {
+    with(&|robot| robot.asked.external.1 = false);
+    for k in 0..robot.asked.external.0.len() {
         with(&|robot| {
-            robot.asked.external.remove(k);
+            robot.asked.external.0.remove(k);
         });
     }
     for k in 0..robot.asked.drives.len() {

@@ -124,7 +124,7 @@ fn loaded(robot: &Robot, mut request: Request) -> Request {
     request.external = acted_on
         .map(|id| format!("link{id}").as_str().into())
         .collect();
-    request.external_in_frame_0 = robot.asked.external_in_frame_0 && !request.external.is_empty();
+    request.external_in_frame_0 = robot.asked.external.1 && !request.external.is_empty();
     request
 }
 
@@ -354,7 +354,7 @@ impl fmt::Display for Robot {
                 format!("armature {armature:?}, damping {damping:?}, friction {friction:?}");
             writeln!(out, "drive of joint{joint}: {drive}")?;
         }
-        let frame = if self.asked.external_in_frame_0 {
+        let frame = if self.asked.external.1 {
             "frame 0"
         } else {
             "its frame"

@@ -84,8 +84,8 @@ homogen::chain! {
 fn state<const N: usize>(random: &mut Random, number: usize) -> State<f64, N> {
     let mut state = State::random(random);
     for (k, rate) in state.qd.iter_mut().enumerate() {
-        if (number + k) % 3 == 0 {
-            *rate = if number % 2 == 0 { 0.0 } else { -0.0 };
+        if (number + k).is_multiple_of(3) {
+            *rate = if number.is_multiple_of(2) { 0.0 } else { -0.0 };
         }
     }
     state

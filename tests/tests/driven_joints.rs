@@ -23,8 +23,8 @@ const STATES: usize = 100;
 const N: usize = 17;
 const Q: usize = 19;
 
-/// Both sides are sums of some hundred terms; the worst is 21 u, and of what solves 75 u.
-const LIMIT: f64 = 256.0;
+/// Both sides are sums of some hundred terms; the worst is 26 u.
+const LIMIT: f64 = 128.0;
 
 macro_rules! driven {
     ($name:ident, $external:tt) => {
@@ -208,8 +208,8 @@ macro_rules! tests {
                     worst.note(&[Block::new("q̈", found)], &[Block::new("q̈", qdd)]);
                 }
                 println!("{worst}");
-                // M has entries from 0.001 to 6.
-                worst.assert_within(1e5);
+                // Entries of M are from 0.001 to 6: the worst is 73,000 u, or 3e-11 rad/s².
+                worst.assert_within(3e5);
             }
 
             #[test]

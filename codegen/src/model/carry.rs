@@ -276,7 +276,7 @@ pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Joint
 }
 
 /// The same joints, seen from the body at the root where that is one.
-pub fn from_root<'g>(mut joints: Vec<Joint<'g>>) -> Vec<Joint<'g>> {
+pub fn from_root(mut joints: Vec<Joint<'_>>) -> Vec<Joint<'_>> {
     let mut roots = joints.iter_mut().filter(|joint| joint.parent.is_none());
     if let (Some(root), None) = (roots.next(), roots.next()) {
         root.stay();

@@ -30,6 +30,7 @@ pub use paper::{
 pub use reference::generic;
 pub use robot::chain::{Chain, Frame};
 pub use robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
+pub use robot::drive::Drive;
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
 pub use scalar::{Real, Scalar, trigonometry};

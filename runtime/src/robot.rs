@@ -22,6 +22,7 @@ pub(crate) mod chain;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod check;
 pub(crate) mod derivatives;
+pub(crate) mod drive;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
 pub mod posture;

@@ -25,6 +25,8 @@ pub(crate) struct Freedom {
     pub(crate) velocity: usize,
     /// What the velocity is multiplied by.
     pub(crate) factor: Approximate,
+    /// Armature, damping and friction.
+    pub(crate) drive: [Approximate; 3],
 }
 
 /// What says how far a joint is displaced.
@@ -59,4 +61,6 @@ pub(crate) struct Robot {
     pub(crate) links: Vec<usize>,
     /// The columns of the regressor that the base regressor has.
     pub(crate) base_columns: Vec<usize>,
+    /// The bodies on which something acts from outside, and whether that is in frame 0 and not in theirs.
+    pub(crate) external: (Vec<usize>, bool),
 }

@@ -26,7 +26,7 @@ use self::joint::Joint;
 use super::item::Item;
 use super::settings::{self, Settings};
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use super::{Description, Link, Name, Source, file, names};
+use super::{Description, Link, Name, Source, Unmodelled, file, names};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
@@ -125,9 +125,10 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
         }
         "joint" if !is_setting => {
             tokens::word(input)?;
-            contents
-                .parts
-                .push(Part::Joint(joint::read(input, errors)?));
+            let joint = joint::read(input, errors)?;
+            // What is written here is meant.
+            contents.settings.request.model(&joint.drive);
+            contents.parts.push(Part::Joint(joint));
         }
         "denavit_hartenberg" if !is_setting => {
             let word = tokens::word(input)?;
@@ -213,6 +214,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
         links: Vec::new(),
         joints: Vec::new(),
         warnings: Vec::new(),
+        unmodelled: Unmodelled::default(),
     };
     let mut waiting: Vec<Joint> = Vec::new();
     for part in parts {

@@ -3,6 +3,8 @@
 //! In: `key = value` (or `key: value`), `key(…)` or `key`. Out: a [`Request`] and the file that is
 //! named, if one is. It never looks at the description, so it knows no link from a joint.
 
+mod forces;
+
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::ParseStream;
@@ -20,7 +22,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 20] = [
+const WORDS: [&str; 27] = [
     "urdf",
     "dh",
     "base",
@@ -31,6 +33,13 @@ const WORDS: [&str; 20] = [
     "drop",
     "frames",
     "gravity",
+    "friction",
+    "damping",
+    "armature",
+    "rotor",
+    "ratio",
+    "rotors",
+    "external",
     "exact",
     "strict",
     "scalar",
@@ -44,7 +53,7 @@ const WORDS: [&str; 20] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 17;
+const KEYS: usize = 24;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -130,6 +139,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             tokens::separator(input, &key)?;
             request.gravity = Some(gravity(input)?);
         }
+        word if forces::KEYS.contains(&word) => forces::read(input, &key, request)?,
         "scalar" => {
             tokens::separator(input, &key)?;
             request.scalar = scalar(input)?;

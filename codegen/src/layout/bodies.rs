@@ -3,9 +3,9 @@
 //! In: a chain. Out: its bodies, each frame turned so that its joint's axis is z where the joint has one
 //! coordinate, and what replaces a frame by another one. It never chooses one.
 
-use crate::chain::{Chain, Position};
+use crate::chain::{Chain, Frame, Position};
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::joint::Motion;
+use crate::joint::{Drive, Motion};
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
 
 /// The bodies of a chain with their frames.
@@ -19,6 +19,10 @@ pub struct Bodies<'g> {
     pub base_columns: Vec<usize>,
     /// The frames asked for: the joint whose body carries it, and M from that body to it.
     pub frames: Vec<(Option<usize>, Pose<Term<'g>>)>,
+    /// The links on which something acts from outside, in the same way.
+    pub external: Vec<(Option<usize>, Pose<Term<'g>>)>,
+    /// Whether those actions are in frame 0.
+    pub external_in_frame_0: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
     pub gravity: Vector<Term<'g>>,
 }
@@ -44,6 +48,8 @@ pub struct Body<'g> {
     pub inertia: Inertia<Term<'g>>,
     /// M from this frame to that of the link that the body is; none for one between two coordinates of a joint.
     pub link: Option<Pose<Term<'g>>>,
+    /// What is modelled of its joint's drive.
+    pub drive: Drive<Term<'g>>,
 }
 
 impl Body<'_> {
@@ -94,7 +100,7 @@ impl<'g> Bodies<'g> {
                 child.placement = from * child.placement;
             }
         }
-        for (body, placement) in &mut self.frames {
+        for (body, placement) in self.frames.iter_mut().chain(&mut self.external) {
             if *body == Some(k) {
                 *placement = from * *placement;
             }
@@ -129,16 +135,22 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             offset: None,
             inertia: joint.inertia.map(term).change_frame(turn.inverse()),
             link: (joint.link.as_ref()).map(|(_, link)| turn.inverse() * link.map(term)),
+            drive: joint.drive.map(term),
         })
         .collect();
-    let frames = (chain.frames.iter())
-        .map(|frame| (frame.body, seen_from(frame.body, frame.placement.map(term))))
-        .collect();
+    let placed = |frames: &[Frame]| {
+        let frames = frames.iter();
+        let frames =
+            frames.map(|frame| (frame.body, seen_from(frame.body, frame.placement.map(term))));
+        frames.collect()
+    };
     Bodies {
         bodies,
         base: Inertia::zero(graph),
         base_columns: chain.base_parameters.columns().collect(),
-        frames,
+        frames: placed(&chain.frames),
+        external: placed(&chain.external),
+        external_in_frame_0: chain.external_in_frame_0,
         gravity: chain.gravity.map(term),
     }
 }

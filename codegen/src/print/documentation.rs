@@ -9,6 +9,7 @@ mod error;
 use std::fmt::Write;
 
 use super::{About, LeftOut, Listed, Listing};
+use crate::function::Function;
 use crate::real::Real;
 use crate::request::Target;
 use crate::space::{Kind, Space, Spaces, Variable};
@@ -54,8 +55,9 @@ pub(super) fn of_function(
         }
     }
     lines.push(String::new());
-    lines.push(arguments(&listed.arguments()));
-    lines.extend(postures(&listing.spaces, &listed.arguments()));
+    let of = listed.arguments(&listing.spaces);
+    lines.push(arguments(&of));
+    lines.extend(postures(&listing.spaces, &of));
     if let Some(angles) = angles {
         let results = listed.functions.iter();
         let results = results.flat_map(|function| function.result().parts());
@@ -65,6 +67,10 @@ pub(super) fn of_function(
     }
     lines.push(origin(listing));
     lines.extend(facts(about));
+    let of_bodies = |function: &Function| function.is_of_bodies();
+    if about.driven && listed.functions.iter().any(of_bodies) {
+        lines.push("Momenta and the Coriolis matrix are of bodies alone: friction and armature are not in them.".to_owned());
+    }
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
     for accuracy in &listed.accuracy {
@@ -121,6 +127,17 @@ pub(super) fn of_field(target: &Target) -> String {
                 code(&link.text)
             )
         }
+        Target::ArmatureOf(joint) => format!(
+            "Inertia that {} feels beside that of the bodies, in kg m² or kg.",
+            code(&joint.text)
+        ),
+        Target::DampingOf(joint) => format!(
+            "Viscous friction of {}, in N m s/rad or N s/m.",
+            code(&joint.text)
+        ),
+        Target::FrictionOf(joint) => {
+            format!("Coulomb friction of {}, in N m or N.", code(&joint.text))
+        }
         Target::Gravity => "Acceleration of gravity in the base frame, in m/s².".to_owned(),
         Target::OriginOf(joint) => format!(
             "Translation from the parent's frame to that of {}, in m.",
@@ -164,7 +181,10 @@ fn range(angles: &Angles, listed: &Listed) -> String {
 fn arguments(arguments: &[Variable]) -> String {
     let units = |argument: &Variable| {
         let [turning, sliding] = [Kind::Turn, Kind::Slide].map(|kind| argument.unit(kind));
-        format!("{} in {turning} or {sliding}", argument.letter())
+        match argument {
+            Variable::Actions => format!("{} (c, f) in {turning}, {sliding}", argument.letter()),
+            _ => format!("{} in {turning} or {sliding}", argument.letter()),
+        }
     };
     let all = arguments.iter().map(units);
     format!("{}.", all.collect::<Vec<_>>().join(", "))
@@ -247,7 +267,7 @@ mod tests {
     fn arguments_are_told_with_their_units() {
         assert_eq!(
             arguments(&Variable::ALL),
-            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N."
+            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, Φ (c, f) in N m, N."
         );
         assert_eq!(arguments(&[Variable::Q]), "q in rad or m.");
     }

@@ -11,6 +11,7 @@ use homogen_codegen::description::{Axis, Description, Inertial, Joint, Name, Num
 use homogen_codegen::joint::JointKind;
 use homogen_codegen::request::Request;
 
+use super::drive::Drive;
 use super::matrix::Matrix;
 use super::motion::{self, Motion, Posture, across};
 use crate::big::Big;
@@ -24,6 +25,10 @@ pub struct Robot {
     pub frames: Vec<Option<usize>>,
     /// H_g (§ 4.5).
     pub gravity: Matrix,
+    /// What drives joints beside bodies.
+    pub drives: Vec<Drive>,
+    /// The bodies that the surroundings act on, and whether their actions are in frame 0.
+    pub external: (Vec<usize>, bool),
 }
 
 /// A joint and the link that it carries.
@@ -59,6 +64,8 @@ impl Robot {
             bodies: Vec::new(),
             frames: Vec::new(),
             gravity: reader.gravity(),
+            drives: Vec::new(),
+            external: (Vec::new(), request.external_in_frame_0),
         };
         let links = reader.hang(base, tip, &mut robot);
         let seat = |link: &str| {
@@ -71,6 +78,8 @@ impl Robot {
         };
         let further = request.frames.iter().map(|frame| frame.text.as_str());
         robot.frames = tip.into_iter().chain(further).map(seat).collect();
+        let external = request.external.iter();
+        robot.external.0 = external.filter_map(|link| seat(&link.text)).collect();
         robot
     }
 
@@ -207,6 +216,8 @@ impl<'d> Reader<'d> {
                 } else {
                     Matrix::zero()
                 };
+                let drives = Drive::of(self.request, joint, k, &motion);
+                robot.drives.extend(drives);
                 robot.bodies.push(Body {
                     parent,
                     placement: &placement * &turn,

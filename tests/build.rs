@@ -32,13 +32,30 @@ fn main() -> Result<(), Box<dyn Error>> {
             .tip(tip)
             .scalar(Real::F32)
             .generate(Function::ALL);
-        let named = own
-            .clone()
-            .sin_cos("::homogen::trigonometry::single::sin_cos");
-        for (file, builder) in [("own", own), ("named", named)] {
-            let path = Path::new(&folder).join(format!("{robot}_{file}.rs"));
-            fs::write(path, builder.to_source()?.to_string())?;
-        }
+        both(own, robot, &folder)?;
+    }
+    let all = Function::ALL.into_iter();
+    let driven = Builder::from_urdf("../robots/scara.urdf")
+        .name("Standalone")
+        .scalar(Real::F32)
+        .armature("shoulder", [0.25])
+        .rotor("lift", 2e-5, 300.0)
+        .damping("elbow", [0.75])
+        .coulomb_friction("elbow", [0.5])
+        .coulomb_friction("lift", [3.0])
+        // Regressors have no columns of drives.
+        .generate(all.filter(|function| !function.identifies()));
+    both(driven, "driven", &folder)
+}
+
+/// Both files of a robot.
+fn both(own: Builder, robot: &str, folder: &str) -> Result<(), Box<dyn Error>> {
+    let named = own
+        .clone()
+        .sin_cos("::homogen::trigonometry::single::sin_cos");
+    for (file, builder) in [("own", own), ("named", named)] {
+        let path = Path::new(folder).join(format!("{robot}_{file}.rs"));
+        fs::write(path, builder.to_source()?.to_string())?;
     }
     Ok(())
 }

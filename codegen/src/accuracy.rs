@@ -52,7 +52,9 @@ pub fn of(
         found.map(error).collect()
     };
     let evaluated = functions.iter().filter(|function| evaluated(function));
-    let arguments = Variable::together(evaluated.map(|function| function.arguments()));
+    let actions = chain.spaces().actions() > 0;
+    let arguments = evaluated.map(|function| function.arguments_with(actions));
+    let arguments = Variable::together(arguments);
     let promise = promise(chain, means, &owners, worst);
     Some(match promise {
         Ok(promise) => Accuracy::Within(promise.within(chain, &arguments, &[program], means)),

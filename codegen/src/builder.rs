@@ -27,6 +27,7 @@ use crate::error::{Errors, Place};
 use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
+use crate::joint::drive::Part;
 use crate::print::Listing;
 use crate::print::rust::Library;
 use crate::processor::Processor;
@@ -177,6 +178,61 @@ impl Builder {
     /// The acceleration of gravity in the base frame, in m/s²; (0, 0, −9.81) where none is given.
     pub fn gravity(mut self, gravity: [f64; 3]) -> Self {
         self.request.gravity = Some(gravity.map(number));
+        self
+    }
+
+    /// A link on which the surroundings act: inverse and forward dynamics and their derivatives take
+    /// `actions`, one for each such link in the order of these calls, in the link's frame.
+    pub fn external(mut self, link: impl Into<String>) -> Self {
+        self.request.external.push(named(link));
+        self
+    }
+
+    /// All these actions are in frame 0: in its axes, with the couple about its origin.
+    pub fn external_in_frame_0(mut self) -> Self {
+        self.request.external_in_frame_0 = true;
+        self
+    }
+
+    /// Models the damping and the friction that the description has.
+    pub fn friction(mut self) -> Self {
+        self.request.friction = true;
+        self
+    }
+
+    /// Models the rotors that the description has, with their gears.
+    pub fn rotors(mut self) -> Self {
+        self.request.rotors = true;
+        self
+    }
+
+    /// Viscous friction of a joint, in N m s/rad or N s/m: one number, or one for each of its velocities.
+    /// With it all friction is modelled that the description has.
+    pub fn damping(self, joint: &str, damping: impl AsRef<[f64]>) -> Self {
+        self.drive(joint, Part::Damping, damping.as_ref())
+    }
+
+    /// Coulomb friction of a joint, in N m or N: what it takes times the sign of the rate, nothing at rest.
+    pub fn coulomb_friction(self, joint: &str, friction: impl AsRef<[f64]>) -> Self {
+        self.drive(joint, Part::Friction, friction.as_ref())
+    }
+
+    /// Inertia that a joint feels beside that of the bodies, in kg m² or kg. With it all rotors are modelled
+    /// that the description has.
+    pub fn armature(self, joint: &str, armature: impl AsRef<[f64]>) -> Self {
+        self.drive(joint, Part::Armature, armature.as_ref())
+    }
+
+    /// A rotor, by its inertia in kg m² and its turns for each of the joint: the joint feels the inertia
+    /// times the square of the ratio.
+    pub fn rotor(self, joint: &str, inertia: f64, ratio: f64) -> Self {
+        let with_inertia = self.drive(joint, Part::Rotor, &[inertia]);
+        with_inertia.drive(joint, Part::Ratio, &[ratio])
+    }
+
+    fn drive(mut self, joint: &str, part: Part, numbers: &[f64]) -> Self {
+        let numbers = numbers.iter().copied().map(number).collect();
+        self.request.drives.push((named(joint), part, numbers));
         self
     }
 

@@ -9,6 +9,8 @@ mod angle;
 pub mod base_parameters;
 mod check;
 mod closure;
+mod drive;
+mod external;
 mod limits;
 mod merge;
 mod mimic;
@@ -24,7 +26,7 @@ use crate::closure::Row;
 use crate::description::{Description, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
-use crate::joint::{Motion, Posture};
+use crate::joint::{Drive, Motion, Posture};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
 use crate::space::{Entry, Kind, Spaces};
@@ -44,6 +46,10 @@ pub struct Chain {
     pub actuated: Vec<bool>,
     /// The frames asked for: the tip first, where there is one.
     pub frames: Vec<Frame>,
+    /// The links on which something acts from outside.
+    pub external: Vec<Frame>,
+    /// Whether those actions are in frame 0, and not each in its link's.
+    pub external_in_frame_0: bool,
     /// Whether the first of `frames` is the tip.
     pub has_tip: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
@@ -88,6 +94,8 @@ pub struct Joint {
     pub position: Position,
     /// Its place among the velocities.
     pub velocity: usize,
+    /// What is modelled of its drive.
+    pub drive: Drive<Expr>,
 }
 
 /// What the displacement of a body against the one it hangs on is a function of.
@@ -227,6 +235,14 @@ impl Chain {
     #[must_use]
     pub fn all_lead(&self) -> bool {
         self.joints.len() == self.spaces.velocities.len()
+    }
+
+    /// Whether joints feel more than their bodies: an armature or friction, or a field that may be one.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        let is_there = |entry: Expr| !self.graph.term(entry).is_zero();
+        let mut drives = self.joints.iter().flat_map(|joint| joint.drive.entries());
+        drives.any(is_there)
     }
 
     /// Whether every body has a coordinate of its own as well.

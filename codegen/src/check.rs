@@ -197,6 +197,7 @@ impl Check {
                     Space::Coordinates | Space::Velocities => "joint",
                     Space::Parameters | Space::BaseParameters => "parameter",
                     Space::Constraints => "residual",
+                    Space::Actions => "action",
                 };
                 format!(" ({what} {})", quoted(&entry.name))
             }
@@ -335,7 +336,7 @@ fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Option<Wrong>
         let entry = by_motion.len() + wrong.entry;
         return Some(Wrong { entry, ..wrong });
     }
-    let bias = dense.torques(Motion::Coasting);
+    let bias = dense.coasting_torques();
     let lacking = bias.iter().zip(&dense.state.tau);
     let lacking: Vec<Approximate> = lacking
         .map(|(bias, tau)| Approximate::exact(*tau) - *bias)

@@ -28,6 +28,8 @@ pub(crate) struct State {
     pub(crate) qd: Vec<f64>,
     pub(crate) qdd: Vec<f64>,
     pub(crate) tau: Vec<f64>,
+    /// Of each action c and f.
+    pub(crate) actions: Vec<f64>,
     pub(crate) fields: Vec<Vec<f64>>,
 }
 
@@ -38,6 +40,7 @@ impl State {
             Input::Variable(Variable::Qd, k) => (&self.qd, k),
             Input::Variable(Variable::Qdd, k) => (&self.qdd, k),
             Input::Variable(Variable::Tau, k) => (&self.tau, k),
+            Input::Variable(Variable::Actions, k) => (&self.actions, k),
             Input::Parameter(field, k) => (&self.fields[usize::from(field)], k),
         };
         list[usize::from(k)].into()
@@ -207,6 +210,17 @@ impl Dense {
         momentum.map(|entry| entry / mass)
     }
 
+    /// What the armatures of all joints have of twice the kinetic energy.
+    pub(crate) fn twice_energy_of_drives(&self) -> Approximate {
+        let rates = self.rates(Motion::Coasting).first;
+        let energies = self.posture.freedoms().map(|freedom| {
+            let rate = freedom.factor * rates[freedom.velocity];
+            let [armature, ..] = freedom.drive;
+            armature * rate * rate
+        });
+        energies.fold(Approximate::exact(0.0), |sum, energy| sum + energy)
+    }
+
     /// H_g, the acceleration of gravity.
     pub(crate) fn gravity(&self) -> Matrix<Approximate> {
         let mut gravity = Matrix::zero();
@@ -219,10 +233,22 @@ impl Dense {
         self.posture.torques(&self.rates(motion))
     }
 
-    /// τ of accelerations that were found.
+    /// τ of the whole motion, under the actions from outside.
+    pub(crate) fn driving_torques(&self) -> Vec<Approximate> {
+        self.less_outside(self.torques(Motion::Driven))
+    }
+
+    /// τ less what actions from outside do.
+    fn less_outside(&self, torques: Vec<Approximate>) -> Vec<Approximate> {
+        let outside = self.posture.outside(&self.state.actions);
+        let both = torques.into_iter().zip(outside);
+        both.map(|(torque, outside)| torque - outside).collect()
+    }
+
+    /// τ of accelerations that were found, under the actions from outside.
     pub(crate) fn torques_of(&self, qdd: Vec<Approximate>) -> Vec<Approximate> {
         let first = Approximate::exactly(&self.state.qd);
-        self.posture.torques(&Rates { first, second: qdd })
+        self.less_outside(self.posture.torques(&Rates { first, second: qdd }))
     }
 
     /// Y of τ = Y π, row by row.
@@ -240,16 +266,35 @@ impl Dense {
             .collect()
     }
 
-    /// ∂τ/∂q and ∂τ/∂q̇ of a motion, against gravity, each row by row.
-    pub(crate) fn torque_derivatives(&self, motion: Motion) -> [Vec<Approximate>; 2] {
-        self.posture.torque_derivatives(&self.rates(motion))
+    /// τ of the motion without q̈, under the actions from outside.
+    pub(crate) fn coasting_torques(&self) -> Vec<Approximate> {
+        self.less_outside(self.torques(Motion::Coasting))
+    }
+
+    /// ∂τ/∂q at rest, against gravity, row by row.
+    pub(crate) fn gravity_derivative(&self) -> Vec<Approximate> {
+        let [by_coordinate, _] = self.posture.torque_derivatives(&self.rates(Motion::Rest));
+        by_coordinate
+    }
+
+    /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, under the actions from outside, each row by row.
+    pub(crate) fn torque_derivatives(&self) -> [Vec<Approximate>; 2] {
+        self.derivatives_at(&self.rates(Motion::Driven))
     }
 
     /// The same of accelerations that were found.
     pub(crate) fn torque_derivatives_of(&self, qdd: Vec<Approximate>) -> [Vec<Approximate>; 2] {
         let first = Approximate::exactly(&self.state.qd);
-        self.posture
-            .torque_derivatives(&Rates { first, second: qdd })
+        self.derivatives_at(&Rates { first, second: qdd })
+    }
+
+    fn derivatives_at(&self, rates: &Rates) -> [Vec<Approximate>; 2] {
+        let [mut by_coordinate, by_rate] = self.posture.torque_derivatives(rates);
+        let outside = self.posture.outside_derivative(&self.state.actions);
+        for (entry, outside) in by_coordinate.iter_mut().zip(outside) {
+            *entry = *entry - outside;
+        }
+        [by_coordinate, by_rate]
     }
 
     /// C, row by row.

@@ -22,6 +22,7 @@ mod robot;
 mod root;
 mod settings;
 mod tokens;
+mod unmodelled;
 pub mod urdf;
 
 pub use self::file::{read_bytes, read_file, read_text};
@@ -30,5 +31,6 @@ pub use self::robot::{
     Axis, Description, Inertial, Joint, Limits, Link, Loop, Mimic, Name, Source, Step,
 };
 pub use self::root::freed;
+pub use self::unmodelled::{Modelled, Unmodelled};
 pub use crate::joint::JointKind;
 pub use crate::number::Number;

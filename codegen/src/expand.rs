@@ -9,6 +9,7 @@ mod choice;
 mod closure;
 mod data;
 mod forward;
+mod identifiable;
 mod measured;
 mod program;
 mod solvable;
@@ -16,6 +17,8 @@ mod weighable;
 
 pub use choice::{program, program_as, program_for};
 pub use closure::settled;
+pub use identifiable::identifiable;
+use program::equation_by;
 pub use program::{expressions_by, program_by};
 
 use crate::accuracy::{self, Accuracy, Means};
@@ -282,12 +285,7 @@ fn accuracy_of(
                 "none is derived of an inverse that is refined or made of articulated bodies",
             ),
             (Given::Torques, Forward::MassMatrix { refinements }) => {
-                let all = [
-                    Function::MassMatrix,
-                    Function::Bias,
-                    Function::InverseDynamics,
-                ];
-                let parts = parts(&all[..if refinements == 0 { 2 } else { 3 }]);
+                let parts = equation_by(chain, found.layout, found.way, refinements > 0);
                 accuracy::of_accelerations(chain, &parts, refinements, means)
             }
             (Given::Torques, Forward::Articulated) => {

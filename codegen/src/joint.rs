@@ -7,6 +7,7 @@
 
 mod continuous;
 mod cylindrical;
+pub mod drive;
 mod fixed;
 mod floating;
 mod motion;
@@ -19,6 +20,7 @@ mod spherical;
 mod translation;
 mod universal;
 
+pub use drive::Drive;
 pub use motion::Motion;
 pub use posture::Posture;
 

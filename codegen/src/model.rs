@@ -19,6 +19,7 @@ mod mass_center;
 pub(crate) mod momentum;
 pub(crate) mod moving;
 mod newton_euler;
+mod outside;
 pub(crate) mod pose;
 pub(crate) mod regressor;
 mod state;
@@ -37,7 +38,7 @@ pub use self::way::{Angles, Carried, Congruence, Forward, Frame, Way};
 
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
-use crate::matrix::{Screw, Vector};
+use crate::matrix::{Action, Screw, Vector};
 use crate::space::Variable;
 
 /// What a function is built from: bodies with their frames, a state, and the way.
@@ -127,14 +128,26 @@ impl<'s, 'g> Scene<'s, 'g> {
         }
     }
 
+    /// τ of a motion with the given q̈, one entry a velocity each, less what the surroundings do: τ − Σ Jᵗ Φ.
+    pub(crate) fn driving(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
+        let outside = self.outside(self.way.frame);
+        self.against(self.bodies.gravity, &self.state, qdd, &outside)
+    }
+
+    /// The actions of the surroundings on bodies, in the frames of the links or in frame 0.
+    pub(crate) fn outside(&self, frame: Frame) -> Vec<(usize, Action<Term<'g>>)> {
+        let way = Way { frame, ..self.way };
+        outside::outside(self.bodies, &self.state, way)
+    }
+
     /// τ of a motion with the given q̈, one entry a velocity each.
     pub(crate) fn torques(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
-        self.against(self.bodies.gravity, &self.state, qdd)
+        self.against(self.bodies.gravity, &self.state, qdd, &[])
     }
 
     /// M q̈: τ at rest and without gravity.
     pub(crate) fn inertial(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
-        self.against(Vector::zero(self.graph), &self.state.at_rest(), qdd)
+        self.against(Vector::zero(self.graph), &self.state.at_rest(), qdd, &[])
     }
 
     fn against(
@@ -142,9 +155,11 @@ impl<'s, 'g> Scene<'s, 'g> {
         gravity: Vector<Term<'g>>,
         state: &State<'g>,
         qdd: &[Term<'g>],
+        outside: &[(usize, Action<Term<'g>>)],
     ) -> Vec<Term<'g>> {
         let qdd = velocities::shared(state, self.bodies, qdd);
-        let driving = newton_euler::inverse_dynamics(&self.joints(), gravity, state, &qdd);
+        let joints = self.joints();
+        let driving = newton_euler::inverse_dynamics(&joints, gravity, state, &qdd, outside);
         self.forces(&driving)
     }
 
@@ -184,12 +199,20 @@ impl<'s, 'g> Scene<'s, 'g> {
             .collect()
     }
 
-    /// ∂τ/∂q and ∂τ/∂q̇ of a motion with the given q̈.
+    /// ∂τ/∂q and ∂τ/∂q̇ of a motion with the given q̈, under the actions from outside.
     pub(crate) fn torque_derivatives(&self, qdd: &[Term<'g>]) -> [Vec<Term<'g>>; 2] {
         let qdd = velocities::shared(&self.state, self.bodies, qdd);
         let (joints, gravity) = (self.joints(), self.bodies.gravity);
-        derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd)
-            .map(|matrix| self.by_velocities(matrix))
+        let outside = self.outside(self.way.frame);
+        let (standing, turning) = if self.bodies.external_in_frame_0 {
+            (outside, Vec::new())
+        } else {
+            (Vec::new(), outside)
+        };
+        let [mut by_coordinate, by_rate] =
+            derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd, &turning);
+        derivatives::add_standing(&mut by_coordinate, &joints, &standing);
+        [by_coordinate, by_rate].map(|matrix| self.by_velocities(matrix))
     }
 
     /// ∂τ/∂q at rest, row by row.
@@ -251,6 +274,23 @@ pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
     forward_dynamics::pivots(&scene.mass_matrix(), &scene.parents())
 }
 
+/// What accelerations are solved from: M, row by row, the torques at q̈ = 0 and, where a residual is made of
+/// them, those of q̈.
+pub(crate) fn equation<'g>(
+    graph: &'g Graph,
+    bodies: &Bodies<'g>,
+    way: Way,
+    has_residual: bool,
+) -> Vec<Term<'g>> {
+    let scene = Scene::new(graph, bodies, 0, way);
+    let mut terms = scene.mass_matrix();
+    terms.extend(scene.driving(&vec![scene.state.zero(); scene.velocities()]));
+    if has_residual {
+        terms.extend(scene.driving(&scene.qdd()));
+    }
+    terms
+}
+
 /// What the articulated-body recursion takes from a motion: see [`articulated::motion`].
 pub(crate) fn articulated_motion<'g>(
     graph: &'g Graph,
@@ -258,7 +298,8 @@ pub(crate) fn articulated_motion<'g>(
     way: Way,
 ) -> Vec<Term<'g>> {
     let scene = Scene::new(graph, bodies, 0, way);
-    articulated::motion(&scene.link_joints(), bodies.gravity, &scene.state)
+    let outside = scene.outside(Frame::Link);
+    articulated::motion(&scene.link_joints(), bodies.gravity, &scene.state, &outside)
 }
 
 /// One step inwards of the articulated-body recursion from each joint: see [`articulated::step`].

@@ -65,6 +65,8 @@ pub struct About {
     pub tip: String,
     /// What is modelled and what is not: `2 links merged`, `gravity only along −z`.
     pub facts: Vec<String>,
+    /// Whether joints feel more than their bodies: an armature or friction.
+    pub driven: bool,
     /// The words of the formulation that was asked for, where it is not the default.
     pub formulation: Vec<String>,
     /// Doubts about the description, each a sentence with its place.
@@ -108,14 +110,15 @@ impl Listed {
     }
 
     /// What its functions together are functions of.
-    pub(crate) fn arguments(&self) -> Vec<Variable> {
-        arguments(&self.functions)
+    pub(crate) fn arguments(&self, spaces: &Spaces) -> Vec<Variable> {
+        arguments(&self.functions, spaces.actions() > 0)
     }
 }
 
-/// What several functions together are functions of.
-fn arguments(functions: &[Function]) -> Vec<Variable> {
-    Variable::together(functions.iter().map(|function| function.arguments()))
+/// What several functions together are functions of, where actions from outside are among it or not.
+fn arguments(functions: &[Function], actions: bool) -> Vec<Variable> {
+    let each = functions.iter();
+    Variable::together(each.map(|function| function.arguments_with(actions)))
 }
 
 /// `mass_matrix_and_bias`, `forward_kinematics_of_camera`.
@@ -139,9 +142,14 @@ pub struct ChainData {
     pub motions: Vec<DataMotion>,
     /// Further frames, the tip's first: name, and the joint that carries it.
     pub frames: Vec<(String, Option<u16>)>,
+    /// How many of the last frames are acted on from outside, and whether that is in frame 0.
+    pub external: (usize, bool),
+    /// The drives of which something is modelled: each the joint, and which of its velocities.
+    pub driven: Vec<(u16, u16)>,
     /// The numbers, of parameters only. A joint has 28: placement at q = 0 in its parent's frame
     /// (rows of the upper 3×4 block), screw (u, b), pseudo-inertia (xx, yy, zz, xy, xz, yz, the
-    /// first moments qx, qy, qz, and m). A frame has 12, its placement. Gravity comes last, 3.
+    /// first moments qx, qy, qz, and m). A frame has 12, its placement. Gravity has 3, and each drive
+    /// has 3: armature, damping, friction.
     pub program: Program,
     /// What its loops hold together.
     pub loops: LoopsData,

@@ -11,6 +11,7 @@ use crate::description::{Name, Number};
 use crate::error::{Complaint, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
+use crate::joint::drive::{Part, Parts};
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 use crate::wording::quoted;
@@ -35,6 +36,16 @@ pub struct Request {
     pub actuated: Vec<Name>,
     /// Further links whose frames are computed.
     pub frames: Vec<Name>,
+    /// Links on which the surroundings act, an action each.
+    pub external: Vec<Name>,
+    /// Whether those actions are in frame 0, and not each in its link's.
+    pub external_in_frame_0: bool,
+    /// Model the damping and the friction that are described.
+    pub friction: bool,
+    /// Model the rotors that are described.
+    pub rotors: bool,
+    /// What is said of the drives of joints, in place of what is described.
+    pub drives: Vec<(Name, Part, Vec<Number>)>,
     /// Acceleration of gravity in the base frame [m/s²]; (0, 0, −9.81) where none is given.
     pub gravity: Option<[Number; 3]>,
     /// Keep `1.5708` as written instead of taking it for π/2.
@@ -83,6 +94,13 @@ pub enum Target {
     Gravity,
     /// The translation from the parent's frame to the joint's \[m\]; three numbers.
     OriginOf(Name),
+    /// The inertia that a joint feels beside that of the bodies [kg m² or kg]; one number, for each of its
+    /// velocities.
+    ArmatureOf(Name),
+    /// The viscous friction of a joint [N m s/rad or N s/m]; one number, as before.
+    DampingOf(Name),
+    /// The Coulomb friction of a joint [N m or N]; one number, as before.
+    FrictionOf(Name),
 }
 
 impl Request {
@@ -99,6 +117,52 @@ impl Request {
             all.map(|function| vec![function]).collect()
         } else {
             self.functions.clone()
+        }
+    }
+
+    /// Whether damping and friction are modelled: those that are described, too, as soon as any of them is
+    /// asked for.
+    #[must_use]
+    pub fn models_friction(&self) -> bool {
+        self.friction || self.speaks_of(Part::resists)
+    }
+
+    /// Whether inertias of drives are modelled, in the same way.
+    #[must_use]
+    pub fn models_armature(&self) -> bool {
+        self.rotors || self.speaks_of(|part| !part.resists())
+    }
+
+    fn speaks_of(&self, is: impl Fn(Part) -> bool) -> bool {
+        let mut drives = self.drives.iter();
+        let mut fields = self.parameters.iter();
+        drives.any(|(_, part, _)| is(*part))
+            || fields.any(|field| field.target.drives().is_some_and(|(_, part)| is(part)))
+    }
+
+    /// Models what was said of a joint.
+    pub fn model(&mut self, drive: &Parts) {
+        for part in Part::ALL {
+            let said = !drive.of(part).is_empty();
+            self.friction |= said && part.resists();
+            self.rotors |= said && !part.resists();
+        }
+    }
+
+    /// What is to be modelled of a joint's drive, where the description says this of it.
+    #[must_use]
+    pub fn drive<'r>(&'r self, joint: &str, described: &'r Parts, part: Part) -> &'r [Number] {
+        let modelled = if part.resists() {
+            self.models_friction()
+        } else {
+            self.models_armature()
+        };
+        let mut drives = self.drives.iter();
+        let asked = drives.find(|(name, of, _)| *of == part && name.text == joint);
+        match asked {
+            Some((_, _, numbers)) => numbers,
+            None if modelled => described.of(part),
+            None => &[],
         }
     }
 
@@ -172,8 +236,22 @@ impl Target {
     pub const fn unit(&self) -> &'static str {
         match self {
             Self::MassOf(_) => "kg",
+            Self::ArmatureOf(_) => "kg m² or kg",
+            Self::DampingOf(_) => "N m s/rad or N s/m",
+            Self::FrictionOf(_) => "N m or N",
             Self::CenterOfMassOf(_) | Self::OriginOf(_) => "m",
             Self::Gravity => "m/s²",
+        }
+    }
+
+    /// The joint and the part of its drive, where it is of one.
+    #[must_use]
+    pub const fn drives(&self) -> Option<(&Name, Part)> {
+        match self {
+            Self::ArmatureOf(joint) => Some((joint, Part::Armature)),
+            Self::DampingOf(joint) => Some((joint, Part::Damping)),
+            Self::FrictionOf(joint) => Some((joint, Part::Friction)),
+            _ => None,
         }
     }
 
@@ -181,7 +259,9 @@ impl Target {
     #[must_use]
     pub const fn range_up_to(&self, most: f64) -> [f64; 2] {
         match self {
-            Self::MassOf(_) => [0.0, most],
+            Self::MassOf(_) | Self::ArmatureOf(_) | Self::DampingOf(_) | Self::FrictionOf(_) => {
+                [0.0, most]
+            }
             Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::Gravity => [-most, most],
         }
     }
@@ -190,7 +270,9 @@ impl Target {
     #[must_use]
     pub fn refusal(&self, [least, most]: [f64; 2]) -> Option<[&'static str; 2]> {
         let example = match self {
-            Self::MassOf(_) => "write range = 0.0..=3.0, or range = 3.0 for the same",
+            Self::MassOf(_) | Self::ArmatureOf(_) | Self::DampingOf(_) | Self::FrictionOf(_) => {
+                "write range = 0.0..=3.0, or range = 3.0 for the same"
+            }
             Self::CenterOfMassOf(_) | Self::OriginOf(_) => {
                 "write range = 0.5, or range = -0.5..=0.5 for the same"
             }
@@ -202,6 +284,8 @@ impl Target {
             "is empty"
         } else if matches!(self, Self::MassOf(_)) && least < 0.0 {
             "has negative masses"
+        } else if self.drives().is_some() && least < 0.0 {
+            "has negative numbers"
         } else {
             return None;
         };
@@ -214,7 +298,10 @@ impl Target {
         match (self, other) {
             (Self::MassOf(one), Self::MassOf(other))
             | (Self::CenterOfMassOf(one), Self::CenterOfMassOf(other))
-            | (Self::OriginOf(one), Self::OriginOf(other)) => one.text == other.text,
+            | (Self::OriginOf(one), Self::OriginOf(other))
+            | (Self::ArmatureOf(one), Self::ArmatureOf(other))
+            | (Self::DampingOf(one), Self::DampingOf(other))
+            | (Self::FrictionOf(one), Self::FrictionOf(other)) => one.text == other.text,
             (Self::Gravity, Self::Gravity) => true,
             _ => false,
         }
@@ -230,6 +317,10 @@ impl Target {
             }
             Self::Gravity => "gravity".to_owned(),
             Self::OriginOf(joint) => format!("the origin of joint {}", quoted(&joint.text)),
+            Self::ArmatureOf(joint) | Self::DampingOf(joint) | Self::FrictionOf(joint) => {
+                let part = self.drives().map_or("", |(_, part)| part.word());
+                format!("the {part} of joint {}", quoted(&joint.text))
+            }
         }
     }
 
@@ -237,7 +328,7 @@ impl Target {
     #[must_use]
     pub const fn entries(&self) -> usize {
         match self {
-            Self::MassOf(_) => 1,
+            Self::MassOf(_) | Self::ArmatureOf(_) | Self::DampingOf(_) | Self::FrictionOf(_) => 1,
             Self::CenterOfMassOf(_) | Self::Gravity | Self::OriginOf(_) => 3,
         }
     }

@@ -62,6 +62,8 @@ pub enum Operation<T = Operand> {
     Div(T, T),
     /// √a.
     Sqrt(T),
+    /// The sign of a: −1, 0 or 1.
+    Sign(T),
     /// −a.
     Neg(T),
     /// a b + c, rounded once where the target can.
@@ -105,6 +107,7 @@ impl<T> Operation<T> {
             Self::Mul(a, b) => Operation::Mul(of(a), of(b)),
             Self::Div(a, b) => Operation::Div(of(a), of(b)),
             Self::Sqrt(a) => Operation::Sqrt(of(a)),
+            Self::Sign(a) => Operation::Sign(of(a)),
             Self::Neg(a) => Operation::Neg(of(a)),
             Self::MulAdd(a, b, c) => Operation::MulAdd(of(a), of(b), of(c)),
             Self::MulSub(a, b, c) => Operation::MulSub(of(a), of(b), of(c)),
@@ -118,7 +121,7 @@ impl Operation {
     #[must_use]
     pub fn operands(&self) -> Vec<Operand> {
         match *self {
-            Self::Sqrt(a) | Self::Neg(a) => vec![a],
+            Self::Sqrt(a) | Self::Sign(a) | Self::Neg(a) => vec![a],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
             Self::MulAdd(a, b, c) | Self::MulSub(a, b, c) | Self::NegMulAdd(a, b, c) => {
                 vec![a, b, c]

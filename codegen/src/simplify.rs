@@ -57,6 +57,7 @@ pub fn simplify(graph: &Graph, results: &[Expr]) -> (Graph, Vec<Expr>) {
             Node::Mul(a, b) => at(a) * at(b),
             Node::Div(a, b) => at(a) / at(b),
             Node::Sqrt(a) => at(a).sqrt(),
+            Node::Sign(a) => at(a).sign(),
             Node::Sin(a) => at(a).sin_cos().0,
             Node::Cos(a) => at(a).sin_cos().1,
         };

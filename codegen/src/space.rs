@@ -19,6 +19,8 @@ pub enum Space {
     Coordinates,
     /// What says how it moves: q̇, and with other units q̈ and τ.
     Velocities,
+    /// What acts on links from outside: of each action its couple and its force.
+    Actions,
     /// What it is made of: of each link that a joint moves, with all that is fixed to it, m, q_x, q_y, q_z, J_xx, J_xy,
     /// J_xz, J_yy, J_yz, J_zz in the link's own frame.
     Parameters,
@@ -27,6 +29,16 @@ pub enum Space {
     /// What is zero where its loops are closed; empty where it has none.
     Constraints,
 }
+
+/// The entries of an action, and what each does: a couple turns, a force slides.
+pub const ACTION: [(&str, Kind); 6] = [
+    ("cx", Kind::Turn),
+    ("cy", Kind::Turn),
+    ("cz", Kind::Turn),
+    ("fx", Kind::Slide),
+    ("fy", Kind::Slide),
+    ("fz", Kind::Slide),
+];
 
 /// What an entry does to the body it is of, which decides its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,6 +78,8 @@ pub struct Spaces {
     pub base_parameters: Vec<Entry>,
     /// Those of the residuals of its loops: lengths slide, products of axes turn.
     pub constraints: Vec<Entry>,
+    /// Those of actions from outside: of each c_x, c_y, c_z, f_x, f_y, f_z.
+    pub actions: Vec<Entry>,
 }
 
 impl Spaces {
@@ -78,7 +92,14 @@ impl Spaces {
             Space::Parameters => &self.parameters,
             Space::BaseParameters => &self.base_parameters,
             Space::Constraints => &self.constraints,
+            Space::Actions => &self.actions,
         }
+    }
+
+    /// How many actions from outside there are.
+    #[must_use]
+    pub fn actions(&self) -> usize {
+        self.actions.len() / ACTION.len()
     }
 
     /// What the entries of one of them are called.

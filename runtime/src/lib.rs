@@ -9,6 +9,7 @@ pub mod checklist {}
 mod error;
 mod matrix;
 mod paper;
+pub mod reach;
 #[cfg(feature = "nalgebra")]
 mod reference;
 pub mod robot;
@@ -30,6 +31,7 @@ pub use reference::generic;
 pub use robot::chain::{Chain, Frame};
 pub use robot::constrained::ConstrainedForwardDynamics;
 pub use robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
+pub use robot::drive::Drive;
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
 pub use robot::mechanism::{Mechanism, Residual, Row};

@@ -69,6 +69,18 @@ pub trait Scalar:
         x / (x * x).sqrt()
     }
 
+    /// sgn x: −1, 0 or 1, and exactly 0 of 0, where [`sign`](Self::sign) is 1.
+    /// Generated code multiplies Coulomb friction by it.
+    ///
+    /// `f32` and `f64` compare. What has no order gets x/√(x² + 1.2e-38), which is 1 beyond 1e-10 to 18
+    /// digits and steep in between; dual numbers had better say that their derivative is zero.
+    #[inline]
+    #[must_use]
+    fn sgn(self) -> Self {
+        let least = Self::constant(f64::from(f32::MIN_POSITIVE));
+        self / (self * self + least).sqrt()
+    }
+
     /// The sines and the cosines of all angles of a call \[rad\].
     ///
     /// Evaluating them together lets an implementation vectorise them, as

@@ -8,6 +8,8 @@ returns for them, every f64 in full. The tests read the JSON and never run this 
     venv/bin/python tests/reference/make.py            # all robots
     venv/bin/python tests/reference/make.py scara      # some
 
+Robots of DRIVES are made again with armatures and friction, as <robot>_driven.json.
+
 Refuses a robot whose bodies are not physical or whose mass matrix is not positive definite.
 """
 
@@ -38,6 +40,15 @@ FRAMES = {
 
 # The same robots on a free base, listed as <robot>_free.
 FREE = {"quadruped_free": ("hr_foot", 10)}
+
+# robot: for each joint, armature, damping and friction
+DRIVES = {
+    "stanford_general": (
+        [0.95, 2.2, 0.78, 0.11, 0.1, 0.02],
+        [3.5, 2.0, 6.25, 0.5, 0.0, 0.25],
+        [1.25, 0.0, 4.5, 0.75, 0.5, 0.125],
+    ),
+}
 
 CONVENTIONS = (
     "SI units; matrices are row-major nested lists; Jacobian rows linear then angular; "
@@ -148,6 +159,41 @@ def check_bodies(model):
         assert body.mass > 0 and least > 0, f"joint {name} carries a body that is not physical: {least}"
 
 
+def with_friction(state, damping, friction, ddq):
+    """The same state where each joint takes damping v + friction sign(v) besides."""
+    v = np.array(state["v"])
+    taken = damping * v + friction * np.sign(v)
+    tau, bias = np.array(state["tau"]) + taken, np.array(state["bias"]) + taken
+    fields = ["q", "v", "a", "torque", "gravity_torque", "M_upper", "kinetic_energy"]
+    kept = {field: state[field] for field in fields}
+    return kept | {"tau": numbers(tau), "bias": numbers(bias), "ddq": numbers(ddq(state, taken))}
+
+
+def drive(name):
+    """A robot whose joints have drives: armatures are Pinocchio's, friction is added to its torques."""
+    armature, damping, friction = (np.array(each) for each in DRIVES[name])
+    frame_name, seed = FRAMES[name]
+    model = pin.buildModelFromUrdf(str(ROBOTS / f"{name}.urdf"))
+    model.armature = armature
+    frame = model.getFrameId(frame_name)
+
+    def ddq(state, taken):
+        q, v, torque = (np.array(state[field]) for field in ["q", "v", "torque"])
+        return pin.aba(model, model.createData(), q, v, torque - taken).copy()
+
+    states = [evaluate(model, frame, *state) for state in random_states(model, seed)]
+    states = [with_friction(state, damping, friction, ddq) for state in states]
+    head = {
+        "robot": name,
+        "made_with": f"pinocchio {PINOCCHIO}",
+        "conventions": CONVENTIONS,
+        "armature": numbers(armature),
+        "damping": numbers(damping),
+        "friction": numbers(friction),
+    }
+    write(f"{name}_driven", model, head, states)
+
+
 def make(name):
     frame_name, seed = (FRAMES | FREE)[name]
     root = [pin.JointModelFreeFlyer()] if name in FREE else []
@@ -178,6 +224,10 @@ def make(name):
         "total_mass_of_moving_links": float(sum(body.mass for body in list(model.inertias)[1:])),
     }
     states = [evaluate(model, frame, *state) for state in random_states(model, seed)]
+    write(name, model, head, states)
+
+
+def write(name, model, head, states):
     text = json.dumps(head, separators=(",", ":"))[:-1] + ',"states":[\n'
     text += ",\n".join(json.dumps(state, separators=(",", ":")) for state in states) + "\n]}\n"
     path = HERE / f"{name}.json"
@@ -190,6 +240,8 @@ def main():
     assert set(FRAMES) == {path.stem for path in ROBOTS.glob("*.urdf")}, "FRAMES and robots/ differ"
     for name in sys.argv[1:] or FRAMES | FREE:
         make(name)
+        if name in DRIVES:
+            drive(name)
 
 
 if __name__ == "__main__":

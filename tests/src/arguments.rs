@@ -23,6 +23,8 @@ pub struct Arguments {
     pub qdd: Vec<f64>,
     /// Torques and forces \[N m or N\].
     pub tau: Vec<f64>,
+    /// Of each action from outside c and f \[N m, N\].
+    pub actions: Vec<f64>,
 }
 
 impl Arguments {
@@ -39,6 +41,7 @@ impl Arguments {
             qd: vector(velocities),
             qdd: vector(velocities),
             tau: vector(velocities),
+            actions: Vec::new(),
         }
     }
 
@@ -65,24 +68,28 @@ impl Arguments {
             Variable::Qd => &self.qd,
             Variable::Qdd => &self.qdd,
             Variable::Tau => &self.tau,
+            Variable::Actions => &self.actions,
             other => panic!("no function has {other:?}"),
         }
     }
 
-    fn vectors(&self) -> [(&'static str, &Vec<f64>); 4] {
-        [
+    /// Those that every robot has, and actions where there are any.
+    fn vectors(&self) -> impl Iterator<Item = (&'static str, &Vec<f64>)> {
+        let actions = (!self.actions.is_empty()).then_some(("actions", &self.actions));
+        let others = [
             ("q", &self.q),
             ("qd", &self.qd),
             ("qdd", &self.qdd),
             ("tau", &self.tau),
-        ]
+        ];
+        others.into_iter().chain(actions)
     }
 }
 
 /// `q 0x1.8p+0 … qd … qdd … tau …`, to the last bit.
 impl fmt::Display for Arguments {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, (name, entries)) in self.vectors().into_iter().enumerate() {
+        for (index, (name, entries)) in self.vectors().enumerate() {
             let blank = if index == 0 { "" } else { " " };
             write!(out, "{blank}{name}")?;
             for entry in entries {
@@ -105,6 +112,7 @@ impl FromStr for Arguments {
                 "qd" => Some(&mut arguments.qd),
                 "qdd" => Some(&mut arguments.qdd),
                 "tau" => Some(&mut arguments.tau),
+                "actions" => Some(&mut arguments.actions),
                 _ => {
                     let entries = vector.ok_or_else(|| format!("{word:?} belongs to nothing"))?;
                     let entry = hexadecimal::parse(word);
@@ -127,6 +135,7 @@ mod tests {
         let mut arguments = Arguments::random(3, &mut Random::new(1));
         arguments.qd[1] = f64::from_bits(1);
         arguments.tau[2] = -0.1;
+        arguments.actions.push(0.75);
         assert_eq!(arguments.to_string().parse(), Ok(arguments));
     }
 

@@ -164,6 +164,11 @@ impl Arithmetic for Big {
         Self::sqrt(&self)
     }
 
+    fn sign(self) -> Self {
+        let sign = |x: f64| f64::from(i8::from(x > 0.0) - i8::from(x < 0.0));
+        Self::new(sign(self.to_f64()))
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         Self::sin_cos(&self)
     }

@@ -6,10 +6,11 @@
 //! stand at right angles but for some that do not.
 
 use homogen_codegen::description::{
-    Axis, Description, Inertial, Joint, Limits, Link, Name, Number, Source, Step,
+    Axis, Description, Inertial, Joint, Limits, Link, Name, Number, Source, Step, Unmodelled,
 };
 use homogen_codegen::error::Place;
 use homogen_codegen::joint::JointKind;
+use homogen_codegen::joint::drive::Parts;
 
 use crate::states::Random;
 
@@ -64,6 +65,7 @@ pub fn humanoid(joints: usize) -> Description {
         joints: Vec::new(),
         loops: Vec::new(),
         warnings: Vec::new(),
+        unmodelled: Unmodelled::default(),
     };
     for limb in limbs {
         let mut on = limb.on;
@@ -103,6 +105,7 @@ fn joint(k: usize, parent: Name, limb: &Limb, random: &mut Random) -> Joint {
             upper: 1.5 + 0.5 * random.unit(),
             velocity: limb.speed,
         }),
+        drive: Parts::default(),
         place: Place::Unknown,
     }
 }

@@ -8,6 +8,7 @@ pub mod arguments;
 pub mod big;
 pub mod cholesky;
 pub mod climb;
+pub mod drives;
 pub mod dual;
 pub mod fire;
 pub mod functions;

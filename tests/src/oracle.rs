@@ -7,6 +7,7 @@
 //! its frames, merged bodies and regrouped parameters. That they agree to 10⁻⁵⁰ is tested; from then on
 //! either is the truth, and the second is the faster one.
 
+pub mod drive;
 pub mod frame_0;
 pub mod link_frames;
 pub mod matrix;

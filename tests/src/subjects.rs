@@ -8,10 +8,11 @@ use std::path::Path;
 
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{
-    Axis, Description, Inertial, Joint, Link, Name, Number, Source, Step, read_file,
+    Axis, Description, Inertial, Joint, Link, Name, Number, Source, Step, Unmodelled, read_file,
 };
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::joint::JointKind;
+use homogen_codegen::joint::drive::Parts;
 use homogen_codegen::request::Request;
 
 /// A robot and what is asked for of it.
@@ -160,6 +161,7 @@ fn lifted(mut description: Description) -> Description {
         mimic: None,
         origin: Vec::new(),
         limits: None,
+        drive: Parts::default(),
         place: Place::Unknown,
     };
     description.joints.insert(0, lift);
@@ -329,6 +331,7 @@ fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
             second_axis: [Number::default(); 3],
             mimic: None,
             limits: None,
+            drive: Parts::default(),
             place: Place::Unknown,
         });
     }
@@ -339,6 +342,7 @@ fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
         joints,
         loops: Vec::new(),
         warnings: Vec::new(),
+        unmodelled: Unmodelled::default(),
     }
 }
 

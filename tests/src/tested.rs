@@ -118,6 +118,10 @@ macro_rules! implement {
                 $new(self.0.sqrt())
             }
 
+            fn sign(self) -> Self {
+                $new(Arithmetic::sign(self.0))
+            }
+
             fn sin_cos(self) -> (Self, Self) {
                 let (sine, cosine) = $sin_cos(self.0);
                 ($new(sine), $new(cosine))

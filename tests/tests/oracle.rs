@@ -17,6 +17,7 @@ use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
+use homogen_tests::drives::driven;
 use homogen_tests::metrics;
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::oracle::state::State;
@@ -84,7 +85,9 @@ fn agree_within(tolerance: f64, description: &Description, request: &Request) ->
     let mut worst: f64 = 0.0;
     for _ in 0..STATES {
         let [coordinates, velocities] = [&spaces.coordinates, &spaces.velocities].map(Vec::len);
-        let arguments = Arguments::of_lists(coordinates, velocities, &mut random);
+        let mut arguments = Arguments::of_lists(coordinates, velocities, &mut random);
+        let actions = 0..chain.spaces().actions.len();
+        arguments.actions = actions.map(|_| 4.0 * random.unit()).collect();
         let state = State::of(&arguments, spaces.quaternions());
         let sizes = metrics::sizes::<F64>(&sizes, &arguments);
         let found = sources
@@ -291,12 +294,24 @@ fn loops_of_every_kind() {
     println!("{worst:.1e}");
 }
 
-/// The worst difference of a robot in the tokens of `chain!`.
+/// The worst difference of a robot in the tokens of `chain!`, as it is, with drives at all joints, and with actions on its tips, too.
 fn of_tokens(text: &str) -> f64 {
     let mut errors = Errors::new();
     let tokens = text.parse().expect("tokens");
     let item = inline::read(tokens, Path::new("nowhere"), &mut errors);
     assert!(errors.is_empty(), "{errors}");
     let item = item.expect("an item");
-    agree(&item.description.expect("a description"), &item.request)
+    let (description, request) = (item.description.expect("a description"), item.request);
+    let plain = agree(&description, &request);
+    let driven = driven(&description, request);
+    let mut worst = plain.max(agree(&description, &driven));
+    for external_in_frame_0 in [false, true] {
+        let pushed = Request {
+            external: driven.tip.iter().cloned().collect(),
+            external_in_frame_0,
+            ..driven.clone()
+        };
+        worst = worst.max(agree(&description, &pushed));
+    }
+    worst
 }

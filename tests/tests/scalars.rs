@@ -82,6 +82,10 @@ impl Scalar for Dual {
         dual(root, self.slope / (2.0 * root))
     }
 
+    fn sgn(self) -> Self {
+        dual(Scalar::sgn(self.value), 0.0)
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
         (

@@ -87,7 +87,7 @@ fn halves(screws: &[[f32; 6]]) -> Vec<f32> {
     [first, second].concat()
 }
 
-/// Every function of a robot written for `core` alone, the regressors last.
+/// Every function of a robot written for `core` alone but regressors.
 macro_rules! standalone {
     ($robot:expr, $arguments:expr) => {{
         let Arguments {
@@ -131,7 +131,6 @@ macro_rules! standalone {
                 let parts = [by.dq, by.dqd, by.dtau];
                 parts.as_flattened().as_flattened().to_vec()
             },
-            regressors!($robot, $arguments),
         ]
         .concat()
     }};
@@ -146,6 +145,14 @@ macro_rules! regressors {
             $robot.base_regressor(q, qd, qdd).as_flattened(),
         ]
         .concat()
+    }};
+}
+
+/// Those of a robot with drives, of which there are none.
+macro_rules! no_regressors {
+    ($robot:expr, $arguments:expr) => {{
+        let _ = $arguments;
+        Vec::new()
     }};
 }
 
@@ -190,6 +197,14 @@ fn agree<R, const N: usize, const F: usize>(
 
 macro_rules! standalone_files {
     ($name:ident, $robot:ident) => {
+        standalone_files!($name, $robot, regressors, {
+            assert_eq!(
+                $name::own::Standalone::BASE_PARAMETERS,
+                $name::named::Standalone::BASE_PARAMETERS
+            );
+        });
+    };
+    ($name:ident, $robot:ident, $regressors:ident, $same:block) => {
         mod $name {
             pub mod own {
                 include!(concat!(env!("OUT_DIR"), "/", stringify!($name), "_own.rs"));
@@ -207,21 +222,36 @@ macro_rules! standalone_files {
         #[test]
         fn $name() {
             use $name::{named, own};
-            assert_eq!(
-                own::Standalone::BASE_PARAMETERS,
-                named::Standalone::BASE_PARAMETERS
-            );
+            $same
             agree(
                 &$robot,
                 &$robot::chain(),
-                |arguments| regressors!($robot, arguments),
-                |arguments| standalone!(own::Standalone, arguments),
-                |arguments| standalone!(named::Standalone, arguments),
+                |arguments| $regressors!($robot, arguments),
+                |arguments| {
+                    let regressors = $regressors!(own::Standalone, arguments);
+                    [standalone!(own::Standalone, arguments), regressors].concat()
+                },
+                |arguments| {
+                    let regressors = $regressors!(named::Standalone, arguments);
+                    [standalone!(named::Standalone, arguments), regressors].concat()
+                },
             );
         }
     };
 }
 for_every_robot!(standalone_files);
+
+/// With drives, whose friction has a sign.
+#[derive(homogen::Robot)]
+#[robot(
+    urdf = "../robots/scara.urdf",
+    armature(shoulder = 0.25),
+    rotor(lift = 2e-5),
+    ratio(lift = 300)
+)]
+#[robot(damping(elbow = 0.75), friction(elbow = 0.5, lift = 3))]
+struct Driven;
+standalone_files!(driven, Driven, no_regressors, {});
 
 /// The sines that a file brings along are the straight half of the runtime's.
 mod single_sines {

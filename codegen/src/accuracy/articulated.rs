@@ -87,7 +87,7 @@ pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> 
             let wider = widened(&range, margin);
             let found = values(computed(&motion, &wider, means, scalar))?;
             let motions: Vec<Moving> = found.chunks(ARTICULATED_MOTION).map(Moving::of).collect();
-            let size = size(&outboard, &motions, &wider, &mobility);
+            let size = size(&links, &outboard, &motions, &wider, &mobility);
             let vanishes = underflow(size, links.len(), scalar)?;
             let errors = torque_errors(
                 &links,
@@ -160,9 +160,16 @@ fn action(size: Pair, lost: Pair) -> [Value; 6] {
 }
 
 /// A bound of every product on the way, as far as sizes of factors tell.
-fn size(outboard: &[Outboard], motions: &[Moving], range: &Range, mobility: &Mobility) -> f64 {
+fn size(
+    links: &[Link],
+    outboard: &[Outboard],
+    motions: &[Moving],
+    range: &Range,
+    mobility: &Mobility,
+) -> f64 {
     let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(1.0, f64::max);
     let inertia = largest(&mut outboard.iter().map(|body| body.whole.largest()));
+    let inertia = largest(&mut links.iter().map(|link| link.armature.sqrt())).max(inertia);
     let moving = largest(&mut motions.iter().flat_map(|motion| {
         let parts = [motion.action, motion.drift, motion.acceleration];
         parts.map(|[size, _]| size.largest())
@@ -187,6 +194,8 @@ fn torque_errors(
     // lost; as far as known from the bodies that hang on it.
     let mut forces = vec![Pair::default(); links.len()];
     let mut lost = forces.clone();
+    // What the joint alone feels besides.
+    let mut beside = vec![0.0; links.len()];
     for (k, link) in links.iter().enumerate().rev() {
         let Moving {
             action: [action_size, action_lost],
@@ -199,9 +208,22 @@ fn torque_errors(
         let own = Pair::new(link.spread, link.mass).roots();
         let [_, most] = range.qdd[k];
         let opposed = whole.dot(acceleration);
-        let free = opposed + most * link.along(whole);
+        let free = opposed + most * link.share(whole);
+        // |y|/√D: an armature opposes the joint's own acceleration.
+        let lacking = opposed + most * link.armature.sqrt();
         let by_own = own.times(own.dot(acceleration));
         forces[k] = forces[k].plus(action_size).plus(by_own);
+
+        // Of the joint's own equation, in units of √D.
+        let driven = link.armature > 0.0;
+        let roundings = if driven { 14.0 } else { 12.0 };
+        let residual = roundings * roundoff * free + whole.dot(acceleration_lost);
+        beside[k] = (link.share(whole) - link.along(whole)) * residual;
+        let resistance = link.resistance(range.qd[k]);
+        if resistance > 0.0 {
+            let given = link.along(forces[k]) + link.armature * most;
+            beside[k] += roundoff * (3.0 * resistance + given) + vanishes;
+        }
 
         // The body's own; sums with what hangs on it; the joint's acceleration.
         let sums = forces[k].plus(whole.times((1.0 + FROBENIUS) * opposed));
@@ -209,7 +231,7 @@ fn torque_errors(
             .plus(action_lost)
             .plus(by_own.times(3.0 * roundoff))
             .plus(sums.times(children * roundoff))
-            .plus(whole.times(12.0 * roundoff * free + whole.dot(acceleration_lost)))
+            .plus(whole.times(residual))
             .plus(Pair::both(vanishes));
 
         let Some(parent) = link.parent else {
@@ -217,8 +239,10 @@ fn torque_errors(
         };
         // What is passed on: of the drift, of the joint's push, and their sum with the rest.
         let drifting = whole.dot(drift);
-        let rest = forces[k].plus(whole.times(2.0 * opposed + drifting));
-        let products = roundoff * ((6.0 * FROBENIUS + 3.0) * drifting + 4.0 * opposed);
+        let rest = forces[k].plus(whole.times(opposed + lacking + drifting));
+        // A joint clears one column, but for an armature.
+        let entries = if driven { 7.0 } else { 6.0 };
+        let products = roundoff * ((entries * FROBENIUS + 3.0) * drifting + 4.0 * lacking);
         let rest_lost = whole
             .times(products + whole.dot(drift_lost))
             .plus(rest.times(2.0 * roundoff))
@@ -231,6 +255,8 @@ fn torque_errors(
             .plus(Pair::new(errors(&found, 0..3), errors(&found, 3..6)));
         forces[parent] = forces[parent].plus(forces[k].at_distance(link.reach));
     }
-    let links = links.iter().zip(lost);
-    Ok(links.map(|(link, lost)| TRUST * link.along(lost)).collect())
+    let links = links.iter().zip(lost).zip(beside);
+    Ok(links
+        .map(|((link, lost), beside)| TRUST * (link.along(lost) + beside))
+        .collect())
 }

@@ -27,7 +27,8 @@ pub struct Mobility {
 /// How much the joints and bodies of a chain can move.
 ///
 /// (M⁻¹)ₖₖ is the greatest q̇ₖ²/(q̇ᵗM q̇). With x and y what the two bodies of a joint do, q̇ₖ = x − y,
-/// and q̇ᵗM q̇ ≥ x²/a + y²/b, this is at most a + b.
+/// and q̇ᵗM q̇ ≥ x²/a + y²/b, this is at most a + b; with an armature c, which adds c q̇ₖ² to it, at most
+/// 1/(1/(a + b) + c).
 ///
 /// # Errors
 /// Why it is not known: kinetic energy may be negative with an inertia that no body has; centres of
@@ -95,7 +96,16 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
             }
         }
     };
-    let joints = bodies.iter().zip(&whole).map(joint).collect();
+    let joints = bodies.iter().zip(&whole).map(joint);
+    // What an armature has of the energy comes on top.
+    let joints = joints.zip(&solids).map(|(bodies, solid)| {
+        if solid.armature > 0.0 {
+            (bodies.recip() + solid.armature).recip()
+        } else {
+            bodies
+        }
+    });
+    let joints = joints.collect();
     let body = |solid: &&Solid| {
         let turns = AXES.iter().map(|&axis| solid.turns(axis));
         let slides = AXES.iter().map(|&axis| solid.slides(axis, [0.0; 3]));
@@ -115,9 +125,9 @@ const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], Z];
 const PARALLEL: f64 = 1e-28;
 
 /// How many numbers a body is described by.
-const NUMBERS: usize = 22;
+const NUMBERS: usize = 23;
 
-/// m, q, ∫rrᵗdm (xx, yy, zz, xy, xz, yz), R by rows and t of the placement.
+/// m, q, ∫rrᵗdm (xx, yy, zz, xy, xz, yz), R by rows and t of the placement; the joint's armature.
 fn numbers<'g>(body: &Body<'g>) -> [Term<'g>; NUMBERS] {
     let inertia = body.inertia;
     let rotation = body.placement.rotation.0.concat();
@@ -126,7 +136,8 @@ fn numbers<'g>(body: &Body<'g>) -> [Term<'g>; NUMBERS] {
         1..4 => inertia.q.0[k - 1],
         4..10 => inertia.second.0[k - 4],
         10..19 => rotation[k - 10],
-        _ => body.placement.translation.0[k - 19],
+        19..22 => body.placement.translation.0[k - 19],
+        _ => body.drive.armature,
     })
 }
 
@@ -153,6 +164,7 @@ struct Solid {
     centre: [f64; 3],
     inertia: [[Double; 3]; 3],
     spin: Spin,
+    armature: f64,
     /// a of q̇² ≤ 2a T, if nothing else moved the body.
     on_the_base: f64,
 }
@@ -211,6 +223,7 @@ impl Solid {
             } else {
                 Spin::Any
             },
+            armature: numbers[22].to_f64(),
             on_the_base,
         })
     }

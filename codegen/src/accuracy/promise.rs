@@ -196,13 +196,11 @@ pub(super) fn backward(
     means: Means,
     worst: impl Fn(Real) -> Worst,
 ) -> Accuracy {
-    let (of, arguments): (Function, &[Variable]) = match given {
-        Given::Torques => {
-            let arguments = &[Variable::Q, Variable::Qd, Variable::Qdd];
-            (Function::InverseDynamics, arguments)
-        }
-        Given::MassMatrix => (Function::MassMatrix, &[Variable::Q]),
+    let of = match given {
+        Given::Torques => Function::InverseDynamics,
+        Given::MassMatrix => Function::MassMatrix,
     };
+    let arguments = &of.arguments_with(chain.spaces().actions() > 0);
     match promise(chain, means, &owners(chain, of), worst) {
         Ok(promise) => Accuracy::Backward(given, promise.within(chain, arguments, programs, means)),
         Err(reason) => Accuracy::Unknown(reason),

@@ -19,6 +19,8 @@ pub struct Range {
     pub qd: Vec<[f64; 2]>,
     /// Of each second rate [rad/s² or m/s²].
     pub qdd: Vec<[f64; 2]>,
+    /// Of the entries of each action from outside \[N m, N\].
+    pub actions: Vec<[f64; 2]>,
     /// Where the quaternions of q begin.
     pub(super) quaternions: Vec<usize>,
     /// Of the entries of each struct field, in the units of what it stands for.
@@ -26,13 +28,15 @@ pub struct Range {
 }
 
 /// How large an entry is of which no description tells: coordinates go π rad or 1 m to both sides, with
-/// 10 rad/s or 1 m/s, and 10 rad/s² or 10 m/s². Nothing is said of forces.
+/// 10 rad/s or 1 m/s, and 10 rad/s² or 10 m/s²; the surroundings act with 100 N m and 100 N. Nothing is said
+/// of forces of joints.
 const fn default(variable: Variable, kind: Kind) -> Option<f64> {
     match (variable, kind) {
         (Variable::Q, Kind::Turn) => Some(PI),
         (Variable::Q, Kind::Slide | Kind::Quaternion) | (Variable::Qd, Kind::Slide) => Some(1.0),
         (Variable::Tau, _) | (_, Kind::Moment(_)) => None,
         (Variable::Qd | Variable::Qdd, _) => Some(10.0),
+        (Variable::Actions, _) => Some(100.0),
     }
 }
 
@@ -40,7 +44,7 @@ const fn default(variable: Variable, kind: Kind) -> Option<f64> {
 const fn described(variable: Variable, entry: &Entry) -> Option<[f64; 2]> {
     match variable {
         Variable::Q | Variable::Qd => entry.range,
-        Variable::Qdd | Variable::Tau => None,
+        Variable::Qdd | Variable::Tau | Variable::Actions => None,
     }
 }
 
@@ -73,6 +77,7 @@ impl Range {
             q: ranges(spaces, Variable::Q),
             qd: ranges(spaces, Variable::Qd),
             qdd: ranges(spaces, Variable::Qdd),
+            actions: ranges(spaces, Variable::Actions),
             fields: (chain.parameters.iter().zip(&chain.nominal))
                 .map(|(field, nominal)| vec![within(field, nominal); nominal.len()])
                 .collect(),
@@ -107,6 +112,7 @@ impl Range {
                 Variable::Qd => at(&self.qd, k),
                 Variable::Qdd => at(&self.qdd, k),
                 Variable::Tau => None,
+                Variable::Actions => at(&self.actions, k),
             },
             Input::Parameter(field, k) => self
                 .fields

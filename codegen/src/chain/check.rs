@@ -8,9 +8,9 @@ use std::collections::{BTreeSet, HashMap};
 use super::closure;
 use super::mimic;
 use super::names::Names;
-use super::numbers;
 use super::shape::{Joints, downstream, find_base};
 use super::tree::{Branch, Follow, Tree};
+use super::{drive, external, numbers};
 use crate::description::{Description, Name, Number};
 use crate::error::Errors;
 use crate::request::{Request, Target};
@@ -67,6 +67,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         branches,
         tip,
         frames,
+        external: Vec::new(),
         dropped,
     };
     check_kept(description, request, &tree, &links, &mut errors);
@@ -86,6 +87,8 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     check_moving(description, request, &tree, &links, &mut errors);
     check_size(description, &tree, &mut errors);
     numbers::check(description, request, &tree, &mut errors);
+    drive::check(description, request, &tree, &joints, &mut errors);
+    tree.external = external::check(description, request, &tree, &links, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         errors.push(
@@ -203,7 +206,11 @@ fn check_targets(
 ) {
     for parameter in &request.parameters {
         let missing = match &parameter.target {
-            Target::Gravity => None,
+            // What is asked of drives is looked at with all else that is.
+            Target::Gravity
+            | Target::ArmatureOf(_)
+            | Target::DampingOf(_)
+            | Target::FrictionOf(_) => None,
             Target::MassOf(name) | Target::CenterOfMassOf(name) => links
                 .find(name, errors)
                 .is_some_and(|link| tree.dropped.contains(&link))

@@ -5,6 +5,7 @@
 //! scalars like all others. It never drops a mass.
 
 mod closure;
+mod drive;
 
 use std::collections::HashMap;
 
@@ -12,10 +13,10 @@ use super::tree::{Branch, Follow, Tree};
 use super::{Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
 use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
-use crate::joint::{Along, Freedom, JointKind, Motion, Movement, Posture};
+use crate::joint::{Along, Drive, Freedom, JointKind, Motion, Movement, Posture, entry};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
-use crate::space::{Entry, Spaces};
+use crate::space::{ACTION, Entry, Spaces};
 
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
@@ -39,6 +40,7 @@ struct Body<'g> {
     link: Option<(usize, Pose<Term<'g>>)>,
     inertia: Inertia<Term<'g>>,
     moved: Moved<'g>,
+    drive: Drive<Term<'g>>,
 }
 
 /// What moves a body.
@@ -65,23 +67,26 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     };
     let name = |link: usize| description.links[link].name.text.clone();
     let (seats, bodies) = seat(description, tree, &mut reader);
-    let frames = (tree.tip.iter().chain(&tree.frames))
-        .filter_map(|&link| {
-            let seat = seats[link]?;
-            Some(Frame {
-                name: name(link),
-                body: seat.body,
-                placement: seat.pose.map(Term::expr),
-            })
+    let frame = |link: usize| {
+        let seat = seats[link]?;
+        Some(Frame {
+            name: name(link),
+            body: seat.body,
+            placement: seat.pose.map(Term::expr),
         })
-        .collect();
+    };
+    let frames = tree.tip.iter().chain(&tree.frames);
+    let frames = frames.filter_map(|&link| frame(link)).collect();
+    let external = tree.external.iter().filter_map(|&link| frame(link));
+    let external: Vec<Frame> = external.collect();
     let loops = closure::closed(description, &seats, &mut reader);
     let gravity = reader.gravity().map(Term::expr);
     reader.report.base = name(tree.base);
     let modelled = (0..seats.len()).filter(|&link| seats[link].is_some());
     reader.report.links = modelled.map(name).collect();
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
-    let (joints, spaces) = listed(description, bodies, &graph);
+    let (joints, mut spaces) = listed(description, bodies, &graph);
+    spaces.actions = actions(&external);
     let Reader {
         nominal, report, ..
     } = reader;
@@ -93,6 +98,8 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         loops,
         actuated: Vec::new(),
         frames,
+        external,
+        external_in_frame_0: request.external_in_frame_0,
         has_tip: tree.tip.is_some(),
         gravity,
         report,
@@ -100,6 +107,18 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         base_parameters: super::base_parameters::BaseParameters::default(),
         graph,
     }
+}
+
+/// The entries of the actions on some links.
+fn actions(external: &[Frame]) -> Vec<Entry> {
+    let entries = external.iter().flat_map(|link| {
+        ACTION.map(|(name, kind)| Entry {
+            name: entry(&link.name, name),
+            kind,
+            range: None,
+        })
+    });
+    entries.collect()
 }
 
 /// The bodies with their places in the lists of coordinates and velocities, and those lists.
@@ -169,6 +188,7 @@ fn listed(
             inertia: body.inertia.map(Term::expr),
             position,
             velocity,
+            drive: body.drive.map(Term::expr),
         }
     };
     let joints = bodies.into_iter().zip(places).map(joint).collect();
@@ -260,7 +280,7 @@ fn moved<'g>(
             link = turn.inverse();
         }
     }
-    for (velocity, freedom) in kind.velocities(name) {
+    for (place, (velocity, freedom)) in kind.velocities(name).enumerate() {
         let axis = direction(graph, freedom, axes);
         bodies.push(Body {
             joint: branch.joint,
@@ -272,6 +292,7 @@ fn moved<'g>(
             link: None,
             inertia: Inertia::zero(graph),
             moved,
+            drive: reader.drive(joint, place),
         });
         (parent, placement) = (Some(bodies.len() - 1), Pose::identity(graph));
         if kind.posture().is_some() {

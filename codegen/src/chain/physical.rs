@@ -5,7 +5,7 @@
 //! is computed as given.
 
 use super::tree::Tree;
-use super::{Chain, limits, mimic};
+use super::{Chain, drive, limits, mimic};
 use crate::description::{Description, Inertial, Link};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Double, Term};
@@ -28,6 +28,7 @@ pub fn check(
 ) -> Result<Chain, Errors> {
     let mut doubts = description.warnings.clone();
     doubts.append(&mut chain.report.warnings);
+    doubts.extend(drive::doubts(description, request, tree));
     doubts.extend(limits::doubts(description, tree));
     doubts.extend(mimic::doubts(description, tree));
     // Whether the body that a link belongs to moves, and whether any of its links has a mass.

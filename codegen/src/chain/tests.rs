@@ -4,6 +4,8 @@
 
 mod base_parameters;
 mod bodies;
+mod drives;
+mod external;
 mod joints;
 
 use std::path::Path;

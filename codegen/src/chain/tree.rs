@@ -14,6 +14,8 @@ pub struct Tree {
     pub tip: Option<usize>,
     /// Further links whose frames are asked for.
     pub frames: Vec<usize>,
+    /// Links on which something acts from outside.
+    pub external: Vec<usize>,
     /// Links that are not modelled.
     pub dropped: Vec<usize>,
 }

@@ -15,7 +15,8 @@ const PLACEMENT: usize = 12;
 /// The robot of some data, whose numbers are given one after the other.
 pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
     let (joints, rest) = numbers.split_at(JOINT * data.parents.len());
-    let (frames, gravity) = rest.split_at(PLACEMENT * data.frames.len());
+    let (frames, rest) = rest.split_at(PLACEMENT * data.frames.len());
+    let (gravity, drives) = rest.split_at(3);
     let (mut coordinates, mut velocities) = (0, 0);
     // Of each joint, where its coordinates and velocities begin.
     let mut places = Vec::new();
@@ -34,6 +35,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
                     screw,
                     velocity,
                     factor,
+                    drive: [Approximate::exact(0.0); 3],
                 };
                 let moved = Moved::By {
                     screw,
@@ -64,14 +66,20 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
             }
         })
         .collect();
+    for (drive, &(joint, velocity)) in drives.chunks(3).zip(&data.driven) {
+        bodies[usize::from(joint)].freedoms[usize::from(velocity)].drive = three(drive);
+    }
     let mut frame = |(numbers, body): (&[Approximate], Option<u16>)| {
         bodies.push(fixed(body, numbers));
         Some(bodies.len() - 1)
     };
     let frames = frames.chunks(PLACEMENT).zip(&data.frames);
-    let frames = frames
+    let frames: Vec<Option<usize>> = frames
         .map(|(numbers, (_, body))| frame((numbers, *body)))
         .collect();
+    // Those that are acted on come last.
+    let external = &frames[frames.len() - data.external.0..];
+    let external = external.iter().copied().flatten().collect();
     Robot {
         bodies,
         velocities,
@@ -82,6 +90,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         base_columns: Vec::new(),
         loops: Vec::new(),
         actuated: Vec::new(),
+        external: (external, data.external.1),
     }
 }
 
@@ -139,6 +148,7 @@ fn freedoms(posture: Posture, first: usize) -> Vec<Freedom> {
                 screw,
                 velocity: first + k,
                 factor: Approximate::exact(1.0),
+                drive: [Approximate::exact(0.0); 3],
             }
         })
         .collect()

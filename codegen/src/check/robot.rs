@@ -13,6 +13,7 @@ use crate::chain::Chain;
 use crate::dense::{Approximate, Body, Closed, Freedom, Matrix, Moved, Robot};
 use crate::description::{Axis, Description, Inertial, Joint, Link, Mimic, Name, Number, Step};
 use crate::expression::Arithmetic;
+use crate::joint::drive::Part;
 use crate::joint::{self, Along, Movement, Posture};
 use crate::request::{Request, Target};
 use crate::space::{Kind, Space};
@@ -87,7 +88,7 @@ pub(super) fn robot(
     if moving != spaces.velocities.len() {
         return Err(Contradiction("how many joints move".to_owned()));
     }
-    let frames = chain.frames.iter();
+    let frames = chain.frames.iter().chain(&chain.external);
     let mut frames: Vec<Option<usize>> = frames
         .map(|frame| seats.get(frame.name.as_str()).copied())
         .collect();
@@ -101,6 +102,9 @@ pub(super) fn robot(
         }
     }
     let loops = reader.loops(chain, &seats, &mut bodies, &mut frames)?;
+    let on = |name: &Name| seats.get(name.text.as_str()).copied();
+    let external: Option<Vec<usize>> = request.external.iter().map(on).collect();
+    let external = external.ok_or_else(|| Contradiction("what is acted on".to_owned()))?;
     Ok(Robot {
         bodies,
         velocities: moving,
@@ -112,6 +116,7 @@ pub(super) fn robot(
         links: (chain.joints.iter())
             .filter_map(|joint| seats.get(joint.link.as_ref()?.0.as_str()).copied())
             .collect(),
+        external: (external, request.external_in_frame_0),
     })
 }
 
@@ -150,6 +155,7 @@ impl Places<'_> {
                 screw,
                 velocity: place(self.velocities, name)?,
                 factor,
+                drive: [Scalar::literal(0.0); 3],
             }],
             inertia: Matrix::zero(),
         })
@@ -358,7 +364,8 @@ impl<'d> Reader<'d> {
             bodies.push(held(parent, placement, nothing, 0.0));
             return Ok(());
         }
-        for (own, freedom) in joint.kind.velocities(&joint.name.text) {
+        let velocities = joint.kind.velocities(&joint.name.text);
+        for (velocity, (own, freedom)) in velocities.enumerate() {
             let screw = self.screw(joint, freedom)?;
             let one = (Scalar::exact(1.0), Scalar::exact(0.0));
             bodies.push(match motion {
@@ -374,6 +381,14 @@ impl<'d> Reader<'d> {
                     ..places.along(leader, screw, (factor, offset))?
                 },
             });
+            for freedom in bodies
+                .iter_mut()
+                .last()
+                .into_iter()
+                .flat_map(|body| &mut body.freedoms)
+            {
+                freedom.drive = self.drive(joint, velocity);
+            }
             (parent, placement) = (Some(bodies.len() - 1), Matrix::identity());
         }
         Ok(())
@@ -399,11 +414,12 @@ impl<'d> Reader<'d> {
         }
         let coordinates = joint.kind.coordinates(name);
         let mut freedoms = Vec::new();
-        for (own, freedom) in joint.kind.velocities(name) {
+        for (velocity, (own, freedom)) in joint.kind.velocities(name).enumerate() {
             freedoms.push(Freedom {
                 screw: self.screw(joint, freedom)?,
                 velocity: place(places.velocities, &own)?,
                 factor: Scalar::exact(1.0),
+                drive: self.drive(joint, velocity),
             });
         }
         bodies.push(Body {
@@ -427,6 +443,30 @@ impl<'d> Reader<'d> {
         Some(std::array::from_fn(|k| {
             Scalar::exact(self.fields[field][k])
         }))
+    }
+
+    /// Armature, damping and friction of the velocity of that index among those of a joint.
+    fn drive(&self, joint: &Joint, velocity: usize) -> [Scalar; 3] {
+        let said = |part: Part| {
+            let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
+            let number = numbers.get(if numbers.len() == 1 { 0 } else { velocity });
+            number.map(|number| Scalar::literal(number.value))
+        };
+        let zero = Scalar::literal(0.0);
+        let ratio = said(Part::Ratio).unwrap_or(Scalar::exact(1.0));
+        let rotor = said(Part::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
+        [Part::Armature, Part::Damping, Part::Friction].map(|part| {
+            let field = self.field(|target| {
+                let of = target.drives();
+                of.is_some_and(|(name, of)| of == part && name.text == joint.name.text)
+            });
+            let described = said(part).unwrap_or(zero);
+            match (field, part) {
+                (Some([field]), _) => field,
+                (None, Part::Armature) => described + rotor,
+                (None, _) => described,
+            }
+        })
     }
 
     fn gravity(&self) -> [Scalar; 3] {

@@ -40,13 +40,19 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
         state.qdd.push(10.0 * random.unit() - 5.0);
         state.tau.push(20.0 * random.unit() - 10.0);
     }
+    for _ in &spaces.actions {
+        state.actions.push(20.0 * random.unit() - 10.0);
+    }
     for (parameter, nominal) in request.parameters.iter().zip(&chain.nominal) {
         let size = nominal
             .iter()
             .fold(0.0_f64, |most, entry| most.max(entry.abs()));
         let size = if size > 0.0 { size } else { 1.0 };
         let mut near = |entry: f64| match parameter.target {
-            Target::MassOf(_) => size * (0.5 + random.unit()),
+            Target::MassOf(_)
+            | Target::ArmatureOf(_)
+            | Target::DampingOf(_)
+            | Target::FrictionOf(_) => size * (0.5 + random.unit()),
             _ => entry + size * (random.unit() - 0.5),
         };
         state

@@ -61,13 +61,13 @@ fn prepare(description: &Description, request: &Request) -> (Chain, Check) {
 
 /// The operation with another sign somewhere.
 fn turned(operation: Operation) -> Operation {
-    use Operation::{Add, Div, Mul, MulAdd, MulSub, Neg, NegMulAdd, Sqrt, Sub};
+    use Operation::{Add, Div, Mul, MulAdd, MulSub, Neg, NegMulAdd, Sign, Sqrt, Sub};
     match operation {
         Add(a, b) => Sub(a, b),
         Sub(a, b) => Add(a, b),
         Mul(a, b) => Div(a, b),
         Div(a, b) => Mul(a, b),
-        Sqrt(a) => Neg(a),
+        Sqrt(a) | Sign(a) => Neg(a),
         Neg(a) => Add(a, Operand::Literal(0.0)),
         MulAdd(a, b, c) => MulSub(a, b, c),
         MulSub(a, b, c) => NegMulAdd(a, b, c),

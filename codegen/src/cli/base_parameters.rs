@@ -36,6 +36,7 @@ impl BaseParameters {
         let request = self.robot.request(&None, Vec::new());
         let chain = expand::understand(&description, &request)?;
         expand::check_size(&chain)?;
+        expand::identifiable(&chain)?;
         Ok(match self.format {
             Format::Text => Answer {
                 output: in_text(&description.name.text, &chain),

@@ -56,9 +56,10 @@ impl Count {
     }
 }
 
-/// The numbers of a price in the order of the table; a name of two words is a group and a key.
-fn columns(price: &Price) -> [(&'static str, usize); 12] {
-    [
+/// The numbers of a price in the order of the table, that of signs where it is wanted; a name of two words is a group and
+/// a key.
+fn columns(price: &Price, signs: bool) -> Vec<(&'static str, usize)> {
+    let mut columns = vec![
         ("mul", price.mul),
         ("add", price.add),
         ("div", price.div),
@@ -71,13 +72,23 @@ fn columns(price: &Price) -> [(&'static str, usize); 12] {
         ("literals", price.literals),
         ("naive mul", price.naive_mul),
         ("naive add", price.naive_add),
-    ]
+    ];
+    if signs {
+        columns.push(("sign", price.sign));
+    }
+    columns
+}
+
+/// Whether any of some functions takes a sign, as those with Coulomb friction do.
+fn have_signs(functions: &[Listed]) -> bool {
+    functions.iter().any(|listed| listed.price.sign > 0)
 }
 
 fn in_json(listing: &Listing, doubts: &[Complaint]) -> Value {
+    let signs = have_signs(&listing.functions);
     let prices = listing.functions.iter().map(|listed| {
         let mut price = json!({});
-        for (name, number) in columns(&listed.price) {
+        for (name, number) in columns(&listed.price, signs) {
             match name.split_once(' ') {
                 Some((group, name)) => price[group][name] = json!(number),
                 None => price[name] = json!(number),
@@ -145,14 +156,15 @@ fn table(functions: &[Listed]) -> String {
     let width = names.iter().map(|name| name.chars().count()).max();
     let width = width.unwrap_or(0);
     let mut text = format!("{:width$}", "");
-    for (head, _) in columns(&Price::default()) {
+    let signs = have_signs(functions);
+    for (head, _) in columns(&Price::default(), signs) {
         text.push_str("  ");
         text.push_str(head);
     }
     for (name, listed) in names.iter().zip(functions) {
         // Writing to a string cannot fail.
         let _ = write!(text, "\n{name:width$}");
-        for (head, number) in columns(&listed.price) {
+        for (head, number) in columns(&listed.price, signs) {
             let column = head.len();
             let _ = write!(text, "  {number:>column$}");
         }

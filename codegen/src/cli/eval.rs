@@ -32,7 +32,8 @@ Example:
   homogen eval arm.urdf --function inverse_dynamics --states states.json --format json
 
 The states: {\"states\":[{\"q\":[…],\"qd\":[…],\"qdd\":[…],\"tau\":[…]}]}, one number a joint, in the
-order of `homogen check`; keys that the function does not need may be absent.")]
+order of `homogen check`; keys that the function does not need may be absent. Actions from outside are
+\"actions\":[[c_x, c_y, c_z, f_x, f_y, f_z], …], one a link in the order of --external.")]
 pub(super) struct Eval {
     #[command(flatten)]
     robot: Robot,
@@ -66,7 +67,8 @@ impl Eval {
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
         let (text, file) = self.text(input)?;
-        let states = states::read(&text, &file, function.arguments(), chain.spaces())?;
+        let arguments = function.arguments_with(chain.spaces().actions() > 0);
+        let states = states::read(&text, &file, &arguments, chain.spaces())?;
 
         // Further frames come after the tip's.
         let frame = chain.frames.len().saturating_sub(1);
@@ -85,7 +87,7 @@ impl Eval {
             &program,
             request.scalar,
         )?;
-        let results = self.results(&program, &states)?;
+        let results = self.results(&program, &arguments, &states)?;
         Ok(match self.format {
             Format::Text => Answer {
                 output: in_text(&chain, function, &results),
@@ -120,8 +122,12 @@ impl Eval {
         }
     }
 
-    fn results(&self, program: &Program, states: &[State]) -> Result<Vec<Vec<f64>>, Errors> {
-        let arguments = self.function.arguments();
+    fn results(
+        &self,
+        program: &Program,
+        arguments: &[Variable],
+        states: &[State],
+    ) -> Result<Vec<Vec<f64>>, Errors> {
         let mut errors = Errors::new();
         let mut results = Vec::with_capacity(states.len());
         for (index, state) in states.iter().enumerate() {

@@ -14,6 +14,7 @@ use crate::description::{self, Description, Name, Number, inline};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
+use crate::joint::drive::Part;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
@@ -55,6 +56,33 @@ pub(super) struct Robot {
     /// Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]
     #[arg(long, value_name = "x,y,z", value_parser = gravity, allow_hyphen_values = true)]
     gravity: Option<Gravity>,
+    /// A link on which the surroundings act: inverse and forward dynamics and their derivatives take an
+    /// action for each, in its own frame
+    #[arg(long, value_name = "LINK,…", value_delimiter = ',')]
+    external: Vec<String>,
+    /// These actions are in frame 0
+    #[arg(long, requires = "external")]
+    external_in_frame_0: bool,
+    /// Model the friction that the file has, and that of a joint where one is given (N m or N)
+    #[arg(long, value_name = "JOINT=f", num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "", value_parser = friction)]
+    friction: Vec<Option<Said>>,
+    /// Viscous friction of a joint (N m s/rad or N s/m), and all friction that the file has
+    #[arg(long, value_name = "JOINT=d", value_parser = said)]
+    damping: Vec<Said>,
+    /// Model the rotors that the file has, with their gears
+    #[arg(long)]
+    rotors: bool,
+    /// Inertia that a joint feels beside that of the bodies (kg m² or kg), and all rotors that the
+    /// file has
+    #[arg(long, value_name = "JOINT=a", value_parser = said)]
+    armature: Vec<Said>,
+    /// Inertia of a joint's rotor (kg m²), which counts times the square of the ratio
+    #[arg(long, value_name = "JOINT=j", value_parser = said)]
+    rotor: Vec<Said>,
+    /// Turns of a rotor for each of its joint [default: what the file says, or 1]
+    #[arg(long, value_name = "JOINT=n", value_parser = said)]
+    ratio: Vec<Said>,
     /// Keep an angle such as 1.5708 as written instead of taking it for a right angle
     #[arg(long)]
     exact: bool,
@@ -89,6 +117,10 @@ pub(super) enum Scalar {
 #[derive(Clone, Copy, Debug)]
 struct Gravity([f64; 3]);
 
+/// A joint, and a number for each of its velocities or for all.
+#[derive(Clone, Debug)]
+struct Said(String, Vec<f64>);
+
 impl Robot {
     /// Reads the file.
     pub(super) fn description(&self, input: &mut dyn Read) -> Result<Description, Errors> {
@@ -119,6 +151,21 @@ impl Robot {
             text: text.clone(),
             place: Place::Unknown,
         };
+        let friction = self.friction.iter().flatten();
+        let drives = friction.map(|said| (Part::Friction, said));
+        let lists = [
+            (Part::Damping, &self.damping),
+            (Part::Armature, &self.armature),
+            (Part::Rotor, &self.rotor),
+            (Part::Ratio, &self.ratio),
+        ];
+        let lists = lists.into_iter();
+        let drives =
+            drives.chain(lists.flat_map(|(part, list)| list.iter().map(move |said| (part, said))));
+        let drives = drives.map(|(part, Said(joint, numbers))| {
+            let numbers = numbers.iter().copied().map(number).collect();
+            (named(joint), part, numbers)
+        });
         let lock = |(joint, at): &(String, Option<f64>)| (named(joint), at.map(number));
         Request {
             base: self.base.as_ref().map(named),
@@ -129,6 +176,11 @@ impl Robot {
             drop: self.drop.iter().map(named).collect(),
             actuated: self.actuated.iter().map(named).collect(),
             frames: frames.into_iter().map(named).collect(),
+            external: self.external.iter().map(named).collect(),
+            external_in_frame_0: self.external_in_frame_0,
+            friction: !self.friction.is_empty(),
+            rotors: self.rotors,
+            drives: drives.collect(),
             gravity: self.gravity.map(|gravity| gravity.0.map(number)),
             exact: self.exact,
             strict: self.strict,
@@ -214,6 +266,21 @@ fn lock(text: &str) -> Result<(String, Option<f64>), String> {
         Some((joint, at)) => Ok((joint.to_owned(), Some(finite(at)?))),
         None => Ok((text.to_owned(), None)),
     }
+}
+
+fn said(text: &str) -> Result<Said, String> {
+    let (joint, numbers) = text
+        .rsplit_once('=')
+        .ok_or_else(|| "a joint and its number have = between them".to_owned())?;
+    let numbers = numbers.split(',').map(finite).collect::<Result<_, _>>()?;
+    Ok(Said(joint.to_owned(), numbers))
+}
+
+fn friction(text: &str) -> Result<Option<Said>, String> {
+    if text.is_empty() {
+        return Ok(None);
+    }
+    said(text).map(Some)
 }
 
 fn gravity(text: &str) -> Result<Gravity, String> {

@@ -1,13 +1,13 @@
 //! States of a robot, read from JSON.
 //!
-//! In: `{"states":[{"q":[…],"qd":[…],"qdd":[…],"tau":[…]}]}`, what a function is a function of,
+//! In: `{"states":[{"q":[…],"qd":[…],"qdd":[…],"tau":[…],"actions":[[…], …]}]}`, what a function is a function of,
 //! the lists that those are over. Out: the numbers it needs, all finite and as many as entries; or every
 //! mistake with the number of its state. It never looks at a key that the function does not need.
 
 use serde_json::{Map, Value};
 
 use crate::error::{Errors, Place};
-use crate::space::{Spaces, Variable};
+use crate::space::{ACTION, Spaces, Variable};
 
 /// The values of a function's arguments, in the order of its parameters.
 pub(super) type State = Vec<Vec<f64>>;
@@ -85,6 +85,13 @@ fn values_of(
     let Some(values) = values.as_array() else {
         return Err(format!("has a \"{key}\" that is not a list"));
     };
+    let flat: Vec<Value>;
+    let values = if argument == Variable::Actions {
+        flat = actions(values, length)?;
+        &flat
+    } else {
+        values
+    };
     if values.len() != length {
         let found = values.len();
         return Err(format!(
@@ -98,6 +105,27 @@ fn values_of(
         )),
     };
     values.iter().enumerate().map(number).collect()
+}
+
+/// The entries of actions, one after the other.
+fn actions(values: &[Value], length: usize) -> Result<Vec<Value>, String> {
+    let (count, each) = (length / ACTION.len(), ACTION.len());
+    if values.len() != count {
+        let found = values.len();
+        return Err(format!("has {found} actions for {count} links"));
+    }
+    let mut entries = Vec::with_capacity(length);
+    for (k, action) in values.iter().enumerate() {
+        match action.as_array() {
+            Some(action) if action.len() == each => entries.extend(action.iter().cloned()),
+            _ => {
+                return Err(format!(
+                    "has an action {k} that is not a list of {each} numbers"
+                ));
+            }
+        }
+    }
+    Ok(entries)
 }
 
 /// The text with JSON's `null` where JSON has no word for the number.

@@ -130,6 +130,13 @@ impl Arithmetic for Approximate {
         Self { value, error }
     }
 
+    fn sign(self) -> Self {
+        Self {
+            value: self.value.sign(),
+            error: 0.0,
+        }
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
         let with_error = |value| Self { value, ..self };

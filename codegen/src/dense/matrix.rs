@@ -64,6 +64,15 @@ impl<T: Arithmetic> Matrix<T> {
         matrix
     }
 
+    /// Φ of c and f: c̲, f; −fᵗ, 0.
+    pub(crate) fn action(c: [T; 3], f: [T; 3]) -> Self {
+        let mut matrix = Self::screw(c, f.clone());
+        for (entry, of_force) in matrix.0[3].iter_mut().zip(f) {
+            *entry = -of_force;
+        }
+        matrix
+    }
+
     /// u and b of a screw matrix, ω and v of a velocity, c and f of an action.
     pub(crate) fn vectors(&self) -> [T; 6] {
         [(2, 1), (0, 2), (1, 0), (0, 3), (1, 3), (2, 3)]

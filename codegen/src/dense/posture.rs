@@ -1,11 +1,11 @@
 //! All matrices of a robot in a posture.
 //!
 //! In: a [`Robot`] and q. Out: poses, screws and inertias in frame 0; of rates, velocities,
-//! accelerations and actions, and what they add up to.
+//! accelerations and actions, and what they and the joints' drives add up to.
 
 mod derivatives;
 
-use super::{Approximate, Closed, Matrix, Moved, Robot};
+use super::{Approximate, Closed, Freedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
 
@@ -87,6 +87,11 @@ impl Posture {
     /// The velocities that are driven.
     pub(super) fn actuated(&self) -> &[usize] {
         &self.robot.actuated
+    }
+
+    /// How all bodies move on.
+    pub(super) fn freedoms(&self) -> impl Iterator<Item = &Freedom> {
+        self.robot.bodies.iter().flat_map(|body| &body.freedoms)
     }
 
     /// Acceleration of gravity in frame 0.
@@ -200,7 +205,19 @@ impl Posture {
     pub(super) fn torques(&self, rates: &Rates) -> Vec<Scalar> {
         let falling = self.falling();
         let motions = self.motions(rates);
-        self.forces(|k| Some(motions[k].1.plus(&falling)))
+        let mut forces = self.forces(|k| Some(motions[k].1.plus(&falling)));
+        for Freedom {
+            velocity,
+            factor,
+            drive: [armature, damping, friction],
+            ..
+        } in self.freedoms()
+        {
+            let [rate, second] = [&rates.first, &rates.second].map(|of| *factor * of[*velocity]);
+            let drive = *armature * second + *damping * rate + *friction * rate.sign();
+            forces[*velocity] = forces[*velocity] + *factor * drive;
+        }
+        forces
     }
 
     /// Y of τ = Y π, row by row: each column is τ of a link that alone has mass, of which one parameter is 1.
@@ -229,6 +246,45 @@ impl Posture {
         (0..self.robot.velocities).flat_map(row).collect()
     }
 
+    /// What each joint feels of actions from outside: L of all joints inboard of where they act, along Φ.
+    pub(super) fn outside(&self, actions: &[f64]) -> Vec<Scalar> {
+        let mut forces = vec![Scalar::exact(0.0); self.robot.velocities];
+        for (link, action) in self.outside_actions(actions) {
+            for body in self.inwards(link) {
+                for (velocity, screw) in &self.screws[body] {
+                    forces[*velocity] = forces[*velocity] + along(screw, &action);
+                }
+            }
+        }
+        forces
+    }
+
+    /// Actions from outside in frame 0, each with the body on which it is.
+    fn outside_actions(&self, actions: &[f64]) -> impl Iterator<Item = (usize, Matrix<Scalar>)> {
+        let (bodies, in_frame_0) = &self.robot.external;
+        bodies
+            .iter()
+            .zip(actions.chunks(6))
+            .map(|(&body, entries)| {
+                let entry = |k: usize| Scalar::exact(entries[k]);
+                let [c, f] = [0, 3].map(|first| [entry(first), entry(first + 1), entry(first + 2)]);
+                let action = Matrix::action(c, f);
+                let pose = &self.poses[body];
+                let action = if *in_frame_0 {
+                    action
+                } else {
+                    pose.times(&action).times(&pose.transposed())
+                };
+                (body, action)
+            })
+    }
+
+    /// A body and those that it hangs on, from it inwards.
+    fn inwards(&self, body: usize) -> impl Iterator<Item = usize> {
+        let outer = |body: &usize| self.robot.bodies[*body].parent;
+        std::iter::successors(Some(body), outer)
+    }
+
     /// M, row by row: column k is what the joints feel where H is the sum of the L that go with velocity k,
     /// of all joints inboard of a link.
     pub(super) fn mass_matrix(&self) -> Vec<Vec<Scalar>> {
@@ -240,7 +296,15 @@ impl Posture {
                 let own = own.map(|(_, screw)| screw.clone());
                 accelerations.push(outer.into_iter().chain(own).reduce(|a, b| a.plus(&b)));
             }
-            self.forces(|link| accelerations[link].clone())
+            let mut forces = self.forces(|link| accelerations[link].clone());
+            for freedom in self
+                .freedoms()
+                .filter(|freedom| freedom.velocity == velocity)
+            {
+                let [armature, ..] = freedom.drive;
+                forces[velocity] = forces[velocity] + freedom.factor * freedom.factor * armature;
+            }
+            forces
         };
         let velocities = 0..self.robot.velocities;
         let columns: Vec<Vec<Scalar>> = velocities.clone().map(column).collect();

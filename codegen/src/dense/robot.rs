@@ -25,6 +25,8 @@ pub(crate) struct Freedom {
     pub(crate) velocity: usize,
     /// What the velocity is multiplied by.
     pub(crate) factor: Approximate,
+    /// Armature, damping and friction.
+    pub(crate) drive: [Approximate; 3],
 }
 
 /// What says how far a joint is displaced.
@@ -63,4 +65,6 @@ pub(crate) struct Robot {
     pub(crate) loops: Vec<Closed>,
     /// The velocities that are driven, where loops move the others.
     pub(crate) actuated: Vec<usize>,
+    /// The bodies on which something acts from outside, and whether that is in frame 0 and not in theirs.
+    pub(crate) external: (Vec<usize>, bool),
 }

@@ -19,7 +19,16 @@ use crate::request::{Parameter, Target};
 use crate::wording::{known, quoted};
 
 /// What can be said of a field: the number that it stands for, and its range.
-const KEYS: [&str; 5] = ["mass_of", "com_of", "gravity", "origin_of", "range"];
+const KEYS: [&str; 8] = [
+    "mass_of",
+    "com_of",
+    "gravity",
+    "origin_of",
+    "armature_of",
+    "damping_of",
+    "friction_of",
+    "range",
+];
 
 /// Reads a struct; relative paths of files begin at `folder`.
 ///
@@ -220,6 +229,9 @@ fn said(input: ParseStream) -> Parsed<Said> {
         "mass_of" => Target::MassOf,
         "com_of" => Target::CenterOfMassOf,
         "origin_of" => Target::OriginOf,
+        "armature_of" => Target::ArmatureOf,
+        "damping_of" => Target::DampingOf,
+        "friction_of" => Target::FrictionOf,
         "gravity" => return Ok(Said::Target(Target::Gravity)),
         "range" => return Range::read(input, &key).map(Said::Range),
         other => {

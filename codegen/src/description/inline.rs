@@ -28,7 +28,7 @@ use self::joint::Joint;
 use super::item::Item;
 use super::settings::{self, Settings};
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use super::{Description, Link, Loop, Name, Source, file, names};
+use super::{Description, Link, Loop, Name, Source, Unmodelled, file, names};
 use crate::error::{Complaint, Errors, Place};
 use crate::wording::quoted;
 
@@ -133,9 +133,10 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
         }
         "joint" if !is_setting => {
             tokens::word(input)?;
-            contents
-                .parts
-                .push(Part::Joint(joint::read(input, errors)?));
+            let joint = joint::read(input, errors)?;
+            // What is written here is meant.
+            contents.settings.request.model(&joint.drive);
+            contents.parts.push(Part::Joint(joint));
         }
         "loop" if !is_setting => {
             tokens::word(input)?;
@@ -257,6 +258,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
         joints: Vec::new(),
         loops: Vec::new(),
         warnings: Vec::new(),
+        unmodelled: Unmodelled::default(),
     };
     let mut waiting: Vec<Joint> = Vec::new();
     for part in parts {

@@ -2,9 +2,11 @@
 
 use proc_macro2::Span;
 
+use super::unmodelled::Unmodelled;
 use crate::closure::Closure;
 use crate::error::{Complaint, Errors, Place};
 use crate::joint::JointKind;
+use crate::joint::drive::Parts;
 use crate::number::Number;
 
 /// A robot as it was described: links and joints in the order of the text.
@@ -22,6 +24,8 @@ pub struct Description {
     pub loops: Vec<Loop>,
     /// Doubts that do not stop the work.
     pub warnings: Vec<Complaint>,
+    /// What is doubted unless it is asked for.
+    pub unmodelled: Unmodelled,
 }
 
 /// Where a description came from.
@@ -132,6 +136,8 @@ pub struct Joint {
     pub limits: Option<Limits>,
     /// The joint whose coordinate moves it, where it has none of its own.
     pub mimic: Option<Mimic>,
+    /// What its drive adds to the bodies; modelled where it is asked for.
+    pub drive: Parts,
     /// Where the joint is described.
     pub place: Place,
 }

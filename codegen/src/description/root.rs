@@ -8,6 +8,7 @@ use std::borrow::Cow;
 
 use super::{Description, Joint, Link, Name};
 use crate::joint::JointKind;
+use crate::joint::drive::Parts;
 use crate::number::Number;
 use crate::request::Request;
 
@@ -58,6 +59,7 @@ pub fn freed<'a>(
         second_axis: [Number::default(); 3],
         limits: None,
         mimic: None,
+        drive: Parts::default(),
         place,
     });
     // What carried the base is not there to be locked.

@@ -3,6 +3,8 @@
 //! In: `key = value` (or `key: value`), `key(…)` or `key`. Out: a [`Request`] and the file that is
 //! named, if one is. It never looks at the description, so it knows no link from a joint.
 
+mod forces;
+
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::ParseStream;
@@ -20,7 +22,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 22] = [
+const WORDS: [&str; 29] = [
     "urdf",
     "dh",
     "base",
@@ -32,6 +34,13 @@ const WORDS: [&str; 22] = [
     "frames",
     "actuated",
     "gravity",
+    "friction",
+    "damping",
+    "armature",
+    "rotor",
+    "ratio",
+    "rotors",
+    "external",
     "exact",
     "strict",
     "scalar",
@@ -46,7 +55,7 @@ const WORDS: [&str; 22] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 18;
+const KEYS: usize = 25;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -136,6 +145,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             tokens::separator(input, &key)?;
             request.gravity = Some(gravity(input)?);
         }
+        word if forces::KEYS.contains(&word) => forces::read(input, &key, request)?,
         "scalar" => {
             tokens::separator(input, &key)?;
             request.scalar = scalar(input)?;

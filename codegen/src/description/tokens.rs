@@ -177,6 +177,18 @@ pub(super) fn numbers(input: ParseStream, subject: &str) -> Parsed<(Span, Vec<Nu
     Ok((span, list(&content, |input| number(input, subject))?))
 }
 
+/// A number, or numbers in brackets.
+pub(super) fn one_or_more(input: ParseStream, subject: &str) -> Parsed<Vec<Number>> {
+    if !input.peek(token::Bracket) {
+        return Ok(vec![number(input, subject)?]);
+    }
+    let (span, numbers) = numbers(input, subject)?;
+    if numbers.is_empty() {
+        return Err(complaint(span, format!("{subject} is an empty list")));
+    }
+    Ok(numbers)
+}
+
 /// N numbers in brackets.
 pub(super) fn vector<const N: usize>(input: ParseStream, subject: &str) -> Parsed<[Number; N]> {
     let (span, numbers) = numbers(input, subject)?;

@@ -2,8 +2,8 @@
 //!
 //! In: the text of a file. Out: a [`Description`], as far as it could be read, with a complaint
 //! for every mistake, each at its line and column. Everything that is not mechanics (meshes,
-//! simulators' settings) is passed over; mechanics that are not modelled (friction, gears) are
-//! passed over with a doubt. It never takes time or memory out of proportion to the text, and never
+//! simulators' settings) is passed over; mechanics that are modelled only where they are
+//! asked for (friction, gears) are kept beside a doubt. It never takes time or memory out of proportion to the text, and never
 //! guesses a number that is not there.
 
 mod closure;
@@ -12,17 +12,15 @@ mod joint;
 mod link;
 mod plain;
 mod transmission;
-mod unmodelled;
 mod xml;
 
 use proc_macro2::Span;
 use roxmltree::Node;
 
 use self::element::Reader;
-use self::unmodelled::Unmodelled;
 use super::fingerprint::fingerprint;
 use super::position::Positions;
-use super::{Description, Name, Source, names};
+use super::{Description, Name, Source, Unmodelled, names};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
@@ -75,7 +73,7 @@ pub fn read(
             hash: fingerprint(text.as_bytes()),
         };
         description.warnings = reader.warnings;
-        description.warnings.extend(reader.unmodelled.doubts());
+        description.unmodelled = reader.unmodelled;
         names::check(description, errors);
         names::check_loops(description, errors);
     }
@@ -104,15 +102,17 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
     let mut links = Vec::new();
     let mut joints = Vec::new();
     let mut loops = Vec::new();
+    let mut geared = Vec::new();
     for child in reader.children(root, &subject, &PARTS) {
         match child.tag_name().name() {
             "link" => links.extend(link::read(reader, child)),
             "joint" => joints.extend(joint::read(reader, child)),
             "loop_joint" => loops.extend(closure::read(reader, child)),
-            "transmission" => transmission::read(reader, child),
+            "transmission" => geared.extend(transmission::read(reader, child)),
             _ => {}
         }
     }
+    transmission::mount(geared, &mut joints);
     if links.is_empty() && reader.errors.is_empty() {
         reader
             .errors
@@ -125,6 +125,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         joints,
         loops,
         warnings: Vec::new(),
+        unmodelled: Unmodelled::default(),
     })
 }
 

@@ -4,16 +4,19 @@
 //! what is not, every doubt with its place. It never says anything of one function: that is its
 //! price and its accuracy.
 
+use std::collections::BTreeSet;
+
 use crate::chain::Chain;
 use crate::description::Description;
 use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, Node, Term};
 use crate::formulation::{Formulation, Parameters};
 use crate::function::Function;
+use crate::joint::Drive;
 use crate::layout::{Layout, arrange};
 use crate::model::Way;
 use crate::print::About;
-use crate::wording::list;
+use crate::wording::{code, list};
 
 /// What they say.
 pub(super) fn about(description: &Description, chain: &Chain, formulation: Formulation) -> About {
@@ -28,6 +31,7 @@ pub(super) fn about(description: &Description, chain: &Chain, formulation: Formu
             _ => String::new(),
         },
         facts: facts(chain, formulation.parameters),
+        driven: chain.is_driven(),
         formulation: formulation.words(),
         warnings: warnings(description, chain),
         left_out: Vec::new(),
@@ -72,6 +76,36 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
     if !report.closed.is_empty() {
         let names = list(report.closed.iter().map(String::as_str));
         facts.push(format!("closed whatever the joints do: {names}"));
+    }
+    let drives = |is: fn(&Drive<Expr>) -> Expr| {
+        let driven = chain.joints.iter();
+        let driven = driven.filter(|joint| !chain.graph.term(is(&joint.drive)).is_zero());
+        // A joint with several velocities is one.
+        let joints: BTreeSet<&str> = driven.map(|joint| joint.of.as_str()).collect();
+        joints.len()
+    };
+    let what = [
+        (drives(|drive| drive.armature), "armature of"),
+        (drives(|drive| drive.damping), "viscous friction of"),
+        (
+            drives(|drive| drive.friction),
+            "Coulomb friction (its sign that of q̇, 0 at rest: a step) of",
+        ),
+    ];
+    for (number, what) in what.into_iter().filter(|(number, _)| *number > 0) {
+        let joints = if number == 1 { "joint" } else { "joints" };
+        facts.push(format!("{what} {number} {joints}"));
+    }
+    if !chain.external.is_empty() {
+        let links = chain.external.iter().map(|link| code(&link.name));
+        let links: Vec<String> = links.collect();
+        let frame = if chain.external_in_frame_0 {
+            "in frame 0"
+        } else {
+            "in the link's frame"
+        };
+        let links = list(links.iter().map(String::as_str));
+        facts.push(format!("what the surroundings exert on {links}, {frame}"));
     }
     facts.push(gravity(chain));
     let used = inertial_parameters(chain, parameters);

@@ -41,10 +41,22 @@ pub(super) fn data(chain: &Chain) -> ChainData {
         results.extend(chain.screw(joint).map(Term::expr));
         results.extend(inertia.entries());
     }
-    for frame in &chain.frames {
+    let frames = || chain.frames.iter().chain(&chain.external);
+    for frame in frames() {
         results.extend(frame.placement.entries());
     }
     results.extend(chain.gravity.0);
+    let mut driven = Vec::new();
+    for (k, joint) in chain.joints.iter().enumerate() {
+        let of_joint = places[k];
+        let before = places[..k].iter().filter(|&&place| place == of_joint);
+        let drive = joint.drive.entries();
+        let is_zero = |entry: &Expr| chain.graph.term(*entry).is_zero();
+        if !drive.iter().all(is_zero) {
+            results.extend(drive);
+            driven.push((of_joint, narrow(before.count())));
+        }
+    }
     let place = |body: usize| places[body];
     let name = |(joint, motion): &(&Joint, DataMotion)| match motion {
         DataMotion::Posture(_) => joint.of.clone(),
@@ -63,11 +75,11 @@ pub(super) fn data(chain: &Chain) -> ChainData {
             .map(|(joint, _)| joint.parent.map(place))
             .collect(),
         motions: joints.iter().map(motion).collect(),
-        frames: chain
-            .frames
-            .iter()
+        frames: frames()
             .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
+        external: (chain.external.len(), chain.external_in_frame_0),
+        driven,
         program: schedule(&chain.graph, &results),
         loops: loops(chain, place),
     }

@@ -109,6 +109,7 @@ struct Arguments {
     q: Vec<f64>,
     qd: Vec<f64>,
     tau: Vec<f64>,
+    actions: Vec<f64>,
 }
 
 impl<'c> Measure<'c> {
@@ -232,6 +233,7 @@ impl Arguments {
             q: all(&q),
             qd: all(&range.qd),
             tau: all(&vec![[-TORQUE, TORQUE]; range.qd.len()]),
+            actions: all(&vec![[-TORQUE, TORQUE]; range.actions.len()]),
         };
         range.upright(&mut arguments.q);
         arguments
@@ -242,6 +244,7 @@ impl Arguments {
             Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
             Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
             Input::Variable(Variable::Tau, k) => self.tau[usize::from(k)],
+            Input::Variable(Variable::Actions, k) => self.actions[usize::from(k)],
             // No function that solves something reads accelerations; one beside it may.
             Input::Variable(Variable::Qdd, _) => 1.0,
             Input::Parameter(..) => single(field(chain, range, input)),
@@ -328,6 +331,10 @@ macro_rules! implement {
 
             fn sqrt(self) -> Self {
                 Self(self.0.sqrt())
+            }
+
+            fn sign(self) -> Self {
+                Self(Arithmetic::sign(self.0))
             }
 
             fn sin_cos(self) -> (Self, Self) {

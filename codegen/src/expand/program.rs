@@ -4,7 +4,7 @@ use crate::chain::Chain;
 use crate::expression::{Expr, Graph, Term};
 use crate::function::Function;
 use crate::layout::{Layout, arrange};
-use crate::model::Way;
+use crate::model::{Way, equation};
 use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;
 
@@ -18,6 +18,17 @@ pub fn program_by(
     way: Way,
 ) -> Program {
     let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+    schedule(&graph, &results)
+}
+
+/// The program of what accelerations are solved from: the mass matrix, and the torques at q̈ = 0, under actions
+/// from outside where there are any; and those of given accelerations, where a residual is made of them.
+pub(super) fn equation_by(chain: &Chain, layout: Layout, way: Way, has_residual: bool) -> Program {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, layout);
+    let results = equation(&graph, &bodies, way, has_residual).into_iter();
+    let results: Vec<Expr> = results.map(Term::expr).collect();
+    let (graph, results) = simplify(&graph, &results);
     schedule(&graph, &results)
 }
 

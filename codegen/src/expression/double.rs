@@ -126,6 +126,13 @@ impl Double {
         (self - Self::from(1.0)).is_zero()
     }
 
+    /// −1, 0 or 1.
+    #[must_use]
+    pub fn sign(self) -> Self {
+        let x = self.to_f64();
+        Self::from(f64::from(i8::from(x > 0.0) - i8::from(x < 0.0)))
+    }
+
     /// √x.
     #[must_use]
     pub fn sqrt(self) -> Self {

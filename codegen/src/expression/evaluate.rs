@@ -28,6 +28,9 @@ pub trait Arithmetic:
     /// √x.
     #[must_use]
     fn sqrt(self) -> Self;
+    /// −1, 0 or 1.
+    #[must_use]
+    fn sign(self) -> Self;
     /// Sine and cosine.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
@@ -115,6 +118,7 @@ impl<T: Arithmetic> Values<T> {
             Node::Mul(a, b) => self.at(a) * self.at(b),
             Node::Div(a, b) => self.at(a) / self.at(b),
             Node::Sqrt(a) => self.at(a).sqrt(),
+            Node::Sign(a) => self.at(a).sign(),
             Node::Sin(a) => self.turn(a).0,
             Node::Cos(a) => self.turn(a).1,
         };
@@ -138,6 +142,10 @@ impl Arithmetic for f64 {
         self.sqrt()
     }
 
+    fn sign(self) -> Self {
+        Self::from(i8::from(self > 0.0) - i8::from(self < 0.0))
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         self.sin_cos()
     }
@@ -156,6 +164,10 @@ impl Arithmetic for f32 {
         self.sqrt()
     }
 
+    fn sign(self) -> Self {
+        Self::from(i8::from(self > 0.0) - i8::from(self < 0.0))
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         self.sin_cos()
     }
@@ -168,6 +180,10 @@ impl Arithmetic for Double {
 
     fn sqrt(self) -> Self {
         self.sqrt()
+    }
+
+    fn sign(self) -> Self {
+        self.sign()
     }
 
     fn sin_cos(self) -> (Self, Self) {

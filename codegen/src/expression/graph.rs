@@ -57,6 +57,8 @@ pub enum Node {
     Div(Expr, Expr),
     /// √a.
     Sqrt(Expr),
+    /// The sign of a: −1, 0 or 1.
+    Sign(Expr),
     /// sin a.
     Sin(Expr),
     /// cos a.
@@ -198,6 +200,10 @@ impl Graph {
         self.inner.borrow_mut().sqrt(a)
     }
 
+    pub(super) fn sign(&self, a: Expr) -> Expr {
+        self.inner.borrow_mut().sign(a)
+    }
+
     pub(super) fn sin_cos(&self, a: Expr) -> (Expr, Expr) {
         self.inner.borrow_mut().sin_cos(a)
     }
@@ -217,7 +223,7 @@ impl Node {
     pub fn operands(self) -> Vec<Expr> {
         match self {
             Self::Literal(_) | Self::Input(_) => Vec::new(),
-            Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => vec![a],
+            Self::Neg(a) | Self::Sqrt(a) | Self::Sign(a) | Self::Sin(a) | Self::Cos(a) => vec![a],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
         }
     }
@@ -404,6 +410,22 @@ impl Inner {
     fn sqrt(&mut self, a: Expr) -> Expr {
         let value = self.value(a).map(Double::sqrt);
         self.intern(Node::Sqrt(a), value)
+    }
+
+    /// A constant factor does nothing but turn it.
+    fn sign(&mut self, a: Expr) -> Expr {
+        let (negative, a) = self.strip(a);
+        if let Some(value) = self.value(a) {
+            let sign = self.literal(value.sign().to_f64());
+            return self.signed(negative, sign);
+        }
+        let of = match self.nodes[a.index()] {
+            // Constants are never negative here.
+            Node::Mul(factor, of) if self.value(factor).is_some() => of,
+            _ => a,
+        };
+        let sign = self.intern(Node::Sign(of), None);
+        self.signed(negative, sign)
     }
 
     fn sin_cos(&mut self, a: Expr) -> (Expr, Expr) {

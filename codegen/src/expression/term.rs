@@ -54,6 +54,12 @@ impl<'g> Term<'g> {
         (Self::new(self.graph, sine), Self::new(self.graph, cosine))
     }
 
+    /// −1, 0 or 1.
+    #[must_use]
+    pub fn sign(self) -> Self {
+        Self::new(self.graph, self.graph.sign(self.expr))
+    }
+
     /// √x.
     #[must_use]
     pub fn sqrt(self) -> Self {

@@ -5,7 +5,7 @@ use super::tally::{self, Size, Tally};
 use super::{mass_matrix, quantities};
 use crate::expression::Term;
 use crate::formulation::Forward;
-use crate::model::{Scene, articulated, forward_dynamics};
+use crate::model::{Frame, Scene, articulated, forward_dynamics};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -37,11 +37,13 @@ pub(super) fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
             &scene.mass_matrix(),
             &scene.parents(),
             |k| scene.state.entry(Variable::Tau, k),
-            |qdd| scene.torques(qdd),
+            |qdd| scene.driving(qdd),
             refinements,
         ),
         Forward::Articulated => {
-            articulated::forward_dynamics(&scene.link_joints(), scene.bodies.gravity, &scene.state)
+            let (joints, outside) = (scene.link_joints(), scene.outside(Frame::Link));
+            let gravity = scene.bodies.gravity;
+            articulated::forward_dynamics(&joints, gravity, &scene.state, &outside)
         }
     }
 }

@@ -3,7 +3,6 @@
 use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
-use crate::dense::Motion;
 use crate::expression::Term;
 use crate::model::Scene;
 use crate::space::Variable;
@@ -14,10 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::STIFFNESS,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| {
-        let [by_coordinate, _] = dense.torque_derivatives(Motion::Rest);
-        by_coordinate
-    }),
+    truth: Truth::Value(|dense, _| dense.gravity_derivative()),
     ways: Definition::one_way,
     dense,
     build,

@@ -3,7 +3,6 @@
 use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally;
-use crate::dense::Motion;
 use crate::expression::Term;
 use crate::model::Scene;
 use crate::space::Variable;
@@ -14,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCES,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.torques(Motion::Driven)),
+    truth: Truth::Value(|dense, _| dense.driving_torques()),
     ways: Definition::one_way,
     dense: tally::torques,
     build,
@@ -25,5 +24,5 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.torques(&scene.qdd())
+    scene.driving(&scene.qdd())
 }

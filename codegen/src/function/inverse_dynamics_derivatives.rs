@@ -4,7 +4,6 @@
 use super::definition::{Definition, Truth};
 use super::tally::{Size, Tally};
 use super::{mass_matrix, quantities, tally};
-use crate::dense::Motion;
 use crate::expression::Term;
 use crate::model::Scene;
 use crate::space::Variable;
@@ -15,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCE_DERIVATIVES,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.torque_derivatives(Motion::Driven).concat()),
+    truth: Truth::Value(|dense, _| dense.torque_derivatives().concat()),
     ways: Definition::one_way,
     dense,
     build,

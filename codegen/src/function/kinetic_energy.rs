@@ -1,4 +1,5 @@
-//! The kinetic energy ½ Σ Tr(W J Wᵗ) (paper, eq. 22), body by body in the frames of the links.
+//! The kinetic energy ½ Σ Tr(W J Wᵗ) (paper, eq. 22), body by body in the frames of the links, and that of
+//! the joints' armatures.
 
 use super::definition::{Definition, Truth};
 use super::quantities;
@@ -18,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
     truth: Truth::Value(|dense, _| {
         let twice = (dense.links(Motion::Coasting))
             .map(|(w, j)| w.times(j).times(&w.transposed()).trace())
-            .fold(Approximate::exact(0.0), |sum, energy| sum + energy);
+            .fold(dense.twice_energy_of_drives(), |sum, energy| sum + energy);
         vec![twice * Approximate::exact(0.5)]
     }),
     ways: Definition::one_way,
@@ -40,10 +41,12 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     for joint in scene.joints() {
         let at_rest = Velocity::zero(zero.graph());
         let outer = joint.parent.map_or(at_rest, |parent| velocities[parent]);
-        let w = moving::beyond(outer, &joint, scene.state.qd(joint.index));
+        let rate = scene.state.qd(joint.index);
+        let w = moving::beyond(outer, &joint, rate);
         // Tr(W J Wᵗ) = W ⊗ skew[W J].
         let twist = Screw { u: w.omega, b: w.v };
         twice = twice + Action::of_screw(twist, joint.inertia).along(twist);
+        twice = twice + joint.drive.armature * rate * rate;
         velocities.push(w);
     }
     vec![twice * scene.state.constant(0.5)]

@@ -66,6 +66,25 @@ impl Function {
         self.definition().arguments
     }
 
+    /// Whether what acts on links from outside enters it.
+    #[must_use]
+    pub const fn takes_actions(self) -> bool {
+        matches!(
+            self,
+            Self::InverseDynamics
+                | Self::ForwardDynamics
+                | Self::InverseDynamicsDerivatives
+                | Self::ForwardDynamicsDerivatives
+        )
+    }
+
+    /// What it is a function of, where actions from outside are among the lists of a robot or not.
+    #[must_use]
+    pub fn arguments_with(self, actions: bool) -> Vec<Variable> {
+        let taken = (actions && self.takes_actions()).then_some(Variable::Actions);
+        self.arguments().iter().copied().chain(taken).collect()
+    }
+
     /// Its result.
     #[must_use]
     pub const fn result(self) -> Outcome {
@@ -110,6 +129,25 @@ impl Function {
     #[must_use]
     pub const fn is_constrained(self) -> bool {
         matches!(self.truth(), Truth::Constrained(_))
+    }
+
+    /// Whether it is of bodies that move, and has nothing of what joints feel beside them.
+    #[must_use]
+    pub const fn is_of_bodies(self) -> bool {
+        matches!(
+            self,
+            Self::CoriolisMatrix
+                | Self::Momentum
+                | Self::CentroidalMomentum
+                | Self::CentroidalMomentumMatrix
+                | Self::CentroidalMomentumBias
+        )
+    }
+
+    /// Whether it is of what torques tell of the parameters of links.
+    #[must_use]
+    pub const fn identifies(self) -> bool {
+        matches!(self, Self::Regressor | Self::BaseRegressor)
     }
 
     /// What every expansion of it is held against.

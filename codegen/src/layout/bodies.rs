@@ -3,10 +3,10 @@
 //! In: a chain. Out: its bodies, each frame turned so that its joint's axis is z where the joint has one
 //! coordinate, and what replaces a frame by another one. It never chooses one.
 
-use crate::chain::{Chain, Position};
+use crate::chain::{Chain, Frame, Position};
 use crate::closure::Row;
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::joint::Motion;
+use crate::joint::{Drive, Motion};
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
 
 /// The bodies of a chain with their frames.
@@ -25,6 +25,10 @@ pub struct Bodies<'g> {
     pub loops: Vec<Closed<'g>>,
     /// Which velocities are driven, where loops move the others.
     pub actuated: Vec<bool>,
+    /// The links on which something acts from outside, in the same way.
+    pub external: Vec<(Option<usize>, Pose<Term<'g>>)>,
+    /// Whether those actions are in frame 0.
+    pub external_in_frame_0: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
     pub gravity: Vector<Term<'g>>,
 }
@@ -61,6 +65,8 @@ pub struct Body<'g> {
     pub inertia: Inertia<Term<'g>>,
     /// M from this frame to that of the link that the body is; none for one between two coordinates of a joint.
     pub link: Option<Pose<Term<'g>>>,
+    /// What is modelled of its joint's drive.
+    pub drive: Drive<Term<'g>>,
 }
 
 impl Body<'_> {
@@ -111,7 +117,7 @@ impl<'g> Bodies<'g> {
                 child.placement = from * child.placement;
             }
         }
-        for (body, placement) in &mut self.frames {
+        for (body, placement) in self.frames.iter_mut().chain(&mut self.external) {
             if *body == Some(k) {
                 *placement = from * *placement;
             }
@@ -146,12 +152,11 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             offset: None,
             inertia: joint.inertia.map(term).change_frame(turn.inverse()),
             link: (joint.link.as_ref()).map(|(_, link)| turn.inverse() * link.map(term)),
+            drive: joint.drive.map(term),
         })
         .collect();
     let of_loops = chain.loops.iter().flat_map(|closed| &closed.frames);
-    let frames = (chain.frames.iter().chain(of_loops))
-        .map(|frame| (frame.body, seen_from(frame.body, frame.placement.map(term))))
-        .collect();
+    let place = |frame: &Frame| (frame.body, seen_from(frame.body, frame.placement.map(term)));
     let loops = chain.loops.iter().enumerate().map(|(k, closed)| {
         let first = chain.frames.len() + 2 * k;
         Closed {
@@ -166,7 +171,9 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
         actuated: chain.actuated.clone(),
         base: Inertia::zero(graph),
         base_columns: chain.base_parameters.columns().collect(),
-        frames,
+        frames: chain.frames.iter().chain(of_loops).map(place).collect(),
+        external: chain.external.iter().map(place).collect(),
+        external_in_frame_0: chain.external_in_frame_0,
         gravity: chain.gravity.map(term),
     }
 }

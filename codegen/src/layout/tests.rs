@@ -26,6 +26,7 @@ fn state(input: Input) -> Double {
         Input::Variable(Variable::Qd, k) => entry(k, -0.7),
         Input::Variable(Variable::Qdd, k) => entry(k, 1.9),
         Input::Variable(Variable::Tau, k) => entry(k, 2.3),
+        Input::Variable(Variable::Actions, k) => entry(k, 0.9),
         Input::Parameter(field, k) => entry(3 * field + k, 0.31),
     }
 }
@@ -259,7 +260,9 @@ fn a_locked_joint_is_one_that_stands_still() {
             Input::Variable(Variable::Qdd, of) => {
                 shift(of).map_or(Double::ZERO, |of| state(Input::Variable(Variable::Qdd, of)))
             }
-            Input::Variable(Variable::Tau, _) | Input::Parameter(..) => state(input),
+            Input::Variable(Variable::Tau | Variable::Actions, _) | Input::Parameter(..) => {
+                state(input)
+            }
         };
         let terms = Function::InverseDynamics.build(&graph, &bodies, 0, way);
         let all: Vec<Expr> = terms

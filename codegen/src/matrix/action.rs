@@ -1,6 +1,6 @@
 //! Φ, the action matrix (paper, eq. 14): a force and a couple.
 
-use std::ops::Add;
+use std::ops::{Add, Sub};
 
 use super::{Acceleration, Inertia, Pose, Screw, Vector};
 use crate::expression::Term;
@@ -52,6 +52,16 @@ impl<'g> Action<Term<'g>> {
         }
     }
 
+    /// M⁻¹ Φ M⁻ᵗ: as seen from a frame at a pose.
+    #[must_use]
+    pub fn seen_from(self, pose: Pose<Term<'g>>) -> Self {
+        let back = pose.rotation.transposed();
+        Self {
+            c: back * (self.c - pose.translation.cross(self.f)),
+            f: back * self.f,
+        }
+    }
+
     /// L Φ + Φ Lᵗ: how the action changes that is moved along a screw.
     #[must_use]
     pub fn turned(self, screw: Screw<Term<'g>>) -> Self {
@@ -87,6 +97,17 @@ impl<'g> Action<Term<'g>> {
     pub fn label(self, prefix: impl Fn() -> String) {
         self.c.label(|| prefix() + "c");
         self.f.label(|| prefix() + "f");
+    }
+}
+
+impl Sub for Action<Term<'_>> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self {
+            c: self.c - other.c,
+            f: self.f - other.f,
+        }
     }
 }
 

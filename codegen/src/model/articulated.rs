@@ -17,6 +17,7 @@ pub fn forward_dynamics<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
+    outside: &[(usize, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
     let count = joints.len();
     let Drift {
@@ -24,6 +25,9 @@ pub fn forward_dynamics<'g>(
         drifts,
         mut actions,
     } = Drift::of(joints, state);
+    for &(body, action) in outside {
+        actions[body] = actions[body] - action;
+    }
     let mut articulated: Vec<Articulated<'g>> = (joints.iter())
         .map(|joint| Articulated::of(joint.inertia))
         .collect();
@@ -32,7 +36,8 @@ pub fn forward_dynamics<'g>(
     for k in (0..count).rev() {
         let (joint, action) = (&joints[k], actions[k]);
         let given = articulated[k].yielding(joint);
-        let lacking = state.tau(k) - action.along(joint.screw);
+        let friction = joint.drive.resistance(state.qd(k));
+        let lacking = state.tau(k) - friction - action.along(joint.screw);
         if let Some(parent) = joint.parent {
             let left = given.left;
             let push = lacking * given.inverse;
@@ -115,7 +120,7 @@ pub fn mass_matrix_inverse<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<T
     entries
 }
 
-/// How many numbers [`motion`] gives for each joint: c and f of the velocities, ω̇ and a that they
+/// How many numbers [`motion`] gives for each joint: c and f of the velocities (less those from outside), ω̇ and a that they
 /// cause beyond the joint, ω̇ and a of the body.
 pub const MOTION: usize = 18;
 
@@ -124,8 +129,12 @@ pub fn motion<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
+    outside: &[(usize, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
-    let drift = Drift::of(joints, state);
+    let mut drift = Drift::of(joints, state);
+    for &(body, action) in outside {
+        drift.actions[body] = drift.actions[body] - action;
+    }
     let given = |k: usize, _: Acceleration<Term<'g>>| state.qdd(k);
     let accelerations = outwards(joints, gravity, state, &drift.velocities, given);
     let all = drift.actions.iter().zip(&drift.drifts).zip(accelerations);
@@ -163,7 +172,9 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
         b: Rotation(b),
         m: Symmetric(m),
     };
-    left.clear(joint);
+    if joint.drive.armature.is_zero() {
+        left.clear(joint);
+    }
     let (left, action) = passed_on(joint, &left, Action { c, f });
     let inertia = left
         .a
@@ -277,7 +288,8 @@ struct Yielding<'g> {
 
 impl<'g> Yielding<'g> {
     /// What the joint passes on of an action, if there is one, when it yields to the force that it lacks:
-    /// along itself nothing of the action, and the force of the joint where there is none.
+    /// along itself nothing of the action, and the force of the joint where there is none. That is exact
+    /// without an armature; with one, part of the force is left.
     fn pushed(
         &self,
         lacking: Term<'g>,
@@ -292,6 +304,7 @@ impl<'g> Yielding<'g> {
             along = along.graph().constant(0.0);
         }
         match joint.motion {
+            _ if !joint.drive.armature.is_zero() => {}
             Motion::Revolute => c.0[joint.axis] = along,
             Motion::Prismatic => f.0[joint.axis] = along,
             Motion::Screw(_) => {}
@@ -321,10 +334,10 @@ impl<'g> Articulated<'g> {
     }
 
     /// What a joint takes and leaves: the map minus U Uᵗ / D, of which the joint's own row and
-    /// column vanish.
+    /// column vanish, but for what an armature adds to D.
     fn yielding(&self, joint: &Joint<'g>) -> Yielding<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
-        let share = action.along(joint.screw);
+        let share = action.along(joint.screw) + joint.drive.armature;
         share.label(|| format!("d_{}", joint.index + 1));
         let inverse = share.graph().constant(1.0) / share;
         let (c, f) = (action.c, action.f);
@@ -336,7 +349,9 @@ impl<'g> Articulated<'g> {
             })),
             m: self.m - Symmetric::half_product(f, over_f),
         };
-        left.clear(joint);
+        if joint.drive.armature.is_zero() {
+            left.clear(joint);
+        }
         Yielding {
             action,
             inverse,

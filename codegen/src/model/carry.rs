@@ -6,13 +6,15 @@
 //! instant, so no formula minds. Neither does any where all matrices are in frame 0: each L and J is
 //! taken there, and from one body to the next nothing is left to be carried.
 
+use std::iter::successors;
+
 use super::state::State;
 use super::turn::{self, Turn};
 use super::way::{Congruence, Way};
 use crate::chain::Position;
 use crate::expression::Term;
 use crate::formulation::Frame;
-use crate::joint::Motion;
+use crate::joint::{Drive, Motion};
 use crate::layout::{Bodies, Body};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
 use crate::space::Variable;
@@ -49,6 +51,8 @@ pub struct Joint<'g> {
     pub screw: Screw<Term<'g>>,
     /// J of the body.
     pub inertia: Inertia<Term<'g>>,
+    /// What is modelled of its drive.
+    pub drive: Drive<Term<'g>>,
     /// How inertias turn with it.
     pub congruence: Congruence,
 }
@@ -102,6 +106,7 @@ impl<'g> Joint<'g> {
                 Some(turn) => body.inertia.rotate_about_z(turn.sine_and_cosine(graph)),
                 None => body.inertia,
             },
+            drive: body.drive,
             congruence,
         }
     }
@@ -157,7 +162,7 @@ impl<'g> Joint<'g> {
     /// Whether its motion carries the screw of a joint `at` inboard of it: its own, and those of the joint with
     /// several velocities of which it is one.
     pub fn carries_screw(&self, at: usize, joints: &[Self]) -> bool {
-        let mut own = std::iter::successors(Some(self), |joint| {
+        let mut own = successors(Some(self), |joint| {
             joint.parent.filter(|_| joint.taken).map(|k| &joints[k])
         });
         own.any(|joint| joint.index == at)
@@ -250,16 +255,21 @@ pub fn in_frame_0<'g>(joints: &[Joint<'g>]) -> Vec<Joint<'g>> {
     placed.map(|(joint, pose)| joint.in_frame_0(pose)).collect()
 }
 
-/// All joints, in the order of the bodies.
-pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Joint<'g>> {
-    let left = turn::left_to_carried(bodies, state, way.angles, |k| {
+/// What the frame of each body leaves of its turn, where all joints are at work.
+pub(super) fn left<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Option<Turn<'g>>> {
+    turn::left_to_carried(bodies, state, way.angles, |k| {
         let mut carried = bodies
             .bodies
             .iter()
             .filter(|body| body.parent == Some(k))
             .peekable();
         carried.peek().is_some() && carried.all(turn::is_parallel)
-    });
+    })
+}
+
+/// All joints, in the order of the bodies.
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Joint<'g>> {
+    let left = left(bodies, state, way);
     (0..bodies.bodies.len())
         .map(|k| Joint::new(bodies, k, state, &left, way.congruence))
         .collect()
@@ -338,7 +348,7 @@ pub fn path_beyond<'g>(
 ) -> Path<'g> {
     let (last, end) = bodies.frames[frame];
     let inwards = || {
-        let all = std::iter::successors(last, |&k| bodies.bodies[k].parent);
+        let all = successors(last, |&k| bodies.bodies[k].parent);
         all.take_while(|&k| Some(k) != from)
     };
     let left = turn::left_to_carried(bodies, state, way.angles, |k| {

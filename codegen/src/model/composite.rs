@@ -17,7 +17,10 @@ pub fn mass_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>>
         let mut action = Action::of_screw(joints[column].screw, composites[column]);
         let mut at = column;
         loop {
-            let seen = action.along(joints[at].screw);
+            let mut seen = action.along(joints[at].screw);
+            if at == column {
+                seen = seen + joints[at].drive.armature;
+            }
             entries[at * count + column] = seen;
             entries[column * count + at] = seen;
             let Some(parent) = joints[at].parent else {

@@ -9,7 +9,10 @@
 //!   joint i is not carried along, Φ of all that joint m carries is turned against it: Lₘ Φ + Φ Lₘᵗ more;
 //! * of q̇ₘ: X = L̇ₘ + Ψ̇ₘ, x̲ = Lₘ.
 //!
-//! C has the columns of X = L̇ₘ, x̲ = ½ Lₘ. (Singh, Russo, Wensing, "Efficient analytical derivatives of
+//! Actions from outside turn with the links that they are given in, and are part of Φ; those in frame 0 stay, so that
+//! of each only L moves against it. Of what joints feel of their drives only viscous friction changes with the rates.
+//!
+//! C has the columns of X = L̇ₘ, x̲ = ½ Lₘ; friction, which takes power, is none of it. (Singh, Russo, Wensing, "Efficient analytical derivatives of
 //! rigid-body dynamics using spatial vector algebra", 2022, in the matrices of the paper.)
 //!
 //! Forces are the same for all who see the robot at a constant velocity: the matrices of each joint
@@ -21,14 +24,15 @@ use super::state::State;
 use crate::expression::Term;
 use crate::matrix::{Acceleration, Action, Flow, Inertia, Pose, Screw, Vector};
 
-/// ∂τ/∂q and ∂τ/∂q̇ at the given q̈.
+/// ∂τ/∂q and ∂τ/∂q̇ at the given q̈, where actions from outside are on some bodies and turn with them.
 pub fn inverse_dynamics<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
     qdd: &[Term<'g>],
+    outside: &[(usize, Action<Term<'g>>)],
 ) -> [Vec<Term<'g>>; 2] {
-    let motion = motion(joints, gravity, state, qdd);
+    let motion = motion(joints, gravity, state, qdd, outside);
     let rates = rates(joints, gravity, &motion.motions);
     let by_coordinate = rates.iter().zip(joints).zip(&motion.actions);
     let by_coordinate = by_coordinate.map(|((rates, joint), action)| Change {
@@ -44,14 +48,60 @@ pub fn inverse_dynamics<'g>(
     // Each velocity enters with its double.
     let whole = Whole::of(joints, state, &motion.motions, |v| v + v);
     let changes = by_coordinate.zip(by_rate).map(|(q, qd)| [q, qd]);
-    whole.felt(joints, state, &changes.collect::<Vec<_>>())
+    let [by_coordinate, mut by_rate] = whole.felt(joints, state, &changes.collect::<Vec<_>>());
+    for (k, joint) in joints.iter().enumerate() {
+        let own = &mut by_rate[k * joints.len() + k];
+        *own = *own + joint.drive.damping;
+    }
+    [by_coordinate, by_rate]
+}
+
+/// Adds to ∂τ/∂q what actions on bodies do that stay as they are in frame 0: −Σ (Lₘ Lᵢ − Lᵢ Lₘ) ⊗ Φ where joint
+/// m carries Lᵢ.
+pub fn add_standing<'g>(
+    matrix: &mut [Term<'g>],
+    joints: &[Joint<'g>],
+    outside: &[(usize, Action<Term<'g>>)],
+) {
+    let count = joints.len();
+    let mut carried: Vec<Option<Action<Term<'g>>>> = vec![None; count];
+    let sum = |sum: &mut Option<Action<Term<'g>>>, action| {
+        *sum = Some(sum.map_or(action, |sum| sum + action));
+    };
+    for &(body, action) in outside {
+        sum(&mut carried[body], action);
+    }
+    for (k, joint) in joints.iter().enumerate().rev() {
+        let Some(action) = carried[k] else {
+            continue;
+        };
+        let inboard = |action: Action<Term<'g>>, joint: &Joint<'g>| {
+            let displaced = action.change_frame(joint.displacement());
+            displaced.change_frame(joint.placement)
+        };
+        // (Lₘ Lᵢ − Lᵢ Lₘ) ⊗ Φ = Lₘ ⊗ (Lᵢ Φ + Φ Lᵢᵗ), which changes its sign where both change places.
+        let (mut turned, mut at) = (action.turned(joint.screw), k);
+        while let Some(parent) = joints[at].parent {
+            (turned, at) = (inboard(turned, &joints[at]), parent);
+            let power = turned.along(joints[at].screw);
+            let entry = &mut matrix[k * count + at];
+            *entry = *entry - power;
+            if joint.carries_screw(at, joints) {
+                let entry = &mut matrix[at * count + k];
+                *entry = *entry + power;
+            }
+        }
+        if let Some(parent) = joint.parent {
+            sum(&mut carried[parent], inboard(action, joint));
+        }
+    }
 }
 
 /// C of M q̈ + C q̇ + gravity, with Ṁ = C + Cᵗ.
 pub fn coriolis_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>> {
     let nothing = Vector::zero(state.graph);
     let at_rest = vec![state.zero(); joints.len()];
-    let motion = motion(joints, nothing, state, &at_rest);
+    let motion = motion(joints, nothing, state, &at_rest, &[]);
     let rates = rates(joints, nothing, &motion.motions);
     let changes = rates.iter().zip(joints).map(|(rates, joint)| {
         [Change {

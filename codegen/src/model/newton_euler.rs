@@ -6,32 +6,34 @@ use super::state::State;
 use crate::expression::Term;
 use crate::matrix::{Acceleration, Action, Vector};
 
-/// What drives each body in a motion with the given second rates.
+/// What drives each body in a motion with the given second rates, where actions from outside are on some.
 pub fn inverse_dynamics<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
     qdd: &[Term<'g>],
+    outside: &[(usize, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
-    motion(joints, gravity, state, qdd).tau
+    motion(joints, gravity, state, qdd, outside).tau
 }
 
 /// A motion and what it takes, each in the frame of its joint's matrices.
 pub struct Motion<'g> {
     /// Of each body.
     pub motions: Vec<Moving<'g>>,
-    /// Φ of all that each joint carries.
+    /// Φ of all that each joint carries, less the actions from outside.
     pub actions: Vec<Action<Term<'g>>>,
     /// What drives each body.
     pub tau: Vec<Term<'g>>,
 }
 
-/// The motion with the given q̈.
+/// The motion with the given second rates, where actions from outside are on some bodies.
 pub fn motion<'g>(
     joints: &[Joint<'g>],
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
     qdd: &[Term<'g>],
+    outside: &[(usize, Action<Term<'g>>)],
 ) -> Motion<'g> {
     let count = joints.len();
     // Gravity is an acceleration of the base the other way.
@@ -49,12 +51,17 @@ pub fn motion<'g>(
         motions.push(moving);
         actions.push(Action::of(h, joint.inertia));
     }
+    for &(body, action) in outside {
+        actions[body] = actions[body] - action;
+    }
     let mut tau = vec![state.zero(); count];
     for k in (0..count).rev() {
         let (joint, action) = (&joints[k], actions[k]);
         let (index, frame, outer) = (k + 1, joint.frame, joint.outer_frame);
         action.label(|| format!("phi_{index}_in_{frame}_"));
-        tau[k] = action.along(joint.screw);
+        let drive = joint.drive;
+        tau[k] =
+            action.along(joint.screw) + drive.armature * qdd[k] + drive.resistance(state.qd(k));
         if let Some(parent) = joint.parent {
             let carried = action
                 .change_frame(joint.displacement())

@@ -3,7 +3,8 @@
 use crate::chain::Position;
 use crate::expression::{Expr, Graph, Input, Term};
 use crate::layout::Bodies;
-use crate::space::Variable;
+use crate::matrix::{Action, Vector};
+use crate::space::{ACTION, Variable};
 
 /// The arguments of the generated functions.
 pub(crate) struct State<'g> {
@@ -91,6 +92,15 @@ impl<'g> State<'g> {
     /// What drives it, where no other body has its velocity.
     pub(crate) fn tau(&self, k: usize) -> Term<'g> {
         self.own(Variable::Tau, k)
+    }
+
+    /// An action from outside.
+    pub(super) fn action(&self, k: usize) -> Action<Term<'g>> {
+        let entry = |entry: usize| self.entry(Variable::Actions, ACTION.len() * k + entry);
+        Action {
+            c: Vector([entry(0), entry(1), entry(2)]),
+            f: Vector([entry(3), entry(4), entry(5)]),
+        }
     }
 
     /// A number.

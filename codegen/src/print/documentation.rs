@@ -55,8 +55,9 @@ pub(super) fn of_function(
         }
     }
     lines.push(String::new());
-    lines.push(arguments(&listed.arguments()));
-    lines.extend(postures(&listing.spaces, &listed.arguments()));
+    let of = listed.arguments(&listing.spaces);
+    lines.push(arguments(&of));
+    lines.extend(postures(&listing.spaces, &of));
     lines.extend(residuals(&listing.spaces, listed));
     lines.extend(left_open(&listing.spaces, listed));
     if let Some(angles) = angles {
@@ -68,6 +69,10 @@ pub(super) fn of_function(
     }
     lines.push(origin(listing));
     lines.extend(facts(about));
+    let of_bodies = |function: &Function| function.is_of_bodies();
+    if about.driven && listed.functions.iter().any(of_bodies) {
+        lines.push("Momenta and the Coriolis matrix are of bodies alone: friction and armature are not in them.".to_owned());
+    }
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
     for accuracy in &listed.accuracy {
@@ -134,6 +139,17 @@ pub(super) fn of_field(target: &Target) -> String {
                 code(&link.text)
             )
         }
+        Target::ArmatureOf(joint) => format!(
+            "Inertia that {} feels beside that of the bodies, in kg m² or kg.",
+            code(&joint.text)
+        ),
+        Target::DampingOf(joint) => format!(
+            "Viscous friction of {}, in N m s/rad or N s/m.",
+            code(&joint.text)
+        ),
+        Target::FrictionOf(joint) => {
+            format!("Coulomb friction of {}, in N m or N.", code(&joint.text))
+        }
         Target::Gravity => "Acceleration of gravity in the base frame, in m/s².".to_owned(),
         Target::OriginOf(joint) => format!(
             "Translation from the parent's frame to that of {}, in m.",
@@ -177,7 +193,10 @@ fn range(angles: &Angles, listed: &Listed) -> String {
 fn arguments(arguments: &[Variable]) -> String {
     let units = |argument: &Variable| {
         let [turning, sliding] = [Kind::Turn, Kind::Slide].map(|kind| argument.unit(kind));
-        format!("{} in {turning} or {sliding}", argument.letter())
+        match argument {
+            Variable::Actions => format!("{} (c, f) in {turning}, {sliding}", argument.letter()),
+            _ => format!("{} in {turning} or {sliding}", argument.letter()),
+        }
     };
     let all = arguments.iter().map(units);
     format!("{}.", all.collect::<Vec<_>>().join(", "))
@@ -293,7 +312,7 @@ mod tests {
     fn arguments_are_told_with_their_units() {
         assert_eq!(
             arguments(&Variable::ALL),
-            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N."
+            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, Φ (c, f) in N m, N."
         );
         assert_eq!(arguments(&[Variable::Q]), "q in rad or m.");
     }

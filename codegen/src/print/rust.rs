@@ -3,6 +3,7 @@
 //! In: a [`Listing`], the struct that gets methods, and what the code finds around it. Out: tokens.
 //! It never names a value of a program: that is done before.
 
+mod arguments;
 mod base_parameters;
 mod body;
 mod chain;

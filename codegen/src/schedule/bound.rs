@@ -142,6 +142,8 @@ impl<'p> Known<'p> {
             Operation::Mul(a, b) => self.product([a, b]),
             Operation::Div(a, b) => self.value(a).times(self.value(b).reciprocal()),
             Operation::Sqrt(a) => self.value(a).root(),
+            // Exact, and part of nothing.
+            Operation::Sign(a) => return (Some(self.value(a).sign(self.scalar())), Form::Plain),
             // Only a result or an angle needs one: it is never part of a vector.
             Operation::Neg(a) => return (Some(self.value(a).opposite()), Form::Plain),
             _ => unreachable!("a sum has terms"),

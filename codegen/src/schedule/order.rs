@@ -121,6 +121,7 @@ impl Placing<'_> {
             },
             Node::Div(a, b) => Operation::Div(self.at(a), self.at(b)),
             Node::Sqrt(a) => Operation::Sqrt(self.positive(a)),
+            Node::Sign(a) => Operation::Sign(self.positive(a)),
             Node::Literal(_) => unreachable!("a number has a value"),
             Node::Sin(_) | Node::Cos(_) => panic!("the sine of a sine"),
         };

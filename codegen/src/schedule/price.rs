@@ -24,6 +24,8 @@ pub struct Price {
     pub div: usize,
     /// Square roots.
     pub sqrt: usize,
+    /// Signs of numbers: −1, 0 or 1.
+    pub sign: usize,
     /// Changes of sign that stand alone.
     pub neg: usize,
     /// Sines that are used.
@@ -117,8 +119,9 @@ impl Price {
             Some(fused) => fused,
             None => costs.mul + costs.add,
         };
+        // A sign is two comparisons and their difference.
         costs.mul * (self.mul - self.fused)
-            + costs.add * (self.add - self.fused + self.neg)
+            + costs.add * (self.add - self.fused + self.neg + 3 * self.sign)
             + fused * self.fused
             + costs.div * self.div
             + costs.sqrt * self.sqrt
@@ -130,6 +133,7 @@ impl Price {
             Operation::Mul(..) => self.mul += 1,
             Operation::Div(..) => self.div += 1,
             Operation::Sqrt(_) => self.sqrt += 1,
+            Operation::Sign(_) => self.sign += 1,
             Operation::Neg(_) => self.neg += 1,
             Operation::MulAdd(..) | Operation::MulSub(..) | Operation::NegMulAdd(..) => {
                 self.mul += 1;
@@ -146,6 +150,9 @@ impl fmt::Display for Price {
         write!(out, "{} mul, {} add, {} div", self.mul, self.add, self.div)?;
         if self.sqrt > 0 {
             write!(out, ", {} sqrt", self.sqrt)?;
+        }
+        if self.sign > 0 {
+            write!(out, ", {} sign", self.sign)?;
         }
         write!(out, ", {} sin and cos", self.sin + self.cos)?;
         write!(out, "; depth {}", self.depth)?;
@@ -284,6 +291,7 @@ mod tests {
         add: 20,
         div: 2,
         sqrt: 0,
+        sign: 0,
         neg: 1,
         sin: 4,
         cos: 3,

@@ -12,7 +12,7 @@ use super::blocks::{Block, Part, nested};
 use super::names::Names;
 use super::{Operand, Operation, Program, Step};
 use crate::expression::Input;
-use crate::space::{Spaces, Variable};
+use crate::space::{ACTION, Spaces, Variable};
 
 /// What a function can read.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +106,7 @@ impl Routine {
         };
         let arguments = readable.arguments.iter().map(|&argument| {
             let entries = 0..readable.spaces.len(argument.space());
-            let wishes = entries.map(|k| format!("{}_{}", argument.name(), k + 1));
+            let wishes = entries.map(|k| wish(argument, k));
             let input = |k| Input::Variable(argument, k);
             (argument, naming.entries(wishes, input))
         });
@@ -257,6 +257,17 @@ impl Naming<'_> {
             Operand::Step(step) => self.sums.get(step as usize)?.clone(),
             _ => None,
         }
+    }
+}
+
+/// What an entry of an argument would like to be called.
+fn wish(argument: Variable, entry: usize) -> String {
+    match argument {
+        Variable::Actions => {
+            let (action, entry) = (entry / ACTION.len(), entry % ACTION.len());
+            format!("action_{}_{}", action + 1, ACTION[entry].0)
+        }
+        _ => format!("{}_{}", argument.name(), entry + 1),
     }
 }
 

@@ -22,6 +22,7 @@ pub fn run<T: Arithmetic>(program: &Program, input: impl Fn(Input) -> T) -> Vec<
             Operation::Mul(a, b) => at(a) * at(b),
             Operation::Div(a, b) => at(a) / at(b),
             Operation::Sqrt(a) => at(a).sqrt(),
+            Operation::Sign(a) => at(a).sign(),
             Operation::Neg(a) => -at(a),
             Operation::MulAdd(a, b, c) => at(a).mul_add(at(b), at(c)),
             Operation::MulSub(a, b, c) => at(a).mul_add(at(b), -at(c)),

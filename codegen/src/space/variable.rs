@@ -14,11 +14,13 @@ pub enum Variable {
     Qdd,
     /// Joint torques and forces \[N m or N\].
     Tau,
+    /// What the surroundings exert on links \[N m and N\].
+    Actions,
 }
 
 impl Variable {
     /// All of them, in the order in which functions take them.
-    pub const ALL: [Self; 4] = [Self::Q, Self::Qd, Self::Qdd, Self::Tau];
+    pub const ALL: [Self; 5] = [Self::Q, Self::Qd, Self::Qdd, Self::Tau, Self::Actions];
 
     /// Its name in generated code and in state files.
     #[must_use]
@@ -28,6 +30,7 @@ impl Variable {
             Self::Qd => "qd",
             Self::Qdd => "qdd",
             Self::Tau => "tau",
+            Self::Actions => "actions",
         }
     }
 
@@ -39,6 +42,7 @@ impl Variable {
             Self::Qd => "q̇",
             Self::Qdd => "q̈",
             Self::Tau => "τ",
+            Self::Actions => "Φ",
         }
     }
 
@@ -48,6 +52,7 @@ impl Variable {
         match self {
             Self::Q => Space::Coordinates,
             Self::Qd | Self::Qdd | Self::Tau => Space::Velocities,
+            Self::Actions => Space::Actions,
         }
     }
 
@@ -62,16 +67,16 @@ impl Variable {
             (Self::Qd, Kind::Slide) => "m/s",
             (Self::Qdd, Kind::Turn) => "rad/s²",
             (Self::Qdd, Kind::Slide) => "m/s²",
-            (Self::Tau, Kind::Turn) => "N m",
-            (Self::Tau, Kind::Slide) => "N",
+            (Self::Tau | Self::Actions, Kind::Turn) => "N m",
+            (Self::Tau | Self::Actions, Kind::Slide) => "N",
             (_, Kind::Moment(_)) => panic!("no argument is over parameters"),
         }
     }
 
     /// All that some functions together are functions of, in the order of the parameters.
     #[must_use]
-    pub fn together(each: impl IntoIterator<Item = &'static [Self]>) -> Vec<Self> {
-        let mut all: Vec<Self> = each.into_iter().flatten().copied().collect();
+    pub fn together(each: impl IntoIterator<Item = Vec<Self>>) -> Vec<Self> {
+        let mut all: Vec<Self> = each.into_iter().flatten().collect();
         all.sort_unstable();
         all.dedup();
         all

@@ -12,6 +12,8 @@ use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
 /// ∂τ/∂q and ∂τ/∂q̇ of the torques [N m] and forces \[N\] that produce q̈.
+///
+/// Of drives ∂τ/∂q̇ has the damping; the sign of q̇, which Coulomb friction has, changes only where it steps.
 #[must_use]
 pub fn inverse_dynamics_derivatives<
     T: RealField + Copy,
@@ -31,9 +33,16 @@ pub fn inverse_dynamics_derivatives<
             change(chain, &motion, [qd, qdd], along, of)
         })
     };
+    let mut dqd = matrix(Of::Rate);
+    for freedom in motion.positions.freedoms() {
+        let row = dqd.get_mut(freedom.velocity);
+        if let Some(entry) = row.and_then(|row| row.get_mut(freedom.velocity)) {
+            *entry += freedom.damping();
+        }
+    }
     InverseDynamicsDerivatives {
         dq: matrix(Of::Coordinate),
-        dqd: matrix(Of::Rate),
+        dqd,
     }
 }
 
@@ -57,7 +66,8 @@ pub fn gravity_derivative<
 ///
 /// C\[i\]\[m\] = Tr(Σ (L̇ₘ + Lₘ W) J Lᵢᵗ) over the bodies that both joints carry, with L̇ₘ = W Lₘ − Lₘ W of
 /// the body that joint m moves: of H at q̈ = 0, which is Σ (L̇ₘ + Lₘ W) q̇ₘ, what joint i feels. Where each
-/// joint has one velocity it holds the Christoffel symbols of M.
+/// joint has one velocity it holds the Christoffel symbols of M. Friction is not in it, and armatures, which do not
+/// change, add nothing.
 #[must_use]
 pub fn coriolis_matrix<
     T: RealField + Copy,

@@ -224,6 +224,8 @@ pub fn acceleration_bias<
 
 /// The torques [N m] and forces \[N\] of the joints that produce q̈ (Part II, Newton–Euler).
 ///
+/// What drives take comes on top: armature q̈ + damping q̇ + friction sign q̇.
+///
 /// The action through joint i is the sum of Φ = skew[(H − H_g) J] over the bodies it carries, its
 /// torque the pseudo scalar product L ⊗ Φ.
 #[must_use]
@@ -253,12 +255,36 @@ pub fn inverse_dynamics<
         }
     }
     let mut torques = [T::zero(); N];
-    for Freedom { body, velocity, l } in positions.freedoms() {
-        if let Some(torque) = torques.get_mut(velocity) {
-            *torque += pseudo_scalar_product(&l, &phi[body]);
+    for freedom in positions.freedoms() {
+        if let Some(torque) = torques.get_mut(freedom.velocity) {
+            *torque += pseudo_scalar_product(&freedom.l, &phi[freedom.body]);
+            *torque += freedom.driven(qd, qdd);
         }
     }
     torques
+}
+
+/// Jᵗ Φ: what an action on a frame, in its axes and with the couple about its origin, is for the joints
+/// [N m, N].
+///
+/// A motion under the actions Φ of the surroundings takes the torques of [`inverse_dynamics`] less the sum
+/// of these.
+#[must_use]
+pub fn torques_of_action<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    action: &Action<T>,
+) -> [T; N] {
+    let dot = |a: [T; 3], b: [T; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let screws = body_jacobian(chain, frame, q);
+    screws.map(|screw| dot(screw.u(), action.c()) + dot(screw.b(), action.f()))
 }
 
 /// Inverse dynamics at rest: what holds the robot against gravity [N m, N].
@@ -280,7 +306,7 @@ pub fn gravity<
 }
 
 /// Inverse dynamics at q̈ = 0: C\[m\] = Tr(Σ (H̃ₕ − H_g) Jₕ Lₘᵗ) over the bodies h that joint m
-/// carries (Part II, Lagrange).
+/// carries (Part II, Lagrange), and friction.
 #[must_use]
 pub fn bias<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
     chain: &Chain<N, F, Q, B>,
@@ -291,18 +317,21 @@ pub fn bias<T: RealField + Copy, const N: usize, const F: usize, const Q: usize,
     let motion = Motion::at(chain, q, qd, &rest);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
     let mut torques = [T::zero(); N];
-    for Freedom { body, velocity, l } in positions.freedoms() {
+    for freedom in positions.freedoms() {
+        let Freedom {
+            body, velocity, l, ..
+        } = freedom;
         let carried = (0..B).filter(|h| chain.carries(body, Some(*h)));
         let work = carried.map(|h| (motion.h[h] - h_g) * positions.j[h] * l.transpose());
         if let Some(torque) = torques.get_mut(velocity) {
-            *torque += sum(work.map(|work| work.trace()));
+            *torque += sum(work.map(|work| work.trace())) + freedom.driven(qd, &rest);
         }
     }
     torques
 }
 
 /// The joint-space inertia M\[i\]\[m\] = Tr(Σ Lᵢ Jₕ Lₘᵗ), over the bodies h that both joints carry
-/// (Part II, Lagrange).
+/// (Part II, Lagrange), and on its diagonal the armatures.
 #[must_use]
 pub fn mass_matrix<
     T: RealField + Copy,
@@ -325,6 +354,10 @@ pub fn mass_matrix<
             if let Some(entry) = row.and_then(|row| row.get_mut(other.velocity)) {
                 *entry += sum(work);
             }
+        }
+        let row = rows.get_mut(one.velocity);
+        if let Some(entry) = row.and_then(|row| row.get_mut(one.velocity)) {
+            *entry += one.armature();
         }
     }
     rows
@@ -403,7 +436,7 @@ pub fn forward_dynamics_derivatives<
     }
 }
 
-/// The kinetic energy Σ ½ Tr(W J Wᵗ) \[J\] (22).
+/// The kinetic energy Σ ½ Tr(W J Wᵗ) \[J\] (22), and ½ q̇² of each armature.
 #[must_use]
 pub fn kinetic_energy<
     T: RealField + Copy,
@@ -419,10 +452,15 @@ pub fn kinetic_energy<
     let rest = [T::zero(); N];
     let motion = Motion::at(chain, q, qd, &rest);
     let half: T = nalgebra::convert(0.5);
-    sum((0..B).map(|i| {
+    let bodies = sum((0..B).map(|i| {
         let w = motion.w[i];
         half * (w * motion.positions.j[i] * w.transpose()).trace()
-    }))
+    }));
+    let drives = motion.positions.freedoms().map(|freedom| {
+        let rate = qd.get(freedom.velocity).copied().unwrap_or(T::zero());
+        half * freedom.armature() * rate * rate
+    });
+    bodies + sum(drives)
 }
 
 /// The potential energy Σ −Tr(H_g J) \[J\], zero at the origin of frame 0 (§ 4.5).
@@ -668,7 +706,10 @@ fn jacobian<T: RealField + Copy, const N: usize, const F: usize, const Q: usize,
     let positions = Positions::at(chain, q);
     let m = m_from_0(&positions.pose_of(frame));
     let mut columns = [Matrix4::zeros(); N];
-    for Freedom { body, velocity, l } in positions.freedoms() {
+    for freedom in positions.freedoms() {
+        let Freedom {
+            body, velocity, l, ..
+        } = freedom;
         if let Some(column) = columns.get_mut(velocity)
             && chain.carries(body, frame.body)
         {
@@ -697,7 +738,10 @@ fn jacobian_rate<
     let positions = &motion.positions;
     let (m, w_seen) = seen_by(&positions.pose_of(frame), &motion.velocity_of(frame.body));
     let mut columns = [Matrix4::zeros(); N];
-    for Freedom { body, velocity, l } in positions.freedoms() {
+    for freedom in positions.freedoms() {
+        let Freedom {
+            body, velocity, l, ..
+        } = freedom;
         if let Some(column) = columns.get_mut(velocity)
             && chain.carries(body, frame.body)
         {

@@ -6,12 +6,13 @@
 use super::dense::{dense, exponential, inverse, turned};
 use crate::matrix::Screw;
 use crate::robot::chain::{Chain, Frame};
+use crate::robot::drive::{Drive, VELOCITIES};
 use crate::robot::joint::{Joint, Motion as Allowed};
 use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
 /// The most velocities of a joint.
-const MOST: usize = 6;
+const MOST: usize = VELOCITIES;
 
 /// What depends on q alone, in frame 0.
 pub(super) struct Positions<T, const B: usize> {
@@ -23,6 +24,8 @@ pub(super) struct Positions<T, const B: usize> {
     l: [[Matrix4<T>; MOST]; B],
     /// Where the velocities of the joint begin, and how many they are.
     velocities: [(usize, usize); B],
+    /// What drives each of them, and what the joint makes of it.
+    drives: [([Drive; MOST], T); B],
 }
 
 /// A motion that one velocity gives to a body, and to all that it carries.
@@ -33,6 +36,10 @@ pub(super) struct Freedom<T> {
     pub(super) velocity: usize,
     /// L₍₀₎.
     pub(super) l: Matrix4<T>,
+    /// What drives the joint there.
+    pub(super) drive: Drive,
+    /// What the joint's own rate is times the velocity.
+    pub(super) multiplier: T,
 }
 
 impl<T: RealField + Copy, const B: usize> Positions<T, B> {
@@ -77,11 +84,19 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
             let velocities = chain.velocities(i);
             (velocities.start, velocities.len().min(MOST))
         });
+        let drives = from_fn(|i| {
+            let multiplier = match chain.joints[i].motion {
+                Allowed::Following { multiplier, .. } => nalgebra::convert(multiplier),
+                _ => T::one(),
+            };
+            (chain.joints[i].drives, multiplier)
+        });
         Self {
             m,
             j,
             l,
             velocities,
+            drives,
         }
     }
 
@@ -103,6 +118,8 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
             body,
             velocity: start + k,
             l: self.l[body][k],
+            drive: self.drives[body].0[k],
+            multiplier: self.drives[body].1,
         })
     }
 }
@@ -164,6 +181,45 @@ impl<T: RealField + Copy, const B: usize> Motion<T, B> {
     pub(super) fn acceleration_of(&self, body: Option<usize>) -> Matrix4<T> {
         let h = body.and_then(|i| self.h.get(i));
         h.copied().unwrap_or_else(Matrix4::zeros)
+    }
+}
+
+impl<T: RealField + Copy> Freedom<T> {
+    /// What its drive takes of the velocity's torque: armature q̈ + damping q̇ + friction sign q̇ at the
+    /// joint's own rate, times the multiplier.
+    pub(super) fn driven<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> T {
+        let own = |rates: &[T; N]| {
+            let rate = rates.get(self.velocity).copied().unwrap_or(T::zero());
+            self.multiplier * rate
+        };
+        let (rate, second) = (own(qd), own(qdd));
+        let Drive {
+            armature,
+            damping,
+            friction,
+        } = self.drive;
+        let [armature, damping, friction]: [T; 3] =
+            [armature, damping, friction].map(nalgebra::convert);
+        let against = if rate > T::zero() {
+            friction
+        } else if rate < T::zero() {
+            -friction
+        } else {
+            T::zero()
+        };
+        self.multiplier * (armature * second + damping * rate + against)
+    }
+
+    /// Viscous friction as the velocity feels it.
+    pub(super) fn damping(&self) -> T {
+        let damping: T = nalgebra::convert(self.drive.damping);
+        self.multiplier * self.multiplier * damping
+    }
+
+    /// The armature as the velocity feels it.
+    pub(super) fn armature(&self) -> T {
+        let armature: T = nalgebra::convert(self.drive.armature);
+        self.multiplier * self.multiplier * armature
     }
 }
 

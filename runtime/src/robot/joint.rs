@@ -4,6 +4,7 @@
 //! [`Chain`](crate::Chain), as a constant, and how many coordinates and velocities each [`Motion`] has.
 //! Where a body goes is for [`crate::generic`] and [`posture`](super::posture).
 
+use super::drive::{Drive, VELOCITIES};
 use crate::matrix::{Inertia, Pose, Screw};
 
 /// A joint and the body that it carries.
@@ -21,6 +22,8 @@ pub struct Joint {
     pub motion: Motion,
     /// J of body i, in frame (i).
     pub inertia: Inertia<f64>,
+    /// What drives each of its velocities, in their order; none behind the last.
+    pub drives: [Drive; VELOCITIES],
 }
 
 /// What a joint allows, and what its entries of q and q̇ are.
@@ -56,7 +59,7 @@ pub enum Motion {
 
 impl Joint {
     /// A joint that moves along a screw: `placement` is M_parent,i at q = 0, `screw` its L in frame (i),
-    /// `inertia` the J of body i in frame (i).
+    /// `inertia` the J of body i in frame (i). It has no drives.
     #[inline]
     #[must_use]
     pub const fn new(
@@ -73,6 +76,7 @@ impl Joint {
             screw,
             motion: Motion::Along,
             inertia,
+            drives: [Drive::NONE; VELOCITIES],
         }
     }
 
@@ -85,6 +89,17 @@ impl Joint {
             motion: Motion::Following { leader, multiplier },
             ..self
         }
+    }
+
+    /// The same joint with a drive on the velocity of that index among its own; of a joint that follows
+    /// another, on its own rate. Nothing is driven where it has no such velocity.
+    #[inline]
+    #[must_use]
+    pub const fn with_drive(mut self, velocity: usize, drive: Drive) -> Self {
+        if velocity < VELOCITIES {
+            self.drives[velocity] = drive;
+        }
+        self
     }
 
     /// A joint that slides in the plane z = 0 of `placement`, and turns about its z axis.
@@ -137,6 +152,7 @@ impl Joint {
             screw: Screw::new([0.0; 3], [0.0; 3]),
             motion,
             inertia,
+            drives: [Drive::NONE; VELOCITIES],
         }
     }
 }

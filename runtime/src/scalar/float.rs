@@ -42,6 +42,11 @@ macro_rules! implement {
             }
 
             #[inline]
+            fn sgn(self) -> Self {
+                Self::from(i8::from(self > 0.0) - i8::from(self < 0.0))
+            }
+
+            #[inline]
             fn sin_cos(self) -> (Self, Self) {
                 $sin_cos(self)
             }

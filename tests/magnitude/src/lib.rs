@@ -129,6 +129,12 @@ impl<M: Measure> Arithmetic for Magnitude<M> {
         Self::new(root, self.size / M::nearest(root))
     }
 
+    /// Exactly that of what was computed.
+    fn sign(self) -> Self {
+        let sign = M::nearest(self.value.sign());
+        Self::new(M::Value::literal(sign), sign.abs())
+    }
+
     /// |sin x| and |cos x| of an angle that is given. One that was computed is off by u S, and
     /// turns its sine by |cos x| times that.
     fn sin_cos(self) -> (Self, Self) {
@@ -153,6 +159,10 @@ impl<M: Measure> Scalar for Magnitude<M> {
 
     fn sqrt(self) -> Self {
         Arithmetic::sqrt(self)
+    }
+
+    fn sgn(self) -> Self {
+        Arithmetic::sign(self)
     }
 
     fn sin_cos(self) -> (Self, Self) {

@@ -38,12 +38,20 @@ pub fn evaluate(
     frame: usize,
     arguments: &Arguments,
 ) -> Vec<Big> {
-    let State { q, qd, qdd, tau } = State::of(arguments, robot.quaternions());
+    let State {
+        q, qd, qdd, tau, ..
+    } = State::of(arguments, robot.quaternions());
     let rest = vec![Big::zero(); robot.velocities()];
     let positions = Positions::at(robot, &q);
     let moving = |qd: &[Big], qdd: &[Big]| Motion::at(robot, &positions, qd, qdd);
     let bias = || torques(robot, &positions, &moving(&qd, &rest));
     let at = || robot.frames[frame];
+    let less_outside = |torques: Vec<Big>| {
+        let outside = outside(robot, &positions, &arguments.actions);
+        let both = torques.into_iter().zip(outside);
+        both.map(|(torque, outside)| torque - outside)
+            .collect::<Vec<Big>>()
+    };
     match function {
         Function::ForwardKinematics => positions.of_frame(at()).rows(),
         Function::SpatialJacobian => jacobian(robot, &positions, at(), &Matrix::identity()),
@@ -95,13 +103,13 @@ pub fn evaluate(
         }
         Function::InverseDynamics => {
             let motion = moving(&qd, &qdd);
-            torques(robot, &positions, &motion)
+            less_outside(torques(robot, &positions, &motion))
         }
         Function::Gravity => torques(robot, &positions, &moving(&rest, &rest)),
         Function::Bias => bias(),
         Function::MassMatrix => mass_matrix(robot, &positions).concat(),
         Function::ForwardDynamics => {
-            let tau = tau.into_iter().zip(bias());
+            let tau = tau.into_iter().zip(less_outside(bias()));
             let lacking = tau.map(|(tau, bias)| vec![tau - bias]).collect();
             solve(mass_matrix(robot, &positions), lacking).concat()
         }
@@ -115,7 +123,13 @@ pub fn evaluate(
             let motion = moving(&qd, &rest);
             let links = motion.w.iter().zip(&positions.j);
             let energies = links.map(|(w, j)| (&(w * j) * &w.transposed()).trace());
-            vec![energies.fold(Big::zero(), |sum, energy| sum + energy) * Big::new(0.5)]
+            let drives = robot.drives.iter();
+            let drives = drives.map(|drive| {
+                let rate = &qd[drive.velocity];
+                drive.armature() * rate * rate
+            });
+            let twice = energies.chain(drives);
+            vec![twice.fold(Big::zero(), |sum, energy| sum + energy) * Big::new(0.5)]
         }
         Function::PotentialEnergy => {
             let links = moved(robot).map(|body| &positions.j[body]);
@@ -155,21 +169,23 @@ pub fn evaluate(
             about_mass_center(robot, &positions, &moments(robot, &positions, &motion.h))
         }
         Function::InverseDynamicsDerivatives => {
-            derivatives::of_torques(robot, &positions, [&qd, &qdd]).concat()
+            derivatives::of_torques(robot, &positions, [&qd, &qdd], &arguments.actions).concat()
         }
         Function::ForwardDynamicsDerivatives => {
             let qdd = evaluate(robot, Function::ForwardDynamics, frame, arguments);
             let motion = [&*qd, &*qdd];
-            let found = derivatives::of_torques(robot, &positions, motion).map(|needed| {
-                let rows = needed.chunks(rest.len().max(1));
-                let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
-                solve(mass_matrix(robot, &positions), lacking.collect()).concat()
-            });
+            let found = derivatives::of_torques(robot, &positions, motion, &arguments.actions).map(
+                |needed| {
+                    let rows = needed.chunks(rest.len().max(1));
+                    let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
+                    solve(mass_matrix(robot, &positions), lacking.collect()).concat()
+                },
+            );
             let dtau = evaluate(robot, Function::MassMatrixInverse, frame, arguments);
             [found.concat(), dtau].concat()
         }
         Function::GravityDerivative => {
-            derivatives::by_coordinate(robot, &positions, [&rest, &rest])
+            derivatives::by_coordinate(robot, &positions, [&rest, &rest], &[])
         }
         Function::CoriolisMatrix => {
             let motion = moving(&qd, &rest);
@@ -358,6 +374,8 @@ struct Motion {
     w: Vec<Matrix>,
     /// H₀ᵢ.
     h: Vec<Matrix>,
+    /// What drives take of the torque of each velocity.
+    driven: Vec<Big>,
 }
 
 impl Motion {
@@ -367,7 +385,12 @@ impl Motion {
         let mut motion = Self {
             w: Vec::new(),
             h: Vec::new(),
+            driven: vec![Big::zero(); robot.velocities()],
         };
+        for drive in &robot.drives {
+            let taken = &mut motion.driven[drive.velocity];
+            *taken = &*taken + drive.takes(qd, qdd);
+        }
         for (index, body) in robot.bodies.iter().enumerate() {
             let (mut w, mut h) = (motion.w_of(body.parent), motion.h_of(body.parent));
             let along = |rates: &[Big]| {
@@ -407,13 +430,38 @@ fn carried(robot: &Robot, mut each: Vec<Matrix>) -> Vec<Matrix> {
     each
 }
 
-/// τ = Σ L ⊗ Σ Φ: over what a velocity moves, of the bodies that that carries (Newton–Euler).
+/// τ = Σ L ⊗ Σ Φ: over what a velocity moves, of the bodies that that carries (Newton–Euler); and what
+/// drives take.
 fn torques(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
     let actions = carried(robot, actions(robot, positions, motion).collect());
-    let mut torques = vec![Big::zero(); robot.velocities()];
+    let mut torques = motion.driven.clone();
     for Freedom { body, velocity, l } in &positions.freedoms {
         let torque = pseudo_product(l, &actions[*body]);
         torques[*velocity] = &torques[*velocity] + torque;
+    }
+    torques
+}
+
+/// Σ L ⊗ Φ of the actions from outside, over what a velocity moves, where it carries what is acted on.
+fn outside(robot: &Robot, positions: &Positions, actions: &[f64]) -> Vec<Big> {
+    let mut torques = vec![Big::zero(); robot.velocities()];
+    let (bodies, in_frame_0) = &robot.external;
+    for (&acted, entries) in bodies.iter().zip(actions.chunks(6)) {
+        let [c, f] = [0, 3].map(|first| [0, 1, 2].map(|k| Big::new(entries[first + k])));
+        let mut phi = Matrix::screw(&c, &f);
+        for (entry, of_force) in phi.0[3].iter_mut().zip(&f) {
+            *entry = -of_force;
+        }
+        if !in_frame_0 {
+            let m = &positions.m[acted];
+            phi = &(m * &phi) * &m.transposed();
+        }
+        for Freedom { body, velocity, l } in &positions.freedoms {
+            if robot.upwards(Some(acted)).any(|carrier| carrier == *body) {
+                let torque = pseudo_product(l, &phi);
+                torques[*velocity] = &torques[*velocity] + torque;
+            }
+        }
     }
     torques
 }
@@ -504,6 +552,10 @@ fn mass_matrix(robot: &Robot, positions: &Positions) -> Vec<Vec<Big>> {
             let sum = &mut rows[one.velocity][other.velocity];
             *sum = &*sum + entry;
         }
+    }
+    for drive in &robot.drives {
+        let entry = &mut rows[drive.velocity][drive.velocity];
+        *entry = &*entry + drive.armature();
     }
     rows
 }

@@ -12,6 +12,7 @@ use homogen_codegen::description::{self, Axis, Description, Inertial, Joint, Nam
 use homogen_codegen::joint::JointKind;
 use homogen_codegen::request::Request;
 
+use super::drive::Drive;
 use super::matrix::Matrix;
 use super::motion::{self, Motion, Posture, across};
 use crate::big::Big;
@@ -27,6 +28,10 @@ pub struct Robot {
     pub gravity: Matrix,
     /// What holds bodies together that hang on the base anyhow.
     pub loops: Vec<Loop>,
+    /// What drives joints beside bodies.
+    pub drives: Vec<Drive>,
+    /// The bodies that the surroundings act on, and whether their actions are in frame 0.
+    pub external: (Vec<usize>, bool),
 }
 
 /// Two frames that are held together.
@@ -75,6 +80,8 @@ impl Robot {
             frames: Vec::new(),
             gravity: reader.gravity(),
             loops: Vec::new(),
+            drives: Vec::new(),
+            external: (Vec::new(), request.external_in_frame_0),
         };
         let links = reader.hang(base, tip, &mut robot);
         let seat = |link: &str| {
@@ -91,6 +98,8 @@ impl Robot {
         robot.loops = loops
             .map(|described| reader.held(described, seat))
             .collect();
+        let external = request.external.iter();
+        robot.external.0 = external.filter_map(|link| seat(&link.text)).collect();
         robot
     }
 
@@ -227,6 +236,8 @@ impl<'d> Reader<'d> {
                 } else {
                     Matrix::zero()
                 };
+                let drives = Drive::of(self.request, joint, k, &motion);
+                robot.drives.extend(drives);
                 robot.bodies.push(Body {
                     parent,
                     placement: &placement * &turn,

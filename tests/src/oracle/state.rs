@@ -21,6 +21,8 @@ pub struct State {
     pub qdd: Vec<Big>,
     /// Torques and forces \[N m or N\].
     pub tau: Vec<Big>,
+    /// Of each action from outside c and f \[N m, N\].
+    pub actions: Vec<Big>,
 }
 
 impl State {
@@ -42,6 +44,7 @@ impl State {
             qd: exact(&arguments.qd),
             qdd: exact(&arguments.qdd),
             tau: exact(&arguments.tau),
+            actions: exact(&arguments.actions),
         }
     }
 
@@ -56,6 +59,7 @@ impl State {
             Input::Variable(Variable::Qd, k) => (&self.qd, k),
             Input::Variable(Variable::Qdd, k) => (&self.qdd, k),
             Input::Variable(Variable::Tau, k) => (&self.tau, k),
+            Input::Variable(Variable::Actions, k) => (&self.actions, k),
             other => panic!("no function here has {other:?}"),
         };
         list[usize::from(entry)].clone()

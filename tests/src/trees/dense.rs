@@ -7,6 +7,7 @@
 //! would be wrong together with the generator's.
 
 use crate::big::Big;
+use crate::oracle::drive::Drive;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::{self, Motion, Posture, across};
 use crate::oracle::robot as oracle;
@@ -70,6 +71,8 @@ impl Dense {
                 frames: Vec::new(),
                 gravity: Matrix::screw(&big([0.0; 3]), &big(gravity)),
                 loops: Vec::new(),
+                drives: Vec::new(),
+                external: (Vec::new(), false),
             },
             coordinates: Vec::new(),
             velocities: Vec::new(),
@@ -96,7 +99,32 @@ impl Dense {
             assert!(waiting.len() < before, "the robot is a tree");
         }
         dense.gain = dense.gains();
+        dense.load(robot);
         dense
+    }
+
+    /// Adds drives, and links on which the surroundings act.
+    fn load(&mut self, robot: &Robot) {
+        for (id, drive) in robot.drives() {
+            let drive = drive.map(Big::new);
+            // The bodies that the joint moves end with its link, and go back to another's.
+            let Some(link) = self.body(id) else { continue };
+            let before = self.links[..link].iter().rposition(Option::is_some);
+            let bodies = &self.robot.bodies[before.map_or(0, |before| before + 1)..=link];
+            for motion in bodies.iter().map(|body| &body.motion) {
+                let factor = match motion {
+                    Motion::Along { factor, .. } => factor.clone(),
+                    Motion::Posture { .. } | Motion::Held { .. } => Big::one(),
+                };
+                for (velocity, _) in motion.screws() {
+                    let drive = Drive::new(velocity, factor.clone(), drive.clone());
+                    self.robot.drives.push(drive);
+                }
+            }
+        }
+        let bodies = robot.acted_on().filter_map(|link| self.body(link));
+        let bodies = bodies.collect();
+        self.robot.external = (bodies, robot.asked.external.1);
     }
 
     /// Adds the coordinates and the velocities of a joint.

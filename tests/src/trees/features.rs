@@ -16,7 +16,24 @@ use super::written::{Reading, Written};
 type Feature = (&'static str, fn(&Robot) -> bool);
 
 /// The list.
-pub const FEATURES: [Feature; 69] = [
+pub const FEATURES: [Feature; 73] = [
+    ("a joint with a drive", |robot| {
+        robot.drives().next().is_some()
+    }),
+    ("a joint that follows another and has a drive", |robot| {
+        let mut drives = robot.drives();
+        drives.any(|(id, _)| {
+            robot
+                .body(id)
+                .is_some_and(|body| robot.leader(body).is_some())
+        })
+    }),
+    ("an action on a link in its frame", |robot| {
+        robot.acted_on().next().is_some() && !robot.asked.external.1
+    }),
+    ("an action on a link in frame 0", |robot| {
+        robot.acted_on().next().is_some() && robot.asked.external.1
+    }),
     ("a residue in an offset", |robot| {
         any(robot, |body| residue(&body.at.xyz))
     }),

@@ -16,6 +16,7 @@
 //! * whatever a request can combine: another base, tips, further frames, joints held at zero and
 //!   elsewhere, links dropped, the path alone, `exact`, any gravity and none, struct fields whose
 //!   values are not those described;
+//! * drives at joints, followers among them, and actions on links, in their frames and in frame 0;
 //! * numbers read as URDF, as tokens, and numbers that were never written, with no digits to read.
 //!
 //! One robot in three is plain: the same without residues.
@@ -84,6 +85,9 @@ fn attempt(random: &mut Random) -> Robot {
     };
     ask(&mut robot, &mut numbers);
     shuffle(&mut robot.bodies, numbers.random);
+    if robot.asked.floating || robot.moving().next().is_some() {
+        load(&mut robot, &mut numbers);
+    }
     robot
 }
 
@@ -206,6 +210,30 @@ fn give_fields(robot: &mut Robot, modelled: &[usize], numbers: &mut Numbers) {
     if robot.asked.gravity.is_none() && numbers.random.chance(4) {
         let value = [(); 3].map(|()| 9.0 * numbers.random.unit());
         robot.asked.fields.push((Field::Gravity, value));
+    }
+}
+
+/// Drives at joints, and links on which the surroundings act.
+fn load(robot: &mut Robot, numbers: &mut Numbers) {
+    let inertia = 0.1 * numbers.mass * numbers.length * numbers.length;
+    let random = &mut *numbers.random;
+    if random.chance(3) {
+        for body in robot.bodies.iter().filter(|body| body.kind != Kind::Fixed) {
+            if random.chance(2) {
+                let drive = [0.5, 2.0, 1.0].map(|size| size * inertia * (1.5 + random.unit()));
+                robot.asked.drives.push((body.id, drive));
+            }
+        }
+    }
+    if random.chance(4) {
+        let mut moving: Vec<usize> = robot.bodies.iter().map(|body| body.id).collect();
+        moving.retain(|&id| id == robot.asked.base || robot.models(id));
+        // The root is no joint's.
+        moving.extend((robot.asked.base == 0).then_some(0));
+        moving.retain(|&id| robot.moves(id));
+        shuffle(&mut moving, random);
+        moving.truncate(2);
+        robot.asked.external = (moving, random.chance(2));
     }
 }
 

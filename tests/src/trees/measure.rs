@@ -5,7 +5,7 @@
 //! torque of a joint the sum of the sizes of what its bodies ask of it, of an entry of the mass
 //! matrix the root of the two on its diagonal. Both of these can vanish where lever arms cancel, so
 //! that all masses at a hundredth of the reach stand beside them, and as much of all second moments; where
-//! the recursions run in frame 0, all of both. A derivative of torques is measured by all masses at the end of
+//! the recursions run in frame 0, all of both. What drives and actions from outside are comes on top. A derivative of torques is measured by all masses at the end of
 //! all lever arms. What solves with the mass matrix is not compared but put back: the torques of the
 //! accelerations, and the matrix times its inverse, beside the magnitudes that they are sums of.
 //!
@@ -103,6 +103,7 @@ impl Measure {
                 let mut at = arguments.clone();
                 if function != Function::InverseDynamics {
                     at.qdd.fill(0.0);
+                    at.actions.clear();
                 }
                 if function == Function::Gravity {
                     at.qd.fill(0.0);
@@ -147,7 +148,7 @@ impl Measure {
             Function::CentroidalMomentumMatrix => compared(&|k| self.momentum(k % 6)),
             Function::CentroidalMomentumBias => compared(&|k| rates * rates * self.momentum(k)),
             Function::InverseDynamicsDerivatives => {
-                let sizes = [Change::Coordinate, Change::Rate].map(|of| self.change(arguments, of));
+                let sizes = self.changes(arguments);
                 compared(&|k| sizes[k / (count * count)])
             }
             Function::ForwardDynamicsDerivatives => {
@@ -160,6 +161,7 @@ impl Measure {
                 let mut at = arguments.clone();
                 at.qd.fill(0.0);
                 at.qdd.fill(0.0);
+                at.actions.clear();
                 let size = self.change(&at, Change::Coordinate);
                 compared(&|_| size)
             }
@@ -202,9 +204,32 @@ impl Measure {
         let rates = self.gain * sum(&at.qd);
         let rates = self.gain * sum(&at.qdd) + rates * rates;
         let floor = self.first * (self.gravity + rates * self.slide) + self.second * rates;
-        let floor = self.gain * floor;
-        let sizes = frame_0::torque_sizes(&self.robot, at);
+        let floor = self.gain * (floor + self.pushed(at));
+        let mut sizes = frame_0::torque_sizes(&self.robot, at);
+        for drive in &self.robot.drives {
+            let k = drive.velocity;
+            sizes[k] += drive.size(at.qd[k], at.qdd[k]);
+        }
         sizes.into_iter().map(|size| size + floor).collect()
+    }
+
+    /// What actions from outside are about whichever pole within reach.
+    fn pushed(&self, at: &Arguments) -> f64 {
+        let sizes = at.actions.chunks(6).map(|action| {
+            let (couple, force) = action.split_at(3);
+            sum(couple) + self.slide * sum(force)
+        });
+        sizes.sum()
+    }
+
+    /// What a unit of a coordinate may change a torque by, and what one of a rate, friction and all.
+    fn changes(&self, at: &Arguments) -> [f64; 2] {
+        let damping = self.robot.drives.iter();
+        let damping = damping.map(|drive| drive.damping().to_f64());
+        [
+            self.change(at, Change::Coordinate),
+            self.change(at, Change::Rate) + damping.sum::<f64>(),
+        ]
     }
 
     /// What a unit of a coordinate, or of its rate, may change a torque by: all masses at the end of all
@@ -215,7 +240,7 @@ impl Measure {
         let size = match of {
             Change::Coordinate => {
                 let rates = self.gain * sum(&at.qdd) + rates * rates;
-                self.mass * self.slide * self.gravity + inertia * rates
+                self.mass * self.slide * self.gravity + inertia * rates + self.pushed(at)
             }
             Change::Rate => inertia * rates,
         };
@@ -265,7 +290,7 @@ impl Measure {
         });
         let off = off.collect();
         at.qdd = off;
-        let sizes = [Change::Coordinate, Change::Rate].map(|of| self.change(&at, of));
+        let sizes = self.changes(&at);
         let mut worst: f64 = 0.0;
         for (k, needed) in needed.iter().enumerate() {
             let (of, i, m) = (k / (count * count), k / count % count, k % count);

@@ -13,7 +13,7 @@ use homogen_codegen::expand::{program, program_as, program_by, understand};
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::schedule::{Program, run};
-use homogen_codegen::space::Space;
+use homogen_codegen::space::{Space, Variable};
 use homogen_codegen::{Function, Real};
 
 use crate::arguments::Arguments;
@@ -86,6 +86,7 @@ impl<'r> Prepared<'r> {
             qd: drawn(&dense.velocities, seed, 4 * state + 1),
             qdd: drawn(&dense.velocities, seed, 4 * state + 2),
             tau: drawn(&dense.velocities, seed, 4 * state + 3),
+            actions: pushes(robot, seed, state),
         };
         let states = (0..states as u64).map(of_state).collect();
         Ok(Self {
@@ -176,6 +177,10 @@ impl<'r> Prepared<'r> {
                 if (0..self.states.len()).any(singular) {
                     return Ok(None);
                 }
+                // Nor is there a centre of no mass.
+                if case.function.is_of_mass() && self.is_weightless() {
+                    return Ok(None);
+                }
                 return Ok(Some(program_by(
                     &self.chain,
                     &functions,
@@ -195,9 +200,12 @@ impl<'r> Prepared<'r> {
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
             let weightless = case.function.is_of_mass() && refusal.contains("has mass");
+            // Torques with friction or armature are no sum of columns of links.
+            let driven = case.function.identifies() && refusal.contains("is modelled");
             let states = || (0..self.states.len()).any(singular);
             let excused = || states() || solves && (self.is_described_singular() || self.cancels());
-            if far || weightless && self.is_weightless() || !own && excused() {
+            let driven = driven && self.robot.drives().next().is_some();
+            if far || driven || weightless && self.is_weightless() || !own && excused() {
                 Ok(None)
             } else {
                 Err(refusal)
@@ -284,6 +292,7 @@ impl<'r> Prepared<'r> {
 
     fn input(&self, input: Input, arguments: &Arguments) -> f64 {
         match input {
+            Input::Variable(Variable::Actions, k) => arguments.actions[usize::from(k)],
             Input::Variable(variable, k) => {
                 let place = self.place(variable.space(), usize::from(k));
                 arguments.of(variable)[place]
@@ -371,6 +380,15 @@ fn drawn(entries: &[Entry], seed: u64, of: u64) -> Vec<f64> {
         4.0 * random.unit()
     };
     entries.iter().map(number).collect()
+}
+
+/// c and f of each action from outside, which depend on nothing but the link.
+fn pushes(robot: &Robot, seed: u64, state: u64) -> Vec<f64> {
+    let actions = robot.acted_on().flat_map(|link| {
+        let mut random = Random::new(seed ^ (state << 32) ^ ((link as u64) << 48) ^ 1);
+        [(); 6].map(|()| 4.0 * random.unit())
+    });
+    actions.collect()
 }
 
 /// The same for coordinates, with quaternions of length 1 to rounding.

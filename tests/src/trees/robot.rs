@@ -133,6 +133,10 @@ pub struct Asked {
     pub exact: bool,
     /// Struct fields and what is in them.
     pub fields: Vec<(Field, [f64; 3])>,
+    /// Joints with a drive: armature, damping and friction at each of their velocities.
+    pub drives: Vec<(usize, [f64; 3])>,
+    /// Links on which the surroundings act, and whether they do in frame 0.
+    pub external: (Vec<usize>, bool),
 }
 
 /// What a struct field stands for.
@@ -224,6 +228,22 @@ impl Robot {
         let mut below = self.upwards(link).take_while(|&at| at != self.asked.base);
         let moves = |body: &Body| Movement::of(self, body).is_motion();
         self.asked.floating || below.any(|at| self.body(at).is_some_and(moves))
+    }
+
+    /// The drives of joints that move, with the numbers of the joints.
+    pub fn drives(&self) -> impl Iterator<Item = (usize, [f64; 3])> {
+        let moves = |body: &Body| {
+            body.kind != Kind::Fixed && self.models(body.id) && Movement::of(self, body).is_motion()
+        };
+        let drives = self.asked.drives.iter().copied();
+        drives.filter(move |(id, _)| self.body(*id).is_some_and(moves))
+    }
+
+    /// The links that move and on which the surroundings act.
+    pub fn acted_on(&self) -> impl Iterator<Item = usize> {
+        let links = self.asked.external.0.iter().copied();
+        let is_there = |id: usize| id == self.asked.base || self.models(id);
+        links.filter(move |&id| is_there(id) && self.moves(id))
     }
 
     /// What is in the field that stands for something, where one does.

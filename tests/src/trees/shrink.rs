@@ -105,6 +105,8 @@ fn remove(robot: &mut Robot, id: usize) {
     asked.drop.retain(|&link| link != id);
     asked.frames.retain(|&link| link != id);
     asked.fields.retain(|(field, _)| field.of() != Some(id));
+    asked.drives.retain(|(joint, _)| *joint != id);
+    asked.external.0.retain(|&link| link != id);
 }
 
 /// Leaves of a robot what a link carries.
@@ -145,6 +147,20 @@ fn ask_less(robot: &Robot, with: &mut impl FnMut(&dyn Fn(&mut Robot))) {
         with(&|robot| {
             robot.asked.frames.remove(k);
         });
+    }
+    with(&|robot| robot.asked.external.1 = false);
+    for k in 0..robot.asked.external.0.len() {
+        with(&|robot| {
+            robot.asked.external.0.remove(k);
+        });
+    }
+    for k in 0..robot.asked.drives.len() {
+        with(&|robot| {
+            robot.asked.drives.remove(k);
+        });
+        for part in 0..3 {
+            with(&|robot| robot.asked.drives[k].1[part] = 0.0);
+        }
     }
     for k in 0..robot.asked.fields.len() {
         with(&|robot| {

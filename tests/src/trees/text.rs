@@ -9,6 +9,7 @@ use std::path::Path;
 
 use homogen_codegen::description::{self, Description, Number, Step, inline};
 use homogen_codegen::error::Errors;
+use homogen_codegen::joint::drive::Part;
 use homogen_codegen::request::{Parameter, Request, Target};
 use quote::format_ident;
 
@@ -43,7 +44,7 @@ pub fn read(robot: &Robot) -> Result<(Description, Request), Errors> {
         }
     };
     match found {
-        Some(found) => errors.into_result(found),
+        Some((description, request)) => errors.into_result((description, loaded(robot, request))),
         None => Err(errors),
     }
 }
@@ -103,6 +104,28 @@ fn request(asked: &Asked) -> Request {
         parameters: parameters(asked),
         ..Request::default()
     }
+}
+
+/// The request with drives at joints and actions on links.
+fn loaded(robot: &Robot, mut request: Request) -> Request {
+    for (id, drive) in robot.drives() {
+        let parts = [Part::Armature, Part::Damping, Part::Friction];
+        request
+            .drives
+            .extend(parts.into_iter().zip(drive).map(|(part, value)| {
+                let number = Number {
+                    value,
+                    ..Number::default()
+                };
+                (format!("joint{id}").as_str().into(), part, vec![number])
+            }));
+    }
+    let acted_on = robot.acted_on();
+    request.external = acted_on
+        .map(|id| format!("link{id}").as_str().into())
+        .collect();
+    request.external_in_frame_0 = robot.asked.external.1 && !request.external.is_empty();
+    request
 }
 
 fn parameters(asked: &Asked) -> Vec<Parameter> {
@@ -325,6 +348,19 @@ impl fmt::Display for Robot {
         }
         for (field, value) in &self.asked.fields {
             writeln!(out, "field {field:?} = {value:?}")?;
+        }
+        for (joint, [armature, damping, friction]) in self.drives() {
+            let drive =
+                format!("armature {armature:?}, damping {damping:?}, friction {friction:?}");
+            writeln!(out, "drive of joint{joint}: {drive}")?;
+        }
+        let frame = if self.asked.external.1 {
+            "frame 0"
+        } else {
+            "its frame"
+        };
+        for link in self.acted_on() {
+            writeln!(out, "action on link{link} in {frame}")?;
         }
         Ok(())
     }

@@ -6,7 +6,9 @@
 mod check;
 mod count;
 mod doubts;
+mod drives;
 mod eval;
+mod external;
 mod formulation;
 mod generate;
 mod hostile;

@@ -7,6 +7,7 @@ use homogen_codegen::description::{Description, Name, read_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::request::{Parameter, Request, Target};
+use homogen_tests::drives::driven;
 use homogen_tests::subjects::{Subject, subject};
 use quote::format_ident;
 
@@ -18,6 +19,8 @@ pub struct Asked {
     pub formulation: Formulation,
     /// Links whose masses are fields.
     pub loads: &'static [&'static str],
+    /// Whether its joints have drives, and the surroundings act on its tip.
+    pub driven: bool,
     /// How many times the worst error that was measured a bound may be.
     pub farthest: f64,
 }
@@ -31,6 +34,7 @@ pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
         tip,
         formulation: Formulation::default(),
         loads: &[],
+        driven: false,
         farthest: 150.0,
     }
 }
@@ -68,6 +72,14 @@ pub fn described(asked: Asked) -> (Description, Request) {
         parameters: loads.collect(),
         formulation: asked.formulation,
         ..Request::default()
+    };
+    let request = if asked.driven {
+        Request {
+            external: vec![Name::from(asked.tip)],
+            ..driven(&description, request)
+        }
+    } else {
+        request
     };
     (description, request)
 }

@@ -168,6 +168,34 @@ fn by_articulated_bodies() {
     }
 }
 
+/// What friction, armatures and actions from outside round is counted, in every form of forward dynamics.
+#[test]
+fn with_drives_and_actions() {
+    for (robot, tip) in [("stanford_general", "tool"), ("panda_class", "link8")] {
+        check_both(Asked {
+            driven: true,
+            farthest: 250.0,
+            ..asked(robot, tip)
+        });
+        for (forward, farthest) in [
+            (Forward::MassMatrix { refinements: 1 }, 250.0),
+            (Forward::Articulated, 1500.0),
+        ] {
+            let asked = Asked {
+                formulation: Formulation {
+                    forward: Some(forward),
+                    ..Formulation::default()
+                },
+                driven: true,
+                farthest,
+                ..asked(robot, tip)
+            };
+            assert!(check_accelerations::<F64>(asked), "{robot}");
+            assert!(check_accelerations::<Fused64>(asked), "{robot}");
+        }
+    }
+}
+
 #[test]
 fn with_masses_that_are_known_at_run_time() {
     check_both(Asked {

@@ -25,7 +25,9 @@ use crate::states::{STATES, state};
 /// The program of a function that solves something, and the bounds of what was given, if there are any.
 fn solved(asked: Asked, function: Function, scalar: Real) -> Option<(Program, Vec<Bound>)> {
     let (description, request) = described(asked);
+    let external = request.external.iter().filter(|_| function.takes_actions());
     let request = Request {
+        external: external.cloned().collect(),
         functions: vec![vec![function]],
         scalar,
         ..request

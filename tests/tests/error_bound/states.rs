@@ -38,6 +38,7 @@ pub fn state<T: Tested>(range: &Range, random: &mut Random) -> impl Fn(Input) ->
             .collect()
     };
     let [q, qd, qdd] = [&range.q, &range.qd, &range.qdd].map(|ranges| rounded(ranges));
+    let actions = rounded(&range.actions);
     let fields = range.fields.iter();
     let fields: Vec<Vec<f64>> = fields
         .map(|field| field.iter().map(|&range| any(range)).collect())
@@ -46,6 +47,7 @@ pub fn state<T: Tested>(range: &Range, random: &mut Random) -> impl Fn(Input) ->
         Input::Variable(Variable::Q, k) => q[usize::from(k)],
         Input::Variable(Variable::Qd, k) => qd[usize::from(k)],
         Input::Variable(Variable::Qdd, k) => qdd[usize::from(k)],
+        Input::Variable(Variable::Actions, k) => actions[usize::from(k)],
         Input::Parameter(field, k) => fields[usize::from(field)][usize::from(k)],
         Input::Variable(..) => unreachable!("no function here reads it"),
     }

@@ -17,6 +17,10 @@ pub(super) struct Link {
     /// ∫r²dm about its origin.
     pub(super) spread: f64,
     pub(super) mass: f64,
+    /// Of the joint's drive.
+    pub(super) armature: f64,
+    pub(super) damping: f64,
+    pub(super) friction: f64,
 }
 
 impl Link {
@@ -30,12 +34,16 @@ impl Link {
         };
         let [x, y, z] = body.placement.translation.0.map(number);
         let [xx, yy, zz, ..] = body.inertia.second.0.map(number);
+        let [armature, damping, friction] = body.drive.map(number).entries();
         Some(Self {
             parent: body.parent,
             slides: body.motion.slides(),
             reach: slide + bound::root([x?, y?, z?]),
             spread: spread([xx?, yy?, zz?])?,
             mass: number(body.inertia.mass)?.max(0.0),
+            armature: armature?,
+            damping: damping?,
+            friction: friction?,
         })
     }
 }
@@ -51,6 +59,16 @@ fn spread(second: [f64; 3]) -> Option<f64> {
 }
 
 impl Link {
+    /// The most that friction takes, where rates have a range.
+    pub(super) fn resistance(&self, [least, most]: [f64; 2]) -> f64 {
+        self.damping * least.abs().max(most.abs()) + self.friction
+    }
+
+    /// √D at most, where this is γ and s.
+    pub(super) fn share(&self, whole: Pair) -> f64 {
+        bound::root([self.along(whole), self.armature.sqrt()])
+    }
+
     /// What its joint feels of moment and force, or of γ and s.
     pub(super) const fn along(&self, pair: Pair) -> f64 {
         if self.slides {

@@ -26,15 +26,49 @@ struct Change {
 impl Posture {
     /// ∂τ/∂q and ∂τ/∂q̇ of a motion, against gravity.
     pub(in crate::dense) fn torque_derivatives(&self, rates: &Rates) -> [Vec<Scalar>; 2] {
-        [Of::Coordinates, Of::Rates]
-            .map(|of| self.by_columns(|joint, screw| self.change(rates, joint, screw, of)))
+        let [by_coordinate, mut by_rate] = [Of::Coordinates, Of::Rates]
+            .map(|of| self.by_columns(|joint, screw| self.change(rates, joint, screw, of)));
+        // Of drives only viscous friction changes; the sign of a rate does not, but where it steps.
+        for freedom in self.freedoms() {
+            let [_, damping, _] = freedom.drive;
+            let own = &mut by_rate[freedom.velocity * (self.robot.velocities + 1)];
+            *own = *own + freedom.factor * freedom.factor * damping;
+        }
+        [by_coordinate, by_rate]
+    }
+
+    /// ∂(Σ Jᵗ Φ)/∂q of actions from outside, row by row: Φ of a link turns with it, Φ in frame 0 stays.
+    pub(in crate::dense) fn outside_derivative(&self, actions: &[f64]) -> Vec<Scalar> {
+        let turns = !self.robot.external.1;
+        let actions: Vec<_> = self.outside_actions(actions).collect();
+        self.by_columns(|joint, along| {
+            let carried = self.carried(joint);
+            let mut felt = vec![Scalar::exact(0.0); self.robot.velocities];
+            for (link, action) in &actions {
+                let turned = along.times(action);
+                let turned = turned.plus(&action.times(&along.transposed()));
+                for body in self.inwards(*link) {
+                    for (velocity, screw) in &self.screws[body] {
+                        let mut change = Scalar::exact(0.0);
+                        if carried[body] {
+                            change = change + super::along(&along.commutator(screw), action);
+                        }
+                        if turns && carried[*link] {
+                            change = change + super::along(screw, &turned);
+                        }
+                        felt[*velocity] = felt[*velocity] + change;
+                    }
+                }
+            }
+            felt
+        })
     }
 
     /// C of M q̈ + C q̇, by what H at q̈ = 0 is linear in: Σ (L̇ₘ + Lₘ W) q̇ₘ.
     pub(in crate::dense) fn coriolis_matrix(&self, rates: &Rates) -> Vec<Scalar> {
         let motions = self.motions(rates);
         self.by_columns(|joint, screw| {
-            let (rate, carried) = (commutator(&motions[joint].0, screw), self.carried(joint));
+            let (rate, carried) = (motions[joint].0.commutator(screw), self.carried(joint));
             self.forces(|link| carried[link].then(|| rate.plus(&screw.times(&motions[link].0))))
         })
     }
@@ -78,7 +112,7 @@ impl Posture {
             let h = motions[link].1.plus(&falling);
             let action = h.times(inertia).skew();
             let screws = self.screws[link].iter().map(|(_, screw)| match of {
-                Of::Coordinates if carried[link] => commutator(along, screw),
+                Of::Coordinates if carried[link] => along.commutator(screw),
                 _ => Matrix::zero(),
             });
             let screws: Vec<_> = screws.collect();
@@ -124,7 +158,7 @@ impl Posture {
         for (link, body) in self.robot.bodies.iter().enumerate().rev() {
             let [action, action_change] = actions[link].clone();
             for ((k, screw), change) in self.screws[link].iter().zip(&changes[link].screws) {
-                let own = along_screw(screw, &action_change) + along_screw(change, &action);
+                let own = super::along(screw, &action_change) + super::along(change, &action);
                 felt[*k] = felt[*k] + own;
             }
             if let Some(parent) = body.parent {
@@ -134,18 +168,4 @@ impl Posture {
         }
         felt
     }
-}
-
-/// A B − B A.
-fn commutator(a: &Matrix<Scalar>, b: &Matrix<Scalar>) -> Matrix<Scalar> {
-    let other = b.times(a).scaled(&Scalar::exact(-1.0));
-    a.times(b).plus(&other)
-}
-
-/// L ⊗ Φ.
-fn along_screw(screw: &Matrix<Scalar>, action: &Matrix<Scalar>) -> Scalar {
-    let terms = screw.vectors().into_iter().zip(action.vectors());
-    terms.fold(Scalar::exact(0.0), |sum, (screw, action)| {
-        sum + screw * action
-    })
 }

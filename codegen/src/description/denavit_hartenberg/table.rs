@@ -20,7 +20,7 @@ use crate::description::kind;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
 use crate::description::{
-    Description, Inertial, Limits, Name, Number, Source, Step, constant, names,
+    Description, Inertial, Limits, Name, Number, Source, Step, Unmodelled, constant, names,
 };
 use crate::error::{Errors, Place};
 use crate::joint::JointKind;
@@ -124,6 +124,7 @@ pub fn read(
         joints,
         loops: Vec::new(),
         warnings: Vec::new(),
+        unmodelled: Unmodelled::default(),
     };
     names::check(&description, errors);
     Some(description)

@@ -3,7 +3,7 @@
 //! In: tokens. Out: a joint whose links may still be open. The axis is `x`, `y`, `z`, `-z` and so
 //! on, or a vector (of another length than 1 with a doubt); a screw joint adds `pitch: 0.01`, in metres per radian,
 //! a universal one its second axis; translation, spherical and floating have none. A joint that follows another
-//! has `mimic: leader, multiplier: -1.0, offset: 0.1`.
+//! has `mimic: leader, multiplier: -1.0, offset: 0.1`, and one with a drive `armature: 0.01, damping: 0.5`.
 
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -13,6 +13,7 @@ use crate::description::kind;
 use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::description::{Axis, Limits, Mimic, Name, Number, Step, axis, number};
 use crate::error::{Complaint, Errors, Place};
+use crate::joint::drive::{Part, Parts};
 use crate::joint::{Definition, JointKind};
 use crate::wording::{known, quoted};
 
@@ -25,6 +26,8 @@ pub(super) struct Joint {
     origin: Vec<Step>,
     limits: Option<Limits>,
     mimic: Option<Mimic>,
+    /// What its drive adds.
+    pub(super) drive: Parts,
     /// What is doubtful about it.
     pub(super) doubts: Vec<Complaint>,
 }
@@ -60,6 +63,7 @@ pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
         origin: Vec::new(),
         limits: None,
         mimic: None,
+        drive: Parts::default(),
     };
     let mut range = Range::default();
     let mut follows = Follows::default();
@@ -73,7 +77,13 @@ pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
         "multiplier",
         "offset",
     ];
+    let keys: Vec<&str> = keys.into_iter().chain(Part::ALL.map(Part::word)).collect();
     tokens::fields(input, &subject, &keys, errors, |key, input| {
+        if let Some(part) = Part::from_word(key) {
+            let subject = format!("the {key} of {subject}");
+            joint.drive.say(part, tokens::one_or_more(input, &subject)?);
+            return Ok(());
+        }
         match key {
             "from" => joint.from = Some(tokens::name(input)?),
             "to" => joint.to = Some(tokens::name(input)?),
@@ -124,6 +134,7 @@ impl Joint {
             second_axis,
             limits: self.limits,
             mimic: self.mimic,
+            drive: self.drive,
             place,
         })
     }

@@ -164,7 +164,7 @@ fn all_mistakes_are_reported_at_once() {
     assert_eq!(
         said,
         "1:18: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, floating, tip, \
-         path_only, lock, drop, frames, actuated, gravity, exact, strict, scalar, generate, formulation, processor, crate, link, joint, loop and denavit_hartenberg\n\
+         path_only, lock, drop, frames, actuated, gravity, friction, damping, armature, rotor, ratio, rotors, external, exact, strict, scalar, generate, formulation, processor, crate, link, joint, loop and denavit_hartenberg\n\
          2:19: the mass of link \"base\" is negative: -1\n\
          2:28: the centre of mass of link \"base\" has 2 numbers instead of 3\n\
          2:45: the inertia of link \"base\" has 2 numbers \
@@ -178,12 +178,12 @@ fn all_mistakes_are_reported_at_once() {
          4:21: the axis of joint \"two\" is zero\n  \
          hint: give it a direction, such as 0 0 1\n\
          4:34: joint \"two\" has the unknown key \"form\"\n  \
-         hint: did you mean \"from\"? known keys: from, to, at, limits, velocity, mimic, multiplier and offset\n\
+         hint: did you mean \"from\"? known keys: from, to, at, limits, velocity, mimic, multiplier, offset, armature, rotor, ratio, damping and friction\n\
          4:54: the lower limit of joint \"two\", 1, is above the upper one, -1\n\
          5:14: joint \"three\" has no axis\n  \
          hint: write planar(z)\n\
          6:1: unknown key \"jiont\"\n  hint: did you mean \"joint\"? known keys: urdf, dh, base, floating, tip, \
-         path_only, lock, drop, frames, actuated, gravity, exact, strict, scalar, generate, formulation, processor, crate, link, joint, loop and denavit_hartenberg\n\
+         path_only, lock, drop, frames, actuated, gravity, friction, damping, armature, rotor, ratio, rotors, external, exact, strict, scalar, generate, formulation, processor, crate, link, joint, loop and denavit_hartenberg\n\
          7:6: link \"tool\" has a mass but no inertia\n  \
          hint: add inertia: [0.01, 0.01, 0.01], with zeros for a mass in a point\n\
          8:6: there is another link \"tool\"\n"

@@ -9,10 +9,9 @@ use std::borrow::Cow;
 use roxmltree::{Attribute, Node};
 
 use super::plain::{FOR_COLON, unescaped};
-use super::unmodelled::Unmodelled;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
-use crate::description::{Axis, Name, Number, Step};
+use crate::description::{Axis, Name, Number, Step, Unmodelled};
 use crate::error::{Complaint, Errors, Place};
 use crate::wording::{nearest, quoted};
 

@@ -1,7 +1,8 @@
 //! `<joint>`: what moves, about or along which axis, from which link to which.
 //!
-//! In: one element. Out: a [`Joint`], as far as it could be read, and complaints. Friction is passed
-//! over with a doubt, and what tells a controller (soft limits, calibration) without one. URDF itself
+//! In: one element. Out: a [`Joint`], as far as it could be read, and complaints. Friction is kept
+//! and noted, for it is modelled where it is asked for; what tells a controller (soft limits, calibration)
+//! is passed over. URDF itself
 //! knows no screw joints, which have `<thread pitch="…"/>` in metres per radian, and no universal ones,
 //! which have `<axis2 xyz="…"/>`.
 
@@ -12,6 +13,7 @@ use crate::description::kind;
 use crate::description::{Joint, Limits, Mimic, Name, Number, axis, number};
 use crate::error::Place;
 use crate::joint::JointKind;
+use crate::joint::drive::{Part, Parts};
 use crate::wording::quoted;
 
 /// What a joint may hold, mechanics or not.
@@ -54,7 +56,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
     let second_axis = second_axis(reader, node, &children, kind, &subject);
     let limits = limits(reader, &children, kind, &subject);
     let mimic = mimic(reader, &children, kind, &subject);
-    friction(reader, &children, kind, &subject);
+    let drive = dynamics(reader, &children, kind, &subject);
     Some(Joint {
         name: name?,
         kind: kind.unwrap_or(JointKind::Fixed),
@@ -65,6 +67,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
         second_axis,
         limits,
         mimic,
+        drive,
         place: reader.place(node),
     })
 }
@@ -141,33 +144,37 @@ fn mimic<'t>(
     })
 }
 
-/// Takes note of friction, damping and whatever else `<dynamics>` says, if it is not zero.
-fn friction<'t>(
+/// Friction and damping; takes note of them and of whatever else `<dynamics>` says, if it is not zero. What
+/// is not a number is one that is not finite, to be refused where it is asked for.
+fn dynamics<'t>(
     reader: &mut Reader<'_, 't>,
     children: &[Node<'_, 't>],
     kind: Option<JointKind>,
     subject: &str,
-) {
+) -> Parts {
+    let mut drive = Parts::default();
     let Some(node) = reader.only(children, "dynamics", subject) else {
-        return;
+        return drive;
     };
     if matches!(kind, Some(JointKind::Fixed)) {
-        return;
+        return drive;
     }
-    let words: Vec<&str> = node
-        .attributes()
-        .filter(|attribute| !is_zero(attribute.value()))
-        .map(|attribute| match attribute.name() {
-            "damping" => "damping",
-            "friction" => "friction",
-            _ => "other dynamics",
-        })
-        .collect();
+    let mut words = Vec::new();
+    for attribute in node.attributes().filter(|said| !is_zero(said.value())) {
+        let part = Part::from_word(attribute.name()).filter(|part| part.resists());
+        if let Some(part) = part {
+            let place = reader.value_place(&attribute);
+            let number = number::read(reader.value(&attribute).trim(), place);
+            let number = number.unwrap_or_else(|_| number::computed(f64::NAN, place));
+            drive.say(part, vec![number]);
+        }
+        words.push(part.map_or("other dynamics", Part::word));
+    }
     if !words.is_empty() {
-        reader
-            .unmodelled
-            .friction(reader.place(node), subject, &words);
+        let place = reader.place(node);
+        reader.unmodelled.friction(place, subject, words);
     }
+    drive
 }
 
 /// The axis with length 1; along x where the text gives none, as URDF has it.

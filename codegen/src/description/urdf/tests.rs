@@ -10,7 +10,7 @@ mod unmodelled;
 mod xml;
 
 use super::*;
-use crate::description::{Axis, Number, Step};
+use crate::description::{Axis, Modelled, Number, Step};
 use crate::joint::JointKind;
 
 /// An arm that moves in two ways, with a number of every kind.
@@ -77,10 +77,15 @@ fn errors_in_joint(kind: &str, inner: &str) -> String {
 /// What is doubted of a robot, each doubt as the command line shows it.
 fn doubts(text: &str) -> Vec<String> {
     let robot = fine(text);
-    let doubts = robot.warnings.iter();
-    doubts
-        .map(|doubt| robot.source.errors().locate(doubt))
-        .collect()
+    let modelled = Modelled {
+        friction: false,
+        armature: false,
+        has_rotor: &|_| false,
+    };
+    let source = robot.source;
+    let doubts = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
+    let doubts = doubts.iter();
+    doubts.map(|doubt| source.errors().locate(doubt)).collect()
 }
 
 /// What is doubted of a joint from a to b, whose inner text stands in line 2 from column 1.

@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 use super::Writing;
-use super::declarations::{lengths, members, number, results};
+use super::declarations::{argument_lengths, lengths, members, number, results};
 use super::literals::literal;
 use super::names::unscoped;
 use crate::formulation::Sines;
@@ -20,7 +20,7 @@ use crate::schedule::{Angle, Names, Operation, Readable, Routine, Statement, Val
 pub(super) fn body(listing: &Listing, listed: &Listed, writing: &Writing<'_>) -> String {
     let fields = listing.parameters.iter().map(Parameter::entries);
     let readable = Readable {
-        arguments: &listed.arguments(),
+        arguments: &listed.arguments(&listing.spaces),
         spaces: &listing.spaces,
         fields: &fields.collect::<Vec<_>>(),
     };
@@ -79,7 +79,8 @@ impl Writer<'_> {
         for (argument, entries) in &routine.arguments {
             let read = entries.iter().enumerate();
             for (k, name) in read.filter_map(|(k, name)| Some((k, name.as_ref()?))) {
-                self.constant(name, &format!("{}[{k}]", argument.name()));
+                let lengths = argument_lengths(*argument, &listing.spaces);
+                self.constant(name, &place(argument.name(), k, &lengths));
             }
             if entries.iter().all(Option::is_none) {
                 self.line(&format!("(void){};", argument.name()));
@@ -137,6 +138,10 @@ impl Writer<'_> {
             (Operation::Mul(a, b), _) => format!("{a} * {b}"),
             (Operation::Div(a, b), _) => format!("{a} / {b}"),
             (Operation::Sqrt(a), _) => self.call("sqrt", &a),
+            (Operation::Sign(a), _) => {
+                let (number, zero) = (number(self.real), literal(0.0, self.real));
+                format!("({number})(({a} > {zero}) - ({a} < {zero}))")
+            }
             (Operation::Neg(a), _) => negative(&a),
             (Operation::MulAdd(a, b, c), Some(fused)) => format!("{fused}({a}, {b}, {c})"),
             (Operation::MulSub(a, b, c), Some(fused)) => {
@@ -209,7 +214,8 @@ fn negative(value: &str) -> String {
     }
 }
 
-/// Where a result's number of that index is: `gravity[3]`, `mass_matrix[1][2]`, `*kinetic_energy`.
+/// Where the number of that index of an argument or a result is: `gravity[3]`, `mass_matrix[1][2]`,
+/// `*kinetic_energy`.
 fn place(name: &str, index: usize, lengths: &[usize]) -> String {
     if lengths.is_empty() {
         return format!("*{name}");

@@ -11,7 +11,7 @@ use super::names::{ascii, constants, unscoped};
 use crate::function::Function;
 use crate::print::{Listed, Listing, documentation};
 use crate::real::Real;
-use crate::space::{Quantity, Space, Spaces, Variable};
+use crate::space::{ACTION, Quantity, Space, Spaces, Variable};
 use crate::wording::code;
 
 /// The type of number.
@@ -114,9 +114,9 @@ pub(super) fn parameters(listing: &Listing, listed: &Listed, prefix: &str) -> St
     let spaces = &listing.spaces;
     let number = number(listing.scalar);
     let robot = (!listing.parameters.is_empty()).then(|| format!("const {prefix}robot *robot"));
-    let arguments = listed.arguments().into_iter();
+    let arguments = listed.arguments(spaces).into_iter();
     let arguments = arguments
-        .map(|argument| declarator(argument.name(), &[spaces.len(argument.space())]))
+        .map(|argument| declarator(argument.name(), &argument_lengths(argument, spaces)))
         .map(|argument| format!("const {number} {argument}"));
     let results = results(&listed.functions).into_iter();
     let results = results
@@ -143,6 +143,14 @@ pub(in crate::print) fn results(functions: &[Function]) -> Vec<(String, Quantity
 /// How long the arrays within arrays are that hold a result, the outermost first; a number is in none.
 pub(super) fn lengths(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     [&*quantity.lengths(spaces), quantity.entity.dimensions()].concat()
+}
+
+/// The same of an argument.
+pub(super) fn argument_lengths(argument: Variable, spaces: &Spaces) -> Vec<usize> {
+    match argument {
+        Variable::Actions => vec![spaces.actions(), ACTION.len()],
+        _ => vec![spaces.len(argument.space())],
+    }
 }
 
 /// `forward_kinematics[3][4]`; a pointer where there is no array.

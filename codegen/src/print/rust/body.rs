@@ -7,6 +7,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
+use super::arguments::{pattern, unpack};
 use super::dialect::Dialect;
 use super::literals::Numerals;
 use super::names::ident;
@@ -64,7 +65,8 @@ pub(super) fn body(
     if routine.is_fused {
         statements.extend(mul_add);
     }
-    statements.extend(routine.arguments.iter().map(unpack));
+    let arguments = routine.arguments.iter();
+    statements.extend(arguments.map(|argument| unpack(argument, dialect)));
     let load = |(entries, field): &(&Entries, &Parameter)| writer.load(entries, field);
     if loads.len() <= FIELDS {
         statements.extend(loads.iter().map(load));
@@ -146,6 +148,7 @@ impl Writer<'_> {
             (Operation::Mul(a, b), _) => quote! { #a * #b },
             (Operation::Div(a, b), _) => quote! { #a / #b },
             (Operation::Sqrt(a), _) => self.dialect.sqrt(&a),
+            (Operation::Sign(a), _) => self.dialect.sign(&a),
             (Operation::Neg(a), _) => quote! { -#a },
             (Operation::MulAdd(a, b, c), Some(fused)) => quote! { #fused(#a, #b, #c) },
             (Operation::MulSub(a, b, c), Some(fused)) => quote! { #fused(#a, #b, -#c) },
@@ -185,21 +188,6 @@ impl Writer<'_> {
         let patterns = entries.iter().map(Option::as_ref).map(pattern);
         quote! { let [#(#patterns),*] = #value; #(#conversions)* }
     }
-}
-
-/// `let [q_1, _, q_3] = *q;`, or `let _ = q;` where no entry is read.
-fn unpack((argument, entries): &(Variable, Entries)) -> TokenStream {
-    let array = ident(argument.name());
-    if entries.iter().all(Option::is_none) {
-        return quote! { let _ = #array; };
-    }
-    let entries = entries.iter().map(Option::as_ref).map(pattern);
-    quote! { let [#(#entries),*] = *#array; }
-}
-
-/// What stands in a pattern for a value that may have no name.
-fn pattern(name: Option<&String>) -> TokenStream {
-    name.map_or_else(|| quote! { _ }, |name| ident(name).into_token_stream())
 }
 
 /// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them.

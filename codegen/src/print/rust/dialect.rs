@@ -168,6 +168,16 @@ impl Dialect {
         }
     }
 
+    /// −1, 0 or 1, without a branch: `core` has no such function before Rust 1.85, and none that is 0 of
+    /// 0.
+    pub fn sign(&self, a: &TokenStream) -> TokenStream {
+        let number = &self.number;
+        match &self.world {
+            World::Runtime(runtime) => quote! { #runtime::Scalar::sgn(#a) },
+            World::Core(_) => quote! { #number::from(i8::from(#a > 0.0) - i8::from(#a < 0.0)) },
+        }
+    }
+
     /// The statements that bind all sines and cosines, of which there is at least one.
     pub fn sines_and_cosines(
         &self,

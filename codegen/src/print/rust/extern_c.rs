@@ -8,6 +8,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
+use super::arguments;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::known;
@@ -62,11 +63,11 @@ fn function(
     dialect: &Dialect,
 ) -> TokenStream {
     let robot = &item.ident;
-    let number = &dialect.number;
     let lengths = known(&listing.spaces);
-    let arguments = listed.arguments();
+    let arguments = listed.arguments(&listing.spaces);
     let each = arguments.iter();
-    let each: Vec<_> = each.map(|argument| lengths(argument.space())).collect();
+    let each = each.map(|&argument| arguments::type_of(argument, &lengths, dialect));
+    let each: Vec<_> = each.collect();
     let arguments: Vec<_> = arguments
         .iter()
         .map(|argument| ident(argument.name()))
@@ -124,7 +125,7 @@ fn function(
         #[unsafe(no_mangle)]
         pub extern "C" fn #name(
             #receiver
-            #(#arguments: &[#number; #each],)*
+            #(#arguments: &#each,)*
             #(#results: &mut ::core::mem::MaybeUninit<#types>,)*
         ) {
             #body

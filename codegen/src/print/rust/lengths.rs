@@ -10,9 +10,12 @@ use crate::space::{Space, Spaces};
 /// A length for each space.
 pub(super) type Lengths<'a> = &'a dyn Fn(Space) -> TokenStream;
 
-/// Those of spaces that are known.
+/// Those of spaces that are known; of actions how many there are, for each is one thing.
 pub(super) fn known(spaces: &Spaces) -> impl Fn(Space) -> TokenStream {
-    |space| literal(spaces.len(space))
+    |space| match space {
+        Space::Actions => literal(spaces.actions()),
+        space => literal(spaces.len(space)),
+    }
 }
 
 /// A length that is known.

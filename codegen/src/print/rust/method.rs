@@ -4,8 +4,9 @@
 //! that calls it. It never prints an operation itself.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
+use super::arguments::{no_actions, type_of};
 use super::body::{Body, body};
 use super::comments::doc;
 use super::declaration;
@@ -27,7 +28,7 @@ pub(super) fn method(
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
-    let arguments = listed.arguments();
+    let arguments = listed.arguments(&listing.spaces);
     let is_number = |function: &Function| function.result().is_number();
     let returns_number = matches!(&*listed.functions, [only] if is_number(only));
     let Body {
@@ -45,7 +46,15 @@ pub(super) fn method(
     let about = doc(&about);
     let visibility = &item.visibility;
     let lengths = known(&listing.spaces);
-    let signature = signature(item, name, &listed.functions, &lengths, &[], dialect);
+    let acted = listing.spaces.actions() > 0;
+    let signature = signature(
+        item,
+        name,
+        (&listed.functions, acted),
+        &lengths,
+        &[],
+        dialect,
+    );
     quote! {
         #about
         #[must_use]
@@ -63,8 +72,15 @@ pub(super) fn in_trait(
 ) -> TokenStream {
     let arguments = function.arguments().iter();
     let arguments = arguments.map(|argument| ident(argument.name()));
-    let call = quote! { Self::#name(self, #(#arguments),*) };
     let lengths = known(&listing.spaces);
+    // Controllers that serve any robot know of no actions from outside.
+    let acted = listing.spaces.actions() > 0 && function.takes_actions();
+    let actions = match &dialect.world {
+        World::Runtime(runtime) if acted => Some(no_actions(&lengths, runtime)),
+        World::Runtime(_) | World::Core(_) => None,
+    };
+    let arguments = arguments.map(ToTokens::into_token_stream).chain(actions);
+    let call = quote! { Self::#name(self, #(#arguments),*) };
     implementation(item, function, &lengths, &[], &call, dialect)
 }
 
@@ -91,16 +107,16 @@ pub(super) fn implementation(
     let of = quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> };
     let head = declaration::implementation(item, &of, &generics(unknown, dialect));
     let method = ident(function.name());
-    let parameters = parameters(item, &[function], lengths, dialect);
+    let parameters = parameters(item, (&[function], false), lengths, dialect);
     quote! { #head { #[inline] fn #method #parameters { #call } } }
 }
 
-/// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]`; `unknown` are generic
-/// parameters that stand for lengths.
+/// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]` of functions, which actions from outside
+/// enter or not; `unknown` are generic parameters that stand for lengths.
 pub(super) fn signature(
     item: &Item,
     name: &Ident,
-    functions: &[Function],
+    functions: (&[Function], bool),
     lengths: Lengths<'_>,
     unknown: &[TokenStream],
     dialect: &Dialect,
@@ -123,15 +139,14 @@ fn generics(unknown: &[TokenStream], dialect: &Dialect) -> Vec<TokenStream> {
 /// `(&self, q: &[T; 2]) -> [T; 2]`.
 fn parameters(
     item: &Item,
-    functions: &[Function],
+    (functions, acted): (&[Function], bool),
     lengths: Lengths<'_>,
     dialect: &Dialect,
 ) -> TokenStream {
-    let number = &dialect.number;
-    let parameters = arguments(functions).into_iter().map(|argument| {
+    let parameters = arguments(functions, acted).into_iter().map(|argument| {
         let name = ident(argument.name());
-        let length = lengths(argument.space());
-        quote! { #name: &[#number; #length] }
+        let of = type_of(argument, lengths, dialect);
+        quote! { #name: &#of }
     });
     let result = result_type(item, functions, lengths, dialect);
     quote! { (&self, #(#parameters),*) -> #result }

@@ -29,18 +29,23 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     let unnamed = || ident(&dialect.names.clone().alone("N"));
     let unknown = spaces.is_none().then(unnamed);
     let lengths = |space: Space| {
+        // They are known whatever else is not.
+        if space == Space::Actions {
+            return literal(request.external.len());
+        }
         let known = spaces.map(|spaces| literal(spaces.len(space)));
         known.unwrap_or_else(|| quote! { #unknown })
     };
     // How many entries spaces of parameters have, the description tells later than how it moves.
     let other = ident(&dialect.names.clone().alone("P"));
     let lengths = |space: Space| match space {
-        Space::Coordinates | Space::Velocities => lengths(space),
+        Space::Coordinates | Space::Velocities | Space::Actions => lengths(space),
         _ => quote! { #other },
     };
     let constant = |name: &Ident| quote! { const #name: ::core::primitive::usize };
     let parameter = unknown.as_ref().map(constant);
 
+    let acted = !request.external.is_empty();
     let mut methods = TokenStream::new();
     let mut traits = TokenStream::new();
     let mut names = unscoped();
@@ -58,8 +63,14 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
                 .any(|function| function.further().next().is_some());
             let further = further.then(|| constant(&other));
             let parameters: Vec<_> = parameter.iter().cloned().chain(further).collect();
-            let signature =
-                method::signature(item, &name, functions, &lengths, &parameters, &dialect);
+            let signature = method::signature(
+                item,
+                &name,
+                (functions, acted),
+                &lengths,
+                &parameters,
+                &dialect,
+            );
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
@@ -76,7 +87,7 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     }
     if let World::Runtime(runtime) = &dialect.world {
         let reads_fields = !request.parameters.is_empty();
-        let frames = literal(request.frames.len() + 1);
+        let frames = literal(request.frames.len() + 1 + request.external.len());
         let joints = lengths(Space::Velocities);
         let signature = chain::signature(
             (&lengths, &joints, &frames),

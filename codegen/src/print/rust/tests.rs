@@ -95,6 +95,7 @@ pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
     };
     let entries: Vec<Entry> = names.into_iter().map(entry).collect();
     Spaces {
+        actions: Vec::new(),
         coordinates: entries.clone(),
         constraints: Vec::new(),
         velocities: entries,
@@ -118,6 +119,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
     Listing {
         spaces: turning(["shoulder", "elbow"].map(str::to_owned)),
         about: About {
+            driven: false,
             robot: "double pendulum".to_owned(),
             source: Some(("pendulum.urdf".to_owned(), 0x00c0_ffee)),
             base: "world".to_owned(),
@@ -135,6 +137,8 @@ pub(crate) fn listing(scalar: Real) -> Listing {
             parents: vec![None, Some(0)],
             motions: vec![DataMotion::Along; 2],
             frames: vec![("rod-2".to_owned(), Some(1))],
+            external: (0, false),
+            driven: Vec::new(),
             program: constant(&data),
             loops: LoopsData {
                 loops: Vec::new(),

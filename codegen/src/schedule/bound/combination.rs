@@ -85,7 +85,7 @@ impl Combination {
             Operation::MulAdd(a, b, c) => (Some((1.0, a, b)), vec![(1.0, c)]),
             Operation::MulSub(a, b, c) => (Some((1.0, a, b)), vec![(-1.0, c)]),
             Operation::NegMulAdd(a, b, c) => (Some((-1.0, a, b)), vec![(1.0, c)]),
-            Operation::Div(..) | Operation::Sqrt(_) | Operation::Neg(_) => {
+            Operation::Div(..) | Operation::Sqrt(_) | Operation::Sign(_) | Operation::Neg(_) => {
                 unreachable!("only sums and products are followed")
             }
         };

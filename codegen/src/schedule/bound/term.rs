@@ -47,7 +47,11 @@ impl Known<'_> {
             Operation::MulAdd(a, b, c) => [product(a, b, false), single(c, false)],
             Operation::MulSub(a, b, c) => [product(a, b, false), single(c, true)],
             Operation::NegMulAdd(a, b, c) => [product(a, b, true), single(c, false)],
-            Operation::Mul(..) | Operation::Div(..) | Operation::Sqrt(_) | Operation::Neg(_) => {
+            Operation::Mul(..)
+            | Operation::Div(..)
+            | Operation::Sqrt(_)
+            | Operation::Sign(_)
+            | Operation::Neg(_) => {
                 return None;
             }
         })

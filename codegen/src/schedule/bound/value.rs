@@ -153,6 +153,23 @@ impl Value {
         .or_unknown()
     }
 
+    /// The sign of a: of an argument that of what is read, which is zero where it is subnormal and the
+    /// processor has no such numbers.
+    pub(super) fn sign(self, scalar: Real) -> Self {
+        let of = |x: f64| f64::from(i8::from(x > 0.0) - i8::from(x < 0.0));
+        let error = if self.error <= scalar.smallest() {
+            0.0
+        } else {
+            // Within its error a number may be on the other side of zero.
+            of(self.hi + self.error) - of(self.lo - self.error)
+        };
+        Self {
+            error,
+            ..Self::between(of(self.lo), of(self.hi))
+        }
+        .or_unknown()
+    }
+
     /// sin a, within one unit in the last place.
     pub(super) fn sine(self, scalar: Real) -> Self {
         // What is lost in reducing an angle of many turns may be more than the margin.

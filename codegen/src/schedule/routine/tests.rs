@@ -42,6 +42,7 @@ fn routine(names: Names) -> Routine {
         range: None,
     };
     let spaces = Spaces {
+        actions: Vec::new(),
         coordinates: ["hip", "knee", "toe"].map(entry).to_vec(),
         constraints: Vec::new(),
         velocities: vec![entry("hip")],

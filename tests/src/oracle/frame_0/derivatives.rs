@@ -2,10 +2,10 @@
 //!
 //! In: a robot in matrices and its state. Out: matrices, row by row, a row a force. No formula for a derivative
 //! is known: of q all that a joint carries is moved along its screw, by so little that as many digits are lost
-//! to the step as to rounding, which leaves some 48; of q̇, in which torques are of the second degree,
-//! differences are exact.
+//! to the step as to rounding, which leaves some 48; of q̇, in which torques are of the second degree but for the
+//! sign that Coulomb friction has, differences are exact.
 
-use super::{Freedom, Motion, Positions, carried, pseudo_product, torques};
+use super::{Freedom, Motion, Positions, carried, outside, pseudo_product, torques};
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::exponential;
@@ -14,29 +14,34 @@ use crate::oracle::robot::Robot;
 /// 2⁻⁸⁴.
 const STEP: f64 = 5.169_878_828_456_423e-26;
 
-/// ∂τ/∂q and ∂τ/∂q̇.
+/// ∂τ/∂q and ∂τ/∂q̇ under actions from outside.
 pub(super) fn of_torques(
     robot: &Robot,
     positions: &Positions,
     motion: [&[Big]; 2],
+    actions: &[f64],
 ) -> [Vec<Big>; 2] {
     [
-        by_coordinate(robot, positions, motion),
+        by_coordinate(robot, positions, motion, actions),
         by_rate(robot, positions, motion),
     ]
 }
 
-/// ∂τ/∂q.
+/// ∂τ/∂q under actions from outside.
 pub(super) fn by_coordinate(
     robot: &Robot,
     positions: &Positions,
     [qd, qdd]: [&[Big]; 2],
+    actions: &[f64],
 ) -> Vec<Big> {
     by_columns(robot, positions, |freedom| {
         let [more, less] = [STEP, -STEP].map(|step| {
             let along = exponential(&freedom.l, &Big::new(step));
             let moved = displaced(robot, positions, freedom.body, &along);
-            torques(robot, &moved, &Motion::at(robot, &moved, qd, qdd))
+            let torques = torques(robot, &moved, &Motion::at(robot, &moved, qd, qdd));
+            let both = torques.into_iter().zip(outside(robot, &moved, actions));
+            both.map(|(torque, outside)| torque - outside)
+                .collect::<Vec<Big>>()
         });
         let pairs = more.into_iter().zip(less);
         pairs.map(|(x, y)| (x - y) / Big::new(2.0 * STEP)).collect()
@@ -80,7 +85,13 @@ fn by_rate(robot: &Robot, positions: &Positions, [qd, qdd]: [&[Big]; 2]) -> Vec<
         let [more, less] = [1.0, -1.0].map(|step| {
             let mut qd = qd.to_vec();
             qd[m] = &qd[m] + Big::new(step);
-            torques(robot, positions, &Motion::at(robot, positions, &qd, qdd))
+            let mut motion = Motion::at(robot, positions, &qd, qdd);
+            motion.driven.fill(Big::zero());
+            for drive in &robot.drives {
+                let taken = &mut motion.driven[drive.velocity];
+                *taken = &*taken + drive.takes_smoothly(&qd, qdd);
+            }
+            torques(robot, positions, &motion)
         });
         let pairs = more.into_iter().zip(less);
         pairs.map(|(x, y)| (x - y) * Big::new(0.5)).collect()

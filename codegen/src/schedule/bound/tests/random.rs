@@ -161,6 +161,10 @@ impl Arithmetic for Fused {
         Self(self.0.sqrt())
     }
 
+    fn sign(self) -> Self {
+        Self(Arithmetic::sign(self.0))
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = Arithmetic::sin_cos(self.0);
         (Self(sine), Self(cosine))

@@ -1,0 +1,159 @@
+//! Whether what is said of drives can be meant, and what of it is left out.
+//!
+//! In: the description, the request, the tree. Out: a mistake for each joint that cannot have such a
+//! drive and for each number that is none of one; doubts about what is described and not modelled. What
+//! the numbers add up to is for [`merge`](super::merge).
+
+use super::names::Names;
+use super::tree::Tree;
+use crate::description::{Description, Joint, Modelled, Name, Number};
+use crate::error::{Complaint, Errors};
+use crate::joint::drive::Part;
+use crate::request::Request;
+use crate::wording::quoted;
+
+/// Looks at all that is said of drives.
+pub fn check(
+    description: &Description,
+    request: &Request,
+    tree: &Tree,
+    joints: &Names<'_>,
+    errors: &mut Errors,
+) {
+    for (k, (name, part, _)) in request.drives.iter().enumerate() {
+        check_joint(name, *part, description, tree, joints, errors);
+        let mut before = request.drives[..k].iter();
+        if before.any(|(other, of, _)| of == part && other.text == name.text) {
+            let message = format!("the {} is given twice", called(*part, name));
+            errors.push(name.place, message);
+        }
+    }
+    for parameter in &request.parameters {
+        if let Some((name, part)) = parameter.target.drives() {
+            check_joint(name, part, description, tree, joints, errors);
+        }
+    }
+    for branch in tree.branches.iter().filter(|branch| branch.held.is_none()) {
+        check_numbers(&description.joints[branch.joint], request, errors);
+    }
+}
+
+/// A drive is that of a joint that moves.
+fn check_joint(
+    name: &Name,
+    part: Part,
+    description: &Description,
+    tree: &Tree,
+    joints: &Names<'_>,
+    errors: &mut Errors,
+) {
+    let Some(joint) = joints.find(name, errors) else {
+        return;
+    };
+    let (called, word) = (quoted(&name.text), part.word());
+    let branch = tree.branches.iter().find(|branch| branch.joint == joint);
+    if !description.joints[joint].kind.moves() {
+        let message = format!("joint {called} is fixed and has no {word}");
+        errors.push(name.place, message);
+    } else if branch.is_none() {
+        errors.push(name.place, format!("joint {called} is not modelled"));
+    } else if branch.is_some_and(|branch| branch.held.is_some()) {
+        let message = format!("joint {called} does not move: its {word} changes nothing");
+        let hint = "leave it out, or do not lock the joint";
+        errors.push_with_hint(name.place, message, hint);
+    }
+}
+
+/// One number for all velocities, or one for each; none negative.
+fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
+    let count = joint.kind.freedoms().len();
+    for part in Part::ALL {
+        let numbers = request.drive(&joint.name.text, &joint.drive, part);
+        let what = called(part, &joint.name);
+        let place = numbers.first().map_or(joint.place, |number| number.place);
+        if numbers.len() > 1 && numbers.len() != count {
+            let given = numbers.len();
+            errors.push_with_hint(
+                place,
+                format!("the {what} has {given} numbers for {count} of its velocities"),
+                "give one number for all of them, or one for each",
+            );
+        }
+        for Number { value, place, .. } in numbers {
+            if !value.is_finite() {
+                errors.push(*place, format!("the {what} is not a number"));
+            } else if *value < 0.0 && part != Part::Ratio {
+                errors.push(*place, format!("the {what} is negative: {value}"));
+            } else if value.abs() > LARGEST {
+                errors.push(*place, format!("the {what} is larger than anything is"));
+            }
+        }
+    }
+    let said = |part| request.drive(&joint.name.text, &joint.drive, part).first();
+    // A file has the ratio of many a gear without the rotor behind it, and says nothing with it.
+    let mut asked = request.drives.iter();
+    let asked = asked.find(|(name, part, _)| *part == Part::Ratio && name.text == joint.name.text);
+    if let (Some((name, ..)), None) = (asked, said(Part::Rotor)) {
+        errors.push_with_hint(
+            name.place,
+            format!("the {} is that of no rotor", called(Part::Ratio, name)),
+            "give the inertia of the rotor, or the armature alone, which has the ratio in it",
+        );
+    }
+}
+
+/// Larger than what any joint feels: with it, products stay finite.
+const LARGEST: f64 = 1e50;
+
+fn called(part: Part, joint: &Name) -> String {
+    format!("{} of joint {}", part.word(), quoted(&joint.text))
+}
+
+/// What is described and not modelled; and what is asked for and not described.
+pub fn doubts(description: &Description, request: &Request, tree: &Tree) -> Vec<Complaint> {
+    let joint = |name: &str| {
+        let mut joints = description.joints.iter();
+        joints.find(|joint| joint.name.text == name)
+    };
+    let has_rotor = |name: &str| {
+        joint(name).is_some_and(|joint| !request.drive(name, &joint.drive, Part::Rotor).is_empty())
+    };
+    let modelled = Modelled {
+        friction: request.models_friction(),
+        armature: request.models_armature(),
+        has_rotor: &has_rotor,
+    };
+    let mut doubts = description.unmodelled.doubts(&modelled);
+    let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
+    let moving: Vec<&Joint> = moving
+        .map(|branch| &description.joints[branch.joint])
+        .collect();
+    let none = |is: fn(Part) -> bool| {
+        let says = |joint: &&Joint| {
+            let mut parts = Part::ALL.into_iter().filter(|part| is(*part));
+            parts.any(|part| {
+                !request
+                    .drive(&joint.name.text, &joint.drive, part)
+                    .is_empty()
+            })
+        };
+        let mut fields = request.parameters.iter();
+        let field = fields.any(|field| field.target.drives().is_some_and(|(_, part)| is(part)));
+        !field && !moving.iter().any(says)
+    };
+    let asked = [
+        (request.friction && none(Part::resists), "friction"),
+        (
+            request.rotors && none(|part| !part.resists()),
+            "an armature",
+        ),
+    ];
+    for (_, what) in asked.into_iter().filter(|(doubtful, _)| *doubtful) {
+        doubts.push(Complaint {
+            place: description.name.place,
+            message: format!("{what} is asked for, and no joint that moves is described with any"),
+            hint: Some("say what it is, joint by joint".to_owned()),
+        });
+    }
+    doubts
+}

@@ -1,0 +1,65 @@
+//! Links on which the surroundings act.
+//!
+//! In: the links that are named, the tree. Out: a mistake for each on which no action changes anything, or
+//! whose actions enter no function that is asked for. Where an action is in its body is for
+//! [`merge`](super::merge).
+
+use super::names::Names;
+use super::tree::Tree;
+use crate::description::Description;
+use crate::error::Errors;
+use crate::request::Request;
+use crate::wording::quoted;
+
+/// Looks at all links that are named; those that are there, in the order in which they are.
+pub fn check(
+    description: &Description,
+    request: &Request,
+    tree: &Tree,
+    links: &Names<'_>,
+    errors: &mut Errors,
+) -> Vec<usize> {
+    let mut moves = vec![false; description.links.len()];
+    for branch in &tree.branches {
+        moves[branch.child] = moves[branch.parent] || branch.held.is_none();
+    }
+    let mut found = Vec::new();
+    for (k, name) in request.external.iter().enumerate() {
+        let Some(link) = links.find(name, errors) else {
+            continue;
+        };
+        let called = quoted(&name.text);
+        let mut before = request.external[..k].iter();
+        if tree.dropped.contains(&link) {
+            errors.push(name.place, format!("link {called} is not modelled"));
+        } else if before.any(|other| other.text == name.text) {
+            let message = format!("the action on link {called} is asked for twice");
+            errors.push(name.place, message);
+        } else if !moves[link] {
+            errors.push_with_hint(
+                name.place,
+                format!("link {called} does not move: an action on it changes nothing"),
+                "leave it out, or choose a base upstream of the link",
+            );
+        }
+        found.push(link);
+    }
+    let mut functions = request.functions.iter().flatten();
+    if let Some(first) = request.external.first()
+        && !request.functions.is_empty()
+        && !functions.any(|function| function.takes_actions())
+    {
+        errors.push_with_hint(
+            first.place,
+            "actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for",
+            "leave them out, or ask for inverse_dynamics or forward_dynamics",
+        );
+    } else if request.external.is_empty() && request.external_in_frame_0 {
+        errors.push_with_hint(
+            description.name.place,
+            "actions from outside are in frame 0, and there are none",
+            "name the links on which they act",
+        );
+    }
+    found
+}

@@ -1,0 +1,365 @@
+//! What joints feel beside their bodies: what is said of it, by whom, and what of that is modelled.
+
+use super::*;
+use crate::builder::Builder;
+use crate::description::read_text;
+use crate::expression::Double;
+use crate::function::Function;
+use crate::request::Request;
+
+/// Armature, damping and friction of each velocity.
+fn drives(chain: &Chain) -> Vec<[f64; 3]> {
+    let value = |entry| chain.graph.value(entry).map_or(f64::NAN, Double::to_f64);
+    let joints = chain.joints.iter();
+    joints
+        .map(|joint| joint.drive.entries().map(value))
+        .collect()
+}
+
+const NOTHING: [f64; 3] = [0.0; 3];
+
+#[test]
+fn what_is_said_in_attributes() {
+    let chain = fine(&arm(
+        "armature(shoulder = 0.5), rotor(shoulder = 0.25, elbow = 2.0), ratio(shoulder = -4), \
+         damping(elbow: 3/4), friction(\"elbow\" = [0.125])",
+    ));
+    assert_eq!(drives(&chain), [[4.5, 0.0, 0.0], [2.0, 0.75, 0.125]]);
+}
+
+/// Nobody else has written them.
+#[test]
+fn what_is_said_in_a_joints_braces_is_modelled() {
+    let arm = arm("damping(elbow = 7)").replace(
+        "joint elbow: revolute(y) { ",
+        "joint elbow: cylindrical(y) { armature: [0.5, 2.0], damping: 0.25, friction: [1, 0], ",
+    );
+    let expected = [NOTHING, [0.5, 7.0, 1.0], [2.0, 7.0, 0.0]];
+    assert_eq!(drives(&fine(&arm)), expected);
+}
+
+#[test]
+fn drives_that_cannot_be_meant() {
+    let settings = "lock(elbow), armature(shoulder = -1, mount = 1, elbow = 2, elbo = 3), \
+        damping(shoulder = [1, 2]), ratio(shoulder = 100), friction(shoulder = 1, shoulder = 2), \
+        rotor(shoulder = 1e60)";
+    assert_eq!(
+        said(&arm(settings)),
+        lines(&[
+            r#"error: joint "mount" is fixed and has no armature"#,
+            r#"error: joint "elbow" does not move: its armature changes nothing"#,
+            "  hint: leave it out, or do not lock the joint",
+            r#"error: there is no joint "elbo""#,
+            r#"  hint: did you mean "elbow"?"#,
+            r#"error: the friction of joint "shoulder" is given twice"#,
+            r#"error: the armature of joint "shoulder" is negative: -1"#,
+            r#"error: the rotor of joint "shoulder" is larger than anything is"#,
+            r#"error: the damping of joint "shoulder" has 2 numbers for 1 of its velocities"#,
+            "  hint: give one number for all of them, or one for each",
+        ])
+    );
+    assert_eq!(
+        said(&arm(
+            "ratio(shoulder = 100), drop(fore), damping(elbow = 1)"
+        )),
+        lines(&[
+            r#"error: joint "elbow" is not modelled"#,
+            r#"error: the ratio of joint "shoulder" is that of no rotor"#,
+            "  hint: give the inertia of the rotor, or the armature alone, which has the ratio in it",
+        ])
+    );
+}
+
+/// A file whose joint has friction, and behind a gear a rotor.
+fn file(dynamics: &str) -> String {
+    let inertial = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" \
+         iyz=\"0\" izz=\"1\"/></inertial>";
+    format!(
+        "<robot name=\"r\"><link name=\"a\"/><link name=\"b\">{inertial}</link>\n\
+         <joint name=\"j\" type=\"revolute\"><parent link=\"a\"/><child link=\"b\"/>\
+         <axis xyz=\"0 0 1\"/>{dynamics}</joint>\n\
+         <transmission name=\"t\"><joint name=\"j\"/>\n\
+         <actuator name=\"m\"><mechanicalReduction>20</mechanicalReduction>\n\
+         <drake:rotor_inertia value=\"0.01\"/></actuator></transmission></robot>"
+    )
+}
+
+const DYNAMICS: &str = "<dynamics damping=\"0.5\" friction=\"0.25\" D=\"1\"/>";
+
+fn read_file(text: &str) -> Description {
+    let mut errors = Errors::new();
+    let description = read_text(text, "r.urdf", None, &mut errors);
+    assert!(errors.is_empty(), "{errors}");
+    description.expect("no mistakes, so a description")
+}
+
+/// The drives of a file, and what is doubted.
+fn modelled(request: &Request) -> (Vec<[f64; 3]>, Vec<String>) {
+    let description = read_file(&file(DYNAMICS));
+    let chain = build(&description, request).expect("a chain");
+    let doubts = chain.report.warnings.iter();
+    let doubts = doubts.map(|doubt| description.source.errors().locate(doubt));
+    (drives(&chain), doubts.collect())
+}
+
+#[test]
+fn what_a_file_says_is_modelled_where_it_is_asked_for() {
+    let friction = "r.urdf:2:87: not modelled: damping, friction and other dynamics of joint \"j\"";
+    let other = "r.urdf:2:87: not modelled: other dynamics of joint \"j\"";
+    let gear = "r.urdf:4:20: not modelled: the reduction of transmission \"t\"";
+    let rotor = "r.urdf:5:1: not modelled: the rotor of transmission \"t\"";
+    let told = |doubts: &[&str]| doubts.iter().map(|&doubt| doubt.to_owned()).collect();
+    let nothing = Request::default();
+    let expected = (vec![NOTHING], told(&[friction, gear, rotor]));
+    assert_eq!(modelled(&nothing), expected);
+    let asked = Request {
+        friction: true,
+        ..Request::default()
+    };
+    let expected = (vec![[0.0, 0.5, 0.25]], told(&[other, gear, rotor]));
+    assert_eq!(modelled(&asked), expected);
+    let asked = Request {
+        rotors: true,
+        ..Request::default()
+    };
+    assert_eq!(modelled(&asked), (vec![[4.0, 0.0, 0.0]], told(&[friction])));
+}
+
+#[test]
+fn drakes_gear_ratio_goes_before_a_reduction() {
+    let text = file("").replace(
+        "<drake:rotor_inertia",
+        "<drake:gear_ratio value=\"10\"/><drake:rotor_inertia",
+    );
+    let asked = Request {
+        rotors: true,
+        ..Request::default()
+    };
+    let chain = build(&read_file(&text), &asked).expect("a chain");
+    assert_eq!(drives(&chain), [[1.0, 0.0, 0.0]]);
+}
+
+#[test]
+fn what_is_no_number_is_refused_where_it_is_asked_for() {
+    let description = read_file(&file("<dynamics damping=\"much\" friction=\"-1\"/>"));
+    assert!(build(&description, &Request::default()).is_ok());
+    let asked = Request {
+        friction: true,
+        ..Request::default()
+    };
+    assert_eq!(
+        build(&description, &asked)
+            .expect_err("two mistakes")
+            .to_string(),
+        lines(&[
+            r#"error: r.urdf:2:106: the damping of joint "j" is not a number"#,
+            r#"error: r.urdf:2:122: the friction of joint "j" is negative: -1"#,
+        ])
+    );
+}
+
+#[test]
+fn what_is_asked_for_and_not_described_is_doubted() {
+    let chain = fine(&arm("friction, rotors"));
+    let doubts = chain.report.warnings.iter();
+    let doubts: Vec<&str> = doubts.map(|doubt| doubt.message.as_str()).collect();
+    let any = "is asked for, and no joint that moves is described with any";
+    assert!(
+        doubts.contains(&format!("friction {any}").as_str()),
+        "{doubts:?}"
+    );
+    assert!(
+        doubts.contains(&format!("an armature {any}").as_str()),
+        "{doubts:?}"
+    );
+}
+
+#[test]
+fn every_door_says_the_same_and_tells_it() {
+    let builder = Builder::from_description(read_file(&file(DYNAMICS)))
+        .friction()
+        .damping("j", [2.0])
+        .rotor("j", 0.5, 2.0)
+        .armature("j", [1.0]);
+    let listing = builder
+        .clone()
+        .generate([Function::InverseDynamics])
+        .listing()
+        .expect("no mistakes");
+    let facts = listing.about.facts.join("; ");
+    let expected = "armature of 1 joint; viscous friction of 1 joint; Coulomb friction (its sign \
+         that of q̇, 0 at rest: a step) of 1 joint; ";
+    assert!(facts.starts_with(expected), "{facts}");
+    let price = listing.functions[0].price.to_string();
+    // 1 kg m² of the link, 3 of the drive.
+    assert!(
+        price.starts_with("3 mul, 2 add, 0 div, 1 sign, "),
+        "{price}"
+    );
+    let parameter = |target: fn(Name) -> Target| {
+        builder
+            .clone()
+            .parameter("field", target(named("j")))
+            .generate([Function::InverseDynamics])
+            .listing()
+            .expect("no mistakes")
+            .functions[0]
+            .price
+            .to_string()
+    };
+    for target in [Target::ArmatureOf, Target::DampingOf, Target::FrictionOf] {
+        assert!(parameter(target).contains("1 sign"));
+    }
+}
+
+/// What is expanded is held against dense matrices of the description, which know drives by their own way.
+#[test]
+fn every_kind_of_joint_can_have_a_drive() {
+    let link = |name: &str| {
+        format!(
+            "link {name} {{ mass: 1.5, com: [0.1, 0.02, -0.03], inertia: [0.02, 0.001, 0, 0.03, 0, 0.04] }}"
+        )
+    };
+    let drive = |count: usize| {
+        let list = |size: f64| {
+            let entries = (1..=count)
+                .map(|k| format!("{:?}", size / f64::from(u8::try_from(k).unwrap_or(1))));
+            format!("[{}]", entries.collect::<Vec<_>>().join(", "))
+        };
+        let (armature, damping, friction) = (list(0.5), list(2.0), list(0.3));
+        format!(
+            "at: xyz(0.2, 0.1, 0.3) rpy(0.4, -0.3, 0.2), armature: {armature}, damping: {damping}, friction: {friction}"
+        )
+    };
+    for (joint, count) in [
+        ("revolute(y)", 1),
+        ("prismatic(y)", 1),
+        ("screw(y, pitch: 0.1)", 1),
+        ("cylindrical(y)", 2),
+        ("universal(x, y)", 2),
+        ("translation", 3),
+        ("planar(y)", 3),
+        ("spherical", 3),
+        ("floating", 6),
+    ] {
+        let (drive, links) = (drive(count), [link("a"), link("b"), link("c")].concat());
+        let text = format!(
+            "struct Robot; link base; {links}
+            joint one: revolute(z) {{ from: base, to: a, armature: 0.25, friction: 0.5 }}
+            joint two: {joint} {{ from: a, to: b, {drive} }}
+            joint three: revolute(x) {{ from: b, to: c, at: xyz(0, 0.2, 0), mimic: one, multiplier: -2.0,
+                armature: 0.125, damping: 0.5, friction: 0.75 }}"
+        );
+        let (description, request) = read(&text);
+        let generate = |request: &Request, functions: &[Function]| {
+            let builder = Builder::from_description(description.clone()).request(request.clone());
+            let listing = builder.generate(functions.iter().copied()).listing();
+            listing.unwrap_or_else(|errors| panic!("{joint}: {errors}"))
+        };
+        let listing = generate(
+            &request,
+            &[
+                Function::InverseDynamics,
+                Function::Bias,
+                Function::MassMatrix,
+                Function::ForwardDynamics,
+                Function::MassMatrixInverse,
+                Function::KineticEnergy,
+                Function::InverseDynamicsDerivatives,
+                Function::CoriolisMatrix,
+            ],
+        );
+        let facts = listing.about.facts.join("; ");
+        assert!(facts.starts_with("armature of 3 joints"), "{facts}");
+        // Without the follower there are articulated bodies as well.
+        let alone = Request {
+            drop: vec![named("c")],
+            formulation: crate::formulation::Formulation {
+                forward: Some(crate::formulation::Forward::Articulated),
+                ..Default::default()
+            },
+            ..request
+        };
+        generate(
+            &alone,
+            &[
+                Function::ForwardDynamics,
+                Function::ForwardDynamicsDerivatives,
+                Function::MassMatrixInverse,
+            ],
+        );
+    }
+}
+
+/// What drives and the surroundings do, together, where an action turns with its link and where it stays; by joints
+/// whose velocities carry each other's screws, and by one that follows another.
+#[test]
+fn derivatives_know_drives_and_actions_on_every_kind_of_joint() {
+    let link = |name: &str| {
+        format!(
+            "link {name} {{ mass: 1.5, com: [0.1, 0.02, -0.03], inertia: [0.02, 0.001, 0, 0.03, 0, 0.04] }}"
+        )
+    };
+    let links = ["a", "b", "c", "d"].map(link).concat();
+    for joint in ["cylindrical(y)", "planar(y)", "spherical", "floating"] {
+        for frame in ["", ", frame = 0"] {
+            let (description, request) = read(&format!(
+                "struct Robot {{ external(b, c, d{frame}) }} link base; {links}
+                joint one: revolute(z) {{ from: base, to: a, armature: 0.25, friction: 0.5 }}
+                joint two: {joint} {{ from: a, to: b, at: xyz(0.2, 0.1, 0.3) rpy(0.4, -0.3, 0.2), damping: 0.5 }}
+                joint three: revolute(x) {{ from: b, to: c, at: xyz(0, 0.2, 0), mimic: one, multiplier: -2.0,
+                    armature: 0.125, damping: 0.5, friction: 0.75 }}
+                joint four: prismatic(x) {{ from: b, to: d, at: rz(0.3), damping: 2 }}"
+            ));
+            let builder = Builder::from_description(description).request(request);
+            let functions = [
+                Function::InverseDynamicsDerivatives,
+                Function::ForwardDynamicsDerivatives,
+            ];
+            let listing = builder.generate(functions).listing();
+            listing.unwrap_or_else(|errors| panic!("{joint}{frame}: {errors}"));
+        }
+    }
+}
+
+/// Ṁ − 2C is skew-symmetric, with and without friction: it is none of what rates do by the inertia of bodies.
+#[test]
+fn the_coriolis_matrix_has_none() {
+    let builder = |settings: &str| {
+        let (description, request) = read(&arm(settings));
+        let builder = Builder::from_description(description).request(request);
+        builder.generate([Function::CoriolisMatrix])
+    };
+    let program = |settings: &str| {
+        let listing = builder(settings).listing().expect("no mistakes");
+        format!("{:?}", listing.functions[0].program)
+    };
+    let drives = "armature(shoulder = 1), damping(elbow = 2), friction(shoulder = 3)";
+    assert_eq!(program(drives), program(""));
+    let says = |settings: &str| {
+        let source = builder(settings)
+            .to_source()
+            .expect("no mistakes")
+            .to_string();
+        source.contains("friction and armature are not in them")
+    };
+    assert_eq!([says(drives), says("")], [true, false]);
+}
+
+#[test]
+fn regressors_have_no_columns_of_drives() {
+    let said_of = |settings: &str| {
+        let (description, request) = read(&arm(settings));
+        let builder = Builder::from_description(description).request(request);
+        let listing = builder
+            .generate([Function::BaseRegressor, Function::Regressor])
+            .listing();
+        listing.err().map(|errors| errors.to_string())
+    };
+    assert_eq!(said_of(""), None);
+    let refused = said_of("damping(elbow = 2)").expect("a refusal");
+    assert!(
+        refused.contains("friction or armature is modelled"),
+        "{refused}"
+    );
+}

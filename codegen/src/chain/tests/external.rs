@@ -1,0 +1,169 @@
+//! Actions from outside: on which links, in which frame, and what of them is refused.
+//!
+//! What is expanded is held against dense matrices, which take each action to frame 0 as M Φ Mᵗ.
+
+use super::*;
+use crate::builder::Builder;
+use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters};
+use crate::function::Function;
+use crate::print::Listing;
+use crate::space::Variable;
+
+/// A joint with several velocities, parallel axes, a link that is merged.
+fn tree(settings: &str) -> (Description, Request) {
+    read(&format!(
+        "struct Tree {{ {settings} }}
+        link base; link shoulder;
+        joint ball: spherical {{ from: base, to: g, at: xyz(0.1, 0, 0.2) rz(0.3) }}
+        joint first: revolute(z) {{ from: g, to: h, at: xyz(0.1, 0.1, 0) rx(0.4) }}
+        joint second: revolute(z) {{ from: h, to: i, at: xyz(0.3, 0, 0.1) }}
+        joint weld: fixed {{ from: i, to: finger, at: xyz(0.1, 0.2, 0) rpy(0.3, 0.4, 0.5) }}
+        joint slide: prismatic(y) {{ from: g, to: tool, at: xyz(0.1, 0.2, 0) rpy(0.3, 0.4, 0.5) }}
+        joint stand: fixed {{ from: base, to: shoulder }}
+        link g {{ mass: 0.5, com: [0.02, 0.01, 0.01], inertia: [0.003, 0, 0, 0.004, 0, 0.005] }}
+        link h {{ mass: 0.3, com: [0.01, -0.02, 0.01], inertia: [0.002, 0, 0, 0.003, 0, 0.004] }}
+        link i {{ mass: 0.6, com: [0.03, 0.02, -0.04], inertia: [0.004, 0.001, 0, 0.006, 0.001, 0.005] }}
+        link tool {{ mass: 0.6, com: [0.03, 0.02, -0.04], inertia: [0.004, 0.001, 0, 0.006, 0.001, 0.005] }}
+        link finger;"
+    ))
+}
+
+const ALL: [Function; 4] = [
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::InverseDynamicsDerivatives,
+    Function::ForwardDynamicsDerivatives,
+];
+
+fn listed(settings: &str, formulation: Formulation) -> Listing {
+    // Derivatives are dear, and do not depend on the form of accelerations that are asked for.
+    let functions = if formulation.forward.is_some() {
+        &ALL[..2]
+    } else {
+        &ALL[..]
+    };
+    let (description, request) = tree(settings);
+    let builder = Builder::from_description(description).request(Request {
+        formulation,
+        ..request
+    });
+    let listing = builder.generate(functions.iter().copied()).listing();
+    listing.unwrap_or_else(|errors| panic!("{formulation:?}: {errors}"))
+}
+
+#[test]
+fn every_form_agrees_with_dense_matrices() {
+    let forms = [
+        Formulation::default(),
+        Formulation {
+            angles: Angles::Merged,
+            ..Formulation::default()
+        },
+        Formulation {
+            frame: Frame::Base,
+            parameters: Parameters::Raw,
+            ..Formulation::default()
+        },
+        Formulation {
+            forward: Some(Forward::Articulated),
+            ..Formulation::default()
+        },
+        Formulation {
+            forward: Some(Forward::MassMatrix { refinements: 1 }),
+            ..Formulation::default()
+        },
+    ];
+    for frame in ["", ", frame = 0"] {
+        for formulation in forms {
+            let settings = format!("tip: tool, external(finger, h, tool{frame})");
+            let listing = listed(&settings, formulation);
+            assert_eq!(listing.spaces.actions(), 3);
+            assert_eq!(listing.spaces.actions[0].name, "finger.cx");
+            assert!((listing.functions.iter()).all(|listed| {
+                listed
+                    .arguments(&listing.spaces)
+                    .contains(&Variable::Actions)
+            }));
+        }
+    }
+}
+
+#[test]
+fn what_is_printed_tells_links_and_frame() {
+    let facts = |settings: &str| {
+        listed(settings, Formulation::default())
+            .about
+            .facts
+            .join("; ")
+    };
+    let own = facts("tip: tool, external(finger, h)");
+    let told = "; what the surroundings exert on `finger` and `h`, in the link's frame; ";
+    assert!(own.contains(told), "{own}");
+    let base = facts("tip: tool, external(finger, frame = 0)");
+    assert!(
+        base.contains("; what the surroundings exert on `finger`, in frame 0; "),
+        "{base}"
+    );
+}
+
+#[test]
+fn inverse_and_forward_dynamics_and_their_derivatives_take_them() {
+    let (description, request) = tree("tip: tool, external(finger, h)");
+    let builder = Builder::from_description(description)
+        .request(request)
+        .name("Robot");
+    let source = builder
+        .clone()
+        .runtime("::homogen")
+        .generate([
+            Function::InverseDynamics,
+            Function::ForwardDynamicsDerivatives,
+            Function::Bias,
+        ])
+        .to_source()
+        .expect("no mistakes")
+        .to_string();
+    let count = |text: &str| source.matches(text).count();
+    assert_eq!(count("actions: &[::homogen::Action<T>; 2],"), 2, "{source}");
+    assert_eq!(count("actions.map(|action| (action.c(), action.f()))"), 2);
+    // The traits' methods know of none.
+    assert_eq!(count("&[::homogen::Action::zero(); 2]"), 2, "{source}");
+    let core = builder
+        .extern_c("arm_")
+        .generate([Function::ForwardDynamics])
+        .to_source()
+        .expect("no mistakes")
+        .to_string();
+    assert!(core.contains("actions: &[[f64; 6]; 2],"), "{core}");
+}
+
+#[test]
+fn actions_that_change_nothing() {
+    assert_eq!(
+        said(&arm(
+            "drop(tool), external(tool, base, fore, fore, gripper)"
+        )),
+        lines(&[
+            r#"error: link "tool" is not modelled"#,
+            r#"error: link "base" does not move: an action on it changes nothing"#,
+            "  hint: leave it out, or choose a base upstream of the link",
+            r#"error: the action on link "fore" is asked for twice"#,
+            r#"error: there is no link "gripper""#,
+            r#"  hint: did you mean "upper"?"#,
+        ])
+    );
+    assert_eq!(
+        said(&arm("external(tool), generate(gravity, bias)")),
+        lines(&[
+            "error: actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for",
+            "  hint: leave them out, or ask for inverse_dynamics or forward_dynamics",
+        ])
+    );
+    assert_eq!(
+        said(&arm("external(frame = 0)")),
+        lines(&[
+            "error: actions from outside are in frame 0, and there are none",
+            "  hint: name the links on which they act",
+        ])
+    );
+}

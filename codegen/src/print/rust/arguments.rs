@@ -1,0 +1,62 @@
+//! The types of arguments, and the patterns that take them apart.
+//!
+//! In: arguments, how long they are, the names of what is read of them. Out: types and statements. It never
+//! looks at an operation.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+
+use super::dialect::Dialect;
+use super::lengths::{Lengths, array, literal};
+use super::names::ident;
+use super::world::World;
+use crate::schedule::Entries;
+use crate::space::{ACTION, Variable};
+
+/// What a reference to an argument refers to: `[T; 6]`, `[::homogen::Action<T>; 2]`.
+pub(super) fn type_of(argument: Variable, lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
+    let number = &dialect.number;
+    let one = match (argument, &dialect.world) {
+        (Variable::Actions, World::Runtime(runtime)) => quote! { #runtime::Action<#number> },
+        (Variable::Actions, World::Core(_)) => array(number, &literal(ACTION.len())),
+        _ => number.clone(),
+    };
+    array(&one, &lengths(argument.space()))
+}
+
+/// `let [q_1, _, q_3] = *q;`, or `let _ = q;` where no entry is read.
+pub(super) fn unpack((argument, entries): &(Variable, Entries), dialect: &Dialect) -> TokenStream {
+    let name = ident(argument.name());
+    if entries.iter().all(Option::is_none) {
+        return quote! { let _ = #name; };
+    }
+    let entries: Vec<TokenStream> = entries.iter().map(Option::as_ref).map(pattern).collect();
+    if *argument != Variable::Actions {
+        return quote! { let [#(#entries),*] = *#name; };
+    }
+    let actions = entries.chunks(ACTION.len());
+    match &dialect.world {
+        World::Core(_) => {
+            let actions = actions.map(|entries| quote! { [#(#entries),*] });
+            quote! { let [#(#actions),*] = *#name; }
+        }
+        World::Runtime(_) => {
+            let actions = actions.map(|entries| {
+                let (c, f) = entries.split_at(3);
+                quote! { ([#(#c),*], [#(#f),*]) }
+            });
+            quote! { let [#(#actions),*] = #name.map(|action| (action.c(), action.f())); }
+        }
+    }
+}
+
+/// No actions from outside, as an argument.
+pub(super) fn no_actions(lengths: Lengths<'_>, runtime: &TokenStream) -> TokenStream {
+    let length = lengths(Variable::Actions.space());
+    quote! { &[#runtime::Action::zero(); #length] }
+}
+
+/// What stands in a pattern for a value that may have no name.
+pub(super) fn pattern(name: Option<&String>) -> TokenStream {
+    name.map_or_else(|| quote! { _ }, |name| ident(name).into_token_stream())
+}

@@ -31,6 +31,10 @@ pub use robot::chain::{Chain, Frame};
 pub use robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
+#[cfg(feature = "std")]
+pub use scalar::Fused;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::{Lane, Pack};
 pub use scalar::{Real, Scalar, trigonometry};
 
 #[cfg(feature = "derive")]

@@ -6,6 +6,8 @@ extern crate std;
 
 #[doc = include_str!("checklist.md")]
 pub mod checklist {}
+#[cfg(feature = "batch")]
+pub mod batch;
 mod error;
 mod matrix;
 mod paper;

@@ -20,7 +20,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 20] = [
+const WORDS: [&str; 21] = [
     "urdf",
     "dh",
     "base",
@@ -37,6 +37,7 @@ const WORDS: [&str; 20] = [
     "generate",
     "formulation",
     "processor",
+    "batch",
     "crate",
     "link",
     "joint",
@@ -44,7 +45,7 @@ const WORDS: [&str; 20] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 17;
+const KEYS: usize = 18;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -104,6 +105,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         "path_only" => request.path_only = true,
         "exact" => request.exact = true,
         "strict" => request.strict = true,
+        "batch" => request.batch = true,
         "lock" => {
             let content = in_parentheses(input, &key, "lock(joint, other = 0.3)")?;
             request.lock = tokens::list(&content, |input| {

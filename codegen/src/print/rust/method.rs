@@ -19,12 +19,11 @@ use crate::function::Function;
 use crate::print::{Listed, Listing, arguments, documentation};
 use crate::space::Space;
 
-/// The method that computes `listed`.
-pub(super) fn method(
+/// What computes `listed`, to stand between braces.
+pub(super) fn computation(
     listing: &Listing,
     item: &Item,
     listed: &Listed,
-    name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
     let arguments = listed.arguments();
@@ -41,6 +40,17 @@ pub(super) fn method(
     );
     let result = result_value(item, &listed.functions, &listing.spaces, &results, dialect);
 
+    quote! { #statements #result }
+}
+
+/// The method that computes `listed` by what stands between its braces.
+pub(super) fn method(
+    listing: &Listing,
+    item: &Item,
+    listed: &Listed,
+    name: &Ident,
+    (computation, dialect): (&TokenStream, &Dialect),
+) -> TokenStream {
     let about = documentation::of_function(listing, listed, dialect.angles().as_ref());
     let about = doc(&about);
     let visibility = &item.visibility;
@@ -49,7 +59,7 @@ pub(super) fn method(
     quote! {
         #about
         #[must_use]
-        #visibility #signature { #statements #result }
+        #visibility #signature { #computation }
     }
 }
 
@@ -61,11 +71,16 @@ pub(super) fn in_trait(
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
-    let arguments = function.arguments().iter();
-    let arguments = arguments.map(|argument| ident(argument.name()));
+    let arguments = names(function);
     let call = quote! { Self::#name(self, #(#arguments),*) };
     let lengths = known(&listing.spaces);
     implementation(item, function, &lengths, None, &call, dialect)
+}
+
+/// The names of a function's arguments.
+pub(super) fn names(function: Function) -> Vec<Ident> {
+    let arguments = function.arguments().iter();
+    arguments.map(|argument| ident(argument.name())).collect()
 }
 
 /// The implementation of a function's trait, for arrays of the given lengths (which may be the
@@ -81,6 +96,20 @@ pub(super) fn implementation(
     let World::Runtime(runtime) = &dialect.world else {
         return TokenStream::new();
     };
+    let of = of_runtime(function, lengths, runtime, dialect);
+    let head = declaration::implementation(item, &of, &generics(unknown, dialect));
+    let method = ident(function.name());
+    let parameters = parameters(item, &[function], lengths, dialect);
+    quote! { #head { #[inline] fn #method #parameters { #call } } }
+}
+
+/// The trait of a function, for arrays of the given lengths.
+pub(super) fn of_runtime(
+    function: Function,
+    lengths: Lengths<'_>,
+    runtime: &TokenStream,
+    dialect: &Dialect,
+) -> TokenStream {
     let number = &dialect.number;
     // The traits are called as the functions are, in the case of types.
     let name = format_ident!("{function:?}");
@@ -88,11 +117,7 @@ pub(super) fn implementation(
     let same = count.to_string() == coordinates.to_string();
     let coordinates = (!same).then(|| quote! { , #coordinates });
     let further = function.further().map(lengths);
-    let of = quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> };
-    let head = declaration::implementation(item, &of, &generics(unknown, dialect));
-    let method = ident(function.name());
-    let parameters = parameters(item, &[function], lengths, dialect);
-    quote! { #head { #[inline] fn #method #parameters { #call } } }
+    quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> }
 }
 
 /// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]`; `unknown` is a generic
@@ -115,7 +140,7 @@ pub(super) fn signature(
 }
 
 /// The generic parameters of a function.
-fn generics(unknown: Option<&TokenStream>, dialect: &Dialect) -> Vec<TokenStream> {
+pub(super) fn generics(unknown: Option<&TokenStream>, dialect: &Dialect) -> Vec<TokenStream> {
     dialect
         .bound()
         .into_iter()
@@ -124,7 +149,7 @@ fn generics(unknown: Option<&TokenStream>, dialect: &Dialect) -> Vec<TokenStream
 }
 
 /// `(&self, q: &[T; 2]) -> [T; 2]`.
-fn parameters(
+pub(super) fn parameters(
     item: &Item,
     functions: &[Function],
     lengths: Lengths<'_>,

@@ -9,12 +9,13 @@ use quote::quote;
 
 use super::dialect::Dialect;
 use super::item::{Declaration, Item};
-use super::lengths::literal;
+use super::lengths::{Lengths, literal};
 use super::names::{ident, unscoped};
 use super::world::World;
-use super::{chain, declaration, method};
+use super::{batch, chain, declaration, method};
 use crate::function::Function;
 use crate::print;
+use crate::real::Real;
 use crate::request::Request;
 use crate::space::{Space, Spaces};
 
@@ -64,6 +65,13 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
+                if let (true, Real::Generic, World::Runtime(runtime)) =
+                    (request.batch, request.scalar, &dialect.world)
+                {
+                    let lengths: (Lengths<'_>, _) = (&lengths, parameter);
+                    let signature = batch::signature(item, *function, lengths, runtime, &dialect);
+                    methods.extend(absent(item, &signature, &unreachable));
+                }
                 traits.extend(method::implementation(
                     item,
                     *function,

@@ -172,13 +172,18 @@ fn a_robot_has_batches_of_its_own_on_all_cores() {
     let q: Vec<_> = q.iter().cycle().take(5003).copied().collect();
     let (qd, qdd) = (many(&qd), many(&qdd));
     let mut tau = many(&[[0.0; 4]]);
-    assert_eq!(Puppet.inverse_dynamics_batch(&q, &qd, &qdd, &mut tau), Ok(()));
+    assert_eq!(
+        Puppet.inverse_dynamics_batch(&q, &qd, &qdd, &mut tau),
+        Ok(())
+    );
     let alone: Vec<_> = (0..q.len())
         .map(|i| Puppet.inverse_dynamics(&q[i], &qd[i], &qdd[i]))
         .collect();
     same("inverse dynamics", &tau, &alone);
     assert_eq!(
-        Puppet.gravity_batch(&q, &mut tau[1..]).map_err(|error| error.to_string()),
+        Puppet
+            .gravity_batch(&q, &mut tau[1..])
+            .map_err(|error| error.to_string()),
         Err("`results` has a length of 5002, and `q` of 5003".to_owned())
     );
 }

@@ -225,16 +225,7 @@ mod tests {
     use super::{Lane, Pack};
     use core::array::from_fn;
 
-    const NUMBERS: [f64; 8] = [
-        0.3,
-        -0.0,
-        f64::NAN,
-        -1.7,
-        f64::INFINITY,
-        1e9,
-        -1e-310,
-        2.5,
-    ];
+    const NUMBERS: [f64; 8] = [0.3, -0.0, f64::NAN, -1.7, f64::INFINITY, 1e9, -1e-310, 2.5];
 
     /// Every operation of the trait of three numbers.
     fn results<T: Scalar>(a: T, b: T, c: T) -> [T; 14] {

@@ -31,7 +31,7 @@ pub(crate) use self::articulated::{
 
 pub(crate) use self::mass_center::MassCenter;
 pub(crate) use self::state::State;
-pub use self::way::{Angles, Carried, Forward, Frame, Way};
+pub use self::way::{Angles, Carried, Congruence, Forward, Frame, Way};
 
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
@@ -67,7 +67,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// The way to the frame, in the frames of the links.
     pub(crate) fn link_path(&self) -> carry::Path<'g> {
-        carry::path(self.bodies, self.frame, &self.state, self.way.angles)
+        carry::path(self.bodies, self.frame, &self.state, self.way)
     }
 
     /// The way to the frame, in the frame in which recursions run.
@@ -80,7 +80,18 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// The joints at work, in the frames of the links.
     pub(crate) fn link_joints(&self) -> Vec<carry::Joint<'g>> {
-        carry::joints(self.bodies, &self.state, self.way.angles)
+        carry::joints(self.bodies, &self.state, self.way)
+    }
+
+    /// The same, but seen from the body at the root where that is one and carries all mass: for what is the same
+    /// wherever the origin of frame 0 is. So nothing is lost of a robot that is far from there, and its way there is
+    /// not computed.
+    pub(crate) fn joints_seen_from_root(&self) -> Vec<carry::Joint<'g>> {
+        if self.way.frame == Frame::Link && self.bodies.base.mass.is_zero() {
+            carry::from_root(self.link_joints())
+        } else {
+            self.joints()
+        }
     }
 
     /// The joints at work, in the frame in which recursions run.
@@ -161,7 +172,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// Y of τ = Y π, row by row; in the frames of the links, whatever the way.
     pub(crate) fn regressor(&self) -> Vec<Term<'g>> {
-        let joints = carry::joints(self.bodies, &self.state, Angles::Apart);
+        let joints = carry::joints(self.bodies, &self.state, Way::PLAIN);
         let links: Vec<_> = self.bodies.bodies.iter().map(|body| body.link).collect();
         let columns = regressor::regressor(&joints, &links, self.bodies.gravity, &self.state);
         let columns: Vec<Vec<Term<'g>>> =

@@ -200,9 +200,16 @@ impl<T: Scalar> Blocks<T> for Action<T> {
     }
 }
 
+/// One block of all rates: of axes that stay parallel, and of what turns about a tip, nothing is left but what
+/// was rounded.
 impl<T: Scalar, const N: usize> Blocks<T> for [Screw<T>; N] {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
-        screws(function, self)
+        if function.ends_with("_jacobian_rate") {
+            let entries = self.iter().flat_map(|one| [one.u(), one.b()]).flatten();
+            vec![Block::new("jacobian_rates", entries)]
+        } else {
+            screws(function, self)
+        }
     }
 }
 

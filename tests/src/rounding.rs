@@ -69,8 +69,20 @@ impl Worst {
     /// # Panics
     /// With a table of all blocks, where one is not.
     pub fn assert_within(&self, units: f64) {
+        self.assert_each_within(|_| units);
+    }
+
+    /// Every block must be right to within as many units as a block of its name may be off.
+    ///
+    /// # Panics
+    /// With a table of all blocks, where one is not.
+    pub fn assert_each_within(&self, limit: impl Fn(&str) -> f64) {
         assert!(!self.blocks.is_empty(), "nothing was compared");
-        assert!(self.units() <= units, "more than {units} u\n{self}");
+        for (name, block) in &self.blocks {
+            let limit = limit(name);
+            let within = block.units(self.unit) <= limit;
+            assert!(within, "{name}: more than {limit} u\n{self}");
+        }
     }
 }
 

@@ -127,7 +127,7 @@ fn prices_of_every_robot() {
         let chain = chain_of(robot, tip);
         writeln!(
             table,
-            "{robot:20} mul  add  div sqrt  sin  cos fused depth literals"
+            "{robot:29} mul  add  div sqrt  sin  cos fused depth literals"
         )
         .expect("a string takes everything");
         for function in Function::ALL {
@@ -145,13 +145,12 @@ fn prices_of_every_robot() {
             } = price(&chain, function);
             writeln!(
                 table,
-                "  {:19}{mul:4} {add:4} {div:4} {sqrt:4} {sin:4} {cos:4} {fused:5} {depth:5} {literals:8}",
+                "  {:28}{mul:4} {add:4} {div:4} {sqrt:4} {sin:4} {cos:4} {fused:5} {depth:5} {literals:8}",
                 function.name()
             )
             .expect("a string takes everything");
         }
     }
-    assert!(table.lines().count() <= READABLE);
     insta::assert_snapshot!(table);
 }
 

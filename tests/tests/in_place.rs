@@ -13,6 +13,20 @@ const STATES: usize = 100;
 /// The worst is 35 u.
 const LIMIT: f64 = 64.0;
 
+/// Of what cancels in the recursions in frame 0, most of it in every state: the worst is 620 u, or 1.3e-14.
+const LIMIT_OF_DIFFERENCES: f64 = 1024.0;
+
+fn limit(block: &str) -> f64 {
+    match block {
+        "centroidal_momentum_bias c"
+        | "centroidal_momentum_bias f"
+        | "coriolis_matrix"
+        | "gravity_derivative"
+        | "inverse_dynamics_derivatives" => LIMIT_OF_DIFFERENCES,
+        _ => LIMIT,
+    }
+}
+
 /// Writes a robot with all functions.
 macro_rules! robot {
     ($(#[$about:meta])* $name:ident { $($settings:tt)* } $($parts:tt)*) => {
@@ -37,7 +51,7 @@ where
         worst.note(&evaluate(robot, &state), &evaluate(chain, &state));
     }
     println!("{worst}");
-    worst.assert_within(LIMIT);
+    worst.assert_each_within(limit);
 }
 
 fn names<const N: usize, const F: usize>(chain: &Chain<N, F>) -> [&'static str; N] {

@@ -280,6 +280,22 @@ fn a_base_a_thousand_kilometres_away_loses_nothing() {
             FreeQuadruped.forward_dynamics(&far, &qd, &qdd),
             FreeQuadruped.forward_dynamics(&q, &qd, &qdd)
         );
+        assert_eq!(
+            FreeQuadruped.inverse_dynamics_derivatives(&far, &qd, &qdd),
+            FreeQuadruped.inverse_dynamics_derivatives(&q, &qd, &qdd)
+        );
+        assert_eq!(
+            FreeQuadruped.centroidal_momentum(&far, &qd),
+            FreeQuadruped.centroidal_momentum(&q, &qd)
+        );
+        assert_eq!(
+            FreeQuadruped.centroidal_momentum_matrix(&far),
+            FreeQuadruped.centroidal_momentum_matrix(&q)
+        );
+        assert_eq!(
+            FreeQuadruped.centroidal_momentum_bias(&far, &qd),
+            FreeQuadruped.centroidal_momentum_bias(&q, &qd)
+        );
         // Seen from frame 0 it is far, and as right as a number of that size can be.
         let here: Pose<f64> = FreeQuadruped.forward_kinematics(&q);
         let there: Pose<f64> = FreeQuadruped.forward_kinematics(&far);

@@ -5,7 +5,7 @@
 //! forms of forward dynamics that are accurate enough. It never looks at values itself: [`Measure`]
 //! tells how far a program is off, and [`forward`] which forms there are and what is enough.
 
-use super::forward;
+use super::forward::{self, Form};
 use super::measured::{Measure, Off};
 use super::program::expressions_by;
 use super::solvable::solvable;
@@ -98,12 +98,12 @@ pub(super) fn cheapest(
     }
     let search = Search::new(processor, formulation, chain, functions, frame, scalar);
     if !functions.iter().any(|function| function.solves()) {
-        return Ok(search.best(Way::PLAIN.forward).1);
+        return Ok(search.best(Form::sparing(Forward::UNREFINED)).1);
     }
     let worst = solvable(chain)?;
     if let Some(asked) = formulation.forward {
         forward::check(chain, asked)?;
-        return Ok(search.best(asked).1);
+        return Ok(search.best(Form::sparing(asked)).1);
     }
     let mut measure = Measure::of(chain, functions, worst.loss);
     let mut measured = |mut found: Found| {
@@ -111,16 +111,16 @@ pub(super) fn cheapest(
         found
     };
     // With its weight, where all layouts have been looked at.
-    let mut tried: Vec<(Option<usize>, Found)> = Vec::new();
+    let mut tried: Vec<(Form, Option<usize>, Found)> = Vec::new();
     for forms in forward::rounds(chain, functions, formulation) {
         let mut best: Option<(usize, Found)> = None;
         for form in forms {
             // Of a form that is far from accurate in one layout, no other need be looked at.
-            if let Some((_, before)) = tried.first() {
+            if let Some((.., before)) = tried.first() {
                 let (_, glimpse) = search.within(form, &[before.layout], &[before.way]);
                 let glimpse = measured(glimpse);
                 if glimpse.off.worst > FAR * forward::ENOUGH {
-                    tried.push((None, glimpse));
+                    tried.push((form, None, glimpse));
                     continue;
                 }
             }
@@ -132,7 +132,7 @@ pub(super) fn cheapest(
             if found.off.worst <= forward::ENOUGH {
                 best = Some((weight, found));
             } else {
-                tried.push((Some(weight), found));
+                tried.push((form, Some(weight), found));
             }
         }
         if let Some((_, found)) = best {
@@ -140,7 +140,7 @@ pub(super) fn cheapest(
         }
     }
     // None is accurate enough: what costs least of those that lose little more than the best.
-    let least = (tried.iter()).fold(Off::INFINITE, |least, (_, found)| least.least(found.off));
+    let least = (tried.iter()).fold(Off::INFINITE, |least, (.., found)| least.least(found.off));
     if !forward::keeps_half(least.eighth, scalar) {
         return Err(forward::hopeless(
             chain,
@@ -150,12 +150,12 @@ pub(super) fn cheapest(
             (scalar, formulation.frame),
         ));
     }
-    let near = (tried.into_iter()).filter(|(_, found)| found.off.worst <= 2.0 * least.worst);
-    let searched = near.map(|(weight, found)| {
+    let near = (tried.into_iter()).filter(|(.., found)| found.off.worst <= 2.0 * least.worst);
+    let searched = near.map(|(form, weight, found)| {
         if let Some(weight) = weight {
             return (weight, found);
         }
-        let (weight, found) = search.best(found.way.forward);
+        let (weight, found) = search.best(form);
         (weight, measured(found))
     });
     let best = searched.min_by_key(|(weight, _)| *weight);
@@ -205,12 +205,12 @@ impl<'a> Search<'a> {
 
     /// The program of least weight in a form of forward dynamics, of all layouts and ways; its error has
     /// not been measured.
-    fn best(&self, forward: Forward) -> (usize, Found) {
-        self.within(forward, &self.layouts, &self.ways)
+    fn best(&self, form: Form) -> (usize, Found) {
+        self.within(form, &self.layouts, &self.ways)
     }
 
     /// The same, of some layouts and ways.
-    fn within(&self, forward: Forward, layouts: &[Layout], ways: &[Way]) -> (usize, Found) {
+    fn within(&self, form: Form, layouts: &[Layout], ways: &[Way]) -> (usize, Found) {
         let schedule = match self.formulation.products {
             Products::Fused if self.processor.fuses(self.scalar) => schedule,
             Products::Fused | Products::Unfused => schedule_unfused,
@@ -219,13 +219,13 @@ impl<'a> Search<'a> {
         // residual: a literal that has taken in a heavy neighbour's mass is rounded to the size of
         // that.
         let physical =
-            forward != Forward::UNREFINED || self.formulation.parameters == Parameters::Raw;
+            form.forward != Forward::UNREFINED || self.formulation.parameters == Parameters::Raw;
         let mut best: Option<(usize, Found)> = None;
         for &layout in layouts {
             let regroup = layout.regroup && !physical;
             let layout = Layout { regroup, ..layout };
             for &way in ways {
-                let way = Way { forward, ..way };
+                let way = form.along(way);
                 let (chain, functions) = (self.chain, self.functions);
                 let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);
                 let program = schedule(&graph, &results);

@@ -12,7 +12,7 @@ use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
-use crate::model::Way;
+use crate::model::{Congruence, Way};
 use crate::real::Real;
 use crate::request::Request;
 use crate::wording::list;
@@ -26,10 +26,34 @@ pub(super) const ENOUGH: f64 = 0.8 * LIMIT;
 /// Beyond which a robot is told that no form is any better \[u\].
 const DOUBTFUL: f64 = 10.0 * LIMIT;
 
-const REFINED: [Forward; 2] = [
-    Forward::MassMatrix { refinements: 1 },
-    Forward::MassMatrix { refinements: 2 },
-];
+/// A form of forward dynamics, and how the inertias turn of which it is made.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Form {
+    pub(super) forward: Forward,
+    congruence: Congruence,
+}
+
+impl Form {
+    const fn refined(refinements: usize) -> Self {
+        Self::sparing(Forward::MassMatrix { refinements })
+    }
+
+    pub(super) const fn sparing(forward: Forward) -> Self {
+        Self {
+            forward,
+            congruence: Congruence::Sparing,
+        }
+    }
+
+    /// A way with this form.
+    pub(super) const fn along(self, way: Way) -> Way {
+        Way {
+            forward: self.forward,
+            congruence: self.congruence,
+            ..way
+        }
+    }
+}
 
 /// The forms, in rounds: the first that has one that is accurate enough decides, and in it the count.
 ///
@@ -40,19 +64,26 @@ pub(super) fn rounds(
     chain: &Chain,
     functions: &[Function],
     formulation: Formulation,
-) -> Vec<Vec<Forward>> {
+) -> Vec<Vec<Form>> {
     const COMPARED: usize = 8;
     const DEARER: usize = 20;
-    let [once, twice] = REFINED;
+    let [plain, once, twice] = [0, 1, 2].map(Form::refined);
+    // In frame 0 no inertia turns from body to body.
+    let full = (formulation.frame == Frame::Link).then_some(Form {
+        congruence: Congruence::Full,
+        ..plain
+    });
     // A joint that follows another closes a loop, over which articulated bodies do not go.
     let open = formulation.frame == Frame::Link && chain.all_lead();
-    let bodies = open.then_some(Forward::Articulated);
+    let bodies = open.then_some(Form::sparing(Forward::Articulated));
     let first = match (longest(chain), bodies) {
         (DEARER.., Some(bodies)) => vec![bodies],
-        (COMPARED.., Some(bodies)) => vec![Forward::UNREFINED, bodies],
-        _ => vec![Forward::UNREFINED],
+        (COMPARED.., Some(bodies)) => vec![plain, bodies],
+        _ => vec![plain],
     };
+    let full = full.filter(|_| first.contains(&plain));
     let left = bodies.filter(|bodies| !first.contains(bodies));
+    let left = full.into_iter().chain(left);
     // Each column of an inverse has a residual of its own, which is much dearer than articulated bodies.
     let inverting = [
         Function::MassMatrixInverse,
@@ -62,10 +93,9 @@ pub(super) fn rounds(
         .iter()
         .any(|function| functions.contains(function));
     let rounds = if inverts {
-        [first, left.into_iter().collect(), vec![once], vec![twice]]
+        [first, left.collect(), vec![once], vec![twice]]
     } else {
-        let second = left.into_iter().chain([once]).collect();
-        [first, second, vec![twice], Vec::new()]
+        [first, left.chain([once]).collect(), vec![twice], Vec::new()]
     };
     rounds
         .into_iter()
@@ -204,7 +234,7 @@ fn doubt(
             Frame::Base => Way::IN_FRAME_0,
         };
         let forms = rounds(chain, functions, request.formulation).into_iter();
-        let ways = forms.flatten().map(|forward| Way { forward, ..plain });
+        let ways = forms.flatten().map(|form| form.along(plain));
         let off = least_error(chain, worst, functions, scalar, ways);
         let hint = "generate it for f64, or model a robot whose masses and lengths differ less";
         // What no form helps is refused, function by function.

@@ -35,7 +35,7 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let joints = scene.joints();
+    let joints = scene.joints_seen_from_root();
     let center = MassCenter::of(&joints, &scene.bodies.base).point();
     let columns = momentum::columns(&joints, center);
     scene.gathered(&columns.map(Action::entries).collect::<Vec<_>>())

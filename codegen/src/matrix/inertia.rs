@@ -75,6 +75,28 @@ impl<'g> Symmetric<Term<'g>> {
         ])
     }
 
+    /// R S Rᵗ for a rotation about z, with nothing subtracted but what a product of inertia takes: the block
+    /// (a, b, h) becomes (c²a + s²b − 2sch, s²a + c²b + 2sch, sc(a − b) + (c² − s²)h).
+    #[must_use]
+    pub fn rotate_in_full_about_z(self, (sine, cosine): (Term<'g>, Term<'g>)) -> Self {
+        let turned = self.rotate_about_z((sine, cosine));
+        if sine.is_zero() {
+            return turned;
+        }
+        let [xx, yy, _, xy, _, _] = self.0;
+        let [_, _, zz, _, xz, yz] = turned.0;
+        let (squares, product) = ((sine * sine, cosine * cosine), sine * cosine);
+        let across = product * (xy + xy);
+        Self([
+            squares.1 * xx + squares.0 * yy - across,
+            squares.0 * xx + squares.1 * yy + across,
+            zz,
+            product * (xx - yy) + (squares.1 - squares.0) * xy,
+            xz,
+            yz,
+        ])
+    }
+
     /// abᵗ of a and b that are multiples of one vector.
     #[must_use]
     pub fn half_product(a: Vector<Term<'g>>, b: Vector<Term<'g>>) -> Self {
@@ -164,6 +186,15 @@ impl<'g> Inertia<Term<'g>> {
             second: self.second.rotate_about_z(angle),
             q: Rotation::about_z(angle) * self.q,
             mass: self.mass,
+        }
+    }
+
+    /// The same, with the second moments turned [in full](Symmetric::rotate_in_full_about_z).
+    #[must_use]
+    pub fn rotate_in_full_about_z(self, angle: (Term<'g>, Term<'g>)) -> Self {
+        Self {
+            second: self.second.rotate_in_full_about_z(angle),
+            ..self.rotate_about_z(angle)
         }
     }
 

@@ -8,9 +8,10 @@
 
 use super::state::State;
 use super::turn::{self, Turn};
+use super::way::{Congruence, Way};
 use crate::chain::Position;
 use crate::expression::Term;
-use crate::formulation::{Angles, Frame};
+use crate::formulation::Frame;
 use crate::joint::Motion;
 use crate::layout::{Bodies, Body};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
@@ -30,6 +31,8 @@ pub struct Joint<'g> {
     pub frame: usize,
     /// The number of the frame in which those of the body are that it hangs on.
     pub outer_frame: usize,
+    /// Whether what is placed in frame 0 is seen from the body at the root, in the axes of frame 0.
+    pub from_root: bool,
     /// M from the parent's frame to where the displacement starts.
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of the turn.
@@ -46,11 +49,19 @@ pub struct Joint<'g> {
     pub screw: Screw<Term<'g>>,
     /// J of the body.
     pub inertia: Inertia<Term<'g>>,
+    /// How inertias turn with it.
+    pub congruence: Congruence,
 }
 
 impl<'g> Joint<'g> {
     /// The joint of body `k`, where `left` is what each body's frame leaves of its turn.
-    fn new(bodies: &Bodies<'g>, k: usize, state: &State<'g>, left: &[Option<Turn<'g>>]) -> Self {
+    fn new(
+        bodies: &Bodies<'g>,
+        k: usize,
+        state: &State<'g>,
+        left: &[Option<Turn<'g>>],
+        congruence: Congruence,
+    ) -> Self {
         let body: &Body<'g> = &bodies.bodies[k];
         let graph = state.graph;
         let (zero, one) = (state.zero(), graph.constant(1.0));
@@ -79,6 +90,7 @@ impl<'g> Joint<'g> {
             motion: body.motion,
             frame: k + 1,
             outer_frame: body.parent.map_or(0, |parent| parent + 1),
+            from_root: false,
             placement,
             angle,
             slide,
@@ -90,6 +102,7 @@ impl<'g> Joint<'g> {
                 Some(turn) => body.inertia.rotate_about_z(turn.sine_and_cosine(graph)),
                 None => body.inertia,
             },
+            congruence,
         }
     }
 
@@ -121,12 +134,24 @@ impl<'g> Joint<'g> {
     fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
         let index = self.index + 1;
-        pose.translation.label(|| format!("m_0_{index}_t"));
+        if !self.from_root {
+            pose.translation.label(|| format!("m_0_{index}_t"));
+        }
         for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
             let column = pose.rotation.column(k);
             column.label(|| format!("m_0_{index}_{axis}"));
         }
         pose
+    }
+
+    /// Leaves the origin of a body at the root where that of frame 0 is: it turns there.
+    fn stay(&mut self) {
+        let zero = Vector::zero(self.slide.graph());
+        self.placement.translation = zero;
+        self.slide = zero.x();
+        if let Some(posture) = &mut self.posture {
+            posture.translation = zero;
+        }
     }
 
     /// Whether its motion carries the screw of a joint `at` inboard of it: its own, and those of the joint with
@@ -185,9 +210,17 @@ impl<'g> Joint<'g> {
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
         let moved = match self.posture {
             Some(posture) => inertia.change_frame(posture),
-            None => inertia.rotate_about_z(self.angle).translate(self.offset()),
+            None => self.turned(inertia).translate(self.offset()),
         };
         moved.change_frame(self.placement)
+    }
+
+    /// J of the body where its joint has not turned, but slid.
+    pub fn turned(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
+        match self.congruence {
+            Congruence::Sparing => inertia.rotate_about_z(self.angle),
+            Congruence::Full => inertia.rotate_in_full_about_z(self.angle),
+        }
     }
 
     /// The displacement as a pose, from where it starts.
@@ -218,8 +251,8 @@ pub fn in_frame_0<'g>(joints: &[Joint<'g>]) -> Vec<Joint<'g>> {
 }
 
 /// All joints, in the order of the bodies.
-pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec<Joint<'g>> {
-    let left = turn::left_to_carried(bodies, state, angles, |k| {
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Joint<'g>> {
+    let left = turn::left_to_carried(bodies, state, way.angles, |k| {
         let mut carried = bodies
             .bodies
             .iter()
@@ -228,8 +261,20 @@ pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, angles: Angles) -> Vec
         carried.peek().is_some() && carried.all(turn::is_parallel)
     });
     (0..bodies.bodies.len())
-        .map(|k| Joint::new(bodies, k, state, &left))
+        .map(|k| Joint::new(bodies, k, state, &left, way.congruence))
         .collect()
+}
+
+/// The same joints, seen from the body at the root where that is one.
+pub fn from_root<'g>(mut joints: Vec<Joint<'g>>) -> Vec<Joint<'g>> {
+    let mut roots = joints.iter_mut().filter(|joint| joint.parent.is_none());
+    if let (Some(root), None) = (roots.next(), roots.next()) {
+        root.stay();
+        for joint in &mut joints {
+            joint.from_root = true;
+        }
+    }
+    joints
 }
 
 /// The way from the base to a frame.
@@ -278,14 +323,14 @@ impl<'g> Path<'g> {
 }
 
 /// The way to the frame of that index.
-pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, angles: Angles) -> Path<'g> {
+pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, way: Way) -> Path<'g> {
     let (last, end) = bodies.frames[frame];
     let inwards = || std::iter::successors(last, |&k| bodies.bodies[k].parent);
-    let left = turn::left_to_carried(bodies, state, angles, |k| {
+    let left = turn::left_to_carried(bodies, state, way.angles, |k| {
         let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
         next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))
     });
-    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left));
+    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left, way.congruence));
     let mut joints: Vec<Joint<'g>> = joints.collect();
     joints.reverse();
     Path {

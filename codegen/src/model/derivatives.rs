@@ -178,7 +178,7 @@ impl<'g> Whole<'g> {
                         (inertias[k].rotate(rotation), flows[k].rotate(rotation))
                     }
                     None => (
-                        inertias[k].rotate_about_z(joint.angle),
+                        joint.turned(inertias[k]),
                         flows[k].rotate_about_z(joint.angle),
                     ),
                 };

@@ -35,7 +35,7 @@ impl<'s, 'g> MassCenter<'s, 'g> {
         for (k, joint) in joints.iter().enumerate().rev() {
             let (mass, q) = carried[k];
             let (index, frame) = (joint.index + 1, joint.frame);
-            q.label(|| format!("j_{index}_in_{frame}_"));
+            q.label(|| format!("c_{index}_in_{frame}_"));
             let inboard = joint.first_moment_inboard(q, mass);
             if let Some(parent) = joint.parent {
                 let (outer_mass, outer) = carried[parent];

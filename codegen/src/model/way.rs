@@ -13,6 +13,19 @@ pub struct Way {
     pub pose: Carried,
     /// How accelerations are found from forces.
     pub forward: Forward,
+    /// How the inertias of composite bodies turn with their joints.
+    pub congruence: Congruence,
+}
+
+/// With how many products the plane block of an inertia turns about an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Congruence {
+    /// With four, which subtract from the larger moment to have the smaller: what is left has the error of the
+    /// larger one.
+    Sparing,
+    /// With all, so that each moment is summed of its own: of slender links, and wherever M is solved with, this
+    /// keeps the digits of the small one.
+    Full,
 }
 
 /// How the pose of a frame is found.
@@ -34,6 +47,7 @@ impl Way {
         angles: Angles::Apart,
         pose: Carried::Inwards { by_product: None },
         forward: Forward::UNREFINED,
+        congruence: Congruence::Sparing,
     };
 
     /// Everything in frame 0, accelerations by the mass matrix.

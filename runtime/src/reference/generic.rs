@@ -577,7 +577,12 @@ pub fn centroidal_momentum<
     q: &[T; Q],
     qd: &[T; N],
 ) -> Momentum<T> {
-    let motion = Motion::at(chain, q, qd, &[T::zero(); N]);
+    let motion = Motion::of(
+        chain,
+        Positions::at_first_body(chain, q),
+        qd,
+        &[T::zero(); N],
+    );
     let gamma = about_center(&motion.positions, &moments(&motion));
     Momentum::new(axial(&gamma), column(&gamma))
 }
@@ -611,7 +616,12 @@ pub fn centroidal_momentum_bias<
     q: &[T; Q],
     qd: &[T; N],
 ) -> Action<T> {
-    let motion = Motion::at(chain, q, qd, &[T::zero(); N]);
+    let motion = Motion::of(
+        chain,
+        Positions::at_first_body(chain, q),
+        qd,
+        &[T::zero(); N],
+    );
     let each = motion.h.iter().zip(&motion.positions.j);
     let forces = each.fold(Matrix4::zeros(), |sum, (h, j)| sum + h * j);
     let phi = about_center(&motion.positions, &forces);

@@ -41,9 +41,30 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
         chain: &Chain<N, F, Q, B>,
         q: &[T; Q],
     ) -> Self {
+        Self::from(chain, q, Matrix4::identity())
+    }
+
+    /// The same from a frame with the axes of frame 0 and its origin where the first body has its own: what is far
+    /// from frame 0 keeps its digits there.
+    pub(super) fn at_first_body<const N: usize, const F: usize, const Q: usize>(
+        chain: &Chain<N, F, Q, B>,
+        q: &[T; Q],
+    ) -> Self {
+        let far = Self::at(chain, q);
+        let origin = far.m.first().map(|m| -m.fixed_view::<3, 1>(0, 3));
+        let back = origin.map_or_else(Matrix4::identity, |back| Matrix4::new_translation(&back));
+        Self::from(chain, q, back)
+    }
+
+    /// The same from a frame in which frame 0 is at a pose.
+    fn from<const N: usize, const F: usize, const Q: usize>(
+        chain: &Chain<N, F, Q, B>,
+        q: &[T; Q],
+        frame_0: Matrix4<T>,
+    ) -> Self {
         let mut m = [Matrix4::identity(); B];
         for (i, joint) in chain.joints.iter().enumerate() {
-            let m_0_parent = chain.parent(i).map_or_else(Matrix4::identity, |p| m[p]);
+            let m_0_parent = chain.parent(i).map_or(frame_0, |p| m[p]);
             let own = q.get(chain.coordinates(i)).unwrap_or(&[]);
             m[i] = m_0_parent * dense(joint.placement.to_matrix()) * displacement(joint, own);
         }
@@ -104,7 +125,16 @@ impl<T: RealField + Copy, const B: usize> Motion<T, B> {
         qd: &[T; N],
         qdd: &[T; N],
     ) -> Self {
-        let positions = Positions::at(chain, q);
+        Self::of(chain, Positions::at(chain, q), qd, qdd)
+    }
+
+    /// The same, seen from wherever the positions are.
+    pub(super) fn of<const N: usize, const F: usize, const Q: usize>(
+        chain: &Chain<N, F, Q, B>,
+        positions: Positions<T, B>,
+        qd: &[T; N],
+        qdd: &[T; N],
+    ) -> Self {
         let mut w = [Matrix4::zeros(); B];
         let mut h = [Matrix4::zeros(); B];
         let two: T = nalgebra::convert(2.0);

@@ -188,10 +188,7 @@ fn regressor(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> 
         Matrix::of(|i, j| Big::new(f64::from(u8::from(is(i, j)))))
     });
     let units: Vec<Matrix> = units.collect();
-    let links = (0..robot.bodies.len()).filter(|&k| {
-        let body = &robot.bodies[k];
-        body.link && body.motion.moves()
-    });
+    let links = (0..robot.bodies.len()).filter(|&body| robot.bodies[body].link);
     let columns = links.flat_map(|body| {
         let h = &motion.h[body] - &robot.gravity;
         let m = &positions.m[body];

@@ -37,7 +37,7 @@ pub struct Body {
     pub motion: Motion,
     /// J in frame (i).
     pub inertia: Matrix,
-    /// Whether it is a link, and not what moves by a part of a joint's freedoms.
+    /// Whether it is a link that its joint moves, and not what moves by a part of a joint's freedoms.
     pub link: bool,
 }
 
@@ -197,6 +197,7 @@ impl<'d> Reader<'d> {
             let mut placement = self.placement(&joint.origin);
             let parts = parts(joint, &moves[joint.name.text.as_str()], &places);
             let last = parts.len() - 1;
+            let moved = parts.iter().any(|(_, motion)| motion.moves());
             for (k, (turn, motion)) in parts.into_iter().enumerate() {
                 // What moves by a part of a joint's velocities is no link.
                 let child = joint.child.text.as_str();
@@ -211,7 +212,7 @@ impl<'d> Reader<'d> {
                     placement: &placement * &turn,
                     motion,
                     inertia,
-                    link: k == last,
+                    link: moved && k == last,
                 });
                 (parent, placement) = (Some(robot.bodies.len() - 1), Matrix::identity());
             }

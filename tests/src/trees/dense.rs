@@ -199,6 +199,7 @@ impl Dense {
         self.weigh(&inertia);
         self.slide = self.slide.max(slide * times);
         let parts = self.parts(body, &movement, robot.reading());
+        let moved = parts.iter().any(|(_, motion)| motion.moves());
         let (last, mut parent, mut placement) = (parts.len() - 1, parent, placement);
         for (k, (turn, motion)) in parts.into_iter().enumerate() {
             // What moves by a part of a joint's velocities is no link.
@@ -212,7 +213,7 @@ impl Dense {
                 } else {
                     Matrix::zero()
                 },
-                link: k == last,
+                link: moved && k == last,
             });
             (parent, placement) = (Some(self.links.len() - 1), Matrix::identity());
         }

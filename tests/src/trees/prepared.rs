@@ -344,7 +344,7 @@ impl<'r> Prepared<'r> {
         let names = names.map(|entry| entry.name.trim_end_matches(".m"));
         let known: Vec<usize> = names.map(id).collect();
         let bodies = self.dense.robot.bodies.iter().zip(&self.dense.links);
-        let links = bodies.filter(|(body, _)| body.link && body.motion.moves());
+        let links = bodies.filter(|(body, _)| body.link);
         let links = links.filter_map(|(_, link)| *link);
         let place = |link| known.iter().position(|&other| other == link);
         links

@@ -24,6 +24,8 @@ pub struct Matrices {
     /// H, and H − H_g.
     pub h: [Vec<Acceleration<f64>>; 2],
     j: Vec<Inertia<f64>>,
+    /// Of all bodies, and of what regrouping has left to the base.
+    mass: f64,
 }
 
 /// The numbers of terms that no input enters.
@@ -67,6 +69,7 @@ impl Matrices {
             w: Vec::new(),
             h: [Vec::new(), Vec::new()],
             j: Vec::new(),
+            mass: inertia(&bodies.base).mass(),
         };
         for (k, body) in bodies.bodies.iter().enumerate() {
             let l = screw(body);
@@ -95,6 +98,7 @@ impl Matrices {
             .map(|outer| outer.compose(&own.1, &w_outer, &own.0));
             all.m.push(m);
             all.l.push(l);
+            all.mass += j.mass();
             all.j.push(j);
             all.w.push(w_outer + own.0);
             all.h.iter_mut().zip(h).for_each(|(list, h)| list.push(h));
@@ -196,8 +200,12 @@ impl Matrices {
                 }
             }
             "wd" => m_k_0.change_frame(&self.h[0][of_base()?]).omega_dot()[axis(entry)?],
-            // That of dynamics, from which gravity is taken.
-            "h" => m_k_0.change_frame(&self.h[1][of_base()?]).a()[axis(entry)?],
+            // Of dynamics, from which gravity is taken, or of momentum, from which it is not.
+            "h" => {
+                let (body, entry) = (of_base()?, axis(entry)?);
+                let known = [1, 0].map(|which| m_k_0.change_frame(&self.h[which][body]).a()[entry]);
+                return Some(known.to_vec());
+            }
             "l" => {
                 let l = m_k_0.change_frame(&self.l[body(pair)?]);
                 let part = if entry.starts_with('u') { l.u() } else { l.b() };
@@ -214,6 +222,12 @@ impl Matrices {
                 return known
                     .map(|j| inertia_entry(&m_k_0.change_frame(&j), entry))
                     .collect();
+            }
+            // The first moment in J, by the mass of the robot.
+            "c" => {
+                let carried = self.outboard(body(pair)?);
+                let whole = carried.fold(Inertia::zero(), |sum, k| sum + self.j[k]);
+                m_k_0.change_frame(&whole).q()[axis(entry)?] / self.mass
             }
             "phi" => return self.actions(body(pair)?, m_k_0, entry),
             _ => return None,

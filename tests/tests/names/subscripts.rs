@@ -35,11 +35,15 @@ fn seen_by(function: Function, state: &Arguments) -> Arguments {
     let rest = vec![0.0; state.q.len()];
     let mut state = state.clone();
     match function {
-        Function::Gravity => {
+        Function::Gravity | Function::GravityDerivative => {
             state.qd.clone_from(&rest);
             state.qdd = rest;
         }
-        Function::Bias | Function::ForwardDynamics => state.qdd = rest,
+        Function::AccelerationBias
+        | Function::Bias
+        | Function::CentroidalMomentumBias
+        | Function::CoriolisMatrix
+        | Function::ForwardDynamics => state.qdd = rest,
         _ => {}
     }
     state
@@ -136,7 +140,7 @@ fn names_are_those_of_appendix_b() {
         }
     }
     // Each letter was met: no check passed for want of names.
-    let letters = ["h", "j", "l", "m", "phi", "w", "wd"].map(str::to_owned);
+    let letters = ["c", "h", "j", "l", "m", "phi", "w", "wd"].map(str::to_owned);
     assert_eq!(met, BTreeSet::from(letters));
 }
 

@@ -57,7 +57,7 @@ impl<'p> Batched<'p> {
     pub(super) fn in_trait(&self, body: &TokenStream) -> TokenStream {
         let lengths = known(&self.listing.spaces);
         let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
-        let generics = method::generics(None, self.dialect);
+        let generics = method::generics(&[], self.dialect);
         let head = declaration::implementation(self.item, &of, &generics);
         let name = ident(self.function.name());
         let parameters = method::parameters(self.item, &[self.function], &lengths, self.dialect);
@@ -81,7 +81,7 @@ impl<'p> Batched<'p> {
         let signature = signature(
             self.item,
             self.function,
-            (&lengths, None),
+            (&lengths, &[]),
             runtime,
             self.dialect,
         );
@@ -106,11 +106,11 @@ impl<'p> Batched<'p> {
 }
 
 /// `fn gravity_batch<T: ::homogen::batch::Number>(&self, q: &[[T; 2]], results: &mut [[T; 2]]) -> …`, for arrays of
-/// the given lengths, one of which may be a parameter.
+/// the given lengths, some of which may be parameters.
 pub(super) fn signature(
     item: &Item,
     function: Function,
-    (lengths, unknown): (Lengths<'_>, Option<&TokenStream>),
+    (lengths, unknown): (Lengths<'_>, &[TokenStream]),
     runtime: &TokenStream,
     dialect: &Dialect,
 ) -> TokenStream {
@@ -122,9 +122,8 @@ pub(super) fn signature(
         quote! { #name: &[[#number; #length]] }
     });
     let result = result_type(item, &[function], lengths, dialect);
-    let unknown = unknown.map(|unknown| quote! { , #unknown });
     quote! {
-        fn #name<#number: #runtime::batch::Number #unknown>(
+        fn #name<#number: #runtime::batch::Number #(, #unknown)*>(
             &self,
             #(#parameters,)*
             results: &mut [#result],

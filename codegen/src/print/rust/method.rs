@@ -55,7 +55,7 @@ pub(super) fn method(
     let about = doc(&about);
     let visibility = &item.visibility;
     let lengths = known(&listing.spaces);
-    let signature = signature(item, name, &listed.functions, &lengths, None, dialect);
+    let signature = signature(item, name, &listed.functions, &lengths, &[], dialect);
     quote! {
         #about
         #[must_use]
@@ -74,7 +74,7 @@ pub(super) fn in_trait(
     let arguments = names(function);
     let call = quote! { Self::#name(self, #(#arguments),*) };
     let lengths = known(&listing.spaces);
-    implementation(item, function, &lengths, None, &call, dialect)
+    implementation(item, function, &lengths, &[], &call, dialect)
 }
 
 /// The names of a function's arguments.
@@ -84,12 +84,12 @@ pub(super) fn names(function: Function) -> Vec<Ident> {
 }
 
 /// The implementation of a function's trait, for arrays of the given lengths (which may be the
-/// parameter `unknown`) and with the given body.
+/// parameters `unknown`) and with the given body.
 pub(super) fn implementation(
     item: &Item,
     function: Function,
     lengths: Lengths<'_>,
-    unknown: Option<&TokenStream>,
+    unknown: &[TokenStream],
     call: &TokenStream,
     dialect: &Dialect,
 ) -> TokenStream {
@@ -120,14 +120,14 @@ pub(super) fn of_runtime(
     quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> }
 }
 
-/// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]`; `unknown` is a generic
-/// parameter that stands for the number of joints.
+/// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]`; `unknown` are generic
+/// parameters that stand for lengths.
 pub(super) fn signature(
     item: &Item,
     name: &Ident,
     functions: &[Function],
     lengths: Lengths<'_>,
-    unknown: Option<&TokenStream>,
+    unknown: &[TokenStream],
     dialect: &Dialect,
 ) -> TokenStream {
     let generics = generics(unknown, dialect);
@@ -140,12 +140,9 @@ pub(super) fn signature(
 }
 
 /// The generic parameters of a function.
-pub(super) fn generics(unknown: Option<&TokenStream>, dialect: &Dialect) -> Vec<TokenStream> {
-    dialect
-        .bound()
-        .into_iter()
-        .chain(unknown.cloned())
-        .collect()
+pub(super) fn generics(unknown: &[TokenStream], dialect: &Dialect) -> Vec<TokenStream> {
+    let bound = dialect.bound().into_iter();
+    bound.chain(unknown.iter().cloned()).collect()
 }
 
 /// `(&self, q: &[T; 2]) -> [T; 2]`.

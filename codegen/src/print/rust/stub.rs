@@ -57,18 +57,16 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
                 .iter()
                 .any(|function| function.further().next().is_some());
             let further = further.then(|| constant(&other));
-            let parameters: Vec<_> = parameter.iter().chain(&further).collect();
-            let parameters = (!parameters.is_empty()).then(|| quote! { #(#parameters),* });
-            let parameter = parameters.as_ref();
+            let parameters: Vec<_> = parameter.iter().cloned().chain(further).collect();
             let signature =
-                method::signature(item, &name, functions, &lengths, parameter, &dialect);
+                method::signature(item, &name, functions, &lengths, &parameters, &dialect);
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
                 if let (true, Real::Generic, World::Runtime(runtime)) =
                     (request.batch, request.scalar, &dialect.world)
                 {
-                    let lengths: (Lengths<'_>, _) = (&lengths, parameter);
+                    let lengths: (Lengths<'_>, &[_]) = (&lengths, &parameters);
                     let signature = batch::signature(item, *function, lengths, runtime, &dialect);
                     methods.extend(absent(item, &signature, &unreachable));
                 }
@@ -76,7 +74,7 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
                     item,
                     *function,
                     &lengths,
-                    parameter,
+                    &parameters,
                     &unreachable,
                     &dialect,
                 ));

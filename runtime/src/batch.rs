@@ -28,11 +28,6 @@
 //! `arm.gravity_batch(&q, &mut tau)`, and is compiled once for each kind of vector; without the word its
 //! functions stay what the target makes of them.
 
-#![expect(
-    clippy::inline_always,
-    reason = "only what is inlined is compiled for the processor that was found"
-)]
-
 mod error;
 mod packed;
 mod run;

@@ -70,9 +70,8 @@ const SHARE: usize = 512;
 /// Does the work on this core.
 fn here<W: Work>(work: W, most: Vectors) {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    let work = match x86::run(work, most) {
-        Some(work) => work,
-        None => return,
+    let Some(work) = x86::run(work, most) else {
+        return;
     };
     #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
     let _ = most;

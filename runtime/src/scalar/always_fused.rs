@@ -3,10 +3,6 @@
 //! In: `f32` or `f64`. Out: [`Fused`], the same number with every `a · b + c` rounded once, in its sines as
 //! well: what a target with that instruction computes, on any target. Where the target is not known to have
 //! it each is a call of a library routine, unless what calls it was compiled for more than the target.
-#![expect(
-    clippy::inline_always,
-    reason = "what is compiled for more than the target is what is inlined"
-)]
 
 use super::Scalar;
 use super::pack::{Lane, sealed::Sealed};
@@ -41,8 +37,17 @@ mod fused {
     always!(f64);
 }
 
+// What stands beside them decides how they round: here the module above.
+#[allow(
+    clippy::duplicate_mod,
+    reason = "the same sines over another product and sum"
+)]
 #[path = "trigonometry/double.rs"]
 mod double;
+#[allow(
+    clippy::duplicate_mod,
+    reason = "the same sines over another product and sum"
+)]
 #[path = "trigonometry/single.rs"]
 mod single;
 

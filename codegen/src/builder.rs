@@ -254,6 +254,13 @@ impl Builder {
         self
     }
 
+    /// Takes slices of states besides, `gravity_batch` beside `gravity`, on the widest vectors of the processor
+    /// that runs. It takes [`runtime`](Self::runtime), with its feature `batch`.
+    pub fn batch(mut self) -> Self {
+        self.request.batch = true;
+        self
+    }
+
     /// Functions, each a method of its own.
     pub fn generate(mut self, functions: impl IntoIterator<Item = Function>) -> Self {
         let functions = functions.into_iter().map(|function| vec![function]);

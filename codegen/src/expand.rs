@@ -89,6 +89,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
         functions,
         data,
         base_values,
+        batch: request.batch,
         scalar: request.scalar,
         sines: request.formulation.sines,
         parameters: request.parameters.clone(),
@@ -132,6 +133,7 @@ fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: &Errors) {
 /// strict.
 pub fn understand(description: &Description, request: &Request) -> Result<Chain, Errors> {
     check_processor(request)?;
+    check_batch(request)?;
     if let Err(refusal) = request.formulation.check() {
         let mut errors = Errors::new();
         errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
@@ -161,6 +163,19 @@ fn check_processor(request: &Request) -> Result<(), Errors> {
                 request.processor.name()
             ),
             "choose f32 as the scalar, or another processor",
+        );
+    }
+    errors.into_result(())
+}
+
+/// Refuses batches of functions that are not of numbers of any kind, and so not of packs.
+fn check_batch(request: &Request) -> Result<(), Errors> {
+    let mut errors = Errors::new();
+    if request.batch && request.scalar != Real::Generic {
+        errors.push_with_hint(
+            Place::Unknown,
+            "`batch` needs functions of any type of number: its types are packs",
+            "leave out `scalar`; batches are of f32 and f64 alike",
         );
     }
     errors.into_result(())

@@ -31,6 +31,8 @@ pub struct Listing {
     pub data: ChainData,
     /// What base parameters are described as \[kg, kg m, kg m²\].
     pub base_values: Vec<f64>,
+    /// Whether functions take slices of states besides.
+    pub batch: bool,
     /// The type of number.
     pub scalar: Real,
     /// Where sines and cosines come from.

@@ -59,6 +59,8 @@ pub struct Request {
     pub formulation: Formulation,
     /// The processor that they are computed on.
     pub processor: Processor,
+    /// Take slices of states besides, for all kinds of vectors: `gravity_batch` beside `gravity`.
+    pub batch: bool,
     /// The type of number in the generated code.
     pub scalar: Real,
     /// Which sines and cosines the generated code calls.

@@ -6,6 +6,8 @@ extern crate std;
 
 #[doc = include_str!("checklist.md")]
 pub mod checklist {}
+#[cfg(feature = "batch")]
+pub mod batch;
 mod error;
 mod matrix;
 mod paper;
@@ -35,6 +37,10 @@ pub use robot::drive::Drive;
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
 pub use robot::mechanism::{Mechanism, Residual, Row};
+#[cfg(feature = "std")]
+pub use scalar::Fused;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::{Lane, Pack};
 pub use scalar::{Real, Scalar, trigonometry};
 
 #[cfg(feature = "derive")]

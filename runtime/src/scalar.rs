@@ -2,16 +2,25 @@
 //!
 //! In: a type with the four operations. Out: [`Scalar`], enough for straight-line code, and
 //! [`Real`], which adds order and the inverse tangent for the few functions that must branch.
-//! Here belong numbers and their functions, sines above all, for `f32` and `f64`; what has a frame or
-//! a unit of its own does not, nor do numbers of other kinds, which their users bring along.
+//! Here belong numbers and their functions, sines above all, for `f32`, `f64` and packs of them; what has
+//! a frame or a unit of its own does not, nor do numbers of other kinds, which their users bring along.
 
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+#[cfg(feature = "std")]
+mod always_fused;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod float;
 mod fused;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod pack;
 pub mod trigonometry;
+
+#[cfg(feature = "std")]
+pub use always_fused::Fused;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use pack::{Lane, Pack};
 
 /// A number as straight-line code needs it.
 ///

@@ -83,6 +83,11 @@ impl Builder {
         if !fuses && request.processor != Processor::Portable {
             request.formulation.products = Products::Unfused;
         }
+        if request.batch && request.runtime.is_none() {
+            let message = "batches are of the runtime: code for `core` alone has none";
+            errors.push(Place::Unknown, message);
+            return Err(errors);
+        }
         if request.runtime.is_some() && self.library.c_prefix.is_some() {
             let message =
                 "functions for C are of files that need `core` alone, without the runtime";

@@ -82,6 +82,18 @@ fn with_the_runtime_it_is_what_a_derive_expands_to() {
 }
 
 #[test]
+fn batches_are_of_the_runtime() {
+    let builder = arm(|description, request| {
+        assert!(request.batch);
+        as_asked(description, request)
+    });
+    let builder = builder.name("Arm").batch();
+    let refused = builder.to_source().expect_err("no runtime").to_string();
+    assert!(refused.contains("batches are of the runtime"), "{refused}");
+    assert!(builder.runtime("::homogen").to_source().is_ok());
+}
+
+#[test]
 fn every_option_reaches_the_stages() {
     let builder = arm(|_, request| {
         assert_eq!(request.scalar, Real::F32);

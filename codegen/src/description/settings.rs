@@ -22,7 +22,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 29] = [
+const WORDS: [&str; 30] = [
     "urdf",
     "dh",
     "base",
@@ -47,6 +47,7 @@ const WORDS: [&str; 29] = [
     "generate",
     "formulation",
     "processor",
+    "batch",
     "crate",
     "link",
     "joint",
@@ -55,7 +56,7 @@ const WORDS: [&str; 29] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 25;
+const KEYS: usize = 26;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -115,6 +116,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         "path_only" => request.path_only = true,
         "exact" => request.exact = true,
         "strict" => request.strict = true,
+        "batch" => request.batch = true,
         "lock" => {
             let content = in_parentheses(input, &key, "lock(joint, other = 0.3)")?;
             request.lock = tokens::list(&content, |input| {

@@ -5,6 +5,7 @@
 
 mod arguments;
 mod base_parameters;
+mod batch;
 mod body;
 mod chain;
 mod comments;
@@ -51,9 +52,22 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     let mut methods = TokenStream::new();
     let mut beside = TokenStream::new();
     for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
-        methods.extend(method::method(listing, item, listed, &name, &dialect));
-        if let ([function], None) = (&*listed.functions, &listed.frame) {
-            beside.extend(method::in_trait(listing, item, *function, &name, &dialect));
+        let body = method::computation(listing, item, listed, &dialect);
+        let own = |body: &_| method::method(listing, item, listed, &name, (body, &dialect));
+        let acted = listing.spaces.actions() > 0;
+        let batched = |function| listing.batch && batch::exists(function, acted);
+        match (&*listed.functions, &listed.frame, &dialect.world) {
+            ([function], None, World::Runtime(runtime)) if batched(*function) => {
+                let batch = batch::Batched::new(listing, item, *function, runtime, &dialect);
+                methods.extend(own(&batch.call()));
+                methods.extend(batch.method());
+                beside.extend(batch.in_trait(&body));
+            }
+            ([function], None, _) => {
+                methods.extend(own(&body));
+                beside.extend(method::in_trait(listing, item, *function, &name, &dialect));
+            }
+            _ => methods.extend(own(&body)),
         }
     }
     methods.extend(base_parameters::base_parameters(listing, item, &dialect));
@@ -74,6 +88,9 @@ pub fn methods(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     let dialect = Dialect::of(listing.scalar, listing.sines, item, world);
     let methods = listing.functions.iter().zip(names::of_methods(listing));
     methods
-        .map(|(listed, name)| method::method(listing, item, listed, &name, &dialect))
+        .map(|(listed, name)| {
+            let body = method::computation(listing, item, listed, &dialect);
+            method::method(listing, item, listed, &name, (&body, &dialect))
+        })
         .collect()
 }

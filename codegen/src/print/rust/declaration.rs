@@ -56,6 +56,12 @@ fn made(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
 pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> TokenStream {
     let ident = &item.ident;
     let (generics, arguments, bounds) = item.generics.split_for_impl();
+    let allowed = allowed(dialect);
+    quote! { #allowed impl #generics #ident #arguments #bounds { #methods } }
+}
+
+/// The lints that generated code does not look to.
+pub(super) fn allowed(dialect: &Dialect) -> TokenStream {
     // Compilers before 1.81 know no reasons, and code for `core` alone is for those as well.
     let reason = match dialect.world {
         World::Runtime(_) => {
@@ -72,7 +78,6 @@ pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> To
             clippy::unused_self,
             #reason
         )]
-        impl #generics #ident #arguments #bounds { #methods }
     }
 }
 

@@ -20,12 +20,11 @@ use crate::function::Function;
 use crate::print::{Listed, Listing, arguments, documentation};
 use crate::space::Space;
 
-/// The method that computes `listed`.
-pub(super) fn method(
+/// What computes `listed`, to stand between braces.
+pub(super) fn computation(
     listing: &Listing,
     item: &Item,
     listed: &Listed,
-    name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
     let arguments = listed.arguments(&listing.spaces);
@@ -42,6 +41,17 @@ pub(super) fn method(
     );
     let result = result_value(item, &listed.functions, &listing.spaces, &results, dialect);
 
+    quote! { #statements #result }
+}
+
+/// The method that computes `listed` by what stands between its braces.
+pub(super) fn method(
+    listing: &Listing,
+    item: &Item,
+    listed: &Listed,
+    name: &Ident,
+    (computation, dialect): (&TokenStream, &Dialect),
+) -> TokenStream {
     let about = documentation::of_function(listing, listed, dialect.angles().as_ref());
     let about = doc(&about);
     let visibility = &item.visibility;
@@ -58,7 +68,7 @@ pub(super) fn method(
     quote! {
         #about
         #[must_use]
-        #visibility #signature { #statements #result }
+        #visibility #signature { #computation }
     }
 }
 
@@ -70,8 +80,7 @@ pub(super) fn in_trait(
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
-    let arguments = function.arguments().iter();
-    let arguments = arguments.map(|argument| ident(argument.name()));
+    let arguments = names(function).into_iter();
     let lengths = known(&listing.spaces);
     // Controllers that serve any robot know of no actions from outside.
     let acted = listing.spaces.actions() > 0 && function.takes_actions();
@@ -82,6 +91,12 @@ pub(super) fn in_trait(
     let arguments = arguments.map(ToTokens::into_token_stream).chain(actions);
     let call = quote! { Self::#name(self, #(#arguments),*) };
     implementation(item, function, &lengths, &[], &call, dialect)
+}
+
+/// The names of a function's arguments.
+pub(super) fn names(function: Function) -> Vec<Ident> {
+    let arguments = function.arguments().iter();
+    arguments.map(|argument| ident(argument.name())).collect()
 }
 
 /// The implementation of a function's trait, for arrays of the given lengths (which may be the
@@ -97,6 +112,20 @@ pub(super) fn implementation(
     let World::Runtime(runtime) = &dialect.world else {
         return TokenStream::new();
     };
+    let of = of_runtime(function, lengths, runtime, dialect);
+    let head = declaration::implementation(item, &of, &generics(unknown, dialect));
+    let method = ident(function.name());
+    let parameters = parameters(item, (&[function], false), lengths, dialect);
+    quote! { #head { #[inline] fn #method #parameters { #call } } }
+}
+
+/// The trait of a function, for arrays of the given lengths.
+pub(super) fn of_runtime(
+    function: Function,
+    lengths: Lengths<'_>,
+    runtime: &TokenStream,
+    dialect: &Dialect,
+) -> TokenStream {
     let number = &dialect.number;
     // The traits are called as the functions are, in the case of types.
     let name = format_ident!("{function:?}");
@@ -104,11 +133,7 @@ pub(super) fn implementation(
     let same = count.to_string() == coordinates.to_string();
     let coordinates = (!same).then(|| quote! { , #coordinates });
     let further = function.further().map(lengths);
-    let of = quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> };
-    let head = declaration::implementation(item, &of, &generics(unknown, dialect));
-    let method = ident(function.name());
-    let parameters = parameters(item, (&[function], false), lengths, dialect);
-    quote! { #head { #[inline] fn #method #parameters { #call } } }
+    quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> }
 }
 
 /// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]` of functions, which actions from outside
@@ -131,13 +156,13 @@ pub(super) fn signature(
 }
 
 /// The generic parameters of a function.
-fn generics(unknown: &[TokenStream], dialect: &Dialect) -> Vec<TokenStream> {
+pub(super) fn generics(unknown: &[TokenStream], dialect: &Dialect) -> Vec<TokenStream> {
     let bound = dialect.bound().into_iter();
     bound.chain(unknown.iter().cloned()).collect()
 }
 
 /// `(&self, q: &[T; 2]) -> [T; 2]`.
-fn parameters(
+pub(super) fn parameters(
     item: &Item,
     (functions, acted): (&[Function], bool),
     lengths: Lengths<'_>,

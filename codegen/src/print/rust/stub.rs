@@ -9,12 +9,13 @@ use quote::quote;
 
 use super::dialect::Dialect;
 use super::item::{Declaration, Item};
-use super::lengths::literal;
+use super::lengths::{Lengths, literal};
 use super::names::{ident, unscoped};
 use super::world::World;
-use super::{chain, declaration, mechanism, method};
+use super::{batch, chain, declaration, mechanism, method};
 use crate::function::Function;
 use crate::print;
+use crate::real::Real;
 use crate::request::Request;
 use crate::space::{Space, Spaces};
 
@@ -74,6 +75,14 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
+                let batched = request.batch && batch::exists(*function, acted);
+                if let (true, Real::Generic, World::Runtime(runtime)) =
+                    (batched, request.scalar, &dialect.world)
+                {
+                    let lengths: (Lengths<'_>, &[_]) = (&lengths, &parameters);
+                    let signature = batch::signature(item, *function, lengths, runtime, &dialect);
+                    methods.extend(absent(item, &signature, &unreachable));
+                }
                 traits.extend(method::implementation(
                     item,
                     *function,

@@ -15,6 +15,7 @@ use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Operand, Operation, Price, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
 
+mod batch;
 mod core;
 mod long;
 
@@ -147,6 +148,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
             },
         },
         base_values: Vec::new(),
+        batch: false,
         scalar,
         sines: Sines::default(),
         parameters: Vec::new(),

@@ -1,0 +1,140 @@
+//! A function that takes slices of states besides.
+//!
+//! In: a function of a robot. Out: the method for slices, `gravity_batch` beside `gravity`, which leaves all
+//! to the runtime, and the function's trait with what computes it, to be inlined where states stand side by
+//! side in the lanes of vectors. A single state's method calls that trait, so that it is compiled once. It
+//! never prints an operation itself.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::comments::doc;
+use super::declaration;
+use super::dialect::Dialect;
+use super::item::Item;
+use super::lengths::{Lengths, known};
+use super::method;
+use super::names::ident;
+use super::results::result_type;
+use crate::function::Function;
+use crate::print::Listing;
+
+/// Whether a function has batches: the runtime knows none of loops, nor any that actions from outside enter.
+pub(super) fn exists(function: Function, acted: bool) -> bool {
+    Function::ALL.contains(&function) && !(acted && function.takes_actions())
+}
+
+/// A function of a robot with the runtime at a path.
+pub(super) struct Batched<'p> {
+    listing: &'p Listing,
+    item: &'p Item,
+    function: Function,
+    runtime: &'p TokenStream,
+    dialect: &'p Dialect,
+}
+
+impl<'p> Batched<'p> {
+    pub(super) fn new(
+        listing: &'p Listing,
+        item: &'p Item,
+        function: Function,
+        runtime: &'p TokenStream,
+        dialect: &'p Dialect,
+    ) -> Self {
+        Self {
+            listing,
+            item,
+            function,
+            runtime,
+            dialect,
+        }
+    }
+
+    /// The function of one state, by its trait.
+    pub(super) fn call(&self) -> TokenStream {
+        let lengths = known(&self.listing.spaces);
+        let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
+        let (name, arguments) = (ident(self.function.name()), method::names(self.function));
+        quote! { <Self as #of>::#name(self, #(#arguments),*) }
+    }
+
+    /// The function's trait, with what computes it.
+    pub(super) fn in_trait(&self, body: &TokenStream) -> TokenStream {
+        let lengths = known(&self.listing.spaces);
+        let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
+        let generics = method::generics(&[], self.dialect);
+        let head = declaration::implementation(self.item, &of, &generics);
+        let name = ident(self.function.name());
+        let parameters =
+            method::parameters(self.item, (&[self.function], false), &lengths, self.dialect);
+        let allowed = declaration::allowed(self.dialect);
+        quote! {
+            #allowed
+            #head {
+                #[allow(clippy::inline_always, reason = "what is inlined is compiled for the caller's vectors")]
+                #[inline(always)]
+                fn #name #parameters { #body }
+            }
+        }
+    }
+
+    /// The method for slices of states.
+    pub(super) fn method(&self) -> TokenStream {
+        let lengths = known(&self.listing.spaces);
+        let runtime = self.runtime;
+        let (name, arguments) = (ident(self.function.name()), method::names(self.function));
+        let visibility = &self.item.visibility;
+        let signature = signature(
+            self.item,
+            self.function,
+            (&lengths, &[]),
+            runtime,
+            self.dialect,
+        );
+        let about = doc(&[
+            format!(
+                "[`{name}`](Self::{name}) of each state of some slices, into `results`, with the same bits."
+            ),
+            String::new(),
+            "As many states at a time as the processor's vectors have lanes.".to_owned(),
+            String::new(),
+            "# Errors".to_owned(),
+            String::new(),
+            "Where not all slices are as long as `q`; then nothing is written.".to_owned(),
+        ]);
+        quote! {
+            #about
+            #visibility #signature {
+                #runtime::batch::Batch::of(self).#name(#(#arguments,)* results)
+            }
+        }
+    }
+}
+
+/// `fn gravity_batch<T: ::homogen::batch::Number>(&self, q: &[[T; 2]], results: &mut [[T; 2]]) -> …`, for arrays of
+/// the given lengths, some of which may be parameters.
+pub(super) fn signature(
+    item: &Item,
+    function: Function,
+    (lengths, unknown): (Lengths<'_>, &[TokenStream]),
+    runtime: &TokenStream,
+    dialect: &Dialect,
+) -> TokenStream {
+    let number = &dialect.number;
+    let name = format_ident!("{}_batch", function.name());
+    let parameters = function.arguments().iter().map(|argument| {
+        let name: Ident = ident(argument.name());
+        let length = lengths(argument.space());
+        quote! { #name: &[[#number; #length]] }
+    });
+    let result = result_type(item, &[function], lengths, dialect);
+    quote! {
+        fn #name<#number: #runtime::batch::Number #(, #unknown)*>(
+            &self,
+            #(#parameters,)*
+            results: &mut [#result],
+        ) -> ::core::result::Result<(), #runtime::batch::BatchError>
+        where
+            Self: ::core::marker::Sync,
+    }
+}

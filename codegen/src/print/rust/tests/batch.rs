@@ -1,0 +1,63 @@
+//! Functions that take slices of states besides, as text.
+
+use super::{function, listing, made, name, pretty, stub, with_runtime};
+use crate::print::Listing;
+use crate::real::Real;
+use crate::request::Request;
+
+fn batched() -> Listing {
+    Listing {
+        batch: true,
+        ..listing(Real::Generic)
+    }
+}
+
+#[test]
+fn what_computes_is_inlined_and_both_methods_call_it() {
+    let text = with_runtime(&batched());
+    assert_eq!(
+        function(&text, "gravity<"),
+        "fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2] {\n        \
+         <Self as ::homogen::robot::Gravity<2, T>>::gravity(self, q)"
+    );
+    let batch = "fn gravity_batch<T: ::homogen::batch::Number>(
+        &self,
+        q: &[[T; 2]],
+        results: &mut [[T; 2]],
+    ) -> ::core::result::Result<(), ::homogen::batch::BatchError>
+    where
+        Self: ::core::marker::Sync,
+    {
+        ::homogen::batch::Batch::of(self).gravity(q, results)";
+    assert!(text.contains(batch), "{text}");
+    let (_, of_trait) = text.split_once("Gravity<2, T> for Pendulum {").expect("it");
+    assert!(
+        of_trait.contains(
+            "#[inline(always)]\n    fn gravity(&self, q: &[T; 2]) -> [T; 2] {\n        let k ="
+        ),
+        "{text}"
+    );
+}
+
+#[test]
+fn nothing_is_said_of_batches_where_none_are_asked_for() {
+    let text = with_runtime(&listing(Real::Generic));
+    assert!(
+        !text.contains("batch") && !text.contains("inline(always)"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_mistake_leaves_the_method_for_slices() {
+    let request = Request {
+        batch: true,
+        functions: vec![vec![crate::function::Function::Gravity]],
+        tip: Some(name("nowhere")),
+        ..Request::default()
+    };
+    let text = pretty(&stub(&made(), &request, None));
+    let batch =
+        "pub fn gravity_batch<T: ::homogen::batch::Number, const N: ::core::primitive::usize>(";
+    assert!(text.contains(batch), "{text}");
+}

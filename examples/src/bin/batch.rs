@@ -1,0 +1,110 @@
+//! The inverse dynamics of an arm in batches: nanoseconds a state, on vectors of every length, on one core and
+//! on all.
+//!
+//! In: the Panda-class arm of `robots/`. Out: a table of times and of their ratios to one state at a time, all
+//! from one run in which the programs take turns. Built without flags it shows what the processor's
+//! vectors give to a program that was not compiled for them.
+
+use std::cell::RefCell;
+use std::time::Duration;
+
+use homogen::Robot;
+use homogen::batch::{Batch, Number, Vectors};
+use homogen_examples::machine;
+use homogen_examples::states::{State, random};
+use homogen_examples::timing::alternate;
+
+/// The arm, with a method for slices of states.
+#[derive(Robot)]
+#[robot(
+    urdf = "../robots/panda_class.urdf",
+    tip = "link8",
+    generate(inverse_dynamics),
+    batch
+)]
+struct Panda;
+
+/// As many states as one core keeps to itself.
+const FEW: usize = 512;
+
+/// States for all cores.
+const MANY: usize = 1 << 15;
+
+fn main() {
+    let single = random::<7>(MANY, 1);
+    let double: Vec<_> = single.iter().map(State::widen).collect();
+    println!("inverse dynamics, Panda class       ns a state  ratio  10⁶ states/s\n");
+    table("f64", &double);
+    table("f32", &single);
+    println!("  Lower quartiles of 301 batches in turn; ratios are to one state at a time.");
+    println!("  Fused: with products fused with sums where the processor has the instruction.");
+    println!("  {}", machine::describe());
+}
+
+/// Every program in one type of number.
+fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
+    let list = |part: fn(&State<T, 7>) -> [T; 7]| states.iter().map(part).collect::<Vec<_>>();
+    let (q, qd, qdd) = (
+        list(|state| state.q),
+        list(|state| state.qd),
+        list(|state| state.qdd),
+    );
+    let tau = RefCell::new(q.clone());
+    let one_by_one = || {
+        let mut tau = tau.borrow_mut();
+        for (i, tau) in tau.iter_mut().take(FEW).enumerate() {
+            *tau = Panda.inverse_dynamics(&q[i], &qd[i], &qdd[i]);
+        }
+    };
+    let alone = |most: Vectors, states: usize| {
+        let (tau, batch) = (&mut tau.borrow_mut()[..states], Batch::of(&Panda));
+        let done =
+            batch
+                .at_most(most)
+                .inverse_dynamics(&q[..states], &qd[..states], &qdd[..states], tau);
+        done.expect("as long");
+    };
+    let fused = |most: Vectors| {
+        let (tau, batch) = (&mut tau.borrow_mut()[..FEW], Batch::fused(&Panda));
+        let done = batch
+            .at_most(most)
+            .inverse_dynamics(&q[..FEW], &qd[..FEW], &qdd[..FEW], tau);
+        done.expect("as long");
+    };
+    let all_cores = || alone(Vectors::Bits512, MANY);
+    let programs: [(&str, usize, &dyn Fn()); 7] = [
+        ("one state at a time", FEW, &one_by_one),
+        ("batch, vectors of the target", FEW, &|| {
+            alone(Vectors::OfTarget, FEW)
+        }),
+        ("batch, up to 256 bits", FEW, &|| {
+            alone(Vectors::Bits256, FEW)
+        }),
+        ("batch, up to 256 bits, fused", FEW, &|| {
+            fused(Vectors::Bits256)
+        }),
+        ("batch, up to 512 bits", FEW, &|| {
+            alone(Vectors::Bits512, FEW)
+        }),
+        ("batch, up to 512 bits, fused", FEW, &|| {
+            fused(Vectors::Bits512)
+        }),
+        ("batch on all cores", MANY, &all_cores),
+    ];
+    let batches = programs.map(|(_, _, program)| program);
+    let times = alternate(301, 1, Duration::from_micros(50), &batches);
+    let per_state = |index: usize| times[index].lower / f64_of(programs[index].1);
+    for (index, (name, ..)) in programs.iter().enumerate() {
+        let time = per_state(index);
+        println!(
+            "  {number} {name:<30} {time:>8.1} {:>6.2} {:>13.1}",
+            time / per_state(0),
+            1e3 / time
+        );
+    }
+    println!();
+}
+
+fn f64_of(count: usize) -> f64 {
+    f64::from(u32::try_from(count).expect("few"))
+}

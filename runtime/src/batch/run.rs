@@ -1,0 +1,159 @@
+//! Work on many states, by the widest vectors of the processor and, with the feature `rayon`, by all its cores.
+//!
+//! In: [`Work`] that can be split. Out: nothing but what the work writes. What the work is, it does not know.
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the processor that was found"
+)]
+
+use super::packed::{Packed, Packs};
+use crate::scalar::Scalar;
+
+/// Work on some states, which can be done by packs of any kind.
+pub(super) trait Work: Sized + Send {
+    /// How many states there are.
+    #[cfg(feature = "rayon")]
+    fn states(&self) -> usize;
+
+    /// The work on the states before and from `at`.
+    #[cfg(feature = "rayon")]
+    fn split(self, at: usize) -> (Self, Self);
+
+    /// By packs that every processor computes with.
+    fn plain(self);
+
+    /// By packs for registers of 256 bits.
+    fn narrow(self);
+
+    /// By packs for registers of 512 bits.
+    fn wide(self);
+}
+
+/// How long the registers are that a batch may use; it uses none that the processor has not.
+///
+/// It changes no result of [`Batch::of`](super::Batch::of).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Vectors {
+    /// What every processor of the target has: SSE2, NEON.
+    OfTarget,
+    /// Up to 256 bits: AVX2 with FMA.
+    Bits256,
+    /// Up to 512 bits: AVX-512.
+    #[default]
+    Bits512,
+}
+
+/// Does the work with the vectors that this processor has.
+#[cfg(not(feature = "rayon"))]
+pub(super) fn run<W: Work>(work: W, most: Vectors) {
+    here(work, most);
+}
+
+/// Does the work with the vectors and the cores that this processor has: halves are left to whoever is
+/// free, down to a size that is worth it. Who does what changes no result.
+#[cfg(feature = "rayon")]
+pub(super) fn run<W: Work>(work: W, most: Vectors) {
+    let states = work.states();
+    if states <= SHARE {
+        here(work, most);
+    } else {
+        // Whole packs leave the odd states to the last one.
+        let (first, rest) = work.split((states / 2).next_multiple_of(16));
+        rayon::join(|| run(first, most), || run(rest, most));
+    }
+}
+
+/// How many states one core does in one go: ten microseconds of the inverse dynamics of an arm.
+#[cfg(feature = "rayon")]
+const SHARE: usize = 512;
+
+/// Does the work on this core.
+fn here<W: Work>(work: W, most: Vectors) {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    let Some(work) = x86::run(work, most) else {
+        return;
+    };
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    let _ = most;
+    work.plain();
+}
+
+/// Processors that may have more than their target.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod x86 {
+    use super::{Vectors, Work};
+    use pulp::NullaryFnOnce;
+    use pulp::x86::{V3, V4};
+
+    /// Work to be compiled for AVX2.
+    struct Narrow<W>(W);
+
+    impl<W: Work> NullaryFnOnce for Narrow<W> {
+        type Output = ();
+
+        #[inline(always)]
+        fn call(self) {
+            self.0.narrow();
+        }
+    }
+
+    /// Work to be compiled for AVX-512.
+    struct Wide<W>(W);
+
+    impl<W: Work> NullaryFnOnce for Wide<W> {
+        type Output = ();
+
+        #[inline(always)]
+        fn call(self) {
+            self.0.wide();
+        }
+    }
+
+    /// Does the work with vectors that this processor has beyond its target's, or gives it back.
+    pub(super) fn run<W: Work>(work: W, most: Vectors) -> Option<W> {
+        if most >= Vectors::Bits512
+            && let Some(processor) = V4::try_new()
+        {
+            processor.vectorize(Wide(work));
+        } else if most >= Vectors::Bits256
+            && let Some(processor) = V3::try_new()
+        {
+            processor.vectorize(Narrow(work));
+        } else {
+            return Some(work);
+        }
+        None
+    }
+}
+
+/// How many packs are filled before the first is computed with, so that their lanes, which are written one
+/// by one, have left the processor's queue when they are read together.
+pub(super) const FILLED: usize = 8;
+
+/// Packs that are not filled yet.
+#[inline(always)]
+pub(super) fn empty<P: Scalar, const N: usize>() -> [[P; N]; FILLED] {
+    [[P::constant(0.0); N]; FILLED]
+}
+
+/// Fills packs with states, as far as these go.
+#[inline(always)]
+pub(super) fn load<T, P: Packs<T>, const N: usize>(
+    states: &[[T; N]],
+    packs: &mut [[P; N]; FILLED],
+) {
+    for (packs, states) in packs.iter_mut().zip(states.chunks(P::LANES)) {
+        P::load(states, packs);
+    }
+}
+
+/// Writes the result of each lane.
+///
+/// It is never inlined: the vectors of a result are to be stored as they are, for from their stores the
+/// compiler tells that lanes belong together.
+#[inline(never)]
+pub(super) fn store<P: Packed>(packed: &P, results: &mut [P::Lane]) {
+    for (lane, result) in results.iter_mut().enumerate() {
+        *result = packed.lane(lane);
+    }
+}

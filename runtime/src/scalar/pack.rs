@@ -1,0 +1,292 @@
+//! Several numbers that take the same steps.
+//!
+//! In: lanes, `f32` or `f64`. Out: [`Pack`], a [`Scalar`] whose every operation is that of its lanes, one
+//! beside the other, so that the compiler makes one vector instruction of it. There are no masks and no
+//! instructions by name: a lane is right to the last bit of what the number alone would be, on every
+//! target. It never compares lanes with each other.
+#![expect(
+    clippy::inline_always,
+    reason = "an operation that stayed a call would be as slow as a whole function of a robot"
+)]
+
+use super::Scalar;
+use super::trigonometry::{double, single};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `L` numbers of one type: a [`Scalar`] for as many states of a robot at once.
+///
+/// `Pack<f64, 4>` and `Pack<f32, 8>` fill a register of AVX, `Pack<f64, 8>` and `Pack<f32, 16>` one of
+/// AVX-512; where registers are shorter each is several. Every lane has the bits that the number alone
+/// would have, NaN and infinities among them; products are fused with sums where those of the number are.
+///
+/// ```
+/// use homogen::{Pack, Scalar};
+/// let angles = Pack([0.0, 0.5, 1.0, f64::NAN]);
+/// let ([sines], _) = Pack::sin_cos_all([angles]);
+/// assert_eq!(sines.0[1], f64::sin_cos_all([0.5]).0[0]);
+/// assert!(sines.0[3].is_nan());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct Pack<T, const L: usize>(
+    /// The lanes.
+    pub [T; L],
+);
+
+/// A number that packs are made of: `f32`, `f64`, and with the feature `std` either as
+/// [`Fused`](super::Fused).
+pub trait Lane: Scalar + Default + Send + Sync + sealed::Sealed {
+    /// The primitive type that it is.
+    type Bare: Copy + Default + Send + Sync;
+
+    /// The number of a primitive.
+    #[must_use]
+    fn of(bare: Self::Bare) -> Self;
+
+    /// The primitive that it is.
+    #[must_use]
+    fn bare(self) -> Self::Bare;
+
+    /// Whether [`sin_cos_moderate`](Self::sin_cos_moderate) takes this angle.
+    #[must_use]
+    fn is_moderate(self) -> bool;
+
+    /// Sine and cosine of a moderate angle \[rad\], without any branch.
+    #[must_use]
+    fn sin_cos_moderate(self) -> (Self, Self);
+
+    /// Sine and cosine of any angle \[rad\], by this crate's own functions.
+    #[must_use]
+    fn sin_cos_own(self) -> (Self, Self);
+}
+
+pub(super) mod sealed {
+    /// What only this crate implements.
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+macro_rules! lane {
+    ($float:ident, $sines:ident) => {
+        impl Lane for $float {
+            type Bare = Self;
+
+            #[inline(always)]
+            fn of(bare: Self) -> Self {
+                bare
+            }
+
+            #[inline(always)]
+            fn bare(self) -> Self {
+                self
+            }
+
+            #[inline(always)]
+            fn is_moderate(self) -> bool {
+                self.abs() <= $sines::LIMIT
+            }
+
+            #[inline(always)]
+            fn sin_cos_moderate(self) -> (Self, Self) {
+                $sines::sin_cos_moderate(self)
+            }
+
+            #[inline]
+            fn sin_cos_own(self) -> (Self, Self) {
+                $sines::sin_cos(self)
+            }
+        }
+    };
+}
+lane!(f32, single);
+lane!(f64, double);
+
+impl<T: Lane, const L: usize> Pack<T, L> {
+    #[inline(always)]
+    fn each(mut self, operation: impl Fn(T) -> T) -> Self {
+        for lane in &mut self.0 {
+            *lane = operation(*lane);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn both(mut self, other: Self, operation: impl Fn(T, T) -> T) -> Self {
+        for (lane, other) in self.0.iter_mut().zip(&other.0) {
+            *lane = operation(*lane, *other);
+        }
+        self
+    }
+
+    /// Two results of each lane.
+    #[inline(always)]
+    fn two(self, operation: impl Fn(T) -> (T, T)) -> (Self, Self) {
+        let (mut first, mut second) = (self, self);
+        for (first, second) in first.0.iter_mut().zip(&mut second.0) {
+            (*first, *second) = operation(*first);
+        }
+        (first, second)
+    }
+}
+
+/// Implements an operator of two packs by that of their lanes.
+macro_rules! operator {
+    ($($name:ident $method:ident)*) => {$(
+        impl<T: Lane, const L: usize> $name for Pack<T, L> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.both(other, T::$method)
+            }
+        }
+    )*};
+}
+operator!(Add add Sub sub Mul mul Div div);
+
+impl<T: Lane, const L: usize> Neg for Pack<T, L> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.each(T::neg)
+    }
+}
+
+impl<T: Lane, const L: usize> Scalar for Pack<T, L> {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Self([T::constant(value); L])
+    }
+
+    #[inline(always)]
+    fn mul_add(mut self, factor: Self, term: Self) -> Self {
+        for ((lane, factor), term) in self.0.iter_mut().zip(&factor.0).zip(&term.0) {
+            *lane = lane.mul_add(*factor, *term);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.each(T::sqrt)
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        self.two(T::sin_cos)
+    }
+
+    #[inline(always)]
+    fn less_sine(self, sine: Self) -> Self {
+        self.both(sine, T::less_sine)
+    }
+
+    #[inline(always)]
+    fn sign(self) -> Self {
+        self.each(T::sign)
+    }
+
+    /// While every angle of every lane is moderate the code is straight; beyond it, after one branch for
+    /// all, they go one by one.
+    #[inline(always)]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        let mut moderate = true;
+        for angle in &angles {
+            for lane in &angle.0 {
+                moderate &= lane.is_moderate();
+            }
+        }
+        if !moderate {
+            return one_by_one(angles);
+        }
+        let (mut sines, mut cosines) = (angles, angles);
+        for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {
+            (*sine, *cosine) = sine.two(T::sin_cos_moderate);
+        }
+        (sines, cosines)
+    }
+}
+
+/// The sines and cosines of angles of any size.
+#[cold]
+#[inline(never)]
+fn one_by_one<T: Lane, const L: usize, const N: usize>(
+    angles: [Pack<T, L>; N],
+) -> ([Pack<T, L>; N], [Pack<T, L>; N]) {
+    let pairs = angles.map(|angle| angle.two(T::sin_cos_own));
+    (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::super::{Fused, Scalar};
+    use super::{Lane, Pack};
+    use core::array::from_fn;
+
+    const NUMBERS: [f64; 8] = [0.3, -0.0, f64::NAN, -1.7, f64::INFINITY, 1e9, -1e-310, 2.5];
+
+    /// Every operation of the trait of three numbers.
+    fn results<T: Scalar>(a: T, b: T, c: T) -> [T; 14] {
+        let (sine, cosine) = a.sin_cos();
+        let ([first, second], [third, _]) = T::sin_cos_all([a, b]);
+        let third_of = a * T::constant(1.0 / 3.0);
+        [
+            a + b,
+            a - b,
+            a * b,
+            a / b,
+            -a,
+            a.mul_add(b, c),
+            a.sqrt(),
+            sine,
+            cosine,
+            first,
+            second,
+            third,
+            a.less_sine(b),
+            a.sign() + third_of,
+        ]
+    }
+
+    fn every_lane_is_the_number_alone<T: Lane + PartialEq + core::fmt::Debug>(of: fn(f64) -> T)
+    where
+        T::Bare: core::fmt::Debug + PartialEq,
+    {
+        for turn in 0..NUMBERS.len() {
+            let number = |lane: usize, step: usize| of(NUMBERS[(lane * step + turn) % 8]);
+            let pack = |step| Pack::<T, 8>(from_fn(|lane| number(lane, step)));
+            let together = results(pack(1), pack(3), pack(5));
+            for lane in 0..8 {
+                let alone = results(number(lane, 1), number(lane, 3), number(lane, 5));
+                for (together, alone) in together.iter().zip(alone) {
+                    let (found, alone) = (together.0[lane].bare(), alone.bare());
+                    // The sign of zero counts; a number that is none is not equal to itself.
+                    assert_eq!(std::format!("{found:?}"), std::format!("{alone:?}"));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_lane_is_the_number_alone_whatever_the_others_are() {
+        every_lane_is_the_number_alone(f64::constant);
+        every_lane_is_the_number_alone(f32::constant);
+        every_lane_is_the_number_alone(|value| Fused(f64::constant(value)));
+        every_lane_is_the_number_alone(|value| Fused(f32::constant(value)));
+    }
+
+    #[test]
+    fn fused_numbers_are_rounded_once_in_their_sines_as_well() {
+        let angles = (0..1000).map(|i| 0.37 * f64::from(i));
+        let differ = |angle: &f64| {
+            let ([sine], _) = f64::sin_cos_all([*angle]);
+            let ([fused], _) = Fused::sin_cos_all([Fused(*angle)]);
+            assert!((fused.0 - sine).abs() <= f64::EPSILON);
+            fused.0.to_bits() != sine.to_bits()
+        };
+        let fuses = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+        assert_eq!(angles.filter(differ).count() == 0, fuses);
+    }
+}

@@ -13,9 +13,8 @@ mod robot;
 use std::cell::OnceCell;
 
 pub(crate) use approximate::Approximate;
-pub(crate) use constrained::Closed;
 pub(crate) use matrix::Matrix;
-pub(crate) use robot::{Body, Freedom, Moved, Robot};
+pub(crate) use robot::{Body, Closed, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
 use crate::space::Variable;

@@ -8,13 +8,14 @@ use std::path::{Path, PathBuf};
 
 /// Each room with those it may name besides itself; a room without a folder is a file. The macro
 /// `every_function` is of `robot`, although exported ones are named from the root.
-const ROOMS: [(&str, &[&str]); 7] = [
+const ROOMS: [(&str, &[&str]); 8] = [
     ("scalar", &[]),
     ("error", &["scalar"]),
     ("matrix", &["scalar", "error"]),
     ("robot", &["scalar", "error", "matrix"]),
     ("paper", &["scalar", "error", "matrix", "robot"]),
     ("reference", &["matrix", "robot", "every_function"]),
+    ("reach", &["scalar", "matrix", "robot"]),
     ("batch", &["scalar", "matrix", "robot", "every_function"]),
 ];
 

@@ -23,6 +23,9 @@ use homogen_tests::oracle::frame_0;
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::states::Random;
 
+/// What is smaller in any unit is a residue of residues, and zero will do.
+const LEAST: f64 = 1e-40;
+
 /// Of the largest entry of a result; a residue that was taken for zero is below it.
 const TOLERANCE: f64 = 1e-12;
 
@@ -132,7 +135,9 @@ fn compare(robot: &Robot, function: Function, program: &Program) {
         let found = run::<f64>(program, |input| arguments.at(input));
         let expected = frame_0::evaluate(robot, function, 0, &arguments);
         let expected: Vec<f64> = expected.iter().map(Big::to_f64).collect();
-        let size = expected.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let size = expected
+            .iter()
+            .fold(LEAST, |size: f64, x| size.max(x.abs()));
         for (x, y) in found.iter().zip(&expected) {
             // What is not a number is not near one.
             let near = (x - y).abs() <= TOLERANCE * size;

@@ -12,16 +12,6 @@ use crate::expression::Arithmetic;
 
 type Scalar = Approximate;
 
-/// A joint that closes a loop.
-pub(crate) struct Closed {
-    /// The indices of the frames that it holds together, among those of the robot.
-    pub(crate) frames: [usize; 2],
-    /// What it closes.
-    pub(crate) rows: Vec<Row>,
-    /// The length of a rod, or the cosine of the angle of two axes.
-    pub(crate) size: Scalar,
-}
-
 impl Dense {
     /// The residuals of all loops.
     pub(crate) fn residuals(&self) -> Vec<Scalar> {

@@ -1,6 +1,7 @@
 //! A robot, link by link, as matrices of numbers.
 
-use super::{Approximate, Closed, Matrix};
+use super::{Approximate, Matrix};
+use crate::closure::Row;
 use crate::joint::Posture;
 
 /// What a link hangs on, and by which motion.
@@ -46,6 +47,16 @@ pub(crate) enum Moved {
     Posture(Posture, usize),
     /// Nothing: it stays so far along a screw.
     Held([[Approximate; 3]; 2], f64),
+}
+
+/// A joint that closes a loop.
+pub(crate) struct Closed {
+    /// The indices of the frames that it holds together, among those of the robot.
+    pub(crate) frames: [usize; 2],
+    /// What it closes.
+    pub(crate) rows: Vec<Row>,
+    /// The length of a rod, or the cosine of the angle of two axes.
+    pub(crate) size: Approximate,
 }
 
 /// A robot, link by link, parents before children.

@@ -56,7 +56,11 @@ pub fn rust(robot: &Robot, real: Real) -> String {
     }
     text.push_str("};\n");
     for Asked { functions, name } in &robot.asked {
-        let arguments = Variable::together(functions.iter().map(|function| function.arguments()));
+        let arguments = Variable::together(
+            functions
+                .iter()
+                .map(|function| function.arguments().to_vec()),
+        );
         let arguments: Vec<_> = arguments
             .iter()
             .map(|of| format!("&{}", of.name()))
@@ -110,7 +114,11 @@ pub fn c(robot: &Robot, real: Real) -> String {
         text.push_str("{\n");
         let robot_first = (!robot.fields.is_empty()).then(|| "&robot".to_owned());
         let mut handed: Vec<String> = robot_first.into_iter().collect();
-        let arguments = Variable::together(functions.iter().map(|function| function.arguments()));
+        let arguments = Variable::together(
+            functions
+                .iter()
+                .map(|function| function.arguments().to_vec()),
+        );
         handed.extend(arguments.iter().map(|of| of.name().to_owned()));
         let results: Vec<(String, String)> = functions
             .iter()

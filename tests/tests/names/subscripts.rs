@@ -30,8 +30,8 @@ fn is_of_the_factors(name: &str) -> bool {
     rest.is_some_and(|rest| rest.split('_').all(|part| part.parse::<u16>().is_ok()))
 }
 
-/// The state at which a function's H is: it may know neither rates nor second rates.
-fn seen_by(function: Function, state: &Arguments) -> Arguments {
+/// The state at which a function's H is: it may know neither rates nor second rates, or finds these itself.
+fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Arguments {
     let rest = vec![0.0; state.q.len()];
     let mut state = state.clone();
     match function {
@@ -44,6 +44,11 @@ fn seen_by(function: Function, state: &Arguments) -> Arguments {
         | Function::CentroidalMomentumBias
         | Function::CoriolisMatrix
         | Function::ForwardDynamics => state.qdd = rest,
+        Function::ForwardDynamicsDerivatives => {
+            let solved = [Function::ForwardDynamics];
+            let program = program_by(chain, &solved, 0, Layout::DESCRIBED, Way::PLAIN);
+            state.qdd = run(&program, |input| state.at(input));
+        }
         _ => {}
     }
     state
@@ -133,7 +138,7 @@ fn names_are_those_of_appendix_b() {
                 for layout in [Layout::DESCRIBED, normals, regrouped] {
                     let what = format!("{label}, {}, frames {form}, {layout:?}", function.name());
                     let program = program_by(&chain, &[function], 0, layout, way);
-                    let matrices = Matrices::at(&chain, layout, &seen_by(function, &state));
+                    let matrices = Matrices::at(&chain, layout, &seen_by(function, &chain, &state));
                     met.append(&mut hold(&what, &program, &matrices, &state));
                 }
             }

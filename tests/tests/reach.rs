@@ -128,9 +128,12 @@ fn a_posture_is_neared_as_far_as_the_target_leaves_free() {
         };
         assert_eq!(with.outcome, without.outcome);
         assert!(away(&with) <= away(&without) + 1e-12);
+        let again = held.solve(&PandaClass, &target, &with.q);
+        assert!(away(&again) > 0.99 * away(&with), "there was more to gain");
         nearer += usize::from(away(&with) < 0.9 * away(&without));
     }
-    assert!(nearer > 25, "{nearer}");
+    // One joint more than the target needs moves most arms a little.
+    assert!(nearer >= 10, "{nearer}");
 }
 
 /// Two feet at once.

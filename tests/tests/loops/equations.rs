@@ -81,6 +81,7 @@ fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2]
             qd: list(n),
             qdd: vec![0.0; n],
             tau: list(n),
+            actions: Vec::new(),
         };
         let at = |input| arguments.at(input);
         let found: Vec<f64> = match scalar {

@@ -30,8 +30,9 @@ fn is_of_the_factors(name: &str) -> bool {
     rest.is_some_and(|rest| rest.split('_').all(|part| part.parse::<u16>().is_ok()))
 }
 
-/// The state at which a function's H is: it may know neither rates nor second rates, or finds these itself.
-fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Arguments {
+/// The states at which a function's H may be: it may know neither rates nor second rates, or find these itself,
+/// of forces that it has found before at q̈ = 0.
+fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Vec<Arguments> {
     let rest = vec![0.0; state.q.len()];
     let mut state = state.clone();
     match function {
@@ -47,15 +48,25 @@ fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Arguments {
         Function::ForwardDynamicsDerivatives => {
             let solved = [Function::ForwardDynamics];
             let program = program_by(chain, &solved, 0, Layout::DESCRIBED, Way::PLAIN);
-            state.qdd = run(&program, |input| state.at(input));
+            let found = run(&program, |input| state.at(input));
+            let seen = [rest, found].map(|qdd| Arguments {
+                qdd,
+                ..state.clone()
+            });
+            return seen.to_vec();
         }
         _ => {}
     }
-    state
+    vec![state]
 }
 
 /// Runs a program and holds every name in it to the matrices; returns what letters it met.
-fn hold(what: &str, program: &Program, matrices: &Matrices, state: &Arguments) -> BTreeSet<String> {
+fn hold(
+    what: &str,
+    program: &Program,
+    matrices: &[Matrices],
+    state: &Arguments,
+) -> BTreeSet<String> {
     let labelled: Vec<(u32, &str)> = (0..)
         .zip(&program.steps)
         .filter_map(|(k, step)| Some((k, step.label.as_deref()?)))
@@ -70,8 +81,9 @@ fn hold(what: &str, program: &Program, matrices: &Matrices, state: &Arguments) -
         if is_of_the_factors(name) {
             continue;
         }
-        let known = matrices.named(name);
+        let known: Option<Vec<_>> = matrices.iter().map(|at| at.named(name)).collect();
         let known = known.unwrap_or_else(|| panic!("{what}: `{name}` is no entry of a matrix"));
+        let known = known.concat();
         let fits = known
             .iter()
             .any(|known| (found - known).abs() <= 1e-11 * known.abs().max(1.0));
@@ -138,7 +150,10 @@ fn names_are_those_of_appendix_b() {
                 for layout in [Layout::DESCRIBED, normals, regrouped] {
                     let what = format!("{label}, {}, frames {form}, {layout:?}", function.name());
                     let program = program_by(&chain, &[function], 0, layout, way);
-                    let matrices = Matrices::at(&chain, layout, &seen_by(function, &chain, &state));
+                    let seen = seen_by(function, &chain, &state).into_iter();
+                    let matrices: Vec<_> = seen
+                        .map(|seen| Matrices::at(&chain, layout, &seen))
+                        .collect();
                     met.append(&mut hold(&what, &program, &matrices, &state));
                 }
             }

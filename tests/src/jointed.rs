@@ -2,11 +2,6 @@
 //!
 //! In: robots/quadruped.urdf, and descriptions written here. Out: one struct a robot, and a macro that
 //! runs a test for each of them, with its numbers of velocities and coordinates.
-#![allow(
-    clippy::approx_constant,
-    clippy::possible_missing_comma,
-    reason = "it is generated code of `chain!` that is found here: a sum of inertias near 1/π, a list of signed numbers"
-)]
 
 use homogen::{Robot, chain};
 

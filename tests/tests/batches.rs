@@ -3,10 +3,6 @@
 //!
 //! In: robots that are derived with the word `batch`, and random states, one without numbers and one with
 //! angles beyond any turn among them. What is fused is held against one state of fused numbers.
-#![allow(
-    clippy::possible_missing_comma,
-    reason = "it is generated code of `chain!` that is found here: a list of signed numbers"
-)]
 
 use std::fmt::Debug;
 

@@ -3,11 +3,6 @@
 //!
 //! Derivatives are taken by running generated code on dual numbers along a motion, in which coordinates are
 //! integrated. What drives take is written down here once more, velocity by velocity.
-#![allow(
-    clippy::approx_constant,
-    clippy::possible_missing_comma,
-    reason = "it is generated code of `chain!` that is found here: a number near 1/√2, a list of signed numbers"
-)]
 
 use std::array::from_fn;
 

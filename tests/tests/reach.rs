@@ -1,9 +1,11 @@
 //! Inverse kinematics: what it says is met is met, by poses that share no code with what it was found with, and it
 //! always ends with numbers.
 
+use std::f64::consts::TAU;
+
 use homogen::reach::{Outcome, Reach, Solution};
 use homogen::robot::{ForwardKinematics, GeometricJacobian};
-use homogen::{Chain, Pose, Robot, generic, rotation, vector};
+use homogen::{Chain, Pose, Robot, Scalar, generic, rotation, vector};
 use homogen_random::Random;
 use homogen_tests::robots::{PandaClass, Ur5Class};
 
@@ -19,7 +21,7 @@ const PANDA: [[f64; 2]; 7] = [
     [-2.8973, 2.8973],
 ];
 
-const UR5: [[f64; 2]; 6] = [[-6.2832, 6.2832]; 6];
+const UR5: [[f64; 2]; 6] = [[-TAU, TAU]; 6];
 
 fn middle<const N: usize>(limits: &[[f64; 2]; N]) -> [f64; N] {
     limits.map(|[least, most]| 0.5 * (least + most))
@@ -83,13 +85,13 @@ fn targets_of_six_joints() {
 
 #[test]
 fn in_single_precision() {
-    let limits = PANDA.map(|limits| limits.map(|limit| limit as f32));
+    let limits = PANDA.map(|limits| limits.map(f32::constant));
     let reach = Reach::within(limits);
-    let start = middle(&PANDA).map(|q| q as f32);
+    let start = middle(&PANDA).map(f32::constant);
     let mut random = Random::new(4);
     let mut missed = 0;
     for _ in 0..TARGETS {
-        let q = anywhere(&PANDA, &mut random).map(|q| q as f32);
+        let q = anywhere(&PANDA, &mut random).map(f32::constant);
         let target: Pose<f32> = PandaClass.forward_kinematics(&q);
         let found = reach.solve(&PandaClass, &target, &start);
         missed += usize::from(found.outcome != Outcome::Converged);

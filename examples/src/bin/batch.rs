@@ -75,19 +75,19 @@ fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
     let programs: [(&str, usize, &dyn Fn()); 7] = [
         ("one state at a time", FEW, &one_by_one),
         ("batch, vectors of the target", FEW, &|| {
-            alone(Vectors::OfTarget, FEW)
+            alone(Vectors::OfTarget, FEW);
         }),
         ("batch, up to 256 bits", FEW, &|| {
-            alone(Vectors::Bits256, FEW)
+            alone(Vectors::Bits256, FEW);
         }),
         ("batch, up to 256 bits, fused", FEW, &|| {
-            fused(Vectors::Bits256)
+            fused(Vectors::Bits256);
         }),
         ("batch, up to 512 bits", FEW, &|| {
-            alone(Vectors::Bits512, FEW)
+            alone(Vectors::Bits512, FEW);
         }),
         ("batch, up to 512 bits, fused", FEW, &|| {
-            fused(Vectors::Bits512)
+            fused(Vectors::Bits512);
         }),
         ("batch on all cores", MANY, &all_cores),
     ];

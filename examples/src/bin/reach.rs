@@ -9,6 +9,7 @@
 )]
 
 use std::array::from_fn;
+use std::f64::consts::TAU;
 use std::time::Instant;
 
 use homogen::reach::{Outcome, Reach};
@@ -16,7 +17,7 @@ use homogen::robot::{ForwardKinematics, GeometricJacobian};
 use homogen::{Pose, Robot, chain, vector};
 use homogen_random::Random;
 
-const TARGETS: usize = 10_000;
+const TARGETS: u16 = 10_000;
 
 /// Farther from the base than any of the arms is long \[m\].
 const BEYOND: f64 = 3.0;
@@ -63,20 +64,20 @@ struct Tally {
     met: usize,
     out_of_reach: usize,
     stalled: usize,
-    looks: usize,
+    looks: f64,
     microseconds: Vec<f64>,
 }
 
 impl Tally {
     fn print(mut self, what: &str) {
         self.microseconds.sort_by(f64::total_cmp);
-        let time = |part: usize| self.microseconds[(TARGETS - 1) * part / 100];
+        let time = |part: usize| self.microseconds[(self.microseconds.len() - 1) * part / 100];
         println!(
             "  {what:12} {:6} met {:6} out of reach {:4} stalled  {:6.1} looks  {:6.1} µs in the middle {:7.1} of 99 %",
             self.met,
             self.out_of_reach,
             self.stalled,
-            self.looks as f64 / TARGETS as f64,
+            self.looks / f64::from(TARGETS),
             time(50),
             time(99),
         );
@@ -105,7 +106,8 @@ where
             let start = Instant::now();
             let found = reach.solve(arm, &target, &middle);
             tally.microseconds.push(start.elapsed().as_secs_f64() * 1e6);
-            tally.looks += found.looks;
+            let looks = u32::try_from(found.looks).expect("a few hundred");
+            tally.looks += f64::from(looks);
             match found.outcome {
                 Outcome::Converged => tally.met += 1,
                 Outcome::OutOfReach => tally.out_of_reach += 1,
@@ -127,7 +129,7 @@ fn main() {
         [-2.8973, 2.8973],
     ];
     send("Panda", &Panda, panda);
-    send("UR5", &Ur5, [[-6.2832, 6.2832]; 6]);
+    send("UR5", &Ur5, [[-TAU, TAU]; 6]);
     let degrees: [f64; 7] = [170.0, 120.0, 170.0, 120.0, 170.0, 120.0, 175.0];
     send(
         "iiwa",

@@ -2,11 +2,6 @@
 //! form of a slider-crank, the triangles of a four-bar, the spheres of a Delta robot; against equations of
 //! motion that are solved in 256 bits; and over time, where a closed loop keeps its energy and stays closed.
 
-#![expect(
-    clippy::possible_missing_comma,
-    reason = "code that is generated inside a macro by example has all its spans in one place"
-)]
-
 mod delta;
 mod equations;
 mod four_bar;

@@ -71,6 +71,9 @@ pub(super) fn allowed(dialect: &Dialect) -> TokenStream {
     };
     quote! {
         #[allow(
+            clippy::approx_constant,
+            clippy::large_stack_arrays,
+            clippy::possible_missing_comma,
             clippy::similar_names,
             clippy::too_many_lines,
             clippy::trivially_copy_pass_by_ref,

@@ -94,47 +94,61 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
             }
         }
     }
-    if let World::Runtime(runtime) = &dialect.world {
-        let reads_fields = !request.parameters.is_empty();
-        let frames = literal(request.frames.len() + 1 + request.external.len());
-        let joints = lengths(Space::Velocities);
-        let signature = chain::signature(
-            (&lengths, &joints, &frames),
-            parameter.as_ref(),
-            reads_fields,
-            runtime,
-        );
-        // What may be called in constants must still be after a mistake.
-        let constant = (!reads_fields).then(|| quote! { const });
-        let signature = quote! { #constant #signature };
-        methods.extend(absent(
-            item,
-            &signature,
-            &nothing(&joints, &frames, runtime),
-        ));
-    }
     let wanted = request.items(has_loops).concat();
-    if let World::Runtime(runtime) = &dialect.world
-        && wanted.iter().any(|function| function.is_of_loops())
-    {
-        let signature = mechanism::absent(!request.parameters.is_empty(), runtime);
-        let unreachable = quote! { ::core::unreachable!() };
-        methods.extend(absent(item, &signature, &unreachable));
-    }
-    if wanted.contains(&Function::BaseRegressor) {
-        let number = dialect.field();
-        let visibility = &item.visibility;
-        methods.extend(quote! {
-            /// Not generated: the description has errors.
-            #visibility const BASE_PARAMETERS: [#number; 0] = [];
-        });
-    }
+    methods.extend(data(
+        item,
+        request,
+        &wanted,
+        (&lengths, parameter.as_ref()),
+        &dialect,
+    ));
     let declaration = match &item.declaration {
         Declaration::Written(tokens) => tokens.clone(),
         Declaration::Exists | Declaration::Made => TokenStream::new(),
     };
     let block = declaration::block(item, &methods, &dialect);
     quote! { #declaration #block #traits }
+}
+
+/// What stands for the robot as data: a chain, a mechanism where it was wanted, and base parameters.
+fn data(
+    item: &Item,
+    request: &Request,
+    wanted: &[Function],
+    (lengths, parameter): (Lengths<'_>, Option<&TokenStream>),
+    dialect: &Dialect,
+) -> TokenStream {
+    let mut data = TokenStream::new();
+    if let World::Runtime(runtime) = &dialect.world {
+        let reads_fields = !request.parameters.is_empty();
+        let frames = literal(request.frames.len() + 1 + request.external.len());
+        let joints = lengths(Space::Velocities);
+        let signature = chain::signature(
+            (lengths, &joints, &frames),
+            parameter,
+            reads_fields,
+            runtime,
+        );
+        // What may be called in constants must still be after a mistake.
+        let constant = (!reads_fields).then(|| quote! { const });
+        let signature = quote! { #constant #signature };
+        let body = nothing(&joints, &frames, runtime);
+        data.extend(absent(item, &signature, &body));
+        if wanted.iter().any(|function| function.is_of_loops()) {
+            let signature = mechanism::absent(reads_fields, runtime);
+            let unreachable = quote! { ::core::unreachable!() };
+            data.extend(absent(item, &signature, &unreachable));
+        }
+    }
+    if wanted.contains(&Function::BaseRegressor) {
+        let number = dialect.field();
+        let visibility = &item.visibility;
+        data.extend(quote! {
+            /// Not generated: the description has errors.
+            #visibility const BASE_PARAMETERS: [#number; 0] = [];
+        });
+    }
+    data
 }
 
 fn absent(item: &Item, signature: &TokenStream, body: &TokenStream) -> TokenStream {

@@ -200,6 +200,9 @@ fn function<'a>(text: &'a str, name: &str) -> &'a str {
 fn the_methods_of_a_struct_that_exists() {
     let text = with_runtime(&listing(Real::Generic));
     let start = r#"#[allow(
+    clippy::approx_constant,
+    clippy::large_stack_arrays,
+    clippy::possible_missing_comma,
     clippy::similar_names,
     clippy::too_many_lines,
     clippy::trivially_copy_pass_by_ref,

@@ -3,6 +3,8 @@
 # that their heads promise; then functions of many thousand operations, by which a compiler that goes
 # through a function by recursion runs out of stack, as machine code with what debuggers need.
 #
+# With `--long` these are all functions, for minutes; without, the longest of those that controllers call.
+#
 # rustup installs the compiler where it is missing. Where there is no rustup, or it cannot, the
 # compiler that is there has to do, and the last line says which one it was.
 set -euo pipefail
@@ -67,9 +69,11 @@ for robot in panda_class:link8 scara:tool; do
     done
 done
 
+functions=(--functions inverse_dynamics,mass_matrix,mass_matrix_inverse,forward_dynamics)
+[ "${1:-}" != --long ] || functions=()
 for scalar in f32 f64; do
     file="$folder/humanoid_$scalar.rs"
-    homogen generate tests/robots/humanoid.urdf --tip left_arm_9 --scalar "$scalar" -o "$file"
+    homogen generate tests/robots/humanoid.urdf --tip left_arm_9 --scalar "$scalar" "${functions[@]}" -o "$file"
     build "$file" rustc
 done
 read -ra rustc <<<"$(compiler "$(promised "$file").0")"

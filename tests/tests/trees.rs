@@ -12,7 +12,7 @@ use homogen_tests::trees::prepared::TOLERANCE;
 use homogen_tests::trees::{numbered, of_seed, try_seed};
 
 /// So many robots in the time that the tests have.
-const ROBOTS: u64 = 300;
+const ROBOTS: u64 = 150;
 
 const RUN: u64 = 0;
 
@@ -22,7 +22,7 @@ const EFFORT: Effort = Effort {
 };
 
 #[test]
-fn every_function_of_300_robots() {
+fn every_function_of_150_robots() {
     let mut worst: BTreeMap<&str, f64> = BTreeMap::new();
     let mut failures = Vec::new();
     let mut programs = 0;

@@ -16,6 +16,7 @@ pub mod error;
 pub mod formulation;
 pub mod function;
 pub mod processor;
+mod random;
 pub mod real;
 pub mod request;
 

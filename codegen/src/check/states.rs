@@ -6,12 +6,13 @@
 use crate::chain::Chain;
 use crate::dense::State;
 use crate::expression::Double;
+use crate::random::Random;
 use crate::request::{Request, Target};
 use crate::space::{Entry, Kind};
 
 /// So many states.
 pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<State> {
-    let mut random = Random::of(chain);
+    let mut random = seeded(chain);
     (0..count)
         .map(|_| state(chain, request, &mut random))
         .collect()
@@ -73,24 +74,10 @@ fn reach(coordinate: &Entry) -> [f64; 2] {
     }
 }
 
-/// A sequence of numbers (splitmix64 of Steele, Lea and Flood, 2014).
-struct Random(u64);
-
-impl Random {
-    fn of(chain: &Chain) -> Self {
-        let names = chain.joints.iter().flat_map(|joint| joint.name.bytes());
-        Self(names.fold(chain.source.hash, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        }))
-    }
-
-    /// Between 0 and 1, of 32 bits.
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        let bits = u32::try_from((bits ^ (bits >> 31)) >> 32).unwrap_or(0);
-        (f64::from(bits) + 0.5) / 4_294_967_296.0
-    }
+/// From the hash of a description, and the names of its joints.
+fn seeded(chain: &Chain) -> Random {
+    let names = chain.joints.iter().flat_map(|joint| joint.name.bytes());
+    Random(names.fold(chain.source.hash, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    }))
 }

@@ -7,6 +7,7 @@ use crate::chain::{Chain, Joint, Position};
 use crate::dense::Matrix;
 use crate::expression::{Double, Evaluation, Expr, Input};
 use crate::joint::Motion;
+use crate::random::Random;
 use crate::space::Space;
 
 /// How many inertial parameters a link has.
@@ -71,9 +72,14 @@ impl Columns {
         let most = often.iter().copied().max().unwrap_or(0);
         // The same for all robots: what is found must not change with a comment in a file.
         let mut random = Random(0);
+        // Between −3 and 3.
+        let mut list = |space: Space| -> Vec<f64> {
+            let entries = 0..chain.spaces.len(space);
+            entries.map(|_| 6.0 * random.unit() - 3.0).collect()
+        };
         let states = (0..most).map(|state| {
-            let [q, first, second] = [Space::Coordinates, Space::Velocities, Space::Velocities]
-                .map(|space| random.several(chain.spaces.len(space)));
+            let [q, first, second] =
+                [Space::Coordinates, Space::Velocities, Space::Velocities].map(&mut list);
             let mut bodies: Vec<Option<At>> = Vec::new();
             for together in chain.joints.chunk_by(|_, next| taken(next)) {
                 let k = bodies.len();
@@ -343,23 +349,4 @@ fn placement(entries: &[f64]) -> Matrix<f64> {
         row.copy_from_slice(entries);
     }
     placement
-}
-
-/// A sequence of numbers (splitmix64 of Steele, Lea and Flood, 2014).
-struct Random(u64);
-
-impl Random {
-    fn several(&mut self, count: usize) -> Vec<f64> {
-        (0..count).map(|_| self.between_ends()).collect()
-    }
-
-    /// Between −3 and 3.
-    fn between_ends(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        let bits = u32::try_from((bits ^ (bits >> 31)) >> 32).unwrap_or(0);
-        6.0 * (f64::from(bits) + 0.5) / 4_294_967_296.0 - 3.0
-    }
 }

@@ -122,16 +122,16 @@ pub(super) fn cheapest(
         found
     };
     // With its weight, where all layouts have been looked at.
-    let mut tried: Vec<(Form, Option<usize>, Found)> = Vec::new();
+    let mut tried: Vec<(Option<usize>, Found)> = Vec::new();
     for forms in forward::rounds(chain, functions, formulation) {
         let mut best: Option<(usize, Found)> = None;
         for form in forms {
             // Of a form that is far from accurate in one layout, no other need be looked at.
-            if let Some((.., before)) = tried.first() {
+            if let Some((_, before)) = tried.first() {
                 let (_, glimpse) = search.within(form, &[before.layout], &[before.way]);
                 let glimpse = measured(glimpse);
                 if glimpse.off.worst > FAR * forward::ENOUGH {
-                    tried.push((form, None, glimpse));
+                    tried.push((None, glimpse));
                     continue;
                 }
             }
@@ -143,7 +143,7 @@ pub(super) fn cheapest(
             if found.off.worst <= forward::ENOUGH {
                 best = Some((weight, found));
             } else {
-                tried.push((form, Some(weight), found));
+                tried.push((Some(weight), found));
             }
         }
         if let Some((_, found)) = best {
@@ -151,7 +151,7 @@ pub(super) fn cheapest(
         }
     }
     // None is accurate enough: what costs least of those that lose little more than the best.
-    let least = (tried.iter()).fold(Off::INFINITE, |least, (.., found)| least.least(found.off));
+    let least = (tried.iter()).fold(Off::INFINITE, |least, (_, found)| least.least(found.off));
     if !forward::keeps_half(least.eighth, scalar) {
         return Err(forward::hopeless(
             chain,
@@ -161,12 +161,12 @@ pub(super) fn cheapest(
             (scalar, formulation.frame),
         ));
     }
-    let near = (tried.into_iter()).filter(|(.., found)| found.off.worst <= 2.0 * least.worst);
-    let searched = near.map(|(form, weight, found)| {
+    let near = (tried.into_iter()).filter(|(_, found)| found.off.worst <= 2.0 * least.worst);
+    let searched = near.map(|(weight, found)| {
         if let Some(weight) = weight {
             return (weight, found);
         }
-        let (weight, found) = search.best(form);
+        let (weight, found) = search.best(Form::of(found.way));
         (weight, measured(found))
     });
     let best = searched.min_by_key(|(weight, _)| *weight);

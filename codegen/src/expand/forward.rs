@@ -52,6 +52,14 @@ impl Form {
         }
     }
 
+    /// That of a way.
+    pub(super) const fn of(way: Way) -> Self {
+        Self {
+            forward: way.forward,
+            congruence: way.congruence,
+        }
+    }
+
     /// A way with this form.
     pub(super) const fn along(self, way: Way) -> Way {
         Way {

@@ -85,13 +85,13 @@ impl<'g> Symmetric<Term<'g>> {
         }
         let [xx, yy, _, xy, _, _] = self.0;
         let [_, _, zz, _, xz, yz] = turned.0;
-        let (squares, product) = ((sine * sine, cosine * cosine), sine * cosine);
-        let across = product * (xy + xy);
+        let (ss, cc, sc) = (sine * sine, cosine * cosine, sine * cosine);
+        let across = sc * (xy + xy);
         Self([
-            squares.1 * xx + squares.0 * yy - across,
-            squares.0 * xx + squares.1 * yy + across,
+            cc * xx + ss * yy - across,
+            ss * xx + cc * yy + across,
             zz,
-            product * (xx - yy) + (squares.1 - squares.0) * xy,
+            sc * (xx - yy) + (cc - ss) * xy,
             xz,
             yz,
         ])

@@ -112,6 +112,14 @@ struct Look<T, const N: usize> {
     shift: T,
 }
 
+impl<T: Real, const N: usize> Look<T, N> {
+    /// That of JᵗJ.
+    fn trace(&self) -> T {
+        let entries = self.square.iter().enumerate();
+        entries.fold(T::constant(0.0), |sum, (i, row)| sum + row[i])
+    }
+}
+
 /// How a descent ended.
 enum Descent {
     Met,
@@ -241,7 +249,7 @@ impl<T: Real, const N: usize> Reach<T, N> {
         let mut damping = T::constant(0.1);
         let mut slow = 0;
         for _ in 1..self.looks {
-            if at.turn <= self.turn && at.shift <= self.shift {
+            if self.is_met(at) {
                 return Descent::Met;
             }
             if self.is_stationary(at) {
@@ -266,11 +274,15 @@ impl<T: Real, const N: usize> Reach<T, N> {
                 return Descent::Stationary;
             }
         }
-        if at.turn <= self.turn && at.shift <= self.shift {
+        if self.is_met(at) {
             Descent::Met
         } else {
             Descent::Unfinished
         }
+    }
+
+    fn is_met(&self, at: &Look<T, N>) -> bool {
+        at.turn <= self.turn && at.shift <= self.shift
     }
 
     /// Whether what is left is perpendicular to what the joints that may move can do.
@@ -285,9 +297,8 @@ impl<T: Real, const N: usize> Reach<T, N> {
     /// (JᵗJ + damping) step = right side, of the joints that their limits do not stop.
     fn step(&self, at: &Look<T, N>, damping: T, right: &[T; N]) -> [T; N] {
         let zero = T::constant(0.0);
-        let trace = (0..N).fold(zero, |sum, i| sum + at.square[i][i]);
         // Enough that JᵗJ, rounded, has a square root.
-        let damping = damping + T::constant(16.0) * T::EPSILON * trace + T::MIN_POSITIVE;
+        let damping = damping + T::constant(16.0) * T::EPSILON * at.trace() + T::MIN_POSITIVE;
         let mut free = [true; N];
         let mut step = [zero; N];
         // Each round stops a joint or is the last one.
@@ -322,8 +333,7 @@ impl<T: Real, const N: usize> Reach<T, N> {
         let mut share = T::constant(1.0);
         while share > T::constant(0.1) && *looks < last {
             // (JᵗJ + λ)⁻¹ λ z is z less what J sees of it.
-            let trace = (0..N).fold(T::constant(0.0), |sum, i| sum + at.square[i][i]);
-            let damping = T::EPSILON.sqrt() * trace;
+            let damping = T::EPSILON.sqrt() * at.trace();
             let wanted = from_fn(|i| damping * share * (posture[i] - at.q[i]));
             let step = self.step(&at, damping, &wanted);
             let mut next = look(self.inside(from_fn(|i| at.q[i] + step[i])));
@@ -378,14 +388,8 @@ impl<T: Real, const N: usize> Reach<T, N> {
     /// What is said where there was nothing but numbers that are none.
     fn nowhere(&self, looks: usize) -> Solution<T, N> {
         let infinite = T::constant(f64::INFINITY);
-        let zero = T::constant(0.0);
-        let numbers = from_fn(|i| {
-            let [least, most] = self.limits[i];
-            let q = if zero < least { least } else { zero };
-            if q > most { most } else { q }
-        });
         Solution {
-            q: numbers,
+            q: self.inside([T::constant(0.0); N]),
             outcome: Outcome::Stalled,
             turn: infinite,
             shift: infinite,

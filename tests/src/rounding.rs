@@ -57,13 +57,6 @@ impl Worst {
         }
     }
 
-    /// The worst error of all blocks, in units.
-    #[must_use]
-    pub fn units(&self) -> f64 {
-        let units = self.blocks.values().map(|block| block.units(self.unit));
-        units.fold(0.0, f64::max)
-    }
-
     /// Every block must be right to within so many units.
     ///
     /// # Panics

@@ -252,6 +252,7 @@ fn list(
     Ok(Listed {
         functions,
         frame,
+        layout: found.layout,
         program,
         price,
         accuracy,

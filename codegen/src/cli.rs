@@ -15,6 +15,7 @@ mod json;
 mod options;
 mod progress;
 mod report;
+mod show;
 mod states;
 
 use std::ffi::OsString;
@@ -79,6 +80,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::Eval(eval) => eval.run(input),
         Command::Generate(generate) => generate.run(input),
         Command::BaseParameters(parameters) => parameters.run(input),
+        Command::Show(show) => show.run(input),
         Command::Report(report) => report.run(),
     };
     said.unwrap_or_else(|errors| Answer {
@@ -104,6 +106,7 @@ enum Command {
     Eval(eval::Eval),
     Generate(generate::Generate),
     BaseParameters(base_parameters::BaseParameters),
+    Show(show::Show),
     Report(report::Report),
 }
 

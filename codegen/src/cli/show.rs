@@ -42,6 +42,7 @@ const SCRIPT: &str = concat!(
     include_str!("show/names.js"),
     include_str!("show/code.js"),
     include_str!("show/explain.js"),
+    include_str!("show/loops.js"),
     include_str!("show/joints.js"),
     include_str!("show/tables.js"),
     include_str!("show/functions.js"),
@@ -51,8 +52,8 @@ const SCRIPT: &str = concat!(
 
 /// SHA-256 of the script and of the style, in base 64: the page says that nothing else may run or dress
 /// it. A test computes them again and tells what they should be.
-const SCRIPT_HASH: &str = "LBnYwBqGpx92WveFkDmvJgZJa1zhr27t1x9l0SwB5Lc=";
-const STYLE_HASH: &str = "fiLPXTQvbhvIY+vS0SXfzNfrDNMETH6jyFBxMzKVhVQ=";
+const SCRIPT_HASH: &str = "nwgyefng+DQzxikmEr/VByvWZOkUWxryNNThuyFty84=";
+const STYLE_HASH: &str = "wOxuCR3ghyg76YeukayPW6PNA+Gjulf/QfJhrLtLwsw=";
 
 /// Write a page for a browser: the robot as a skeleton to move, what was read, every function with its
 /// price, its error and its code
@@ -88,7 +89,7 @@ impl Show {
         let (description, request) = freed(&description, &request);
         let skeleton = skeleton::skeleton(&description, &request, &chain)?;
         let layouts = skeleton::layouts(&chain, &listing);
-        let said = shown(json!({
+        let mut data = shown(json!({
             "version": env!("CARGO_PKG_VERSION"),
             "report": check::in_json(&description, &chain),
             "facts": listing.about.facts,
@@ -97,7 +98,6 @@ impl Show {
             "skeleton": skeleton,
             "layouts": layouts.places,
         }));
-        let mut data = said;
         data["letters"] = names::letters();
         data["functions"] = function::functions(&listing, &layouts);
         let output = page(&data);

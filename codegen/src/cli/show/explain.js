@@ -105,7 +105,9 @@ function explanation(robot, open, name, given) {
   const list = shown.slice(0, 24).map((reader) => [nameButton(robot, reader), " "]);
   if (shown.length > 24) list.push(`and ${shown.length - 24} more`);
   if (readers.includes("")) list.push(shown.length ? "and the result" : "the result");
-  const value = !helper && said.kind !== "other" ? worth(analysis, helpers, given)(name) : NaN;
+  // What is known of a posture is not found again for the next name.
+  if (open.given !== given) Object.assign(open, { given, worth: worth(analysis, helpers, given) });
+  const value = !helper && said.kind !== "other" ? open.worth(name) : NaN;
   return [
     el("header", {},
       el("h2", {}, written(robot, name)),

@@ -7,6 +7,7 @@
 use serde_json::{Value, json};
 
 use super::packed::packed;
+use super::shown;
 use super::skeleton::Layouts;
 use crate::cli::count::{have_signs, price};
 use crate::print::rust::{Item, Source, World, each_method};
@@ -26,11 +27,9 @@ pub(super) fn functions(listing: &Listing, layouts: &Layouts) -> Value {
         json!({
             "name": visible(&listed.name()),
             "of": listed.frame.as_deref().map(visible),
-            "of_a_frame": listed.functions.iter().all(|function| function.of_a_frame()),
-            "computes": listed.functions.iter().map(|function| function.name()).collect::<Value>(),
             "sentence": sentence(listing, listed),
             "arguments": arguments.into_iter().map(Variable::name).collect::<Value>(),
-            "price": price(listed, signs),
+            "price": shown(price(listed, signs)),
             "layout": layout,
             "lines": code.lines().count(),
             "code": packed(&code),

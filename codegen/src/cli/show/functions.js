@@ -166,8 +166,9 @@ async function openCode(robot, own, inside, point) {
   const open = { own, analysis, helpers: helpersOf(analysis), of: own.of || robot.tip || "", restful: arguments_.some((name) => name !== "q") };
   const box = el("pre", { class: "code", tabindex: "0", role: "group", "aria-label": `The code of ${own.name}. Left and right go from name to name, up and down from line to line, Enter to where a name is defined.` });
   const copy = el("button", { type: "button", onclick: async () => {
-    await navigator.clipboard.writeText(text);
-    copy.textContent = "Copied";
+    // A browser may have no clipboard for a file, or be told to lend none.
+    const copied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
+    copy.textContent = copied ? "Copied" : "No clipboard";
     setTimeout(() => { copy.textContent = "Copy"; }, 1500);
   } }, "Copy");
   inside.append(

@@ -34,8 +34,10 @@ function slidersOf(skeleton, reach) {
   return sliders;
 }
 
-const degrees = (angle) => `${((angle * 180) / Math.PI).toFixed(1).replace("-", "−")}°`;
-const metres = (length) => `${(length * 1000).toFixed(1).replace("-", "−")} mm`;
+// With one digit behind the point, and no sign before a zero.
+const tenth = (value) => value.toFixed(1).replace(/^-(0\.0)$/, "$1").replace("-", "−");
+const degrees = (angle) => `${tenth((angle * 180) / Math.PI)}°`;
+const metres = (length) => `${tenth(length * 1000)} mm`;
 
 // The section: `changed` is called with every new q.
 function jointSection(data, reach, changed) {
@@ -49,8 +51,8 @@ function jointSection(data, reach, changed) {
     const input = el("input", {
       type: "range", id, min: String(slider.low), max: String(slider.high), step: "any",
       disabled: slider.low === slider.high,
-      oninput: () => { set(slider, Number(input.value)); tell(); },
-      ondblclick: () => { set(slider, Math.min(Math.max(0, slider.low), slider.high)); tell(); },
+      oninput: () => move([slider], () => Number(input.value)),
+      ondblclick: () => move([slider], nearest),
     });
     const output = el("output", { for: id });
     const row = el("div", { class: "slider", "data-kind": kind },
@@ -74,6 +76,28 @@ function jointSection(data, reach, changed) {
     turns.set(slider.quaternion, turned);
     quaternionOf(turned).forEach((entry, k) => { q[slider.quaternion + k] = entry; });
   };
+  const nearest = ({ low, high }) => Math.min(Math.max(0, low), high);
+  // Moves some sliders; where loops are to stay closed the other joints go along, or nothing moves.
+  const move = (moved, value) => {
+    const before = [...q];
+    for (const slider of moved) set(slider, value(slider));
+    if (close.checked) {
+      const held = moved.flatMap((slider) => (slider.quaternion === undefined ? [slider.coordinate] : [0, 1, 2, 3].map((k) => slider.quaternion + k)));
+      const all = moved.length === sliders.length;
+      const found = closed(skeleton, q, all ? [] : held);
+      take(found || before, found && !all ? held : []);
+    }
+    tell();
+  };
+  // Coordinates as they are given; sliders of a quaternion that is held stay where they were dragged to.
+  const take = (values, held = []) => {
+    values.forEach((entry, k) => { q[k] = entry; });
+    for (const { quaternion } of sliders) {
+      if (quaternion !== undefined && !held.includes(quaternion)) turns.set(quaternion, turnOf(q.slice(quaternion, quaternion + 4)));
+    }
+  };
+  const close = el("input", { type: "checkbox", onchange: () => move([], null) });
+  close.checked = skeleton.loops.length > 0;
   const get = (slider) => slider.quaternion === undefined ? q[slider.coordinate] : (turns.get(slider.quaternion) || [0, 0, 0])[slider.axis];
   const said = (value, unit) => (unit === "m" ? metres(value) : degrees(value));
   const state = el("code", { id: "q", class: "state" });
@@ -93,31 +117,29 @@ function jointSection(data, reach, changed) {
     state.textContent = `{"states":[{"q":[${q.map((entry) => String(Math.round(entry * 1e6) / 1e6)).join(",")}]}]}`;
     changed(q);
   };
-  const all = (value) => () => { for (const { slider } of rows) set(slider, value(slider)); tell(); };
   const random = ({ low, high, free }) => low + (high - low) * (free ? 0.5 + (Math.random() - 0.5) * 0.5 : Math.random());
-  const button = (text, title, value) => el("button", { type: "button", title, onclick: all(value) }, text);
+  const button = (text, title, value) => el("button", { type: "button", title, onclick: () => move(sliders, value) }, text);
   const section = [
     el("div", { class: "title" },
       el("h2", { id: "joints-title" }, "Joints"),
       el("div", { class: "buttons" },
-        button("Zero", "All coordinates zero, or as near as their limits allow", ({ low, high }) => Math.min(Math.max(0, low), high)),
+        button("Zero", "All coordinates zero, or as near as their limits allow", nearest),
         button("Middle", "All coordinates in the middle of their range", ({ low, high }) => (low + high) / 2),
         button("Random", "A posture drawn by chance", random))),
     el("div", { class: "sliders" }, rows.map(({ row }) => row), followers.map(({ row }) => row)),
-    report.loops ? el("p", { class: "note" }, `${counted(report.loops.length, "loop")} (dashed in the picture): sliders move the tree of joints and leave ${report.loops.length === 1 ? "it" : "them"} open.`) : null,
+    skeleton.loops.length ? el("p", { class: "note" }, el("label", {}, close, ` Keep ${counted(skeleton.loops.length, "loop")} closed: the other joints go along.`),
+      " Functions are of the tree of joints, but for those of loops.") : null,
     el("details", { class: "small" },
       el("summary", {}, "This posture as a state file"),
       el("p", {}, "For ", el("code", {}, "homogen eval"), ": ", state)),
     el("div", { id: "pose" }),
   ];
   const put = (values) => {
-    values.forEach((value, k) => { q[k] = value; });
-    for (const { quaternion } of sliders) {
-      if (quaternion !== undefined) turns.set(quaternion, turnOf(q.slice(quaternion, quaternion + 4)));
-    }
+    take(values);
     tell();
   };
-  return { section, q, tell, put, sliders: rows };
+  const start = () => move([], null);
+  return { section, start, put };
 }
 
 // The pose of the frame that functions are of, as the matrix that it is.

@@ -20,7 +20,9 @@ const robot = {
 const shown = { frames: null, masses: true, names: false };
 let pointed = { open: null, name: null, pinned: false, bodies: new Set() };
 let now = poses(skeleton, data.neutral);
-let q = data.neutral;
+// The arguments of functions: q as the joints are, at rest.
+const still = skeleton.velocities.map(() => 0);
+let given = { q: data.neutral, qd: still, qdd: still, tau: still };
 const canvas = by("picture");
 
 let waiting = false;
@@ -49,7 +51,7 @@ by("foot").append("Written by ", el("code", {}, `homogen show ${data.version}`),
 
 // The posture.
 const joints = jointSection(data, robot.reach, (moved) => {
-  q = moved;
+  given = { ...given, q: [...moved] };
   now = poses(skeleton, moved);
   const tip = skeleton.links.findIndex((link) => link.name === report.tip);
   if (tip >= 0) by("pose")?.replaceChildren(...poseTable(report.tip, now.links[tip]).flat());
@@ -59,18 +61,13 @@ const joints = jointSection(data, robot.reach, (moved) => {
 by("joints").append(...joints.section.filter(Boolean));
 
 // The name that is pointed at.
-const given = () => {
-  const still = skeleton.velocities.map(() => 0);
-  return { q, qd: still, qdd: still, tau: still };
-};
-
 function explain() {
   const panel = by("explain");
   const { open, name, pinned } = pointed;
   panel.classList.toggle("pinned", pinned);
   panel.classList.toggle("filled", name !== null);
   if (name === null) panel.replaceChildren(...invitation());
-  else panel.replaceChildren(...explanation(robot, open, name, given()).flat(Infinity).filter(Boolean));
+  else panel.replaceChildren(...explanation(robot, open, name, given).flat(Infinity).filter(Boolean));
 }
 
 function point(open, name, pinned) {
@@ -158,15 +155,15 @@ canvas.addEventListener("pointerleave", () => { by("tag").hidden = true; });
 new ResizeObserver(redraw).observe(canvas);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
 matchMedia("print").addEventListener("change", () => paint(canvas, robot, now, shown, pointed.bodies));
+joints.start();
 whole();
-joints.tell();
 
 const codeOf = (name) => unpacked(data.functions.find((own) => own.name === name).code);
 
 window.homogen = {
   robot: report.robot,
   functions: () => data.functions.map((own) => own.name),
-  q: () => [...q],
+  q: () => [...given.q],
   // Moves the joints; quaternions are brought to length 1 where they are used.
   move: (values) => joints.put(values),
   // M₀ of every link, by its name: rows 1 to 3.
@@ -177,7 +174,7 @@ window.homogen = {
   names: async (name) => {
     const analysis = analysed(parted(await codeOf(name)).code);
     const helpers = helpersOf(analysis);
-    const value = worth(analysis, helpers, given());
+    const value = worth(analysis, helpers, given);
     const kind = (own) => (helpers.has(own) ? "helper" : meaning(robot, own, "").kind);
     return [...analysis.names.keys()].map((own) => ({ name: own, kind: kind(own), worth: helpers.has(own) ? NaN : value(own) }));
   },

@@ -23,6 +23,9 @@ function prepared(data) {
       parent: link.name === skeleton.base ? null : kept,
       joint: moving ? first.get(link.joint) : null,
       kind: moving ? kinds.get(link.joint) : "fixed",
+      // Where loops hold it, by the number of the loop and of its end.
+      held: (report.loops || []).flatMap(({ from, to }, number) =>
+        [from, to].flatMap((name, end) => (name === link.name ? [[number, end]] : []))),
       end: !skeleton.links.some((other) => other.parent === link.name && other.name !== skeleton.base),
     };
   });
@@ -258,8 +261,9 @@ function paint(canvas, robot, at, shown, marked) {
         rods.push([seat, here, thick * 0.5, thick * 0.5, colour]);
       }
     }
+    for (const [number, end] of link.held) rods.push([here, originOf(at.loops[number][end]), thick * 0.86, thick * 0.6, colour]);
     // What nothing hangs on reaches to its centre of mass.
-    if (link.end && link.center) {
+    if (link.end && link.center && !link.held.length) {
       rods.push([here, pointAt(at.links[link.index], link.center), thick * 0.86, thick * 0.5, colour]);
     }
     if (link.body !== null || link.name === robot.skeleton.base) painter.ball(here, thick * 0.98, colour);

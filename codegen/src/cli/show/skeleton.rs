@@ -7,6 +7,7 @@
 use serde_json::{Value, json};
 
 use crate::chain::{self, Chain, Joint, Position};
+use crate::closure::Row;
 use crate::description::{Axis, Description, Inertial, Name, Step};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Graph, Term};
@@ -43,7 +44,16 @@ pub(super) fn skeleton(
         let ends = closed.frames.iter();
         let ends = ends
             .map(|end| json!({ "body": end.body, "place": place(&chain.graph, end.placement) }));
-        json!({ "name": closed.name, "kind": closed.word, "ends": ends.collect::<Value>() })
+        let rows = closed.rows.iter().map(|row| match *row {
+            Row::Along(k) => json!(["along", k]),
+            Row::Product(i, j) => json!(["product", i, j]),
+            Row::Inclined => json!(["inclined"]),
+            Row::Distance => json!(["distance"]),
+        });
+        json!({
+            "name": closed.name, "kind": closed.word, "ends": ends.collect::<Value>(),
+            "rows": rows.collect::<Value>(), "size": number(&chain.graph, closed.size),
+        })
     });
     let spaces = chain.spaces();
     Ok(json!({

@@ -38,9 +38,9 @@ function readSection(data) {
     el("h2", { id: "read-title" }, "What was read"),
     el("p", {}, data.facts.map((fact) => fact[0].toUpperCase() + fact.slice(1)).join(". "), "."),
     data.formulation.length ? el("p", {}, "Formulation: ", el("code", {}, data.formulation.join(", ")), ".") : null,
-    table("Joints", ["joint", "kind", "from → to", "q", "limits", "rate", "carries / kg"], joints, [6]),
+    table("Joints", ["joint", "kind", "from → to", "q", "limits", "rate", "mass / kg"], joints, [6]),
     table("Links", ["link", "is", "mass / kg", "centre of mass / m"], links, [2]),
-    el("p", { class: "small" }, `${counted(skeleton.links.length, "link")}, ${short(total)} kg together. Centres of mass are in the frame of each link.`),
+    el("p", { class: "small" }, `${counted(skeleton.links.length, "link")}, ${short(total)} kg together. Centres of mass are in the frame of each link; the mass of a joint is that of the body that it carries, with all that is fixed to it.`),
     doings(report),
   ];
 }

@@ -213,6 +213,9 @@ fn names_of_a_hostile_file_stay_data() {
         let inside = &page[start..start + page[start..].find("</script>").expect("its end")];
         let marks = ['<', '>', '&', '\u{202e}', '\u{200b}', '\n'];
         assert!(!inside.contains(marks), "{evil}");
+        // Nor has any text in it what cannot be seen.
+        let texts = data.to_string();
+        assert!(!texts.contains(crate::wording::is_hidden), "{evil}");
         let shown = crate::wording::visible(evil);
         let robot = data["report"]["robot"].as_str().expect("a name");
         assert!(robot.starts_with(&*shown), "{robot}");

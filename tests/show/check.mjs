@@ -88,18 +88,23 @@ async function names(page, { name }) {
   }
 }
 
-// What the page says names are worth is what the function returns.
+// What the page says names are worth is what functions return, at rest and with all rates at 1.
 async function values(page, { name, words }) {
-  const text = await page.ask(`homogen.code("gravity")`);
-  const worth = new Map((await page.ask(`homogen.names("gravity")`)).map((one) => [one.name, one.worth]));
-  const result = text.slice(text.lastIndexOf("[") + 1, text.lastIndexOf("]")).split(",").map((one) => one.trim()).filter(Boolean);
-  const [truth] = evaluated(words, "gravity", [{ q: await page.ask("homogen.q()") }]);
-  hold(result.length === truth.length, `${name}: ${result.length} results`);
-  result.forEach((one, k) => {
-    const literal = /^k\((.*)\)$/.exec(one);
-    const value = literal ? Number(literal[1]) : one.startsWith("-") ? -worth.get(one.slice(1)) : worth.get(one);
-    hold(near(value, truth[k], 1e-9), `${name}: ${one} is worth ${value} on the page and ${truth[k]} in truth`);
-  });
+  for (const [own, moving] of [["gravity", false], ["inverse_dynamics", true]]) {
+    await page.ask(`(() => { const box = document.querySelector("#moving"); if (box.checked !== ${moving}) box.click(); })()`);
+    const text = await page.ask(`homogen.code("${own}")`);
+    const worth = new Map((await page.ask(`homogen.names("${own}")`)).map((one) => [one.name, one.worth]));
+    const result = text.slice(text.lastIndexOf("[") + 1, text.lastIndexOf("]")).split(",").map((one) => one.trim()).filter(Boolean);
+    const q = await page.ask("homogen.q()");
+    const count = await page.ask(`JSON.parse(document.querySelector("#data").textContent).skeleton.velocities.length`);
+    const [truth] = evaluated(words, own, [{ q, qd: new Array(count).fill(moving ? 1 : 0), qdd: new Array(count).fill(0) }]);
+    hold(result.length === truth.length, `${name}: ${result.length} results of ${own}`);
+    result.forEach((one, k) => {
+      const literal = /^k\((.*)\)$/.exec(one);
+      const value = literal ? Number(literal[1]) : one.startsWith("-") ? -worth.get(one.slice(1)) : worth.get(one);
+      hold(near(value, truth[k], 1e-9 * Math.max(1, Math.abs(truth[k]))), `${name}: ${one} of ${own} is worth ${value} on the page and ${truth[k]} in truth`);
+    });
+  }
 }
 
 const PANEL = `document.querySelector("#explain").textContent`;
@@ -243,6 +248,7 @@ async function pictures(browser) {
   };
   await look("panda", WIDE, async (page) => {
     await page.ask("homogen.move([0.4, -0.5, 0.2, -2.0, 0.3, 1.8, 0.6])");
+    await page.ask(`document.querySelector("#moving").click()`);
     await page.ask(frames("0"));
     await openAt(page, "inverse_dynamics", "w_0_3_in_3_x");
     await page.mouse("mouseMoved", { x: 5, y: 5 });

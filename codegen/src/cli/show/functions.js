@@ -162,8 +162,7 @@ async function openCode(robot, own, inside, point) {
   const text = await unpacked(own.code);
   const { said, code } = parted(text);
   const analysis = analysed(code);
-  const arguments_ = own.arguments;
-  const open = { own, analysis, helpers: helpersOf(analysis), of: own.of || robot.tip || "", restful: arguments_.some((name) => name !== "q") };
+  const open = { own, analysis, helpers: helpersOf(analysis), of: own.of || robot.tip || "", moves: own.arguments.includes("qd") };
   const box = el("pre", { class: "code", tabindex: "0", role: "group", "aria-label": `The code of ${own.name}. Left and right go from name to name, up and down from line to line, Enter to where a name is defined.` });
   const copy = el("button", { type: "button", onclick: async () => {
     // A browser may have no clipboard for a file, or be told to lend none.

@@ -39,7 +39,7 @@ const tenth = (value) => value.toFixed(1).replace(/^-(0\.0)$/, "$1").replace("-"
 const degrees = (angle) => `${tenth((angle * 180) / Math.PI)}°`;
 const metres = (length) => `${tenth(length * 1000)} mm`;
 
-// The section: `changed` is called with every new q.
+// The section: `changed` is called with every new q, and with the rate of all joints.
 function jointSection(data, reach, changed) {
   const { skeleton, report } = data;
   const q = rest(skeleton);
@@ -98,6 +98,7 @@ function jointSection(data, reach, changed) {
   };
   const close = el("input", { type: "checkbox", onchange: () => move([], null) });
   close.checked = skeleton.loops.length > 0;
+  const moving = el("input", { type: "checkbox", id: "moving", onchange: () => tell() });
   const get = (slider) => slider.quaternion === undefined ? q[slider.coordinate] : (turns.get(slider.quaternion) || [0, 0, 0])[slider.axis];
   const said = (value, unit) => (unit === "m" ? metres(value) : degrees(value));
   const state = el("code", { id: "q", class: "state" });
@@ -115,7 +116,7 @@ function jointSection(data, reach, changed) {
       output.textContent = leader < 0 ? "" : said(value, kind === "prismatic" ? "m" : "rad");
     }
     state.textContent = `{"states":[{"q":[${q.map((entry) => String(Math.round(entry * 1e6) / 1e6)).join(",")}]}]}`;
-    changed(q);
+    changed(q, moving.checked ? 1 : 0);
   };
   const random = ({ low, high, free }) => low + (high - low) * (free ? 0.5 + (Math.random() - 0.5) * 0.5 : Math.random());
   const button = (text, title, value) => el("button", { type: "button", title, onclick: () => move(sliders, value) }, text);
@@ -129,6 +130,7 @@ function jointSection(data, reach, changed) {
     el("div", { class: "sliders" }, rows.map(({ row }) => row), followers.map(({ row }) => row)),
     skeleton.loops.length ? el("p", { class: "note" }, el("label", {}, close, ` Keep ${counted(skeleton.loops.length, "loop")} closed: the other joints go along.`),
       " Functions are of the tree of joints, but for those of loops.") : null,
+    el("p", { class: "note" }, el("label", {}, moving, " Tell what names are worth with every rate at 1 (rad/s, m/s), and not at rest.")),
     el("details", { class: "small" },
       el("summary", {}, "This posture as a state file"),
       el("p", {}, "For ", el("code", {}, "homogen eval"), ": ", state)),

@@ -20,9 +20,9 @@ const robot = {
 const shown = { frames: null, masses: true, names: false };
 let pointed = { open: null, name: null, pinned: false, bodies: new Set() };
 let now = poses(skeleton, data.neutral);
-// The arguments of functions: q as the joints are, at rest.
-const still = skeleton.velocities.map(() => 0);
-let given = { q: data.neutral, qd: still, qdd: still, tau: still };
+// The arguments of functions: q as the joints are, with all rates 0 or all 1; no second rates, forces or actions.
+const rates = (rate) => skeleton.velocities.map(() => rate);
+let given = { q: data.neutral, qd: rates(0), qdd: rates(0), tau: rates(0) };
 const canvas = by("picture");
 
 let waiting = false;
@@ -50,8 +50,8 @@ by("origin").append(
 by("foot").append("Written by ", el("code", {}, `homogen show ${data.version}`), ". One file: it asks no network for anything.");
 
 // The posture.
-const joints = jointSection(data, robot.reach, (moved) => {
-  given = { ...given, q: [...moved] };
+const joints = jointSection(data, robot.reach, (moved, rate) => {
+  given = { ...given, q: [...moved], qd: rates(rate) };
   now = poses(skeleton, moved);
   const tip = skeleton.links.findIndex((link) => link.name === report.tip);
   if (tip >= 0) by("pose")?.replaceChildren(...poseTable(report.tip, now.links[tip]).flat());
@@ -170,7 +170,7 @@ window.homogen = {
   poses: () => Object.fromEntries(skeleton.links.map((link, k) => [link.name, now.links[k]])),
   // The code of a function, as it is printed.
   code: codeOf,
-  // Its names: of each what kind it is, and what it is worth now, at rest.
+  // Its names: of each what kind it is, and what it is worth now.
   names: async (name) => {
     const analysis = analysed(parted(await codeOf(name)).code);
     const helpers = helpersOf(analysis);

@@ -123,7 +123,8 @@ fn entries(entries: &[Entry], variable: Variable) -> Value {
         let kind = match entry.kind {
             Kind::Turn => "turn",
             Kind::Slide => "slide",
-            Kind::Quaternion | Kind::Moment(_) => "quaternion",
+            Kind::Quaternion => "quaternion",
+            Kind::Moment(_) | Kind::Drive { .. } => "parameter",
         };
         json!({
             "name": entry.name, "kind": kind, "unit": variable.unit(entry.kind),

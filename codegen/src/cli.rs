@@ -4,6 +4,7 @@
 //! printed, so that a mistake leaves nothing on standard output. One file a command; none of them
 //! does a stage's work. Only `report`, which runs for minutes, shows what it does meanwhile.
 
+mod arithmetic;
 mod base_parameters;
 mod check;
 mod count;

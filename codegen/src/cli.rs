@@ -15,6 +15,7 @@ mod inspect;
 mod json;
 mod options;
 mod progress;
+mod python;
 mod report;
 mod states;
 
@@ -79,6 +80,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::Count(count) => count.run(input),
         Command::Eval(eval) => eval.run(input),
         Command::Generate(generate) => generate.run(input),
+        Command::Python(python) => python.run(input),
         Command::BaseParameters(parameters) => parameters.run(input),
         Command::Report(report) => report.run(),
     };
@@ -104,6 +106,7 @@ enum Command {
     Count(count::Count),
     Eval(eval::Eval),
     Generate(generate::Generate),
+    Python(python::Python),
     BaseParameters(base_parameters::BaseParameters),
     Report(report::Report),
 }

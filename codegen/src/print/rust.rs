@@ -39,6 +39,7 @@ pub use comments::header;
 pub use extern_c::c_header;
 pub use item::{Declaration, Item};
 pub use lanes::lanes;
+#[cfg(feature = "pretty")]
 pub(super) use lanes::under;
 #[cfg(feature = "pretty")]
 pub use pretty::Source;

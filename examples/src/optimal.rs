@@ -23,6 +23,8 @@ pub struct Problem<const N: usize> {
     pub period: f64,
     /// The price of a torque for a second, beside that of holding still [1/(N m)² s].
     pub effort: f64,
+    /// The price of a rate for a second [s/rad²].
+    pub haste: f64,
     /// The price of ending elsewhere [1/rad²], or not at rest [s²/rad²].
     pub miss: [f64; 2],
 }
@@ -121,8 +123,10 @@ impl<const N: usize> Problem<N> {
         let [q, qd] = plan.states[self.steps];
         let square = |entries: [f64; N]| entries.iter().map(|x| x * x).sum::<f64>();
         let missed = square(from_fn(|i| q[i] - self.to[i]));
+        let hurried: f64 = plan.states.iter().map(|[_, qd]| square(*qd)).sum();
         let [place, rest] = self.miss;
-        0.5 * (self.effort * self.period * efforts + place * missed + rest * square(qd))
+        let running = self.period * (self.effort * efforts + self.haste * hurried);
+        0.5 * (running + place * missed + rest * square(qd))
     }
 
     /// Of each step what would make the rest of the motion cheaper, from the last one back.
@@ -146,7 +150,14 @@ impl<const N: usize> Problem<N> {
                     if i < N { place } else { rest }
                 },
             ));
-        let price = self.effort * self.period;
+        let [price, haste] = [self.effort, self.haste].map(|price| self.period * price);
+        let hurry = |slope: &mut DVector<f64>, bend: &mut DMatrix<f64>, qd: &[f64; N]| {
+            for (i, rate) in (N..).zip(qd) {
+                slope[i] += haste * rate;
+                bend[(i, i)] += haste;
+            }
+        };
+        hurry(&mut slope, &mut bend, &qd);
         let back = (0..self.steps).rev().map(|k| {
             let tau = &plan.torques[k];
             let (a, b) = self.linear(robot, &plan.states[k], tau);
@@ -162,6 +173,7 @@ impl<const N: usize> Problem<N> {
             slope = a.transpose() * &slope + by_both.transpose() * &correction.shift;
             bend = a.transpose() * &bend * &a + by_both.transpose() * &correction.gain;
             bend = (&bend + bend.transpose()) * 0.5;
+            hurry(&mut slope, &mut bend, &plan.states[k][1]);
             correction
         });
         let mut corrections: Vec<Correction> = back.collect();

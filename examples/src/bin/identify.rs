@@ -275,7 +275,7 @@ impl Found {
             } else {
                 String::new()
             },
-            points: [0.0, 1.6]
+            points: [0.0, 0.9]
                 .map(|rate| [sign * rate, sign * (friction + damping * rate)])
                 .to_vec(),
             color: Color::Blue,
@@ -296,9 +296,9 @@ impl Found {
             curves: vec![
                 Curve {
                     label: "measured, less all else".to_owned(),
-                    points: points.step_by(4).collect(),
+                    points: points.step_by(10).collect(),
                     color: Color::Grey,
-                    style: Style::Points(Shape::Circle { filled: true }),
+                    style: Style::Points(Shape::Circle { filled: false }),
                 },
                 line(1.0),
                 line(-1.0),

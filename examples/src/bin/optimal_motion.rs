@@ -1,7 +1,7 @@
 //! The motion of an arm that costs least: an iterative linear-quadratic regulator on generated derivatives.
 //!
-//! The arm is to come to rest in another posture within a second; torques beside those that hold it cost, and so does
-//! whatever is missed. The solver is the one of `homogen_examples::optimal`, written for any robot. Draws what each round
+//! The arm is to come to rest in another posture within a second; torques beside those that hold it cost, rates do, and
+//! so does whatever is missed. The solver is the one of `homogen_examples::optimal`, written for any robot. Draws what each round
 //! costs, joints and torques, to `target/optimal_motion.svg` or to the path given.
 
 use std::io;
@@ -24,7 +24,8 @@ const PROBLEM: Problem<7> = Problem {
     to: [1.2, 0.2, -0.5, -1.3, 0.6, 1.2, 0.0],
     steps: 100,
     period: 0.01,
-    effort: 1e-4,
+    effort: 1e-3,
+    haste: 0.05,
     miss: [100.0, 10.0],
 };
 const ROUNDS: usize = 40;

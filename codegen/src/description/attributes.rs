@@ -21,7 +21,7 @@ use crate::request::{Parameter, Target};
 use crate::wording::{known, quoted};
 
 /// What can be said of a field: the number that it stands for, and its range.
-const KEYS: [&str; 8] = [
+pub(super) const KEYS: [&str; 8] = [
     "mass_of",
     "com_of",
     "gravity",

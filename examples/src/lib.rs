@@ -4,6 +4,7 @@
 //! measured on. Nothing here is needed to use `homogen`. Of the README and the guide the blocks of Rust are
 //! compiled and run, as tests of the documentation.
 
+pub mod bars;
 pub mod bound;
 pub mod entries;
 pub mod listing;

@@ -99,6 +99,16 @@ fn ratios_of_the_readme_are_those_of_the_report() {
     }
 }
 
+/// `cargo run -p homogen-examples --bin bars` draws it anew.
+#[test]
+fn the_picture_of_the_readme_is_drawn_from_the_report() {
+    let committed = include_str!("../../report/bars.svg");
+    assert_eq!(
+        homogen_examples::bars::draw(REPORT).as_deref(),
+        Some(committed)
+    );
+}
+
 /// Merged angles are shown of the functions that they make a difference to, and of no others.
 #[test]
 fn merged_angles_are_shown_where_they_matter() {

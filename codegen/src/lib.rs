@@ -8,7 +8,8 @@
 //!     .name("Arm")
 //!     .scalar(Real::F32)
 //!     .generate([Gravity])
-//!     .to_source()?;
+//!     .to_source()?
+//!     .to_string();
 //! assert!(source.contains("pub fn gravity(&self, q: &[f32; 2]) -> [f32; 2]"));
 //! # Ok::<(), homogen_codegen::error::Errors>(())
 //! ```

@@ -18,6 +18,10 @@ pub mod timing;
 mod guide {
     #[doc = include_str!("../../README.md")]
     struct Readme;
+    #[doc = include_str!("../../runtime/README.md")]
+    struct ReadmeOfTheRuntime;
+    #[doc = include_str!("../../codegen/README.md")]
+    struct ReadmeOfTheEngine;
     #[doc = include_str!("../../guide/src/first-robot.md")]
     struct FirstRobot;
     #[doc = include_str!("../../guide/src/fields.md")]

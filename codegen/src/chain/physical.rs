@@ -59,7 +59,7 @@ pub fn check(
     let massless: Vec<&Name> = massless
         .map(|(&link, _)| &description.links[link].name)
         .collect();
-    doubts.extend(without_inertia(&massless));
+    doubts.extend(without_inertia(&massless).filter(|_| !request.is_of_frames_alone()));
     if request.strict && !doubts.is_empty() {
         let mut errors = description.source.errors();
         for doubt in doubts {
@@ -71,8 +71,7 @@ pub fn check(
     Ok(chain)
 }
 
-/// One doubt for all links that move and have no inertia, at the first of them: whoever describes
-/// kinematics alone hears it once.
+/// One doubt for all links that move and have no inertia, at the first of them.
 fn without_inertia(links: &[&Name]) -> Option<Complaint> {
     let (first, others) = links.split_first()?;
     let names: Vec<String> = links.iter().map(|link| quoted(&link.text)).collect();

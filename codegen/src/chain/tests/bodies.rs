@@ -301,6 +301,13 @@ fn links_without_inertia_are_doubted_in_one_sentence() {
     let expected =
         "links \"upper\", \"fore\" and \"hand\" move and have no inertia: taken as massless";
     assert_eq!(told, [expected]);
+
+    // Who asks for kinematics alone does without.
+    let of_frames = "struct Arm { strict, generate(forward_kinematics, velocity) } link base;
+        joint one: revolute(z); link upper;";
+    assert_eq!(fine(of_frames).report.warnings.len(), 0);
+    let of_forces = of_frames.replace("velocity", "gravity");
+    assert!(said(&of_forces).contains("has no inertia"));
 }
 
 #[test]

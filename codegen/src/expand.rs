@@ -9,7 +9,6 @@ mod choice;
 mod closure;
 mod data;
 mod forward;
-mod identifiable;
 mod measured;
 mod program;
 mod solvable;
@@ -17,7 +16,6 @@ mod weighable;
 
 pub use choice::{program, program_as, program_for};
 pub use closure::settled;
-pub use identifiable::identifiable;
 use program::equation_by;
 pub use program::{expressions_by, program_by};
 

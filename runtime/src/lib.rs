@@ -12,6 +12,7 @@ pub mod batch;
 mod error;
 #[doc = include_str!("guide.md")]
 pub mod guide {}
+pub mod identify;
 mod matrix;
 mod paper;
 pub mod reach;

@@ -1,14 +1,19 @@
 //! What the small programs share.
 //!
 //! Random states, the functions of a robot called by name, times with the machine they were
-//! measured on. Nothing here is needed to use `homogen`. Of the README and the guide the blocks of Rust are
-//! compiled and run, as tests of the documentation.
+//! measured on; and what is written once for all robots: controllers, a filter, an optimiser. Nothing here is needed to
+//! use `homogen`. Of the README and the guide the blocks of Rust are compiled and run, as tests of the documentation.
 
 pub mod bars;
 pub mod bound;
+pub mod control;
+pub mod drawing;
 pub mod entries;
+pub mod filter;
 pub mod listing;
 pub mod machine;
+pub mod motion;
+pub mod optimal;
 pub mod price;
 pub mod states;
 pub mod timing;
@@ -30,6 +35,8 @@ mod guide {
     struct CommandLine;
     #[doc = include_str!("../../guide/src/build-script.md")]
     struct BuildScript;
+    #[doc = include_str!("../../guide/src/python.md")]
+    struct Python;
     #[doc = include_str!("../../guide/src/functions.md")]
     struct Functions;
     #[doc = include_str!("../../guide/src/joints.md")]

@@ -17,6 +17,7 @@ mod options;
 mod progress;
 mod python;
 mod report;
+mod show;
 mod states;
 
 use std::ffi::OsString;
@@ -82,6 +83,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::Generate(generate) => generate.run(input),
         Command::Python(python) => python.run(input),
         Command::BaseParameters(parameters) => parameters.run(input),
+        Command::Show(show) => show.run(input),
         Command::Report(report) => report.run(),
     };
     said.unwrap_or_else(|errors| Answer {
@@ -108,6 +110,7 @@ enum Command {
     Generate(generate::Generate),
     Python(python::Python),
     BaseParameters(base_parameters::BaseParameters),
+    Show(show::Show),
     Report(report::Report),
 }
 

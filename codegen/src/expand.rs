@@ -250,6 +250,7 @@ fn list(
     Ok(Listed {
         functions,
         frame,
+        layout: found.layout,
         program,
         price,
         accuracy,

@@ -15,6 +15,7 @@ use crate::closure::Row;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::joint::Posture;
+use crate::layout::Layout;
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::schedule::{Price, Program};
@@ -97,6 +98,8 @@ pub struct Listed {
     pub functions: Vec<Function>,
     /// The link whose frame it is about, where that is not the tip.
     pub frame: Option<String>,
+    /// Where the frames stand that its matrices are in.
+    pub layout: Layout,
     /// The operations.
     pub program: Program,
     /// What they cost.

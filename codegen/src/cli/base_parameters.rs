@@ -52,12 +52,12 @@ impl BaseParameters {
 
 const fn unit(entry: &Entry) -> &'static str {
     match entry.kind {
-        Kind::Moment(0) => "kg",
-        Kind::Moment(1) => "kg m",
-        Kind::Drive {
+        Kind::Moment(0)
+        | Kind::Drive {
             order: 2,
             slides: true,
         } => "kg",
+        Kind::Moment(1) => "kg m",
         Kind::Drive {
             order: 1,
             slides: true,

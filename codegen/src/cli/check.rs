@@ -74,7 +74,7 @@ fn tip(chain: &Chain) -> Option<&str> {
     tip.map(|tip| tip.name.as_str())
 }
 
-fn in_json(description: &Description, chain: &Chain) -> Value {
+pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
     let report = &chain.report;
     let spaces = chain.spaces();
     let names = |space| spaces.names(space).collect::<Value>();

@@ -80,27 +80,40 @@ fn columns(price: &Price, signs: bool) -> Vec<(&'static str, usize)> {
 }
 
 /// Whether any of some functions takes a sign, as those with Coulomb friction do.
-fn have_signs(functions: &[Listed]) -> bool {
+pub(super) fn have_signs(functions: &[Listed]) -> bool {
     functions.iter().any(|listed| listed.price.sign > 0)
 }
 
 fn in_json(listing: &Listing, doubts: &[Complaint]) -> Value {
     let signs = have_signs(&listing.functions);
-    let prices = listing.functions.iter().map(|listed| {
-        let mut price = json!({});
-        for (name, number) in columns(&listed.price, signs) {
-            match name.split_once(' ') {
-                Some((group, name)) => price[group][name] = json!(number),
-                None => price[name] = json!(number),
-            }
-        }
-        if let Some((_, cycles)) = listed.price.cycles {
-            price["cycles"] = json!(cycles);
-        }
-        price["errors"] = listed.accuracy.iter().map(error).collect();
-        (listed.name(), price)
-    });
+    let prices = (listing.functions.iter()).map(|listed| (listed.name(), price(listed, signs)));
     let prices: Map<String, Value> = prices.collect();
+    json!({
+        "robot": listing.about.robot,
+        "functions": prices,
+        "left_out": left_out(listing),
+        "warnings": json::warnings(doubts),
+    })
+}
+
+/// What a function costs, the number of signs where it is wanted, and how exact it is.
+pub(super) fn price(listed: &Listed, signs: bool) -> Value {
+    let mut price = json!({});
+    for (name, number) in columns(&listed.price, signs) {
+        match name.split_once(' ') {
+            Some((group, name)) => price[group][name] = json!(number),
+            None => price[name] = json!(number),
+        }
+    }
+    if let Some((_, cycles)) = listed.price.cycles {
+        price["cycles"] = json!(cycles);
+    }
+    price["errors"] = listed.accuracy.iter().map(error).collect();
+    price
+}
+
+/// What the robot cannot have, with the reasons.
+pub(super) fn left_out(listing: &Listing) -> Value {
     let left_out = listing.about.left_out.iter();
     let left_out = left_out.map(
         |LeftOut {
@@ -109,12 +122,7 @@ fn in_json(listing: &Listing, doubts: &[Complaint]) -> Value {
              hint,
          }| { json!({ "functions": functions, "reason": reason, "hint": hint }) },
     );
-    json!({
-        "robot": listing.about.robot,
-        "functions": prices,
-        "left_out": left_out.collect::<Value>(),
-        "warnings": json::warnings(doubts),
-    })
+    left_out.collect()
 }
 
 /// The worst of each unit by the type of number, of the results or of what they are exact for; the

@@ -124,7 +124,7 @@ impl Generate {
     }
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Errors> {
+pub(super) fn write(path: &Path, text: &str) -> Result<(), Errors> {
     let refuse = |reason| mistake(format!("cannot write {}: {reason}", path.display()));
     std::fs::write(path, text).map_err(refuse)
 }

@@ -22,6 +22,22 @@ pub(super) fn text(value: &Value) -> String {
     escaped(&text)
 }
 
+/// The value on one line, for the inside of an element of HTML: no mark of HTML is left in it.
+pub(super) fn in_markup(value: &Value) -> String {
+    let mut text = String::new();
+    for letter in escaped(&value.to_string()).chars() {
+        match letter {
+            // Beyond strings there are none.
+            '<' | '>' | '&' => {
+                // Writing to a string cannot fail.
+                let _ = write!(text, "\\u{:04x}", u32::from(letter));
+            }
+            _ => text.push(letter),
+        }
+    }
+    text
+}
+
 /// Doubts with their places.
 pub(super) fn warnings(doubts: &[Complaint]) -> Value {
     let doubts = doubts.iter().map(|doubt| {

@@ -89,6 +89,12 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
 /// The methods that [`print()`] writes for functions, alone, to be read.
 #[must_use]
 pub fn methods(listing: &Listing, item: &Item, world: &World) -> TokenStream {
+    each_method(listing, item, world).into_iter().collect()
+}
+
+/// The same one by one, in the order of the listing.
+#[must_use]
+pub fn each_method(listing: &Listing, item: &Item, world: &World) -> Vec<TokenStream> {
     let dialect = Dialect::of(listing.scalar, listing.sines, item, world);
     let methods = listing.functions.iter().zip(names::of_methods(listing));
     methods

@@ -84,6 +84,7 @@ fn every_command_shows_them() {
         "count -",
         "count - --format json",
         "inspect - --function gravity",
+        "show - --functions gravity",
         "generate -",
         "generate - --language c",
         &eval,

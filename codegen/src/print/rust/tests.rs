@@ -9,6 +9,7 @@ use crate::description::Name;
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
+use crate::layout::Layout;
 use crate::print::{About, ChainData, DataMotion, Listed, Listing, LoopsData};
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
@@ -63,6 +64,7 @@ pub(crate) fn listed(functions: &[Function], program: Program) -> Listed {
     Listed {
         functions: functions.to_vec(),
         frame: None,
+        layout: Layout::DESCRIBED,
         program,
         price,
         accuracy: vec![Accuracy::Within(Promise {

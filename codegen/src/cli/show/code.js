@@ -1,0 +1,240 @@
+// Code as it is read: which name is defined where, by what, and what reads it; and what it is worth.
+//
+// In: the text of a function, as it is printed. Out: its parts, its names, their values. Only what the engine prints
+// is understood: `let`, blocks, operations. It never changes a letter of the text.
+
+const TOKEN = /\/\/[^\n]*|[\p{L}_][\p{L}\p{N}_]*|\d[\d._]*(?:e[-+]?\d+)?(?:_?f(?:32|64))?|\s+|::|->|./gu;
+
+// The doc comment of a function, line by line, and the rest of its text.
+function parted(text) {
+  const lines = text.split("\n");
+  const end = lines.findIndex((line) => !line.startsWith("///"));
+  const said = lines.slice(0, end).map((line) => line.replace(/^\/\/\/ ?/, ""));
+  return { said, code: lines.slice(end).join("\n").replace(/\n+$/, "") };
+}
+
+// The packed text of a function.
+async function unpacked(packed) {
+  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  return new Response(stream).text();
+}
+
+// The tokens of a text, with the line of each, and its names: of each the token that defines it, the tokens
+// of its value, and the names in whose values it is read.
+function analysed(code) {
+  const tokens = code.match(TOKEN) || [];
+  const names = new Map();
+  const lines = [];
+  let line = 0;
+  for (const token of tokens) {
+    lines.push(line);
+    line += token.split("\n").length - 1;
+  }
+  const isName = (k) => /^[\p{L}_]/u.test(tokens[k]) && tokens[k] !== "_";
+  const opens = "([{";
+  const closes = ")]}";
+  // The next token at this depth that is one of those, from k on.
+  const find = (k, wanted, end) => {
+    let depth = 0;
+    for (let at = k; at < end; at += 1) {
+      const token = tokens[at];
+      if (depth === 0 && wanted.includes(token)) return at;
+      if (token.length === 1 && opens.includes(token)) depth += 1;
+      if (token.length === 1 && closes.includes(token)) depth -= 1;
+    }
+    return end;
+  };
+  const skip = (k) => {
+    let at = k;
+    while (at < tokens.length && /^\s/.test(tokens[at])) at += 1;
+    return at;
+  };
+  const define = (defined, at, from, to) => {
+    if (!names.has(defined)) names.set(defined, { name: defined, at, from, to, readers: new Set(), reads: new Set() });
+  };
+  const statements = (from, to) => {
+    let k = skip(from);
+    while (k < to && tokens[k] === "let") {
+      const equal = find(k, "=", to);
+      const end = find(equal + 1, ";", to);
+      const value = skip(equal + 1);
+      // Names that leave a block are defined within.
+      if (tokens[value] === "{") {
+        statements(value + 1, find(value + 1, "}", to));
+      } else {
+        for (let at = k + 1; at < equal; at += 1) if (isName(at)) define(tokens[at], at, value, end);
+      }
+      k = skip(end + 1);
+    }
+    // What is left of them.
+    return k;
+  };
+  const result = statements(find(0, "{", tokens.length) + 1, tokens.length - 1);
+  for (const own of names.values()) {
+    const link = (read) => {
+      read.readers.add(own.name);
+      own.reads.add(read.name);
+    };
+    // Sines and cosines are found together, and each is of its own angle.
+    const angle = /^[sc]_(.+?)_*$/.exec(own.name)?.[1];
+    const value = tokens.slice(own.from, own.to).join("");
+    const of = angle && /^\w+$|sin_cos_all/.test(value) && (names.get(`q_${angle}`) || names.get(angle));
+    if (of) {
+      link(of);
+      continue;
+    }
+    for (let at = own.from; at < own.to; at += 1) {
+      const read = names.get(tokens[at]);
+      if (read && tokens[at - 1] !== "::") link(read);
+    }
+  }
+  // The result has no name.
+  for (let at = result; at < tokens.length; at += 1) names.get(tokens[at])?.readers.add("");
+  return { tokens, lines, names };
+}
+
+// A value as a tree: { number }, { name }, { call, of: […] }.
+function tree(tokens, from, to, helpers) {
+  const own = [];
+  for (let k = from; k < to; k += 1) if (!/^\s/.test(tokens[k])) own.push(tokens[k]);
+  let at = 0;
+  const list = () => {
+    const items = [];
+    at += 1;
+    while (at < own.length && own[at] !== ")" && own[at] !== "]") {
+      items.push(sum());
+      if (own[at] === ",") at += 1;
+    }
+    at += 1;
+    return items;
+  };
+  const primary = () => {
+    const token = own[at];
+    if (token === undefined) throw new Error("a value ends too early");
+    if (token === "-") {
+      at += 1;
+      return { call: "neg", of: [postfixed()] };
+    }
+    if (token === "(") {
+      at += 1;
+      const inner = sum();
+      at += 1;
+      return inner;
+    }
+    if (token === "[") return { call: "list", of: list() };
+    at += 1;
+    if (/^\d/.test(token)) return { number: Number(token.replace(/_?f(32|64)$/, "").replace(/_/g, "")) };
+    // A path counts by its last word.
+    let word = token;
+    if (token === "::" || token === "<") {
+      at -= 1;
+      while (at < own.length && own[at] !== "(") at += 1;
+      word = own[at - 1];
+    } else {
+      while (own[at] === "::") {
+        word = own[at + 1];
+        at += 2;
+      }
+    }
+    if (own[at] !== "(") return { name: word };
+    const of = list();
+    const meant = helpers.get(word) || word;
+    return meant === "constant" ? of[0] : { call: meant, of };
+  };
+  const postfixed = () => {
+    let value = primary();
+    while (own[at] === ".") {
+      const call = own[at + 1];
+      at += 2;
+      value = { call, of: [value, ...list()] };
+    }
+    return value;
+  };
+  const product = () => {
+    let value = postfixed();
+    while (own[at] === "*" || own[at] === "/") {
+      const call = own[at] === "*" ? "mul" : "div";
+      at += 1;
+      value = { call, of: [value, postfixed()] };
+    }
+    return value;
+  };
+  const sum = () => {
+    let value = product();
+    while (own[at] === "+" || own[at] === "-") {
+      const call = own[at] === "+" ? "add" : "sub";
+      at += 1;
+      value = { call, of: [value, product()] };
+    }
+    return value;
+  };
+  const value = sum();
+  return at === own.length ? value : null;
+}
+
+// The names that stand for a function of the runtime: `k` for `constant`, `mul_add`.
+function helpersOf(analysis) {
+  const helpers = new Map();
+  for (const own of analysis.names.values()) {
+    const value = analysis.tokens.slice(own.from, own.to).join("");
+    const found = /^<.*>::(constant|mul_add)$/.exec(value);
+    if (found) helpers.set(own.name, found[1]);
+  }
+  return helpers;
+}
+
+// What names are worth at some arguments, each a list of numbers by its name; NaN where that is not known.
+function worth(analysis, helpers, given) {
+  const known = new Map();
+  const entry = (name) => {
+    // Nothing acts from outside.
+    if (/^action_\d+_[cf][xyz]_*$/.test(name)) return 0;
+    const found = /^(q|qd|qdd|tau)_(\d+)_*$/.exec(name);
+    return found && given[found[1]] ? given[found[1]][found[2] - 1] : undefined;
+  };
+  const calls = {
+    neg: (a) => -a,
+    add: (a, b) => a + b,
+    sub: (a, b) => a - b,
+    mul: (a, b) => a * b,
+    div: (a, b) => a / b,
+    mul_add: (a, b, c) => a * b + c,
+    sqrt: (a) => Math.sqrt(a),
+    sign: (a) => Math.sign(a),
+  };
+  const valued = (value) => {
+    if (value === null) return NaN;
+    if ("number" in value) return value.number;
+    if ("name" in value) return of(value.name);
+    const call = calls[value.call];
+    return call ? call(...value.of.map(valued)) : NaN;
+  };
+  const of = (name) => {
+    if (known.has(name)) return known.get(name);
+    const own = analysis.names.get(name);
+    let value = entry(name);
+    const angle = /^([sc])_(.+?)_*$/.exec(name);
+    const numbers = angle && /^\d+(_\d+)*$/.test(angle[2]) ? numbersOf(angle[2]) : null;
+    // `c_2_in_1_x` is no cosine.
+    if (value === undefined && (numbers || (angle && analysis.names.has(angle[2])))) {
+      const turned = numbers ? numbers.reduce((sum, k) => sum + given.q[k - 1], 0) : of(angle[2]);
+      value = angle[1] === "s" ? Math.sin(turned) : Math.cos(turned);
+    }
+    if (value === undefined) value = own ? valued(tree(analysis.tokens, own.from, own.to, helpers)) : NaN;
+    known.set(name, value);
+    return value;
+  };
+  // Those before it first: a function of many thousand operations would go too deep.
+  return (name) => {
+    const waiting = [name];
+    while (waiting.length) {
+      const next = waiting[waiting.length - 1];
+      const reads = analysis.names.get(next)?.reads || new Set();
+      const missing = [...reads].filter((read) => !known.has(read) && !helpers.has(read));
+      if (missing.length && !known.has(next)) waiting.push(...missing);
+      else of(waiting.pop());
+    }
+    return known.get(name);
+  };
+}

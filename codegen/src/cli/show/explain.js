@@ -1,0 +1,131 @@
+// What is said of the name that is pointed at.
+//
+// In: a name, the function that it is of. Out: a panel: the matrix and its entry, the links and frames, the
+// paper's equation, where the name is defined and by what, what it is worth now, what reads it.
+
+// How many operations a value may have before a part of it stays a name.
+const LONG = 14;
+
+// A value in mathematics; parts without a name of their own are written out while they are short.
+function mathematics(robot, analysis, helpers, own) {
+  let left = LONG;
+  const strength = { add: 1, sub: 1, neg: 2, mul: 2, div: 2, mul_add: 1 };
+  const show = (value, least) => {
+    if (value === null) return [];
+    if ("number" in value) return [value.number < 0 ? "−" : "", String(Math.abs(value.number))];
+    if ("name" in value) {
+      const inner = analysis.names.get(value.name);
+      if (inner && left > 0 && meaning(robot, value.name, "").kind === "part") {
+        left -= 1;
+        return show(tree(analysis.tokens, inner.from, inner.to, helpers), least);
+      }
+      return [nameButton(robot, value.name)];
+    }
+    const [a, b, c] = value.of;
+    const bracket = (parts) => ((strength[value.call] || 3) < least ? ["(", parts, ")"] : parts);
+    switch (value.call) {
+      case "add": return bracket([show(a, 1), " + ", show(b, 1)]);
+      case "sub": return bracket([show(a, 1), " − ", show(b, 2)]);
+      case "mul": return bracket([show(a, 2), "\u2009·\u2009", show(b, 2)]);
+      case "div": return bracket([show(a, 2), "\u2009/\u2009", show(b, 3)]);
+      case "neg": return bracket(["−", show(a, 2)]);
+      case "mul_add": {
+        // a b − c reads better than a b + −c.
+        const turned = c.call === "neg" ? c.of[0] : c.number < 0 ? { number: -c.number } : null;
+        return bracket([show(a, 2), "\u2009·\u2009", show(b, 2), turned ? " − " : " + ", show(turned || c, turned ? 2 : 1)]);
+      }
+      case "sqrt": return ["√(", show(a, 0), ")"];
+      default: return [value.call, "(", value.of.map((part, k) => [k ? ", " : "", show(part, 0)]), ")"];
+    }
+  };
+  try {
+    return show(tree(analysis.tokens, own.from, own.to, helpers), 0);
+  } catch {
+    return [analysis.tokens.slice(own.from, own.to).join("")];
+  }
+}
+
+// A name as a button that points at it.
+const nameButton = (robot, name) =>
+  el("button", { type: "button", class: "reference", "data-name": name, title: name }, written(robot, name));
+
+// The entries of a matrix, of which one is meant.
+function grid(matrix, entry) {
+  const isMeant = (cell) => cell.split(" ").some((part) => part.replace("−", "") === entry);
+  const text = (cell) => {
+    const parts = cell.split(/(_[a-z]+)/);
+    return parts.map((part) => (part.startsWith("_") ? el("sub", {}, part.slice(1)) : part));
+  };
+  return el("div", { class: "matrix", "aria-hidden": "true" },
+    matrix.cells.map((cell) => el("span", { class: isMeant(cell) ? "meant" : null }, text(cell))));
+}
+
+// What a name is, in a sentence or two, and the matrix that it is an entry of.
+function saying(robot, name, said, owner) {
+  const coordinates = (numbers) => numbers.map((k) => robot.skeleton.coordinates[k - 1]?.name || k).join(", ");
+  switch (said.kind) {
+    case "entry": {
+      const matrix = robot.letters.matrices[said.form.letter];
+      const what = matrix ? `An entry of the ${matrix.noun} matrix${said.negative ? ", with the other sign" : ""}. ` : said.negative ? "With the other sign. " : "";
+      return [what + told(robot, said)];
+    }
+    case "argument": {
+      const { noun, letter } = ARGUMENTS[said.argument];
+      const unit = UNITS[said.argument][said.entry.kind];
+      return [`${noun} ${letter} of `, named(said.entry.name), `, number ${said.index}${unit === "1" ? "" : `, in ${unit}`}: an argument.`];
+    }
+    case "action":
+      return [`Entry ${said.entry} of action ${said.index} from outside: an argument.`];
+    case "sum":
+      return ["The sum of the coordinates ", named(coordinates(said.coordinates)), ", whose axes are parallel."];
+    case "angle": {
+      const noun = said.sine ? "Sine" : "Cosine";
+      if (said.of) return [`${noun} of `, nameButton(robot, said.of), "."];
+      return [`${noun} of ${said.coordinates.length > 1 ? "the sum of the coordinates" : "the coordinate"} `, named(coordinates(said.coordinates)), "."];
+    }
+    case "part":
+      return ["A part of a sum that has no name of its own."];
+    default:
+      if (owner === "constant") return ["Makes a number of the description one of the type T."];
+      if (owner === "mul_add") return ["a · b + c, rounded once where the processor can."];
+      return ["A list that is taken apart below."];
+  }
+}
+
+// The panel for a name of an open function.
+function explanation(robot, open, name, given) {
+  const { analysis, helpers, of } = open;
+  const own = analysis.names.get(name);
+  const said = meaning(robot, name, of);
+  const helper = helpers.get(name);
+  const matrix = said.kind === "entry" ? robot.letters.matrices[said.form.letter] : undefined;
+  const computed = own && ["entry", "part", "sum"].includes(said.kind);
+  const readers = own ? [...own.readers] : [];
+  const shown = readers.filter((reader) => reader !== "" && meaning(robot, reader, "").kind !== "other");
+  const list = shown.slice(0, 24).map((reader) => [nameButton(robot, reader), " "]);
+  if (shown.length > 24) list.push(`and ${shown.length - 24} more`);
+  if (readers.includes("")) list.push(shown.length ? "and the result" : "the result");
+  // What is known of a posture is not found again for the next name.
+  if (open.given !== given) Object.assign(open, { given, worth: worth(analysis, helpers, given) });
+  const value = !helper && said.kind !== "other" ? open.worth(name) : NaN;
+  return [
+    el("header", {},
+      el("h2", {}, written(robot, name)),
+      el("code", {}, name),
+      el("button", { type: "button", id: "unpin", title: "Close (Escape)", "aria-label": "Close" }, "×")),
+    el("p", { class: "saying" }, saying(robot, name, said, helper)),
+    matrix ? el("p", { class: "equation" }, matrix.is, el("br"), el("span", {}, matrix.moves)) : null,
+    matrix ? grid(matrix, said.entry) : null,
+    el("dl", {},
+      computed ? [el("dt", {}, "is"), el("dd", { class: "mathematics" }, mathematics(robot, analysis, helpers, own))] : null,
+      Number.isFinite(value) ? [el("dt", {}, "now"), el("dd", {}, el("output", { id: "worth", "data-value": String(value) }, short(value, 6)),
+        el("small", {}, " with the joints where they are", open.moves ? (given.qd[0] ? ", each at a rate of 1" : ", at rest") : null))] : null,
+      own ? [el("dt", {}, "line"), el("dd", {}, el("button", { type: "button", class: "reference", "data-name": name, "data-go": "1" }, String(analysis.lines[own.at] + 1)))] : null,
+      list.length ? [el("dt", {}, "read by"), el("dd", {}, list)] : null),
+  ];
+}
+
+// What stands there before a name is pointed at.
+const invitation = () => [
+  el("p", { class: "hint" }, "Open a function and point at a name in its code: here stands which matrix of the paper it is an entry of, in which frame, what it is worth, and what reads it."),
+];

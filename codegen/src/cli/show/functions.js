@@ -1,0 +1,227 @@
+// Every function: what it computes, what it costs, how exact it is, its code.
+//
+// In: the functions of the page's data. Out: a section; code is unpacked when a function is opened, and
+// put on the page some lines at a time. What is pointed at is told to whoever explains it.
+
+// How many lines of code are put on the page at once.
+const PAGE = 160;
+
+// A bound with two digits.
+const bound = (value) => (value === null || value === undefined ? "—" : value === 0 ? "0" : value.toExponential(1).replace("e-", "e−").replace("e+", "e"));
+
+// The worst of a function's bounds in a type, with units.
+function worst(errors, type) {
+  const parts = errors.filter((error) => error[type]).flatMap((error) =>
+    Object.entries(error[type]).filter(([, value]) => value !== null).map(([unit, value]) => `${bound(value)}${unit === "1" ? "" : ` ${unit}`}`));
+  return parts.length ? parts.join(", ") : null;
+}
+
+const OF = { results: "", tau: "as if τ were off by at most", M: "each column exact for an M of its own, off by at most" };
+
+// How exact a function is, joint by joint.
+function errorsOf(errors) {
+  return errors.map((error) => {
+    if (error.unknown) return el("p", { class: "small" }, `Error: no bound: ${error.unknown}.`);
+    const about = [error.range ? `For ${error.range}.` : null, error.lacks ? `Where none is told: ${error.lacks}.` : null].filter(Boolean).join(" ");
+    const rows = error.joints.map((one) => [one.joint === null ? "the result" : named(one.joint), one.unit, bound(one.f64), bound(one.f32)]);
+    return [
+      el("h4", {}, "Error, proved: ", OF[error.of] || "at most"),
+      table("Error bounds", ["of", "unit", "in f64", "in f32"], rows, [2, 3]),
+      about ? el("p", { class: "small" }, about) : null,
+    ];
+  });
+}
+
+const PRICES = [["mul", "products"], ["add", "sums"], ["div", "quotients"], ["sqrt", "roots"], ["sin", "sines"], ["cos", "cosines"],
+  ["sign", "signs"], ["neg", "changes of sign"], ["fused", "products and sums that may be one"], ["depth", "operations that wait for each other"], ["literals", "numbers"], ["cycles", "cycles by the model of the processor"]];
+
+function priceOf(price) {
+  const parts = PRICES.filter(([key]) => price[key]).map(([key, noun]) => [el("b", {}, grouped(price[key])), ` ${noun}`]);
+  const dense = price.naive.mul + price.naive.add;
+  return el("p", { class: "price" },
+    parts.map((part, k) => [k ? el("span", { class: "dot" }, " · ") : null, part]), ".",
+    dense ? [" With dense 4×4 products: ", el("b", {}, grouped(price.naive.mul)), " products, ", el("b", {}, grouped(price.naive.add)), " sums."] : null);
+}
+
+// The lines of a function's code, put on the page as they are needed.
+class Listing {
+  constructor(robot, open, element) {
+    Object.assign(this, { robot, open, element, next: 0, spots: new Map(), order: [] });
+    const { tokens, lines } = open.analysis;
+    this.starts = [0];
+    for (let k = 1; k < tokens.length; k += 1) if (lines[k] !== lines[k - 1]) this.starts[lines[k]] = k;
+    // Several lines may end in one token of white space.
+    for (let line = lines[lines.length - 1]; line >= 0; line -= 1) this.starts[line] ??= this.starts[line + 1];
+    this.total = lines[lines.length - 1] + 1;
+    this.more();
+  }
+
+  // Puts the next lines on the page, up to a line where one is wanted.
+  more(wanted = 0) {
+    const { analysis } = this.open;
+    while (this.next < this.total && this.next <= wanted + PAGE) {
+      const chunk = el("div", { class: "chunk" });
+      const end = Math.min(this.next + PAGE, this.total);
+      const [from, to] = [this.starts[this.next], end < this.total ? this.starts[end] : analysis.tokens.length];
+      for (let k = from; k < to; k += 1) chunk.append(this.piece(analysis.tokens[k], k));
+      this.element.append(chunk);
+      this.next = end;
+      if (wanted === 0) break;
+    }
+  }
+
+  piece(token, k) {
+    const { names } = this.open.analysis;
+    const own = names.get(token);
+    if (own && this.open.analysis.tokens[k - 1] !== "::") {
+      const spot = el("span", { class: own.at === k ? "n d" : "n", "data-n": token }, token);
+      if (!this.spots.has(token)) this.spots.set(token, []);
+      this.spots.get(token).push(spot);
+      this.order.push(spot);
+      return spot;
+    }
+    if (/^(let|pub|fn|as|mut)$/.test(token)) return el("span", { class: "w" }, token);
+    if (/^\d/.test(token)) return el("span", { class: "c" }, token);
+    if (/^#|^\/\//.test(token)) return el("span", { class: "q" }, token);
+    return document.createTextNode(token);
+  }
+
+  // Marks a name wherever it stands, and the names that read it where they are defined.
+  mark(name) {
+    for (const spot of this.marked || []) spot.classList.remove("same", "reader", "read");
+    this.marked = [];
+    const add = (of, kind, only) => {
+      for (const spot of this.spots.get(of) || []) {
+        if (only && !spot.classList.contains("d")) continue;
+        spot.classList.add(kind);
+        this.marked.push(spot);
+      }
+    };
+    const own = this.open.analysis.names.get(name);
+    if (!own) return;
+    add(name, "same");
+    for (const reader of own.readers) if (reader !== name) add(reader, "reader", true);
+    for (const read of own.reads) add(read, "read", true);
+  }
+
+  // Brings the definition of a name into view.
+  go(name) {
+    const own = this.open.analysis.names.get(name);
+    if (!own) return null;
+    this.more(this.open.analysis.lines[own.at] + 1);
+    const spot = (this.spots.get(name) || []).find((one) => one.classList.contains("d"));
+    if (spot) spot.scrollIntoView({ block: "center", behavior: "smooth" });
+    return spot;
+  }
+}
+
+// The section. `point` is told the open function and the name that is pointed at, and whether it stays.
+function functionSection(robot, data, point) {
+  const all = data.functions;
+  const most = Math.max(...all.map(({ price }) => price.mul + price.add), 1);
+  const cards = all.map((own) => functionCard(robot, own, most, point));
+  const processed = all.some(({ price }) => price.cycles);
+  const lacking = data.left_out.map(({ functions, reason, hint }) =>
+    el("li", {}, functions.map((name, k) => [k ? ", " : "", el("code", {}, name)]), ": ", reason, hint ? el("small", {}, ` — ${hint}`) : null));
+  return [
+    el("h2", { id: "functions-title" }, "Functions ", el("small", {}, String(all.length))),
+    el("p", {}, "Prices are counted on the code that is shown, beside those of dense 4×4 products. ",
+      processed ? "Cycles are those of the processor's model, sines and cosines apart; nothing was timed." : "No time is told: that takes a compiler and your machine. Where a processor is named, cycles by its model stand beside."),
+    el("div", { class: "heads", "aria-hidden": "true" }, el("span", {}, "function"), el("span", {}, "mul"), el("span", {}, "add"), el("span", {}, "of dense")),
+    el("div", { class: "cards-of-functions" }, cards),
+    lacking.length ? [el("h3", {}, "Not to be had"), el("ul", {}, lacking)] : null,
+  ];
+}
+
+function functionCard(robot, own, most, point) {
+  const { price } = own;
+  const dense = price.naive.mul + price.naive.add;
+  const share = dense ? (100 * (price.mul + price.add)) / dense : null;
+  const inside = el("div", { class: "inside" });
+  const bar = el("span", { class: "bar" });
+  bar.style.width = `${Math.max(0.6, (100 * (price.mul + price.add)) / most)}%`;
+  const error = worst(price.errors, "f64");
+  const card = el("details", { class: "function", "data-function": own.name },
+    el("summary", {},
+      el("span", { class: "what" }, el("code", {}, own.name), el("span", { class: "sentence" }, own.sentence), bar),
+      el("span", { class: "number", title: "products" }, grouped(price.mul)),
+      el("span", { class: "number", title: "sums" }, grouped(price.add)),
+      el("span", { class: "number", title: "of the operations of dense 4×4 products" }, share === null ? "—" : share < 9.95 ? `${share.toFixed(1)} %` : `${share.toFixed(0)} %`)),
+    inside);
+  card.addEventListener("toggle", () => {
+    if (!card.open || inside.childElementCount) return;
+    inside.append(priceOf(price), ...[errorsOf(price.errors)].flat(Infinity).filter(Boolean));
+    if (error) inside.querySelector("h4")?.append(el("span", { class: "worst" }, ` ${error}`));
+    openCode(robot, own, inside, point);
+  });
+  return card;
+}
+
+// Unpacks the code of a function and puts it on the page.
+async function openCode(robot, own, inside, point) {
+  const text = await unpacked(own.code);
+  const { said, code } = parted(text);
+  const analysis = analysed(code);
+  const open = { own, analysis, helpers: helpersOf(analysis), of: own.of || robot.tip || "", moves: own.arguments.includes("qd") };
+  const box = el("pre", { class: "code", tabindex: "0", role: "group", "aria-label": `The code of ${own.name}. Left and right go from name to name, up and down from line to line, Enter to where a name is defined.` });
+  const copy = el("button", { type: "button", onclick: async () => {
+    // A browser may have no clipboard for a file, or be told to lend none.
+    const copied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
+    copy.textContent = copied ? "Copied" : "No clipboard";
+    setTimeout(() => { copy.textContent = "Copy"; }, 1500);
+  } }, "Copy");
+  inside.append(
+    el("div", { class: "title" }, el("h4", {}, "Code, as it is printed"), el("div", { class: "buttons" }, el("small", {}, `${grouped(own.lines)} lines`), copy)),
+    el("details", { class: "small comment" }, el("summary", {}, "Its doc comment"), el("p", {}, said.map((line) => [line, el("br")]))),
+    box);
+  open.listing = new Listing(robot, open, box);
+  box.addEventListener("scroll", () => {
+    if (box.scrollTop + box.clientHeight > box.scrollHeight - 600) open.listing.more(open.listing.next);
+  }, { passive: true });
+  const nameAt = (event) => event.target.closest?.("[data-n]");
+  box.addEventListener("mouseover", (event) => {
+    const spot = nameAt(event);
+    if (spot) point(open, spot.dataset.n, false);
+  });
+  box.addEventListener("click", (event) => {
+    const spot = nameAt(event);
+    if (spot) point(open, spot.dataset.n, true);
+  });
+  walkByKeys(box, open, point);
+}
+
+// Lets keys go from name to name.
+function walkByKeys(box, open, point) {
+  let current = null;
+  const { listing } = open;
+  const choose = (spot) => {
+    current?.classList.remove("current");
+    current = spot;
+    current.classList.add("current");
+    current.scrollIntoView({ block: "nearest", inline: "nearest" });
+    point(open, current.dataset.n, true);
+  };
+  const step = (by) => {
+    if (!listing.order.length) return;
+    const at = current ? listing.order.indexOf(current) : by > 0 ? -1 : 0;
+    if (at + by >= listing.order.length) listing.more(listing.next);
+    const to = Math.max(0, Math.min(at + by, listing.order.length - 1));
+    choose(listing.order[to]);
+  };
+  // The nearest definition above or below.
+  const line = (by) => {
+    let at = (current ? listing.order.indexOf(current) : -1) + by;
+    while (listing.order[at] && !listing.order[at].classList.contains("d")) at += by;
+    if (listing.order[at]) choose(listing.order[at]);
+    else if (by > 0) listing.more(listing.next);
+  };
+  const keys = { ArrowRight: () => step(1), ArrowLeft: () => step(-1), ArrowDown: () => line(1), ArrowUp: () => line(-1),
+    Enter: () => { const spot = current && listing.go(current.dataset.n); if (spot) choose(spot); } };
+  box.addEventListener("keydown", (event) => {
+    const move = keys[event.key];
+    if (!move || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    move();
+  });
+  box.addEventListener("focus", () => { if (!current && box.matches(":focus-visible")) step(1); });
+}

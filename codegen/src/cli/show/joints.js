@@ -1,0 +1,153 @@
+// Sliders for the coordinates.
+//
+// In: the skeleton and its limits. Out: sliders, and q. A quaternion has three: a turn about each axis, of
+// which its four entries are made. What follows another joint is shown, and has none.
+
+const TURN = Math.PI;
+
+// Where the robot stands at first: all zero, or as near as limits allow; no turn where there is a quaternion.
+function rest(skeleton) {
+  return skeleton.coordinates.map((entry) => {
+    if (entry.kind === "quaternion") return entry.name.endsWith(".qw") ? 1 : 0;
+    const [low, high] = entry.range || [0, 0];
+    return entry.range ? Math.min(Math.max(0, low), high) : 0;
+  });
+}
+
+// The sliders of a robot, in the order of q: what each moves, and between what.
+function slidersOf(skeleton, reach) {
+  const sliders = [];
+  const { coordinates } = skeleton;
+  for (let k = 0; k < coordinates.length; k += 1) {
+    const entry = coordinates[k];
+    if (entry.kind === "quaternion") {
+      const joint = entry.name.replace(/\.qx$/, "");
+      for (const axis of [0, 1, 2]) {
+        sliders.push({ name: joint, part: `turn ${"xyz"[axis]}`, quaternion: k, axis, low: -TURN, high: TURN, unit: "rad", free: true });
+      }
+      k += 3;
+      continue;
+    }
+    const [low, high] = entry.range || (entry.kind === "turn" ? [-TURN, TURN] : [-reach, reach]);
+    sliders.push({ name: entry.name, coordinate: k, low, high, unit: entry.unit, free: !entry.range });
+  }
+  return sliders;
+}
+
+// With one digit behind the point, and no sign before a zero.
+const tenth = (value) => value.toFixed(1).replace(/^-(0\.0)$/, "$1").replace("-", "−");
+const degrees = (angle) => `${tenth((angle * 180) / Math.PI)}°`;
+const metres = (length) => `${tenth(length * 1000)} mm`;
+
+// The section: `changed` is called with every new q, and with the rate of all joints.
+function jointSection(data, reach, changed) {
+  const { skeleton, report } = data;
+  const q = rest(skeleton);
+  const sliders = slidersOf(skeleton, reach);
+  const turns = new Map();
+  const rows = sliders.map((slider, number) => {
+    const id = `slider-${number}`;
+    const kind = report.details.joints.find((joint) => slider.name === joint.name || slider.name.startsWith(`${joint.name}.`))?.kind;
+    const input = el("input", {
+      type: "range", id, min: String(slider.low), max: String(slider.high), step: "any",
+      disabled: slider.low === slider.high,
+      oninput: () => move([slider], () => Number(input.value)),
+      ondblclick: () => move([slider], nearest),
+    });
+    const output = el("output", { for: id });
+    const row = el("div", { class: "slider", "data-kind": kind },
+      el("label", { for: id }, named(slider.name), slider.part ? el("small", {}, ` ${slider.part}`) : null),
+      input, output);
+    return { slider, input, output, row };
+  });
+  const followers = report.mimicked.map((mimic) => {
+    const output = el("output");
+    return { mimic, output, row: el("div", { class: "slider follower" },
+      el("span", {}, named(mimic.joint)),
+      el("small", {}, `${short(mimic.multiplier)} × `, named(mimic.of), mimic.offset ? ` + ${short(mimic.offset)}` : null), output) };
+  });
+  const set = (slider, value) => {
+    if (slider.quaternion === undefined) {
+      q[slider.coordinate] = value;
+      return;
+    }
+    const turned = turns.get(slider.quaternion) || [0, 0, 0];
+    turned[slider.axis] = value;
+    turns.set(slider.quaternion, turned);
+    quaternionOf(turned).forEach((entry, k) => { q[slider.quaternion + k] = entry; });
+  };
+  const nearest = ({ low, high }) => Math.min(Math.max(0, low), high);
+  // Moves some sliders; where loops are to stay closed the other joints go along, or nothing moves.
+  const move = (moved, value) => {
+    const before = [...q];
+    for (const slider of moved) set(slider, value(slider));
+    if (close.checked) {
+      const held = moved.flatMap((slider) => (slider.quaternion === undefined ? [slider.coordinate] : [0, 1, 2, 3].map((k) => slider.quaternion + k)));
+      const all = moved.length === sliders.length;
+      const found = closed(skeleton, q, all ? [] : held);
+      take(found || before, found && !all ? held : []);
+    }
+    tell();
+  };
+  // Coordinates as they are given; sliders of a quaternion that is held stay where they were dragged to.
+  const take = (values, held = []) => {
+    values.forEach((entry, k) => { q[k] = entry; });
+    for (const { quaternion } of sliders) {
+      if (quaternion !== undefined && !held.includes(quaternion)) turns.set(quaternion, turnOf(q.slice(quaternion, quaternion + 4)));
+    }
+  };
+  const close = el("input", { type: "checkbox", onchange: () => move([], null) });
+  close.checked = skeleton.loops.length > 0;
+  const moving = el("input", { type: "checkbox", id: "moving", onchange: () => tell() });
+  const get = (slider) => slider.quaternion === undefined ? q[slider.coordinate] : (turns.get(slider.quaternion) || [0, 0, 0])[slider.axis];
+  const said = (value, unit) => (unit === "m" ? metres(value) : degrees(value));
+  const state = el("code", { id: "q", class: "state" });
+  const tell = () => {
+    for (const { slider, input, output } of rows) {
+      const value = get(slider);
+      if (Number(input.value) !== value) input.value = String(value);
+      output.textContent = said(value, slider.unit);
+      output.title = `${short(value, 6)} ${slider.unit}`;
+    }
+    for (const { mimic, output } of followers) {
+      const leader = skeleton.coordinates.findIndex((entry) => entry.name === mimic.of);
+      const value = mimic.multiplier * q[leader] + mimic.offset;
+      const kind = report.details.joints.find((joint) => joint.name === mimic.joint)?.kind;
+      output.textContent = leader < 0 ? "" : said(value, kind === "prismatic" ? "m" : "rad");
+    }
+    state.textContent = `{"states":[{"q":[${q.map((entry) => String(Math.round(entry * 1e6) / 1e6)).join(",")}]}]}`;
+    changed(q, moving.checked ? 1 : 0);
+  };
+  const random = ({ low, high, free }) => low + (high - low) * (free ? 0.5 + (Math.random() - 0.5) * 0.5 : Math.random());
+  const button = (text, title, value) => el("button", { type: "button", title, onclick: () => move(sliders, value) }, text);
+  const section = [
+    el("div", { class: "title" },
+      el("h2", { id: "joints-title" }, "Joints"),
+      el("div", { class: "buttons" },
+        button("Zero", "All coordinates zero, or as near as their limits allow", nearest),
+        button("Middle", "All coordinates in the middle of their range", ({ low, high }) => (low + high) / 2),
+        button("Random", "A posture drawn by chance", random))),
+    el("div", { class: "sliders" }, rows.map(({ row }) => row), followers.map(({ row }) => row)),
+    skeleton.loops.length ? el("p", { class: "note" }, el("label", {}, close, ` Keep ${counted(skeleton.loops.length, "loop")} closed: the other joints go along.`),
+      " Functions are of the tree of joints, but for those of loops.") : null,
+    el("p", { class: "note" }, el("label", {}, moving, " Tell what names are worth with every rate at 1 (rad/s, m/s), and not at rest.")),
+    el("details", { class: "small" },
+      el("summary", {}, "This posture as a state file"),
+      el("p", {}, "For ", el("code", {}, "homogen eval"), ": ", state)),
+    el("div", { id: "pose" }),
+  ];
+  const put = (values) => {
+    take(values);
+    tell();
+  };
+  const start = () => move([], null);
+  return { section, start, put };
+}
+
+// The pose of the frame that functions are of, as the matrix that it is.
+function poseTable(name, pose) {
+  const rows = [0, 4, 8].map((row) => [0, 1, 2, 3].map((column) => pose[row + column]));
+  return [el("p", {}, el("var", {}, el("b", {}, "M"), el("sub", {}, "0,n")), " of ", named(name)),
+    el("div", { class: "matrix numbers", id: "tip-pose", "data-pose": JSON.stringify(pose) },
+      [...rows.flat(), 0, 0, 0, 1].map((entry, k) => el("span", { class: k % 4 === 3 && k < 12 ? "meant" : null }, k < 12 ? entry.toFixed(4).replace("-", "−") : String(entry))))];
+}

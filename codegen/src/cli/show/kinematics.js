@@ -1,0 +1,103 @@
+// Where everything is.
+//
+// In: the skeleton and coordinates q. Out: poses in frame 0, each rows 1 to 3 of a 4×4 matrix as twelve
+// numbers. Bodies are moved as the chain has them: by an angle about and a shift along an axis, or by the
+// coordinates of a posture, after a placement. It shares no code with what it is shown beside.
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+
+// Mᵢₖ = Mᵢⱼ Mⱼₖ.
+function compose(a, b) {
+  const m = new Array(12);
+  for (let row = 0; row < 12; row += 4) {
+    for (let column = 0; column < 4; column += 1) {
+      m[row + column] = a[row] * b[column] + a[row + 1] * b[4 + column] + a[row + 2] * b[8 + column]
+        + (column === 3 ? a[row + 3] : 0);
+    }
+  }
+  return m;
+}
+
+// A point of the frame that stands at m, in the frame that m is seen from.
+const pointAt = (m, [x, y, z]) => [0, 4, 8].map((row) => m[row] * x + m[row + 1] * y + m[row + 2] * z + m[row + 3]);
+
+// The same of a direction.
+const directionAt = (m, [x, y, z]) => [0, 4, 8].map((row) => m[row] * x + m[row + 1] * y + m[row + 2] * z);
+
+// Its origin.
+const originOf = (m) => [m[3], m[7], m[11]];
+
+// Q: a turn about an axis of length 1 through the origin, and a shift along it.
+function alongAxis([x, y, z], angle, shift) {
+  const sine = Math.sin(angle);
+  const cosine = Math.cos(angle);
+  const half = Math.sin(angle / 2);
+  const versine = 2 * half * half;
+  return [
+    cosine + x * x * versine, x * y * versine - z * sine, x * z * versine + y * sine, x * shift,
+    x * y * versine + z * sine, cosine + y * y * versine, y * z * versine - x * sine, y * shift,
+    x * z * versine - y * sine, y * z * versine + x * sine, cosine + z * z * versine, z * shift,
+  ];
+}
+
+// Q of a quaternion (x, y, z, w) and a shift; the quaternion is brought to length 1.
+function ofQuaternion(quaternion, [tx, ty, tz]) {
+  const length = Math.hypot(...quaternion) || 1;
+  const [x, y, z, w] = quaternion.map((entry) => entry / length);
+  return [
+    1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), tx,
+    2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x), ty,
+    2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y), tz,
+  ];
+}
+
+// The quaternion of a turn about a direction, by its length \[rad\].
+function quaternionOf(turn) {
+  const angle = Math.hypot(...turn);
+  const scale = angle > 1e-9 ? Math.sin(angle / 2) / angle : 0.5;
+  return [...turn.map((entry) => entry * scale), Math.cos(angle / 2)];
+}
+
+// And back: the turn of a quaternion, half a turn at most.
+function turnOf(quaternion) {
+  const sign = quaternion[3] < 0 ? -1 : 1;
+  const half = Math.hypot(...quaternion.slice(0, 3));
+  const angle = 2 * Math.atan2(half, Math.abs(quaternion[3]));
+  return quaternion.slice(0, 3).map((entry) => (half > 1e-12 ? (sign * entry * angle) / half : 0));
+}
+
+// What q has made of a body's joint.
+function displacement(body, q) {
+  const { by: moved, axis } = body;
+  if (moved === null) return IDENTITY;
+  const at = moved.coordinate;
+  switch (moved.posture) {
+    case "planar": {
+      const turned = alongAxis([0, 0, 1], q[at + 2], 0);
+      turned[3] = q[at];
+      turned[7] = q[at + 1];
+      return turned;
+    }
+    case "spherical":
+      return ofQuaternion(q.slice(at, at + 4), [0, 0, 0]);
+    case "floating":
+      return ofQuaternion(q.slice(at + 3, at + 7), q.slice(at, at + 3));
+    default: {
+      const along = q[at] * moved.factor;
+      return alongAxis(axis, body.turns * along, body.slides * along);
+    }
+  }
+}
+
+// M₀ of all bodies, of where each would be undisplaced, and of all links.
+function poses(skeleton, q) {
+  const bodies = [];
+  const seats = [];
+  for (const body of skeleton.bodies) {
+    const outer = body.parent === null ? IDENTITY : bodies[body.parent];
+    seats.push(compose(outer, body.place));
+    bodies.push(compose(seats[seats.length - 1], displacement(body, q)));
+  }
+  const fixed = ({ body, place: at }) => compose(body === null ? IDENTITY : bodies[body], at);
+  return { bodies, seats, links: skeleton.links.map(fixed), loops: skeleton.loops.map((loop) => loop.ends.map(fixed)) };
+}

@@ -1,0 +1,181 @@
+// Puts the page together.
+//
+// In: the data of the page. Out: its sections, and what holds them together: one posture, one name that is
+// pointed at. `window.homogen` is for whoever wants to ask the page by a script.
+
+const data = JSON.parse(by("data").textContent);
+const { skeleton, report } = data;
+data.neutral = rest(skeleton);
+
+const robot = {
+  ...prepared(data),
+  skeleton,
+  layouts: data.layouts,
+  letters: data.letters,
+  forms: formsOf(data.letters),
+  tip: report.tip,
+};
+
+// What is drawn, and what is pointed at.
+const shown = { frames: null, masses: true, names: false };
+let pointed = { open: null, name: null, pinned: false, bodies: new Set() };
+let now = poses(skeleton, data.neutral);
+// The arguments of functions: q as the joints are, with all rates 0 or all 1; no second rates, forces or actions.
+const rates = (rate) => skeleton.velocities.map(() => rate);
+let given = { q: data.neutral, qd: rates(0), qdd: rates(0), tau: rates(0) };
+const canvas = by("picture");
+
+let waiting = false;
+function redraw() {
+  if (waiting) return;
+  waiting = true;
+  requestAnimationFrame(() => {
+    waiting = false;
+    paint(canvas, robot, now, shown, pointed.bodies);
+  });
+}
+
+function whole() {
+  const { center, reach } = around(robot.links, now);
+  frame(center, reach + robot.thick);
+}
+
+// The head of the page.
+document.title = `${report.robot} — homogen`;
+by("robot").textContent = report.robot;
+by("origin").append(
+  ...[report.file ? [named(report.file), ` (FNV-1a ${report.details.hash}), `] : [],
+    `${counted(report.joints.length, "joint")}, ${counted(skeleton.velocities.length, "velocity", "velocities")}, ${counted(skeleton.links.length, "link")}; from `,
+    named(report.base), report.tip ? [" to ", named(report.tip)] : []].flat(Infinity));
+by("foot").append("Written by ", el("code", {}, `homogen show ${data.version}`), ". One file: it asks no network for anything.");
+
+// The posture.
+const joints = jointSection(data, robot.reach, (moved, rate) => {
+  given = { ...given, q: [...moved], qd: rates(rate) };
+  now = poses(skeleton, moved);
+  const tip = skeleton.links.findIndex((link) => link.name === report.tip);
+  if (tip >= 0) by("pose")?.replaceChildren(...poseTable(report.tip, now.links[tip]).flat());
+  if (pointed.name) explain();
+  redraw();
+});
+by("joints").append(...joints.section.filter(Boolean));
+
+// The name that is pointed at.
+function explain() {
+  const panel = by("explain");
+  const { open, name, pinned } = pointed;
+  panel.classList.toggle("pinned", pinned);
+  panel.classList.toggle("filled", name !== null);
+  if (name === null) panel.replaceChildren(...invitation());
+  else panel.replaceChildren(...explanation(robot, open, name, given).flat(Infinity).filter(Boolean));
+}
+
+function point(open, name, pinned) {
+  if (pointed.pinned && !pinned && pointed.open === open) return;
+  if (pointed.name === name && pointed.open === open && pointed.pinned === pinned) return;
+  if (pointed.open && pointed.open !== open) pointed.open.listing.mark(null);
+  pointed = { open, name, pinned, bodies: bodiesOf(robot, meaning(robot, name, "")) };
+  open.listing.mark(name);
+  // Frames are those of the function.
+  if (shown.frames !== null && shown.frames !== "described") select(open.own.layout);
+  explain();
+  redraw();
+}
+
+function unpoint() {
+  if (pointed.open) pointed.open.listing.mark(null);
+  pointed = { open: null, name: null, pinned: false, bodies: new Set() };
+  explain();
+  redraw();
+}
+
+by("explain").addEventListener("click", (event) => {
+  if (event.target.closest("#unpin")) {
+    unpoint();
+    return;
+  }
+  const reference = event.target.closest("[data-name]");
+  if (!reference || !pointed.open) return;
+  const { open } = pointed;
+  point(open, reference.dataset.name, true);
+  open.listing.go(reference.dataset.name);
+});
+document.addEventListener("keydown", (event) => { if (event.key === "Escape") unpoint(); });
+
+// What is drawn.
+const choices = [["", "no frames"], ["described", "frames as described"],
+  ...data.layouts.map((_, k) => {
+    const users = data.functions.filter((own) => own.layout === k).map((own) => own.name);
+    const more = users.length > 1 ? ` and ${users.length - 1} more` : "";
+    return [String(k), `frames chosen for ${users[0]}${more}`];
+  })];
+const choice = el("select", { id: "frames", "aria-label": "Which frames are drawn", onchange: () => {
+  shown.frames = choice.value === "" ? null : choice.value === "described" ? "described" : Number(choice.value);
+  redraw();
+} }, choices.map(([value, text]) => el("option", { value }, text)));
+function select(frames) {
+  shown.frames = frames;
+  choice.value = frames === null ? "" : String(frames);
+}
+const layer = (name, text) => {
+  const box = el("input", { type: "checkbox", onchange: () => { shown[name] = box.checked; redraw(); } });
+  box.checked = shown[name];
+  return el("label", {}, box, ` ${text}`);
+};
+by("layers").append(choice, layer("masses", "centres of mass"), layer("names", "names"));
+
+// The sections that stay as they are.
+by("functions").append(...functionSection(robot, data, point).flat(Infinity).filter(Boolean));
+by("read").append(...readSection(data).filter(Boolean));
+by("letters").append(...letterSection(data.letters));
+explain();
+
+// The eye.
+moveByHand(canvas, redraw, whole);
+by("nearer").addEventListener("click", () => { zoom(0.8); redraw(); });
+by("farther").addEventListener("click", () => { zoom(1.25); redraw(); });
+by("whole").addEventListener("click", () => { whole(); redraw(); });
+canvas.addEventListener("pointermove", (event) => {
+  const tag = by("tag");
+  const box = canvas.getBoundingClientRect();
+  const at = [event.clientX - box.left, event.clientY - box.top];
+  const from = eye();
+  const near = skeleton.bodies.map((body, k) => {
+    const { x, y } = project(from, originOf(now.bodies[k]));
+    return { body, x, y, far: Math.hypot(x - at[0], y - at[1]) };
+  }).filter(({ body, far }) => body.by !== null && far < 14).sort((a, b) => a.far - b.far)[0];
+  tag.hidden = !near || event.buttons > 0;
+  if (near) {
+    tag.textContent = near.body.name;
+    tag.style.left = `${near.x}px`;
+    tag.style.top = `${near.y}px`;
+  }
+});
+canvas.addEventListener("pointerleave", () => { by("tag").hidden = true; });
+new ResizeObserver(redraw).observe(canvas);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
+matchMedia("print").addEventListener("change", () => paint(canvas, robot, now, shown, pointed.bodies));
+joints.start();
+whole();
+
+const codeOf = (name) => unpacked(data.functions.find((own) => own.name === name).code);
+
+window.homogen = {
+  robot: report.robot,
+  functions: () => data.functions.map((own) => own.name),
+  q: () => [...given.q],
+  // Moves the joints; quaternions are brought to length 1 where they are used.
+  move: (values) => joints.put(values),
+  // M₀ of every link, by its name: rows 1 to 3.
+  poses: () => Object.fromEntries(skeleton.links.map((link, k) => [link.name, now.links[k]])),
+  // The code of a function, as it is printed.
+  code: codeOf,
+  // Its names: of each what kind it is, and what it is worth now.
+  names: async (name) => {
+    const analysis = analysed(parted(await codeOf(name)).code);
+    const helpers = helpersOf(analysis);
+    const value = worth(analysis, helpers, given);
+    const kind = (own) => (helpers.has(own) ? "helper" : meaning(robot, own, "").kind);
+    return [...analysis.names.keys()].map((own) => ({ name: own, kind: kind(own), worth: helpers.has(own) ? NaN : value(own) }));
+  },
+};

@@ -1,0 +1,359 @@
+// The picture: links as rods, joints as what they let move, frames as three arrows, masses as dots.
+//
+// In: the robot, where everything is, what is to be shown. Out: a picture on a canvas. Faces are painted
+// from the farthest to the nearest. It never moves a joint.
+
+// Sides of what is round.
+const SIDES = 24;
+
+// What is looked at of a robot whatever it does: how thick things are, and what hangs on what.
+function prepared(data) {
+  const { skeleton, report } = data;
+  const kinds = new Map(report.details.joints.map((joint) => [joint.name, joint.kind]));
+  const place = new Map(skeleton.links.map((link, k) => [link.name, k]));
+  // The first body of each joint starts from where the joint stands.
+  const first = new Map();
+  skeleton.bodies.forEach((body, k) => first.has(body.joint) || first.set(body.joint, k));
+  const links = skeleton.links.map((link, k) => {
+    const moving = kinds.has(link.joint) && first.has(link.joint);
+    const kept = place.has(link.parent) ? place.get(link.parent) : null;
+    return {
+      ...link,
+      index: k,
+      parent: link.name === skeleton.base ? null : kept,
+      joint: moving ? first.get(link.joint) : null,
+      kind: moving ? kinds.get(link.joint) : "fixed",
+      // Where loops hold it, by the number of the loop and of its end.
+      held: (report.loops || []).flatMap(({ from, to }, number) =>
+        [from, to].flatMap((name, end) => (name === link.name ? [[number, end]] : []))),
+      end: !skeleton.links.some((other) => other.parent === link.name && other.name !== skeleton.base),
+    };
+  });
+  const rest = poses(skeleton, data.neutral);
+  const drawn = links.filter((link) => link.kind !== "floating");
+  const lengths = drawn.flatMap((link) => {
+    if (link.parent === null) return [];
+    const from = originOf(rest.links[link.parent]);
+    const to = originOf(link.joint === null ? rest.links[link.index] : rest.seats[link.joint]);
+    return [Math.hypot(...minus(to, from))];
+  });
+  const { low, center, reach } = around(links, rest);
+  const long = lengths.filter((length) => length > reach * 0.02).sort((a, b) => a - b);
+  const typical = long.length ? long[Math.floor(long.length / 2)] : reach;
+  const thick = Math.max(0.011 * reach, Math.min(typical * 0.11, 0.034 * reach));
+  const heaviest = Math.max(...links.map((link) => link.mass || 0), 1e-12);
+  return { skeleton, links, center, reach, thick, heaviest, ground: Math.min(low[2], 0) };
+}
+
+// A ball around all links, and its lowest corner.
+function around(links, at) {
+  const spots = links.flatMap((link, k) => {
+    const own = originOf(at.links[k]);
+    return link.center && link.end ? [own, pointAt(at.links[k], link.center)] : [own];
+  });
+  const low = [0, 1, 2].map((k) => Math.min(...spots.map((p) => p[k])));
+  const high = [0, 1, 2].map((k) => Math.max(...spots.map((p) => p[k])));
+  const center = times(plus(low, high), 0.5);
+  return { low, center, reach: Math.max(...spots.map((p) => Math.hypot(...minus(p, center))), 1e-6) };
+}
+
+// The colours of the page.
+function palette() {
+  const style = getComputedStyle(document.documentElement);
+  const read = (name) => style.getPropertyValue(`--${name}`).trim();
+  const parts = (name) => [1, 3, 5].map((k) => parseInt(read(name).slice(k, k + 2), 16));
+  const solid = ["rod", "turn", "slide", "both", "free", "mark"];
+  return {
+    ...Object.fromEntries(solid.map((name) => [name, parts(name)])),
+    ...Object.fromEntries(["ink", "grid", "shade", "paper", "axis-x", "axis-y", "axis-z", "mass"].map((name) => [name, read(name)])),
+    dark: read("dark") === "1",
+  };
+}
+
+// A colour as the light makes it: 0 in the shadow, 1 where it falls straight on.
+function lit([r, g, b], light, dark) {
+  const shadow = dark ? 0.42 : 0.52;
+  const strength = shadow + (1.06 - shadow) * light;
+  const shine = light ** 12 * 34;
+  const channel = (value) => Math.max(0, Math.min(255, Math.round(value * strength + shine)));
+  return `rgb(${channel(r)} ${channel(g)} ${channel(b)})`;
+}
+
+// What is collected before it is painted.
+class Painter {
+  constructor(context, colours) {
+    this.context = context;
+    this.colours = colours;
+    this.from = eye();
+    this.light = unit(plus(plus(times(this.from.towards, 0.75), times(this.from.up, 0.6)), times(this.from.right, -0.42)));
+    this.things = [];
+  }
+
+  // A flat piece, unless it is turned away.
+  face(corners, normal, colour) {
+    if (dot(normal, minus(corners[0], this.from.at)) >= 0) return;
+    const seen = corners.map((corner) => project(this.from, corner));
+    const depth = seen.reduce((sum, corner) => sum + corner.depth, 0) / seen.length;
+    const fill = lit(colour, Math.max(0, dot(normal, this.light)), this.colours.dark);
+    this.things.push({ depth, paint: (context) => this.fill(context, seen, fill) });
+  }
+
+  fill(context, corners, fill) {
+    context.beginPath();
+    corners.forEach(({ x, y }, k) => (k ? context.lineTo(x, y) : context.moveTo(x, y)));
+    context.closePath();
+    context.fillStyle = fill;
+    context.strokeStyle = fill;
+    context.lineWidth = 0.7;
+    context.fill();
+    context.stroke();
+  }
+
+  // A rod from a to b, as thick as said at each end, closed where that is wished.
+  rod(a, b, thickA, thickB, colour, closed = false) {
+    const along = unit(minus(b, a));
+    const length = Math.hypot(...minus(b, a));
+    if (!(length > 0)) return;
+    const aside = unit(cross(along, Math.abs(along[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]));
+    const third = cross(along, aside);
+    const pieces = closed ? 1 : Math.max(1, Math.min(10, Math.round(length / (5 * Math.max(thickA, thickB)))));
+    const round = Array.from({ length: SIDES + 1 }, (_, k) => {
+      const angle = (2 * Math.PI * k) / SIDES;
+      return plus(times(aside, Math.cos(angle)), times(third, Math.sin(angle)));
+    });
+    const ring = (share) => {
+      const center = between(a, b, share);
+      const thick = thickA + (thickB - thickA) * share;
+      return round.map((direction) => plus(center, times(direction, thick)));
+    };
+    let last = ring(0);
+    if (closed) this.face(last.slice(1).reverse(), times(along, -1), colour);
+    for (let piece = 1; piece <= pieces; piece += 1) {
+      const next = ring(piece / pieces);
+      for (let k = 0; k < SIDES; k += 1) {
+        const normal = unit(plus(round[k], round[k + 1]));
+        this.face([last[k], last[k + 1], next[k + 1], next[k]], normal, colour);
+      }
+      last = next;
+    }
+    if (closed && thickB > 0) this.face(last.slice(1), along, colour);
+  }
+
+  ball(center, radius, colour) {
+    const { x, y, depth, scale } = project(this.from, center);
+    const size = radius * scale;
+    const dark = this.colours.dark;
+    this.things.push({
+      depth: depth - radius * 0.6,
+      paint(context) {
+        const shade = context.createRadialGradient(x - size * 0.35, y - size * 0.45, size * 0.1, x, y, size);
+        shade.addColorStop(0, lit(colour, 1, dark));
+        shade.addColorStop(0.55, lit(colour, 0.75, dark));
+        shade.addColorStop(1, lit(colour, 0.15, dark));
+        context.fillStyle = shade;
+        context.beginPath();
+        context.arc(x, y, size, 0, 2 * Math.PI);
+        context.fill();
+      },
+    });
+  }
+
+  line(a, b, colour, width, dashes = []) {
+    const [from, to] = [project(this.from, a), project(this.from, b)];
+    this.context.setLineDash(dashes);
+    this.context.strokeStyle = colour;
+    this.context.lineWidth = width;
+    this.context.beginPath();
+    this.context.moveTo(from.x, from.y);
+    this.context.lineTo(to.x, to.y);
+    this.context.stroke();
+    this.context.setLineDash([]);
+  }
+
+  finish() {
+    this.things.sort((a, b) => b.depth - a.depth);
+    for (const thing of this.things) thing.paint(this.context);
+    this.things = [];
+  }
+}
+
+// Lines on the ground, of a whole power of ten apart or of half of it.
+function paintGround(painter, robot) {
+  const decade = 10 ** Math.floor(Math.log10(robot.reach));
+  const apart = robot.reach / decade > 4 ? decade : robot.reach / decade > 1.6 ? decade / 2 : decade / 5;
+  const count = Math.ceil((robot.reach * 1.5) / apart);
+  const middle = [0, 1].map((k) => Math.round(robot.center[k] / apart) * apart);
+  const { context } = painter;
+  for (let k = -count; k <= count; k += 1) {
+    const half = Math.sqrt(Math.max(0, count * count - k * k)) * apart;
+    const fade = k === 0 ? 0.9 : 0.5;
+    context.globalAlpha = fade;
+    const at = (x, y) => [middle[0] + x, middle[1] + y, robot.ground];
+    painter.line(at(k * apart, -half), at(k * apart, half), painter.colours.grid, 1);
+    painter.line(at(-half, k * apart), at(half, k * apart), painter.colours.grid, 1);
+  }
+  context.globalAlpha = 1;
+}
+
+// The colour of a freedom: what only turns, what only slides, what does both.
+function colourOf(body, colours) {
+  if (body.by && body.by.posture) return colours.free;
+  if (body.turns && body.slides) return colours.both;
+  return body.turns ? colours.turn : colours.slide;
+}
+
+// What a joint lets move: a drum turns about its axis, an arrow slides along it, a ball turns anyhow, a
+// disc slides in its plane.
+function paintJoint(painter, robot, body, at, marked) {
+  if (body.by === null || body.by.posture === "floating") return;
+  const size = robot.thick * 1.75;
+  const colour = marked ? painter.colours.mark : colourOf(body, painter.colours);
+  const center = originOf(at);
+  if (body.by.posture === "spherical") {
+    painter.ball(center, size * 1.15, colour);
+    return;
+  }
+  const axis = directionAt(at, body.by.posture === "planar" ? [0, 0, 1] : body.axis);
+  const ends = (length) => [plus(center, times(axis, -length)), plus(center, times(axis, length))];
+  if (body.by.posture === "planar") {
+    painter.rod(...ends(size * 0.25), size * 1.9, size * 1.9, colour, true);
+  } else if (body.turns) {
+    painter.rod(...ends(size * 1.25), size, size, colour, true);
+  } else {
+    const [back, front] = ends(size * 1.7);
+    painter.rod(back, front, size * 0.55, size * 0.55, colour, true);
+    painter.rod(front, plus(front, times(axis, size * 1.4)), size * 1.05, 0, colour, true);
+  }
+}
+
+// Everything, at some poses. `shown` says which layers: frames (null, "described" or the number of a
+// layout), centres of mass, names; `marked` are the bodies that a name is about.
+function paint(canvas, robot, at, shown, marked) {
+  const ratio = Math.min(window.devicePixelRatio || 1, 3);
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+  if (!width || !height) return;
+  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+  }
+  Object.assign(camera, { width, height });
+  const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, width, height);
+  context.lineCap = "round";
+  context.lineJoin = "round";
+  const painter = new Painter(context, palette());
+  const { colours } = painter;
+  const { thick } = robot;
+
+  const rods = [];
+  for (const link of robot.links) {
+    const here = originOf(at.links[link.index]);
+    const isMarked = link.body !== null && marked.has(link.body);
+    const colour = isMarked ? colours.mark : colours.rod;
+    if (link.parent !== null && link.kind !== "floating") {
+      const parent = robot.links[link.parent];
+      const from = originOf(at.links[link.parent]);
+      const seat = link.joint === null ? here : originOf(at.seats[link.joint]);
+      const carrier = parent.body !== null && marked.has(parent.body) ? colours.mark : colours.rod;
+      rods.push([from, seat, thick, thick * 0.86, carrier]);
+      if (Math.hypot(...minus(here, seat)) > thick * 0.05) {
+        rods.push([seat, here, thick * 0.5, thick * 0.5, colour]);
+      }
+    }
+    for (const [number, end] of link.held) rods.push([here, originOf(at.loops[number][end]), thick * 0.86, thick * 0.6, colour]);
+    // What nothing hangs on reaches to its centre of mass.
+    if (link.end && link.center && !link.held.length) {
+      rods.push([here, pointAt(at.links[link.index], link.center), thick * 0.86, thick * 0.5, colour]);
+    }
+    if (link.body !== null || link.name === robot.skeleton.base) painter.ball(here, thick * 0.98, colour);
+  }
+  // Shadows first, straight down.
+  for (const [a, b, thickness] of rods) {
+    const down = ([x, y]) => [x, y, robot.ground];
+    painter.line(down(a), down(b), colours.shade, 2 * thickness * project(painter.from, down(between(a, b, 0.5))).scale);
+  }
+  paintGround(painter, robot);
+  for (const rod of rods) painter.rod(...rod);
+  robot.skeleton.bodies.forEach((body, k) => paintJoint(painter, robot, body, at.bodies[k], marked.has(k)));
+  painter.finish();
+
+  for (const [a, b] of at.loops) painter.line(originOf(a), originOf(b), colours.ink, 1.5, [4, 4]);
+  paintMasses(painter, robot, at, shown);
+  paintFrames(painter, robot, at, shown, marked);
+}
+
+// A dot in quarters for each centre of mass, larger where there is more of it.
+function paintMasses(painter, robot, at, shown) {
+  if (!shown.masses) return;
+  const { context, colours } = painter;
+  for (const link of robot.links) {
+    if (!link.center || !(link.mass > 0)) continue;
+    const { x, y } = project(painter.from, pointAt(at.links[link.index], link.center));
+    const size = 2.8 + 4.4 * Math.cbrt(link.mass / robot.heaviest);
+    context.beginPath();
+    context.arc(x, y, size, 0, 2 * Math.PI);
+    context.fillStyle = colours.paper;
+    context.fill();
+    context.fillStyle = colours.mass;
+    for (const start of [0, Math.PI]) {
+      context.beginPath();
+      context.moveTo(x, y);
+      context.arc(x, y, size, start, start + Math.PI / 2);
+      context.fill();
+    }
+    context.strokeStyle = colours.mass;
+    context.lineWidth = 1.2;
+    context.beginPath();
+    context.arc(x, y, size, 0, 2 * Math.PI);
+    context.stroke();
+  }
+}
+
+// The frames that are shown, by their poses and names.
+function frames(robot, at, shown) {
+  if (shown.frames === null) return [];
+  const base = { pose: IDENTITY, name: "0", body: null };
+  if (shown.frames === "described") {
+    return robot.links.map((link) => ({ pose: at.links[link.index], name: link.name, body: link.body }));
+  }
+  const places = robot.layouts[shown.frames];
+  return [base, ...at.bodies.map((pose, k) => ({ pose: compose(pose, places[k]), name: String(k + 1), body: k }))];
+}
+
+// x red, y green, z blue.
+function paintFrames(painter, robot, at, shown, marked) {
+  const { context, colours } = painter;
+  const all = frames(robot, at, shown);
+  const labels = new Map();
+  for (const { pose, name, body } of all) {
+    const center = originOf(pose);
+    const isMarked = body !== null && marked.has(body);
+    const length = robot.thick * (isMarked ? 6.5 : 4.6);
+    ["axis-x", "axis-y", "axis-z"].forEach((axis, k) => {
+      const direction = [0, 1, 2].map((row) => pose[4 * row + k]);
+      painter.line(center, plus(center, times(direction, length)), colours[axis], isMarked ? 3 : 1.8);
+    });
+    const { x, y } = project(painter.from, center);
+    const spot = `${Math.round(x / 6)},${Math.round(y / 6)}`;
+    labels.set(spot, { x, y, names: [...(labels.has(spot) ? labels.get(spot).names : []), name] });
+  }
+  if (shown.frames !== "described") {
+    for (const { x, y, names } of labels.values()) write(context, colours, names.join(", "), x, y + 15);
+  }
+  if (!shown.names) return;
+  for (const link of robot.links) {
+    const { x, y } = project(painter.from, originOf(at.links[link.index]));
+    write(context, colours, link.name, x + 9, y - 7, "left");
+  }
+}
+
+function write(context, colours, text, x, y, align = "center") {
+  context.font = "600 11px ui-sans-serif, system-ui, sans-serif";
+  context.textAlign = align;
+  context.strokeStyle = colours.paper;
+  context.lineWidth = 3.5;
+  context.strokeText(text, x, y);
+  context.fillStyle = colours.ink;
+  context.fillText(text, x, y);
+}

@@ -40,6 +40,8 @@ use crate::request::{Parameter, Request, Target};
 
 /// Reads a robot and writes its functions.
 ///
+/// In a build script:
+///
 /// ```no_run
 /// # fn main() -> Result<(), homogen_codegen::error::Errors> {
 /// use homogen_codegen::{Builder, Function::*, Real};
@@ -54,6 +56,34 @@ use crate::request::{Parameter, Request, Target};
 /// ```
 ///
 /// In the crate: `include!(concat!(env!("OUT_DIR"), "/arm.rs"));`.
+///
+/// Nothing is read before [`write`](Self::write), [`write_c`](Self::write_c), [`to_source`](Self::to_source),
+/// [`to_c`](Self::to_c) or [`to_tokens`](Self::to_tokens); then every mistake of the file and of the options is told
+/// at once. Options are in the vocabulary of the attributes of `#[derive(Robot)]`:
+///
+/// ```
+/// use homogen_codegen::{Builder, Function, Real, Target};
+///
+/// let source = Builder::from_urdf("../robots/quadruped.urdf")
+///     .name("Leg")
+///     .base("base")
+///     .tip("hr_foot")
+///     .path_only() // the other legs stay, as mass
+///     .gravity([0.0, 0.0, -9.81])
+///     .damping("hr_knee", [0.05])
+///     .rotor("hr_knee", 2e-5, 9.0)
+///     .external("hr_foot") // the ground acts on it
+///     .parameter_within("boot", Target::MassOf("hr_foot".into()), 0.0..=0.5)
+///     .scalar(Real::F32)
+///     .generate([Function::InverseDynamics])
+///     .all_of([Function::MassMatrix, Function::Bias])
+///     .to_source()?
+///     .to_string();
+/// assert!(source.contains("pub fn inverse_dynamics("));
+/// assert!(source.contains("actions: &[[f32; 6]; 1]"));
+/// assert!(source.contains("pub fn mass_matrix_and_bias("));
+/// # Ok::<(), homogen_codegen::error::Errors>(())
+/// ```
 #[derive(Clone)]
 #[must_use = "nothing is generated before `write`, `to_tokens` or `to_source`"]
 pub struct Builder {

@@ -93,9 +93,9 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
     })
 }
 
-/// Expands the 4×4 matrices of a robot into straight-line Rust.
+/// Turns the description of a robot into straight-line code for its kinematics and dynamics.
 #[derive(Parser)]
-#[command(name = "homogen", version)]
+#[command(name = "homogen", version, after_help = functions::help())]
 struct Program {
     #[command(subcommand)]
     command: Command,

@@ -24,6 +24,8 @@ mod settings;
 mod tokens;
 mod unmodelled;
 pub mod urdf;
+#[doc(hidden)]
+pub mod words;
 
 pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;

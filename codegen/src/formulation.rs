@@ -146,6 +146,13 @@ const WORDS: [(&str, Option<&str>, Choice); 14] = [
     ("platform_sines", None,      Choice::Sines(Sines::Platform)),
 ];
 
+/// The words, each once.
+pub(crate) fn words() -> Vec<&'static str> {
+    let mut words: Vec<&str> = WORDS.iter().map(|(word, ..)| *word).collect();
+    words.dedup();
+    words
+}
+
 impl Formulation {
     /// What differs from the default, in the words of attributes.
     #[must_use]

@@ -1,4 +1,25 @@
-//! Expands the 4×4 matrices of a robot into straight-line Rust.
+//! Turns the description of a robot into straight-line code for its kinematics and dynamics.
+//!
+//! ```
+//! use homogen_codegen::{Builder, Function::Gravity, Real};
+//!
+//! // In a build script, where `.write("arm.rs")` writes the same to `OUT_DIR`.
+//! let source = Builder::from_urdf("../robots/two_link.urdf")
+//!     .name("Arm")
+//!     .scalar(Real::F32)
+//!     .generate([Gravity])
+//!     .to_source()?
+//!     .to_string();
+//! assert!(source.contains("pub fn gravity(&self, q: &[f32; 2]) -> [f32; 2]"));
+//! # Ok::<(), homogen_codegen::error::Errors>(())
+//! ```
+//!
+//! [`Builder`] is the door for build scripts, and needs `core` alone of what it writes for, or C99
+//! ([`Builder::write_c`]); the binary `homogen` (feature `cli`) is the door for shells; the derive and the macro of
+//! the crate `homogen` are those for the compiler. [`Function`] lists what can be asked for, [`Formulation`] how it
+//! is computed, [`Processor`] for what.
+//!
+//! The engine is a row of stages, each of which knows the one before it:
 //!
 //! ```text
 //! description ──► chain ──► layout ──► model ──► simplify ──► schedule ──► print
@@ -7,6 +28,15 @@
 //!                             and       of Expr                 statements,
 //!                             numbers                           spaces
 //! ```
+//!
+//! # Features
+//!
+//! | feature | |
+//! |---|---|
+//! | `pretty` (default) | text instead of tokens: [`Builder::write`], [`Builder::to_source`] |
+//! | `cli` | the binary `homogen` |
+
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod builder;
 #[cfg(feature = "cli")]

@@ -122,6 +122,13 @@ impl Request {
         }
     }
 
+    /// Whether nothing but poses, Jacobians and motions of frames is asked for, which no mass changes.
+    #[must_use]
+    pub fn is_of_frames_alone(&self) -> bool {
+        let mut functions = self.functions.iter().flatten();
+        !self.functions.is_empty() && functions.all(|function| function.of_a_frame())
+    }
+
     /// Whether damping and friction are modelled: those that are described, too, as soon as any of them is
     /// asked for.
     #[must_use]

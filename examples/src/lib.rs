@@ -2,13 +2,15 @@
 //!
 //! Random states, the functions of a robot called by name, times with the machine they were
 //! measured on; and what is written once for all robots: controllers, a filter, an optimiser. Nothing here is needed to
-//! use `homogen`.
+//! use `homogen`. Of the README and the guide the blocks of Rust are compiled and run, as tests of the documentation.
 
+pub mod bars;
 pub mod bound;
 pub mod control;
 pub mod drawing;
 pub mod entries;
 pub mod filter;
+pub mod listing;
 pub mod machine;
 pub mod motion;
 pub mod optimal;
@@ -16,7 +18,49 @@ pub mod price;
 pub mod states;
 pub mod timing;
 
-/// The README, so that its blocks of Rust are compiled and run.
+/// What is compiled and run.
 #[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-struct Readme;
+mod guide {
+    #[doc = include_str!("../../README.md")]
+    struct Readme;
+    #[doc = include_str!("../../runtime/README.md")]
+    struct ReadmeOfTheRuntime;
+    #[doc = include_str!("../../codegen/README.md")]
+    struct ReadmeOfTheEngine;
+    #[doc = include_str!("../../guide/src/first-robot.md")]
+    struct FirstRobot;
+    #[doc = include_str!("../../guide/src/fields.md")]
+    struct Fields;
+    #[doc = include_str!("../../guide/src/command-line.md")]
+    struct CommandLine;
+    #[doc = include_str!("../../guide/src/build-script.md")]
+    struct BuildScript;
+    #[doc = include_str!("../../guide/src/python.md")]
+    struct Python;
+    #[doc = include_str!("../../guide/src/functions.md")]
+    struct Functions;
+    #[doc = include_str!("../../guide/src/joints.md")]
+    struct Joints;
+    #[doc = include_str!("../../guide/src/loops.md")]
+    struct Loops;
+    #[doc = include_str!("../../guide/src/derivatives.md")]
+    struct Derivatives;
+    #[doc = include_str!("../../guide/src/inverse-kinematics.md")]
+    struct InverseKinematics;
+    #[doc = include_str!("../../guide/src/batches.md")]
+    struct Batches;
+    #[doc = include_str!("../../guide/src/embedded.md")]
+    struct Embedded;
+    #[doc = include_str!("../../guide/src/generated-code.md")]
+    struct GeneratedCode;
+    #[doc = include_str!("../../guide/src/formulations.md")]
+    struct Formulations;
+    #[doc = include_str!("../../guide/src/accuracy.md")]
+    struct Accuracy;
+    #[doc = include_str!("../../guide/src/paper.md")]
+    struct Paper;
+    #[doc = include_str!("../../guide/src/coming-from.md")]
+    struct ComingFrom;
+    #[doc = include_str!("../../guide/src/how-it-is-built.md")]
+    struct HowItIsBuilt;
+}

@@ -1,7 +1,7 @@
-//! The table of joints and functions in the README, computed anew.
+//! The table of joints and functions in the guide, computed anew.
 //!
 //! In: the tables of joints and of functions, and one body on a joint of each kind. Out: nothing where the
-//! README has the operations of each function for each joint; else the table that should stand there.
+//! chapter has the operations of each function for each joint; else the table that should stand there.
 
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ use homogen_codegen::expand::expand;
 use homogen_codegen::joint;
 use homogen_codegen::request::Request;
 
-const README: &str = include_str!("../../README.md");
+const JOINTS: &str = include_str!("../../guide/src/joints.md");
 
 /// A body with a general inertia on a joint of a kind.
 fn robot(kind: &str) -> String {
@@ -58,5 +58,8 @@ fn every_function_has_a_price_for_every_joint() {
         let _ = writeln!(table, "| `{}` | {} |", function.name(), prices.join(" | "));
     }
     let marked = format!("<!-- joints -->\n{table}");
-    assert!(README.contains(&marked), "the README should have\n{marked}");
+    assert!(
+        JOINTS.contains(&marked),
+        "the chapter should have\n{marked}"
+    );
 }

@@ -1,7 +1,7 @@
-//! The tables of closed loops in the README, computed anew.
+//! The tables of closed loops in the guide, computed anew.
 //!
-//! In: the kinds of loops, the functions of loops, and the slider-crank of the README. Out: nothing where
-//! the README has the residuals of each kind and the operations of each function; else the row that
+//! In: the kinds of loops, the functions of loops, and the slider-crank of the chapter. Out: nothing where
+//! the chapter has the residuals of each kind and the operations of each function; else the row that
 //! should stand there.
 
 use std::path::Path;
@@ -13,14 +13,11 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
 use homogen_codegen::request::Request;
 
-const README: &str = include_str!("../../README.md");
+const LOOPS: &str = include_str!("../../guide/src/loops.md");
 
-/// What stands between the braces of the macro in the section on loops.
+/// What stands between the braces of the macro.
 fn slider_crank() -> &'static str {
-    let (_, section) = README
-        .split_once("\n## Closed loops\n")
-        .expect("it is there");
-    let (_, inside) = section.split_once("homogen::chain! {").expect("a robot");
+    let (_, inside) = LOOPS.split_once("homogen::chain! {").expect("a robot");
     let (inside, _) = inside.split_once("\n}\n").expect("its end");
     inside
 }
@@ -29,10 +26,7 @@ fn slider_crank() -> &'static str {
 fn every_kind_has_a_row_with_its_residuals() {
     for kind in &closure::ALL {
         let start = format!("| `{}", kind.word);
-        let (_, section) = README
-            .split_once("\n## Closed loops\n")
-            .expect("it is there");
-        let row = section.lines().find(|line| {
+        let row = LOOPS.lines().find(|line| {
             let rest = line.strip_prefix(&start);
             rest.is_some_and(|rest| rest.starts_with(['`', '(']))
         });
@@ -59,7 +53,7 @@ fn the_prices_of_the_slider_crank_are_those_of_today() {
     };
     let description = item.description.expect("it is in place");
     let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-    let (_, table) = README.split_once("<!-- loops -->").expect("it is there");
+    let (_, table) = LOOPS.split_once("<!-- loops -->").expect("it is there");
     for (function, listed) in Function::OF_LOOPS.into_iter().zip(&listing.functions) {
         let (name, price) = (function.name(), &listed.price);
         let end = format!(" | {} | {} |", price.mul, price.add);

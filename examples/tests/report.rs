@@ -73,7 +73,10 @@ fn counts_of_formulations_are_those_of_today() {
 /// What the README says of the report is what stands in it.
 #[test]
 fn ratios_of_the_readme_are_those_of_the_report() {
-    const README: &str = include_str!("../../README.md");
+    const PAGES: [&str; 2] = [
+        include_str!("../../README.md"),
+        include_str!("../../guide/src/accuracy.md"),
+    ];
     let part = part("### Panda with hand beside others");
     let ratio = |start: &str| {
         let row = part.lines().find(|row| row.starts_with(start));
@@ -91,7 +94,19 @@ fn ratios_of_the_readme_are_those_of_the_report() {
          the fastest that Pinocchio and CasADi make of the same file; refined once, forward dynamics \
          takes {refined},"
     );
-    assert!(README.contains(&said), "the README should say: {said}");
+    for page in PAGES {
+        assert!(page.contains(&said), "the page should say: {said}");
+    }
+}
+
+/// `cargo run -p homogen-examples --bin bars` draws it anew.
+#[test]
+fn the_picture_of_the_readme_is_drawn_from_the_report() {
+    let committed = include_str!("../../report/bars.svg");
+    assert_eq!(
+        homogen_examples::bars::draw(REPORT).as_deref(),
+        Some(committed)
+    );
 }
 
 /// Merged angles are shown of the functions that they make a difference to, and of no others.

@@ -1,6 +1,6 @@
 //! The two-link arm against the closed form that textbooks print.
 //!
-//! In: the numbers at the head of `two_link.urdf`. Out: nothing, where the expansion that the README
+//! In: the numbers at the head of `two_link.urdf`. Out: nothing, where the expansion that the guide
 //! shows gives the same torques.
 
 use homogen::Robot;

@@ -1,17 +1,25 @@
 //! The doors for the compiler: parse, delegate, convert.
 //!
-//! Everything is in `homogen-codegen`, which knows nothing of `proc_macro`; the macros are
-//! documented where users meet them, in `homogen`.
+//! Everything is in `homogen-codegen`, which knows nothing of `proc_macro`. Users meet the macros in `homogen`,
+//! as `homogen::Robot` and `homogen::chain!`, and their pages with them:
+//!
+//! ```
+//! #[derive(homogen::Robot)]
+//! #[robot(urdf = "../robots/two_link.urdf", generate(gravity))]
+//! struct Arm;
+//!
+//! assert!(Arm.gravity(&[0.0, 0.0])[0] > 0.0_f64);
+//! ```
 
 use proc_macro::TokenStream;
 
-/// Adds the functions of a robot to a struct, as methods and as traits.
+#[doc = include_str!("derive.md")]
 #[proc_macro_derive(Robot, attributes(robot))]
 pub fn derive(input: TokenStream) -> TokenStream {
     homogen_codegen::door::derive(input.into()).into()
 }
 
-/// Describes a robot in place, and declares the struct that has its functions.
+#[doc = include_str!("chain.md")]
 #[proc_macro]
 pub fn chain(input: TokenStream) -> TokenStream {
     homogen_codegen::door::chain(input.into()).into()

@@ -1,5 +1,6 @@
-#![doc = include_str!("guide.md")]
+#![doc = include_str!("front.md")]
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "std")]
 extern crate std;
@@ -9,6 +10,8 @@ pub mod checklist {}
 #[cfg(feature = "batch")]
 pub mod batch;
 mod error;
+#[doc = include_str!("guide.md")]
+pub mod guide {}
 pub mod identify;
 mod matrix;
 mod paper;

@@ -10,6 +10,7 @@ mod action;
 #[cfg(feature = "nalgebra")]
 mod conversion;
 mod displacement;
+mod display;
 mod form;
 mod inertia;
 mod momentum;

@@ -30,6 +30,12 @@ pub use pack::{Lane, Pack};
 ///
 /// `f32` and `f64` implement it with the feature `std` or, without a standard library, `libm`.
 /// With neither the types of this crate still exist, for scalars of one's own.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a number that `homogen` computes with",
+    label = "does not implement `Scalar`",
+    note = "`f32` and `f64` do with the feature `std` of `homogen`, which is on by default, or with `libm` \
+            where there is no standard library"
+)]
 pub trait Scalar:
     Copy
     + Add<Output = Self>

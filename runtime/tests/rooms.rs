@@ -1,4 +1,4 @@
-//! The rooms of this crate: each names those above it in the guide's table, and none below.
+//! The rooms of this crate: each names those above it in the front page's table, and none below.
 //!
 //! In: the sources. Out: nothing where `crate::` in code is followed by a room that may be named. It
 //! does not see what is named by way of `super`.
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Each room with those it may name besides itself; a room without a folder is a file. The macro
 /// `every_function` is of `robot`, although exported ones are named from the root.
-const ROOMS: [(&str, &[&str]); 8] = [
+const ROOMS: [(&str, &[&str]); 9] = [
     ("scalar", &[]),
     ("error", &["scalar"]),
     ("matrix", &["scalar", "error"]),
@@ -16,6 +16,7 @@ const ROOMS: [(&str, &[&str]); 8] = [
     ("paper", &["scalar", "error", "matrix", "robot"]),
     ("reference", &["matrix", "robot", "every_function"]),
     ("reach", &["scalar", "matrix", "robot"]),
+    ("identify", &["scalar", "paper"]),
     ("batch", &["scalar", "matrix", "robot", "every_function"]),
 ];
 

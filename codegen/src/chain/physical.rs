@@ -6,12 +6,12 @@
 
 use super::tree::Tree;
 use super::{Chain, drive, limits, mimic};
-use crate::description::{Description, Inertial, Link};
+use crate::description::{Description, Inertial, Link, Name};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Double, Term};
 use crate::matrix::Inertia;
 use crate::request::{Request, Target};
-use crate::wording::quoted;
+use crate::wording::{list, quoted};
 
 /// What is within the rounding of the digits that vendors print.
 const TOLERANCE: f64 = 1e-9;
@@ -54,21 +54,12 @@ pub fn check(
         }
         doubts.extend(centre_of_nothing(link, request));
     }
-    for (&link, _) in carried
-        .iter()
-        .zip(&massive)
-        .filter(|(_, massive)| !**massive)
-    {
-        let name = &description.links[link].name;
-        doubts.push(Complaint {
-            place: name.place,
-            message: format!(
-                "link {} moves and has no inertia: taken as massless",
-                quoted(&name.text)
-            ),
-            hint: Some("give it an inertial, with mass 0 if it has none".into()),
-        });
-    }
+    let massless = carried.iter().zip(&massive);
+    let massless = massless.filter(|(_, massive)| !**massive);
+    let massless: Vec<&Name> = massless
+        .map(|(&link, _)| &description.links[link].name)
+        .collect();
+    doubts.extend(without_inertia(&massless).filter(|_| !request.is_of_frames_alone()));
     if request.strict && !doubts.is_empty() {
         let mut errors = description.source.errors();
         for doubt in doubts {
@@ -78,6 +69,23 @@ pub fn check(
     }
     chain.report.warnings = doubts;
     Ok(chain)
+}
+
+/// One doubt for all links that move and have no inertia, at the first of them.
+fn without_inertia(links: &[&Name]) -> Option<Complaint> {
+    let (first, others) = links.split_first()?;
+    let names: Vec<String> = links.iter().map(|link| quoted(&link.text)).collect();
+    let names = list(names.iter().map(String::as_str));
+    let (noun, verbs) = if others.is_empty() {
+        ("link", "moves and has")
+    } else {
+        ("links", "move and have")
+    };
+    Some(Complaint {
+        place: first.place,
+        message: format!("{noun} {names} {verbs} no inertia: taken as massless"),
+        hint: Some("give it an inertial, with mass 0 if it has none".into()),
+    })
 }
 
 /// What is wrong with an inertia, with the amount: the second moments about the centre of mass,

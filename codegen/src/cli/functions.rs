@@ -37,6 +37,23 @@ pub(super) struct Frames {
 #[derive(Clone, Debug)]
 pub(super) struct Together(pub(super) Vec<Function>);
 
+/// The names of all functions, and where to begin.
+pub(super) fn help() -> String {
+    let mut text = "Functions:".to_owned();
+    let mut column = usize::MAX;
+    for name in Function::names() {
+        // As wide as a terminal is at least.
+        column = column.saturating_add(2 + name.len());
+        if column > 80 {
+            text.push('\n');
+            column = 2 + name.len();
+        }
+        text.push_str("  ");
+        text.push_str(name);
+    }
+    text + "\n\nExample:\n  homogen check arm.urdf"
+}
+
 impl Functions {
     /// What is asked of a robot; no functions where none is named, which means all that it has.
     pub(super) fn request(&self, robot: &Robot) -> Request {

@@ -1,15 +1,17 @@
 //! The derive: `#[robot(…)]` above a struct and above its fields.
 //!
 //! In: the struct. Out: an [`Item`] with the description it names or holds and with the numbers
-//! that its fields stand for. It never looks into the types of fields: what they must be is said by
-//! the generated code, which uses them.
+//! that its fields stand for. Of the types of fields it sees how many numbers they hold, where that is
+//! written: what else they must be is said by the generated code, which uses them.
 
 use std::path::Path;
 
 use proc_macro2::{Span, TokenStream};
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
-use syn::{Attribute, Data, DeriveInput, Field, Fields, Ident, Meta, Token};
+use syn::{
+    Attribute, Data, DeriveInput, Expr, ExprLit, Field, Fields, Ident, Lit, Meta, Token, Type,
+};
 
 use super::inline::{self, Contents};
 use super::item::Item;
@@ -19,7 +21,7 @@ use crate::request::{Parameter, Target};
 use crate::wording::{known, quoted};
 
 /// What can be said of a field: the number that it stands for, and its range.
-const KEYS: [&str; 8] = [
+pub(super) const KEYS: [&str; 8] = [
     "mass_of",
     "com_of",
     "gravity",
@@ -125,6 +127,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
         let Some(ident) = &field.ident else { continue };
         let mut found: Option<Target> = None;
         let mut range: Option<Range> = None;
+        let mut is_clear = true;
         for attribute in field.attrs.iter().filter(|attribute| is_robot(attribute)) {
             let example = "#[robot(mass_of = \"link\")]";
             let mut read = Vec::new();
@@ -153,10 +156,14 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                 if found.is_some() {
                     let message = format!("field `{ident}` stands for two numbers");
                     tokens::push(errors, complaint(span, message));
+                    is_clear = false;
                 } else {
                     found = Some(target);
                 }
             }
+        }
+        if let Some(target) = found.as_ref().filter(|_| is_clear) {
+            check_type(&field.ty, target, ident, errors);
         }
         let range = range.and_then(|range| range.of(found.as_ref(), ident, errors));
         parameters.extend(found.map(|target| Parameter {
@@ -166,6 +173,39 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
         }));
     }
     parameters
+}
+
+/// Complains of a type that is seen to hold more or fewer numbers than the target has.
+fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
+    let entries = target.entries();
+    let is_meant = match of {
+        Type::Paren(inner) => return check_type(&inner.elem, target, field, errors),
+        Type::Group(inner) => return check_type(&inner.elem, target, field, errors),
+        Type::Array(array) => match &array.len {
+            Expr::Lit(ExprLit {
+                lit: Lit::Int(length),
+                ..
+            }) => entries > 1 && length.base10_parse().ok() == Some(entries),
+            _ => entries > 1,
+        },
+        Type::Path(path) => {
+            let is_number = ["f32", "f64"].iter().any(|word| path.path.is_ident(word));
+            entries == 1 || !is_number
+        }
+        Type::Reference(_) | Type::Slice(_) | Type::Tuple(_) => false,
+        _ => true,
+    };
+    if is_meant {
+        return;
+    }
+    let what = target.words();
+    let (numbers, example) = match entries {
+        1 => ("one number".to_owned(), "f64".to_owned()),
+        _ => (format!("{entries} numbers"), format!("[f64; {entries}]")),
+    };
+    let message = format!("field `{field}` stands for {what}, which is {numbers}");
+    let hint = format!("write {field}: {example}");
+    tokens::push(errors, complaint_with_hint(of.span(), message, hint));
 }
 
 /// What stands in the attribute of a field.

@@ -14,6 +14,7 @@ mod rows;
 mod table;
 
 pub(super) use self::rows::{Convention, Row, assemble};
+pub(super) use self::table::COLUMNS;
 pub use self::table::read;
 
 #[cfg(test)]

@@ -12,10 +12,10 @@
 //! link upper { mass: 3.2, com: [0.12, 0.0, 0.0], inertia: [0.01, 0.02, 0.02] }
 //! ```
 
-mod body;
-mod closure;
-mod joint;
-mod table;
+pub(super) mod body;
+pub(super) mod closure;
+pub(super) mod joint;
+pub(super) mod table;
 
 use std::path::Path;
 

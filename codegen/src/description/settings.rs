@@ -22,7 +22,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 30] = [
+pub(super) const WORDS: [&str; 30] = [
     "urdf",
     "dh",
     "base",
@@ -54,6 +54,9 @@ const WORDS: [&str; 30] = [
     "loop",
     "denavit_hartenberg",
 ];
+
+/// The types of numbers.
+pub(super) const SCALARS: [&str; 3] = ["f32", "f64", "generic"];
 
 /// How many of the words are keys of settings.
 const KEYS: usize = 26;
@@ -212,7 +215,7 @@ fn scalar(input: ParseStream) -> Parsed<Real> {
         other => Err(complaint_with_hint(
             word.span(),
             format!("unknown scalar {}", quoted(other)),
-            known(other, "scalars", &["f32", "f64", "generic"]),
+            known(other, "scalars", &SCALARS),
         )),
     }
 }

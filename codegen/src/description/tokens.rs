@@ -72,6 +72,19 @@ pub(super) fn check_depth(tokens: &TokenStream) -> Parsed<()> {
 
 /// A word, be it a keyword of Rust or not.
 pub(super) fn word(input: ParseStream) -> Parsed<Ident> {
+    if input.peek(LitStr) {
+        let literal: LitStr = input.parse()?;
+        let text = literal.value();
+        let message = format!("expected a word, not the string {}", quoted(&text));
+        // Only what is a word can be written as one.
+        return Err(match syn::parse_str::<Ident>(&text) {
+            Ok(word) => {
+                let hint = format!("write {word}, without quotes");
+                complaint_with_hint(literal.span(), message, hint)
+            }
+            Err(_) => complaint(literal.span(), message),
+        });
+    }
     Ok(input.call(Ident::parse_any)?.unraw())
 }
 

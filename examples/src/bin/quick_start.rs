@@ -1,13 +1,10 @@
-//! The example of the README, letter by letter.
+//! The program of the README, letter by letter but for the folder of the file.
 
 use homogen::Robot;
 
 #[derive(Robot)]
-#[robot(
-    urdf = "../robots/panda_class.urdf",
-    tip = "link8",
-    generate(inverse_dynamics)
-)]
+#[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+#[robot(generate(inverse_dynamics))]
 struct Panda {
     #[robot(mass_of = "link8")]
     payload: f64, // kg; every other number is folded into the code

@@ -3,10 +3,6 @@
 //! Each arm is sent from the middle of its limits to ten thousand poses that it has at random coordinates within
 //! them, and to as many in the same directions that are 3 m away. Found are those that it comes to within
 //! 1e-6 rad and 1e-6 m.
-#![allow(
-    deprecated,
-    reason = "links without mass are doubted so, and kinematics asks for none"
-)]
 
 use std::array::from_fn;
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! The smallest robot worth expanding: two links in a vertical plane.
 //!
-//! The README shows what the derive adds to it, beside the equations of the textbooks.
+//! The guide shows what the derive adds to it, beside the equations of the textbooks.
 
 use homogen::Robot;
 

@@ -27,6 +27,7 @@ mod composition;
 #[cfg(feature = "nalgebra")]
 mod conversion;
 mod dense;
+mod display;
 mod dynamics;
 mod frames;
 mod generic;

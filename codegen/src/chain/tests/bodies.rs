@@ -291,6 +291,26 @@ fn a_payload_on_a_link_that_weighs_nothing_is_a_point() {
 }
 
 #[test]
+fn links_without_inertia_are_doubted_in_one_sentence() {
+    let chain = fine(
+        "struct Arm; link base; joint one: revolute(z); link upper; joint two: revolute(y);
+        link fore; joint three: revolute(y); link hand;",
+    );
+    let told = chain.report.warnings.iter();
+    let told: Vec<_> = told.map(|doubt| doubt.message.as_str()).collect();
+    let expected =
+        "links \"upper\", \"fore\" and \"hand\" move and have no inertia: taken as massless";
+    assert_eq!(told, [expected]);
+
+    // Who asks for kinematics alone does without.
+    let of_frames = "struct Arm { strict, generate(forward_kinematics, velocity) } link base;
+        joint one: revolute(z); link upper;";
+    assert_eq!(fine(of_frames).report.warnings.len(), 0);
+    let of_forces = of_frames.replace("velocity", "gravity");
+    assert!(said(&of_forces).contains("has no inertia"));
+}
+
+#[test]
 fn what_no_body_can_have_is_told_with_the_amount() {
     let arm = |settings| {
         format!(

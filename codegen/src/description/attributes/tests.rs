@@ -392,3 +392,43 @@ fn a_range_that_no_field_can_have_is_refused_where_it_stands() {
         assert!(found.contains(expected), "{expected}\nis not in\n{found}");
     }
 }
+
+#[test]
+fn a_field_holds_as_many_numbers_as_it_stands_for() {
+    let text = "#[robot(urdf = \"none.urdf\")] struct Arm {\n\
+                #[robot(mass_of = \"a\")] a: [f64; 3],\n\
+                #[robot(gravity)] g: f64,\n\
+                #[robot(com_of = \"b\")] b: [f64; 4],\n\
+                #[robot(damping_of = \"c\")] c: &'static f64,\n\
+                #[robot(com_of = \"d\")] d: [f64; SIZE],\n\
+                #[robot(com_of = \"e\")] e: My,\n\
+                #[robot(mass_of = \"f\")] f: T }";
+    let (_, found) = try_read(text);
+    let expected = [
+        "2:28: field `a` stands for the mass of link \"a\", which is one number\n  hint: write a: f64\n",
+        "3:22: field `g` stands for gravity, which is 3 numbers\n  hint: write g: [f64; 3]\n",
+        "4:27: field `b` stands for the centre of mass of link \"b\", which is 3 numbers\n  hint: write b: [f64; 3]\n",
+        "5:31: field `c` stands for the damping of joint \"c\", which is one number\n  hint: write c: f64\n",
+    ];
+    for expected in expected {
+        assert!(found.contains(expected), "{expected}\nis not in\n{found}");
+    }
+    // What a name stands for cannot be seen.
+    assert!(
+        !["`d`", "`e`", "`f`"]
+            .iter()
+            .any(|field| found.contains(field))
+    );
+}
+
+#[test]
+fn a_string_is_no_word() {
+    assert_eq!(
+        errors_in("scalar = \"f32\""),
+        "1:18: expected a word, not the string \"f32\"\n  hint: write f32, without quotes\n"
+    );
+    assert_eq!(
+        errors_in("generate(\"mass matrix\")"),
+        "1:18: expected a word, not the string \"mass matrix\"\n"
+    );
+}

@@ -27,7 +27,7 @@ use crate::joint::JointKind;
 use crate::wording::{known, list, quoted};
 
 /// The columns; the first ones must be there.
-const COLUMNS: [&str; 21] = [
+pub(in crate::description) const COLUMNS: [&str; 21] = [
     "joint", "kind", "a", "alpha", "d", "theta", "pitch", "link", "lower", "upper", "velocity",
     "mass", "cx", "cy", "cz", "ixx", "ixy", "ixz", "iyy", "iyz", "izz",
 ];

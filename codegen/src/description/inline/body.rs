@@ -11,7 +11,7 @@ use crate::description::{Axis, Inertial, Name, Number, Step, number};
 use crate::error::{Errors, Place};
 
 /// The keys of mass and inertia.
-pub(super) const INERTIA: [&str; 4] = ["mass", "com", "inertia", "inertia_rpy"];
+pub(in crate::description) const INERTIA: [&str; 4] = ["mass", "com", "inertia", "inertia_rpy"];
 
 /// What was given of an inertial.
 #[derive(Default)]

@@ -14,6 +14,9 @@ use crate::description::{Loop, Name, Number};
 use crate::error::{Complaint, Errors, Place};
 use crate::wording::{known, quoted};
 
+/// The keys.
+pub(in crate::description) const KEYS: [&str; 4] = ["from", "to", "at", "to_at"];
+
 /// What closes a loop, and along or about which axes.
 struct Closing {
     closure: Closure,
@@ -59,8 +62,7 @@ pub(super) fn read(
     body::end(input, &subject)?;
     let (mut from, mut to) = (None, None);
     let (mut at, mut to_at) = (Vec::new(), Vec::new());
-    let keys = ["from", "to", "at", "to_at"];
-    tokens::fields(input, &subject, &keys, errors, |key, input| {
+    tokens::fields(input, &subject, &KEYS, errors, |key, input| {
         match key {
             "from" => from = Some(tokens::name(input)?),
             "to" => to = Some(tokens::name(input)?),

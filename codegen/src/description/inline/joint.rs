@@ -17,6 +17,21 @@ use crate::joint::drive::{Part, Parts};
 use crate::joint::{Definition, JointKind};
 use crate::wording::{known, quoted};
 
+/// The keys of a joint, but for those of its drive.
+pub(in crate::description) const KEYS: [&str; 8] = [
+    "from",
+    "to",
+    "at",
+    "limits",
+    "velocity",
+    "mimic",
+    "multiplier",
+    "offset",
+];
+
+/// The steps of a placement.
+pub(in crate::description) const STEPS: [&str; 5] = ["xyz", "rpy", "rx", "ry", "rz"];
+
 /// A joint, its links known as far as they were named.
 pub(super) struct Joint {
     name: Name,
@@ -67,17 +82,7 @@ pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
     };
     let mut range = Range::default();
     let mut follows = Follows::default();
-    let keys = [
-        "from",
-        "to",
-        "at",
-        "limits",
-        "velocity",
-        "mimic",
-        "multiplier",
-        "offset",
-    ];
-    let keys: Vec<&str> = keys.into_iter().chain(Part::ALL.map(Part::word)).collect();
+    let keys: Vec<&str> = KEYS.into_iter().chain(Part::ALL.map(Part::word)).collect();
     tokens::fields(input, &subject, &keys, errors, |key, input| {
         if let Some(part) = Part::from_word(key) {
             let subject = format!("the {key} of {subject}");
@@ -270,7 +275,7 @@ pub(super) fn placement(input: ParseStream, subject: &str) -> Parsed<Vec<Step>> 
             "rz" => steps.push(turn(Axis::Z, input, &part)?),
             _ => {
                 let message = format!("{subject} is placed by the unknown step {}", quoted(&text));
-                let hint = known(&text, "steps", &["xyz", "rpy", "rx", "ry", "rz"]);
+                let hint = known(&text, "steps", &STEPS);
                 return Err(complaint_with_hint(word.span(), message, hint));
             }
         }

@@ -17,7 +17,7 @@ use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
 /// The keys of a row, mass and inertia first.
-const KEYS: [&str; 12] = [
+pub(in crate::description) const KEYS: [&str; 12] = [
     "mass",
     "com",
     "inertia",

@@ -1,0 +1,71 @@
+//! The words that readers know, by where they may stand.
+//!
+//! In: the readers' own lists. Out: the same, for what explains them to users: a word that is in no
+//! documentation is a mistake of that. It never reads anything.
+
+use super::inline::{body, closure as loops, joint as joints, table};
+use super::{attributes, denavit_hartenberg, settings};
+use crate::formulation;
+use crate::function::Function;
+use crate::joint::drive::Part;
+use crate::processor::Processor;
+use crate::{closure, joint};
+
+/// Where words may stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// In `#[robot(…)]` above a struct, and in the braces of `chain!`.
+    Robot,
+    /// In `#[robot(…)]` above a field.
+    Field,
+    /// In the braces of a link.
+    Link,
+    /// In the braces of a joint.
+    Joint,
+    /// Behind the colon of a joint.
+    JointType,
+    /// Behind `at:`.
+    Step,
+    /// In the braces of a loop.
+    Loop,
+    /// Behind the colon of a loop.
+    LoopType,
+    /// In the braces of a row of a table.
+    Row,
+    /// At the head of a table in a file.
+    Column,
+    /// In `generate(…)`.
+    Function,
+    /// Behind `scalar`.
+    Scalar,
+    /// In `formulation(…)`.
+    Formulation,
+    /// Behind `processor`.
+    Processor,
+}
+
+/// The words of every place.
+#[must_use]
+pub fn words() -> Vec<(Place, Vec<&'static str>)> {
+    let drives = Part::ALL.map(Part::word);
+    let joint = joints::KEYS.into_iter().chain(drives).collect();
+    vec![
+        (Place::Robot, settings::WORDS.to_vec()),
+        (Place::Field, attributes::KEYS.to_vec()),
+        (Place::Link, body::INERTIA.to_vec()),
+        (Place::Joint, joint),
+        (Place::JointType, joint::ALL.map(|kind| kind.word).to_vec()),
+        (Place::Step, joints::STEPS.to_vec()),
+        (Place::Loop, loops::KEYS.to_vec()),
+        (Place::LoopType, closure::ALL.map(|kind| kind.word).to_vec()),
+        (Place::Row, table::KEYS.to_vec()),
+        (Place::Column, denavit_hartenberg::COLUMNS.to_vec()),
+        (Place::Function, Function::names()),
+        (Place::Scalar, settings::SCALARS.to_vec()),
+        (Place::Formulation, formulation::words()),
+        (
+            Place::Processor,
+            Processor::ALL.map(Processor::name).to_vec(),
+        ),
+    ]
+}

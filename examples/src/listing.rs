@@ -1,0 +1,31 @@
+//! The listing that README and guide show.
+//!
+//! In: the two links of `robots/`. Out: their inverse dynamics as `homogen inspect` prints it. It calls the code
+//! generator as the command does.
+
+use homogen_codegen::Function;
+use homogen_codegen::description::read_text;
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::expand;
+use homogen_codegen::print::rust::{Item, Source, World, methods};
+use homogen_codegen::request::Request;
+
+const URDF: &str = include_str!("../../robots/two_link.urdf");
+
+/// The method with its doc comment, formatted.
+///
+/// # Errors
+/// All the mistakes of the description.
+pub fn inverse_dynamics_of_two_links() -> Result<String, Errors> {
+    let mut errors = Errors::new();
+    let Some(robot) = read_text(URDF, "two_link.urdf", None, &mut errors) else {
+        return Err(errors);
+    };
+    let request = Request {
+        functions: vec![vec![Function::InverseDynamics]],
+        ..Request::default()
+    };
+    let listing = expand(&robot, &request)?;
+    let methods = methods(&listing, &Item::named_after("two link"), &World::default());
+    Ok(Source::new("", &methods).to_string())
+}

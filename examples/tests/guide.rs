@@ -1,0 +1,202 @@
+//! Every number and every line of code of the guide, computed anew.
+//!
+//! In: its chapters and the robots. Out: nothing where they agree; else the line that should stand
+//! there. Their blocks of Rust are compiled as well, as tests of the documentation. It never looks at
+//! times: they belong to the machine that is named beside them.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use homogen_codegen::description::{Name, read_file};
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::{program_as, understand};
+use homogen_codegen::formulation::{Angles, Formulation, Frame, Parameters};
+use homogen_codegen::request::Request;
+use homogen_codegen::schedule::Price;
+use homogen_codegen::{Function, Real};
+use homogen_examples::listing;
+use homogen_examples::price::{self, Prices};
+
+const ACCURACY: &str = include_str!("../../guide/src/accuracy.md");
+const FORMULATIONS: &str = include_str!("../../guide/src/formulations.md");
+const FUNCTIONS: &str = include_str!("../../guide/src/functions.md");
+const GENERATED_CODE: &str = include_str!("../../guide/src/generated-code.md");
+
+macro_rules! prices {
+    ($robot:literal, $tip:literal) => {{
+        let file = concat!($robot, ".urdf");
+        let text = include_str!(concat!("../../robots/", $robot, ".urdf"));
+        price::count(file, text, $tip).expect("the robots that ship have no mistakes")
+    }};
+}
+
+#[test]
+fn the_expansion_is_what_the_code_generator_prints() {
+    let source = listing::inverse_dynamics_of_two_links().expect("it has no mistakes");
+    let block = format!("```rust,ignore\n{source}```\n");
+    assert_contains(GENERATED_CODE, &block);
+}
+
+#[test]
+fn the_prices_of_the_functions_are_those_of_the_doc_comments() {
+    let prices = prices!("panda_class", "link8");
+    for function in Function::ALL {
+        let name = function.name();
+        let price = prices.of(function);
+        let (mul, add) = (price.mul, price.add);
+        let rows = (FUNCTIONS.lines()).filter(|line| line.starts_with(&format!("| `{name}` |")));
+        let rows: Vec<_> = rows.collect();
+        let end = format!(" | {mul} | {add} |");
+        assert!(
+            rows.len() == 1 && rows[0].ends_with(&end),
+            "`{name}` should have one row that ends with{end}: {rows:?}"
+        );
+    }
+}
+
+#[test]
+fn the_output_shown_has_the_prices_of_today() {
+    let prices = prices!("panda_class", "link8");
+    let all = Function::ALL.into_iter();
+    for function in all.filter(|&function| function != Function::BaseRegressor) {
+        let price = prices.of(function);
+        let start = format!(
+            "  {:<28} {:>4} {:>4} {:>4} {:>5} ",
+            function.name(),
+            price.mul,
+            price.add,
+            price.sin + price.cos,
+            price.naive_mul + price.naive_add
+        );
+        assert_contains(ACCURACY, &start);
+    }
+}
+
+#[test]
+fn the_counts_beside_published_ones_are_those_of_today() {
+    let robots = [
+        (
+            "[Stanford](../../robots/stanford_general.urdf)",
+            prices!("stanford_general", "tool"),
+        ),
+        (
+            "[PUMA 560](../../robots/puma560_general.urdf)",
+            prices!("puma560_general", "tool"),
+        ),
+        (
+            "[Panda class](../../robots/panda_class.urdf)",
+            prices!("panda_class", "link8"),
+        ),
+    ];
+    for (name, prices) in &robots {
+        let cell = |function| count(prices, function);
+        let start = format!("| {name} | {} | ", cell(Function::InverseDynamics));
+        let rows = ACCURACY.lines().filter(|line| line.starts_with(&start));
+        let mass = format!(" | {} | ", cell(Function::MassMatrix));
+        let found = rows.filter(|line| line.contains(&mass)).count();
+        assert_eq!(found, 1, "{start}…{mass}");
+    }
+}
+
+#[test]
+fn the_prices_of_formulations_are_those_of_today() {
+    let columns = {
+        let (plain, frame) = (Formulation::default(), Frame::Base);
+        let (angles, parameters) = (Angles::Merged, Parameters::Raw);
+        [
+            plain,
+            Formulation { angles, ..plain },
+            Formulation {
+                parameters,
+                ..plain
+            },
+            Formulation { frame, ..plain },
+            Formulation {
+                frame,
+                parameters,
+                ..plain
+            },
+        ]
+    };
+    for (name, robot, tip, function) in [
+        (
+            "Panda class",
+            "panda_class",
+            "link8",
+            Function::InverseDynamics,
+        ),
+        (
+            "PUMA 560",
+            "puma560_general",
+            "tool",
+            Function::InverseDynamics,
+        ),
+        (
+            "PUMA 560",
+            "puma560_general",
+            "tool",
+            Function::ForwardKinematics,
+        ),
+        ("UR5 class", "ur5_class", "tool0", Function::MassMatrix),
+        (
+            "quadruped",
+            "quadruped",
+            "hr_foot",
+            Function::ForwardDynamics,
+        ),
+    ] {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let file = root.join(format!("robots/{robot}.urdf"));
+        let mut errors = Errors::new();
+        let description = read_file(&file, None, &mut errors).expect("it is a robot");
+        let request = Request {
+            tip: Some(Name {
+                text: tip.to_owned(),
+                ..Name::default()
+            }),
+            ..Request::default()
+        };
+        let chain = understand(&description, &request).expect("it has no mistakes");
+        let mut row = format!("| {name}, `{}` |", function.name());
+        for formulation in columns {
+            let program = program_as(formulation, &chain, &[function], 0, Real::Generic);
+            let price = Price::of(&program.expect("it has forward dynamics"));
+            // Writing to a string cannot fail.
+            let _ = write!(row, " {}/{} |", price.mul, price.add);
+        }
+        assert_contains(FORMULATIONS, &format!("{row}\n"));
+    }
+}
+
+/// What is in no list is read by nobody, and compiled by no test.
+#[test]
+fn every_chapter_is_in_the_contents_and_is_compiled() {
+    let contents = include_str!("../../guide/src/SUMMARY.md");
+    let compiled = include_str!("../src/lib.rs");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../guide/src");
+    let entries = fs::read_dir(root).expect("the folder is there");
+    let names = entries.map(|entry| entry.expect("readable").file_name());
+    let names = names.map(|name| name.into_string().expect("a name"));
+    let names: Vec<String> = names.filter(|name| name != "SUMMARY.md").collect();
+    assert!(names.len() > 10);
+    for name in names {
+        assert!(
+            contents.contains(&format!("]({name})")),
+            "{name} is in no list"
+        );
+        assert!(
+            compiled.contains(&format!("/{name}\"")),
+            "{name} is not compiled"
+        );
+    }
+}
+
+fn count(prices: &Prices, function: Function) -> String {
+    let price = prices.of(function);
+    format!("{}/{}", price.mul, price.add)
+}
+
+fn assert_contains(chapter: &str, part: &str) {
+    assert!(chapter.contains(part), "the chapter lacks\n{part}");
+}

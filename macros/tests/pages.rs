@@ -1,0 +1,85 @@
+//! Whether the pages of the macros explain all that the readers know.
+//!
+//! In: the pages, and the lists of the readers themselves. Out: nothing where each word is told, and where it
+//! describes a robot or asks for something stands in an example that is compiled; else the words that are
+//! missing.
+
+use homogen_codegen::description::words::{Place, words};
+
+const DERIVE: &str = include_str!("../src/derive.md");
+const CHAIN: &str = include_str!("../src/chain.md");
+
+/// The page that explains the words of a place.
+fn page(place: Place) -> &'static str {
+    match place {
+        Place::Robot
+        | Place::Field
+        | Place::Column
+        | Place::Function
+        | Place::Scalar
+        | Place::Formulation
+        | Place::Processor => DERIVE,
+        Place::Link
+        | Place::Joint
+        | Place::JointType
+        | Place::Step
+        | Place::Loop
+        | Place::LoopType
+        | Place::Row => CHAIN,
+    }
+}
+
+/// Whether each word of a place is to be seen at work: names that are chosen from a list are not.
+fn is_shown(place: Place) -> bool {
+    let chosen = [
+        Place::Column,
+        Place::Function,
+        Place::Scalar,
+        Place::LoopType,
+        Place::Formulation,
+        Place::Processor,
+    ];
+    !chosen.contains(&place)
+}
+
+/// The words of a text, in which `cortex-m4` is one.
+fn words_of(text: &str) -> Vec<&str> {
+    let splits = |c: char| !(c.is_alphanumeric() || c == '_' || c == '-');
+    let words = text.split(splits).map(|word| word.trim_start_matches('-'));
+    words.collect()
+}
+
+/// What stands between backquotes, and the blocks of code that are compiled.
+fn told_and_compiled(page: &str) -> (String, String) {
+    let (mut told, mut compiled) = (String::new(), String::new());
+    let mut block: Option<&str> = None;
+    for line in page.lines() {
+        match (line.strip_prefix("```"), block) {
+            (Some(kind), None) => block = Some(kind),
+            (Some(_), Some(_)) => block = None,
+            (None, Some("")) => compiled.extend([line, "\n"]),
+            (None, Some(_)) => {}
+            (None, None) => told.extend(line.split('`').skip(1).step_by(2).flat_map(|x| [x, "\n"])),
+        }
+    }
+    (told, compiled)
+}
+
+#[test]
+fn every_word_is_told_and_shown() {
+    let mut missing = Vec::new();
+    for (place, known) in words() {
+        assert!(!known.is_empty(), "{place:?}");
+        let (told, compiled) = told_and_compiled(page(place));
+        let (told, compiled) = (words_of(&told), words_of(&compiled));
+        for word in known {
+            if !told.contains(&word) {
+                missing.push(format!("{place:?}: `{word}` is not told"));
+            }
+            if is_shown(place) && !compiled.contains(&word) {
+                missing.push(format!("{place:?}: no example of `{word}`"));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
+}

@@ -50,6 +50,12 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         .collect();
     let numbers = evaluate(&graph, &numbers, |input| {
         let least = match input {
+            // What a body adds to the energy is never negative, so that without it is the least.
+            Input::Parameter(field, _)
+                if chain.parameters[usize::from(field)].target.is_payload() =>
+            {
+                Some(0.0)
+            }
             Input::Parameter(..) => range.get(input).map(|[least, _]| least),
             Input::Variable(..) => None,
         };

@@ -187,6 +187,29 @@ fn the_centre_of_a_mass_that_is_not_there_is_doubted_unless_a_field_gives_the_ma
 }
 
 #[test]
+fn a_payload_has_a_type_of_its_own_beside_the_runtime_and_is_an_array_without_it() {
+    let builder = Builder::from_urdf("../robots/two_link.urdf")
+        .generate([Function::Gravity])
+        .parameter_within("load", Target::PayloadOn("tip".into()), 0.0..=4.0);
+    let alone = text(&builder);
+    for part in [
+        "pub load: [f64; 10],\n",
+        "let [load_m, load_x, load_y, _, _, _, _, _, _, _] = self.load;\n",
+        "/// What `tip` carries: its mass in kg",
+        "`load` from 0 to 4 kg, its centre of mass up to 0.25 m along each axis",
+    ] {
+        assert!(alone.contains(part), "{alone}");
+    }
+    let beside = text(&builder.runtime("::homogen"));
+    for part in [
+        "pub load: ::homogen::Payload<::core::primitive::f64>,\n",
+        "= ::homogen::Payload::numbers(",
+    ] {
+        assert!(beside.contains(part), "{beside}");
+    }
+}
+
+#[test]
 fn a_range_that_a_field_cannot_have_is_told() {
     let mass = || Target::MassOf("rod-2".into());
     let builder = arm(as_asked)

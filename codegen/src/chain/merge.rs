@@ -467,8 +467,25 @@ impl<'g> Reader<'g, '_> {
         let [mass] = self.free(of_mass, [mass]);
         origin.translation = Vector(self.free(of_center, origin.translation.0));
         let free = mass.value().is_none();
-        (free || link.inertial.is_some())
-            .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin))
+        let own = (free || link.inertial.is_some())
+            .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin));
+        let payload = self.payload(link);
+        match (own, payload) {
+            (Some(own), Some(payload)) => Some(own + payload),
+            (own, payload) => own.or(payload),
+        }
+    }
+
+    /// J of what a struct field puts on a link, in the link's frame.
+    fn payload(&mut self, link: &Link) -> Option<Inertia<Term<'g>>> {
+        let is = |target: &Target| matches!(target, Target::PayloadOn(name) if name.text == link.name.text);
+        let free = self.request.loads(&link.name);
+        free.then(|| {
+            let nothing = [self.graph.constant(0.0); 10];
+            let [mass, x, y, z, tensor @ ..] = self.free(is, nothing);
+            let center = Pose::translation(Vector([x, y, z]));
+            Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(center)
+        })
     }
 
     fn note_follower(&mut self, description: &Description, joint: usize, follow: Follow) {

@@ -47,7 +47,7 @@ pub fn check(
             continue;
         };
         let link = &description.links[branch.child];
-        massive[body] |= request.weighs(&link.name);
+        massive[body] |= request.weighs(&link.name) || request.loads(&link.name);
         if let Some(inertial) = &link.inertial {
             massive[body] = true;
             doubts.extend(doubt(&link.name.text, inertial));

@@ -615,8 +615,26 @@ impl<'d> Reader<'d> {
         if let Some(center) = center {
             origin.set_column(center);
         }
-        Ok(origin.times(&central).times(&origin.transposed()))
+        let payload = self.field(|target| matches!(target, Target::PayloadOn(of) if is(of)));
+        let inertia = origin.times(&central).times(&origin.transposed());
+        Ok(match payload {
+            Some(payload) => inertia.plus(&loaded(payload)),
+            None => inertia,
+        })
     }
+}
+
+/// J of a payload in the frame of its link: ∫rrᵗdm of what is about its centre, and m c cᵗ.
+fn loaded([mass, x, y, z, xx, xy, xz, yy, yz, zz]: [Scalar; 10]) -> Matrix<Scalar> {
+    let half = (xx + yy + zz) * Scalar::exact(0.5);
+    let at = |a, b| mass * a * b;
+    let (one, two, three) = (at(x, y) - xy, at(x, z) - xz, at(y, z) - yz);
+    Matrix([
+        [at(x, x) + half - xx, one, two, mass * x],
+        [one, at(y, y) + half - yy, three, mass * y],
+        [two, three, at(z, z) + half - zz, mass * z],
+        [mass * x, mass * y, mass * z, mass],
+    ])
 }
 
 /// A direction with length 1.

@@ -36,6 +36,7 @@ fn robots() -> Vec<(Description, Request)> {
         field("mass", Target::MassOf("link5".into())),
         field("center", Target::CenterOfMassOf("link5".into())),
         field("origin", Target::OriginOf("joint3".into())),
+        field("payload", Target::PayloadOn("link8".into())),
     ];
     vec![
         loaded,

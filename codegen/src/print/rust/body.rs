@@ -11,6 +11,7 @@ use super::arguments::{pattern, unpack};
 use super::dialect::Dialect;
 use super::literals::Numerals;
 use super::names::ident;
+use super::world::World;
 use crate::print::Listing;
 use crate::request::Parameter;
 use crate::schedule::{
@@ -169,10 +170,15 @@ impl Writer<'_> {
     }
 
     /// `let payload = self.payload;` or `let [gravity_x, _, gravity_z] = self.gravity;`, converted.
-    fn load(&self, entries: &Entries, Parameter { field, .. }: &Parameter) -> TokenStream {
+    fn load(&self, entries: &Entries, Parameter { field, target, .. }: &Parameter) -> TokenStream {
         // The compiler's complaint about a field of another type belongs under the field.
         let span = field.span().resolved_at(Span::call_site());
-        let value = quote_spanned! {span=> self.#field };
+        let value = match (&self.dialect.world, target.is_payload()) {
+            (World::Runtime(runtime), true) => {
+                quote_spanned! {span=> #runtime::Payload::numbers(&self.#field) }
+            }
+            (World::Runtime(_) | World::Core(_), _) => quote_spanned! {span=> self.#field },
+        };
         let converted = |value: &TokenStream| self.dialect.converted(&self.numerals, value, span);
         if let [Some(name)] = &**entries {
             let (name, value) = (ident(name), converted(&value));

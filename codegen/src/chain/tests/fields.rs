@@ -1,0 +1,118 @@
+//! What struct fields stand for: what becomes of it, and what none can stand for.
+
+use super::*;
+use crate::expression::{Double, Evaluation, Expr, Input};
+
+/// An arm with fields of these names.
+fn with_fields(text: &str, fields: Vec<(&str, Target)>) -> Result<Chain, Errors> {
+    let (description, mut request) = read(text);
+    let fields = fields.into_iter().map(|(name, target)| Parameter {
+        field: quote::format_ident!("{name}"),
+        target,
+        range: None,
+    });
+    request.parameters = fields.collect();
+    build(&description, &request)
+}
+
+fn refused(text: &str, fields: Vec<(&str, Target)>) -> String {
+    let refusal = with_fields(text, fields).expect_err("a mistake");
+    refusal.to_string()
+}
+
+/// Numbers of a chain whose only field has these entries.
+fn at(chain: &Chain, exprs: &[Expr], field: &[f64]) -> Vec<f64> {
+    let found = Evaluation::<Double>::of(&chain.graph, exprs).at(|input| match input {
+        Input::Parameter(0, entry) => Double::from(field[usize::from(entry)]),
+        other => panic!("{other:?} is read"),
+    });
+    found.into_iter().map(Double::to_f64).collect()
+}
+
+fn close(results: &[f64], expected: &[f64]) {
+    assert_eq!(results.len(), expected.len());
+    for (x, y) in results.iter().zip(expected) {
+        assert!((x - y).abs() < 1e-15, "{results:?} for {expected:?}");
+    }
+}
+
+/// The first moves; the last weighs nothing, and stands turned about x.
+const ARM: &str = "struct Arm { strict } link base;
+    link rod { mass: 2.0, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04] } link flange;
+    joint hinge: revolute(z) { from: base, to: rod }
+    joint weld: fixed { from: rod, to: flange, at: xyz(0.5, 0, 0) rx(pi/2) }";
+
+#[test]
+fn a_payload_is_a_body_beside_what_is_described() {
+    let chain = with_fields(ARM, vec![("load", Target::PayloadOn(named("flange")))]);
+    let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(chain.nominal, [[0.0; 10].to_vec()]);
+    let inertia = chain.joints[0].inertia.entries();
+    // By hand: of the rod second moments are (0.025, 0.015, 0.005), and 0.02 more at xx.
+    let empty = at(&chain, &inertia, &[0.0; 10]);
+    close(
+        &empty,
+        &[0.045, 0.015, 0.005, 0.0, 0.0, 0.0, 0.2, 0.0, 0.0, 2.0],
+    );
+    // (0.1, 0.2, 0.3) of the flange is (0.6, −0.3, 0.2) of the rod. About that, ∫rrᵗdm is
+    // (0.03, 0.02, 0.01) with 0.004 at xy, −0.003 at xz and 0.002 at yz in the flange's axes; in the
+    // rod's y is −z, and z is y.
+    let load = [4.0, 0.1, 0.2, 0.3, 0.03, -0.004, 0.003, 0.04, -0.002, 0.05];
+    let loaded = at(&chain, &inertia, &load);
+    let added: Vec<f64> = loaded.iter().zip(&empty).map(|(x, y)| x - y).collect();
+    let square = [1.44, 0.36, 0.16, -0.72, 0.48, -0.24];
+    let about = [0.03, 0.01, 0.02, 0.003, 0.004, -0.002];
+    let mut expected: Vec<f64> = square.iter().zip(about).map(|(x, y)| x + y).collect();
+    expected.extend([2.4, -1.2, 0.8, 4.0]);
+    close(&added, &expected);
+}
+
+#[test]
+fn nothing_is_carried_by_what_is_not_there_or_never_moves_and_twice_by_nothing() {
+    let load = |link: &str| Target::PayloadOn(named(link));
+    let fields = vec![
+        ("one", load("flang")),
+        ("two", load("base")),
+        ("three", load("rod")),
+        ("four", load("rod")),
+    ];
+    assert_eq!(
+        refused(ARM, fields),
+        lines(&[
+            r#"error: field `four` stands for a payload on link "rod", as `three` does"#,
+            "  hint: leave out one of them",
+            r#"error: there is no link "flang""#,
+            r#"  hint: did you mean "flange"?"#,
+            r#"error: link "base" does not move: a payload on it changes nothing"#,
+            "  hint: leave the field out, or choose a base upstream of the link"
+        ])
+    );
+    assert_eq!(
+        load("rod").refusal([-1.0, 1.0]).map(|[problem, _]| problem),
+        Some("has negative masses")
+    );
+}
+
+#[test]
+fn a_payload_is_meant_to_be_what_a_body_can_have() {
+    let load = Parameter {
+        field: quote::format_ident!("load"),
+        target: Target::PayloadOn(named("rod")),
+        range: Some([0.0, 4.0]),
+    };
+    let (mass, center) = ([0.0, 4.0], [-0.25, 0.25]);
+    let (moment, product) = ([0.0, 0.25], [-0.125, 0.125]);
+    assert_eq!(
+        load.ranges(&[0.0; 10]),
+        [
+            mass, center, center, center, moment, product, product, moment, product, moment
+        ]
+    );
+    let names = ["m", "x", "y", "z", "xx", "xy", "xz", "yy", "yz", "zz"];
+    assert_eq!(load.entries(), names.map(|name| format!("load_{name}")));
+    assert_eq!(
+        load.range_words(&[0.0; 10]),
+        "`load` from 0 to 4 kg, its centre of mass up to 0.25 m along each axis, its moments of inertia \
+         up to 0.25 kg m² and its products up to half of that"
+    );
+}

@@ -176,14 +176,24 @@ impl Request {
     /// Whether a struct field stands for the mass of a link.
     #[must_use]
     pub fn weighs(&self, link: &Name) -> bool {
-        let mut targets = self.parameters.iter().map(|parameter| &parameter.target);
-        targets.any(|target| matches!(target, Target::MassOf(name) if name.text == link.text))
+        self.has(|target| matches!(target, Target::MassOf(name) if name.text == link.text))
+    }
+
+    /// Whether a struct field stands for the inertia of a link.
+    #[must_use]
+    pub fn spreads(&self, link: &Name) -> bool {
+        self.has(|target| matches!(target, Target::InertiaOf(name) if name.text == link.text))
     }
 
     /// Whether a struct field stands for a payload on a link.
     #[must_use]
     pub fn loads(&self, link: &Name) -> bool {
-        let mut targets = self.parameters.iter().map(|parameter| &parameter.target);
-        targets.any(|target| matches!(target, Target::PayloadOn(name) if name.text == link.text))
+        self.has(|target| matches!(target, Target::PayloadOn(name) if name.text == link.text))
+    }
+
+    fn has(&self, is: impl Fn(&Target) -> bool) -> bool {
+        self.parameters
+            .iter()
+            .any(|parameter| is(&parameter.target))
     }
 }

@@ -3,7 +3,7 @@
 //! Set to the file's numbers they must give what the constants give; set to others, what the
 //! generic recursions make of `chain(&self)`. Fields may be of any type that fits into `f64`.
 
-use homogen::{Chain, Robot};
+use homogen::{Chain, Payload, Robot};
 use homogen_codegen::description::{Description, Step, read_file};
 use homogen_codegen::error::Errors;
 use homogen_tests::functions::{EveryFunction, evaluate};
@@ -24,6 +24,8 @@ struct Panda {
     mass: f64,
     #[robot(com_of = "link5")]
     center: [f64; 3],
+    #[robot(inertia_of = "link6")]
+    inertia: [f64; 6],
     #[robot(origin_of = "joint4")]
     origin: [f64; 3],
     #[robot(gravity)]
@@ -31,6 +33,8 @@ struct Panda {
     /// Of a link that weighs nothing in the file.
     #[robot(mass_of = "link8")]
     payload: f64,
+    #[robot(payload_on = "link7")]
+    tool: Payload,
     /// The user's own.
     calls: u32,
 }
@@ -53,22 +57,25 @@ fn translation(steps: &[Step]) -> [f64; 3] {
 /// With the numbers of the file.
 fn as_described() -> Panda {
     let description = described();
-    let link = description
-        .links
-        .iter()
-        .find(|link| link.name.text == "link5");
+    let inertial = |name: &str| {
+        let mut links = description.links.iter();
+        let link = links.find(|link| link.name.text == name);
+        let inertial = link.and_then(|link| link.inertial.as_ref());
+        inertial.expect("it is in the file and has a mass")
+    };
     let joint = description
         .joints
         .iter()
         .find(|joint| joint.name.text == "joint4");
-    let (link, joint) = link.zip(joint).expect("they are in the file");
-    let inertial = link.inertial.as_ref().expect("it has a mass");
+    let joint = joint.expect("it is in the file");
     Panda {
-        mass: inertial.mass.value,
-        center: translation(&inertial.origin),
+        mass: inertial("link5").mass.value,
+        center: translation(&inertial("link5").origin),
+        inertia: inertial("link6").inertia.map(|entry| entry.value),
         origin: translation(&joint.origin),
         gravity: [0.0, 0.0, -9.81],
         payload: 0.0,
+        tool: Payload::default(),
         calls: 0,
     }
 }
@@ -100,9 +107,15 @@ fn other_numbers_give_what_their_chain_gives() {
     let panda = Panda {
         mass: 2.75,
         center: [0.03, -0.07, 0.11],
+        inertia: [0.021, 0.003, -0.002, 0.018, 0.001, 0.015],
         origin: [0.09, 0.01, -0.02],
         gravity: [1.0, -2.0, 3.0],
         payload: 1.25,
+        tool: Payload {
+            mass: 0.75,
+            center: [0.02, -0.05, 0.08],
+            inertia: [0.004, 0.0002, -0.0003, 0.005, 0.0001, 0.003],
+        },
         calls: 0,
     };
     let chain: Chain<7, 1> = panda.chain();

@@ -211,7 +211,10 @@ fn check_targets(
             | Target::ArmatureOf(_)
             | Target::DampingOf(_)
             | Target::FrictionOf(_) => None,
-            Target::MassOf(name) | Target::CenterOfMassOf(name) | Target::PayloadOn(name) => links
+            Target::MassOf(name)
+            | Target::CenterOfMassOf(name)
+            | Target::InertiaOf(name)
+            | Target::PayloadOn(name) => links
                 .find(name, errors)
                 .is_some_and(|link| tree.dropped.contains(&link))
                 .then_some(("link", name)),

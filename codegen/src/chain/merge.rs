@@ -454,6 +454,7 @@ impl<'g> Reader<'g, '_> {
         let of_mass = |target: &Target| matches!(target, Target::MassOf(name) if is(name));
         let of_center =
             |target: &Target| matches!(target, Target::CenterOfMassOf(name) if is(name));
+        let of_inertia = |target: &Target| matches!(target, Target::InertiaOf(name) if is(name));
         let nothing = self.graph.constant(0.0);
         let (mass, tensor, mut origin) = match &link.inertial {
             Some(inertial) => (
@@ -466,7 +467,8 @@ impl<'g> Reader<'g, '_> {
         };
         let [mass] = self.free(of_mass, [mass]);
         origin.translation = Vector(self.free(of_center, origin.translation.0));
-        let free = mass.value().is_none();
+        let tensor = self.free(of_inertia, tensor);
+        let free = (tensor.iter().chain([&mass])).any(|entry| entry.value().is_none());
         let own = (free || link.inertial.is_some())
             .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin));
         let payload = self.payload(link);

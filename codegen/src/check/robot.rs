@@ -601,7 +601,9 @@ impl<'d> Reader<'d> {
         };
         let inertial = link.inertial.as_ref().unwrap_or(&nothing);
         let [mass] = mass.unwrap_or([Scalar::literal(inertial.mass.value)]);
-        let [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(|entry| Scalar::literal(entry.value));
+        let tensor = self.field(|target| matches!(target, Target::InertiaOf(of) if is(of)));
+        let described = inertial.inertia.map(|entry| Scalar::literal(entry.value));
+        let [xx, xy, xz, yy, yz, zz] = tensor.unwrap_or(described);
         // ½ Tr(I) − I, and the mass.
         let half = (xx + yy + zz) * Scalar::exact(0.5);
         let none = Scalar::exact(0.0);

@@ -37,6 +37,7 @@ fn robots() -> Vec<(Description, Request)> {
         field("center", Target::CenterOfMassOf("link5".into())),
         field("origin", Target::OriginOf("joint3".into())),
         field("payload", Target::PayloadOn("link8".into())),
+        field("inertia", Target::InertiaOf("link4".into())),
     ];
     vec![
         loaded,

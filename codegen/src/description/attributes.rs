@@ -19,9 +19,10 @@ use crate::request::{Parameter, Target};
 use crate::wording::{known, quoted};
 
 /// What can be said of a field: the number that it stands for, and its range.
-const KEYS: [&str; 9] = [
+const KEYS: [&str; 10] = [
     "mass_of",
     "com_of",
+    "inertia_of",
     "payload_on",
     "gravity",
     "origin_of",
@@ -229,6 +230,7 @@ fn said(input: ParseStream) -> Parsed<Said> {
     let of: fn(super::Name) -> Target = match text.as_str() {
         "mass_of" => Target::MassOf,
         "com_of" => Target::CenterOfMassOf,
+        "inertia_of" => Target::InertiaOf,
         "payload_on" => Target::PayloadOn,
         "origin_of" => Target::OriginOf,
         "armature_of" => Target::ArmatureOf,

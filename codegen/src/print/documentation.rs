@@ -139,6 +139,11 @@ pub(super) fn of_field(target: &Target) -> String {
                 code(&link.text)
             )
         }
+        Target::InertiaOf(link) => format!(
+            "I_xx, I_xy, I_xz, I_yy, I_yz, I_zz of {} about its centre of mass, in the axes of its inertial, in \
+             kg m².",
+            code(&link.text)
+        ),
         Target::PayloadOn(link) => format!(
             "What {} carries: its mass in kg, its centre of mass in that link's frame, in m, and I_xx, I_xy, \
              I_xz, I_yy, I_yz, I_zz about it in the axes of that frame, in kg m².",

@@ -19,7 +19,7 @@ pub struct Parameter {
     pub target: Target,
     /// The least and the greatest that each of its entries is meant to be, in the unit of what it
     /// stands for; by default from zero to twice what is described, to both sides where it is a
-    /// vector. Of a payload it is that of the mass. Error bounds are for these; nothing checks it at run time.
+    /// vector. Of a payload it is that of the mass, of an inertia that of its moments. Error bounds are for these; nothing checks it at run time.
     pub range: Option<[f64; 2]>,
 }
 
@@ -31,6 +31,9 @@ pub enum Target {
     MassOf(Name),
     /// The centre of mass of a link in the link's frame \[m\]; three numbers.
     CenterOfMassOf(Name),
+    /// The inertia of a link about its centre of mass, in the axes of the inertial that is described (the link's
+    /// own where none is, or where it is not turned); I_xx, I_xy, I_xz, I_yy, I_yz, I_zz [kg m²].
+    InertiaOf(Name),
     /// A body fixed to a link beside all that is described; ten numbers: its mass \[kg\], where its centre of
     /// mass is in the link's frame \[m\], and its inertia about that, in the axes of the link's frame, as I_xx, I_xy,
     /// I_xz, I_yy, I_yz, I_zz [kg m²].
@@ -55,6 +58,8 @@ enum Form {
     Size,
     /// Three along the axes.
     Vector,
+    /// A symmetric tensor, by rows.
+    Tensor,
     /// A mass, a point, a tensor.
     Payload,
 }
@@ -65,6 +70,7 @@ impl Form {
         match self {
             Self::Size => &[""],
             Self::Vector => &["_x", "_y", "_z"],
+            Self::Tensor => &["_xx", "_xy", "_xz", "_yy", "_yz", "_zz"],
             Self::Payload => &[
                 "_m", "_x", "_y", "_z", "_xx", "_xy", "_xz", "_yy", "_yz", "_zz",
             ],
@@ -99,12 +105,14 @@ impl Parameter {
             self.target.range_up_to(most)
         });
         let [_, most] = ends;
+        let half = most / 2.0;
         let square = PAYLOAD * PAYLOAD * most;
         let of_entry = |k: usize| match (self.target.form(), k) {
             (Form::Payload, 1..=3) => [-PAYLOAD, PAYLOAD],
             (Form::Payload, 4 | 7 | 9) => [0.0, square],
             (Form::Payload, 5 | 6 | 8) => [-square / 2.0, square / 2.0],
-            (Form::Size | Form::Vector | Form::Payload, _) => ends,
+            (Form::Tensor, 1 | 2 | 4) => [-half, half],
+            _ => ends,
         };
         (0..self.target.entries()).map(of_entry).collect()
     }
@@ -120,6 +128,9 @@ impl Parameter {
                  its moments of inertia up to {} kg m² and its products up to half of that",
                 ranges[4][1]
             ),
+            Form::Tensor => format!(
+                "moments of `{name}` from {least} to {most} {unit} and its products up to half of that"
+            ),
             Form::Size | Form::Vector if least == -most => {
                 format!("entries of `{name}` ≤ {most} {unit}")
             }
@@ -131,9 +142,9 @@ impl Parameter {
     /// nothing of products of inertia, of which a body can have no more than its moments allow.
     #[must_use]
     pub fn at_the_end(&self, entry: usize) -> f64 {
-        let [least, most] = self.ranges(&[])[entry];
+        let [_, most] = self.ranges(&[])[entry];
         match (self.target.form(), entry) {
-            (Form::Payload, 5 | 6 | 8) => (least + most) / 2.0,
+            (Form::Payload, 5 | 6 | 8) | (Form::Tensor, 1 | 2 | 4) => 0.0,
             _ => most,
         }
     }
@@ -149,6 +160,9 @@ impl Parameter {
             match (self.target.form(), k) {
                 (Form::Size, _) | (Form::Payload, 0) => size * (0.5 + share),
                 (Form::Vector, _) => entry + size * (share - 0.5),
+                (Form::Tensor, 0 | 3 | 5) if entry == 0.0 => size * (0.75 + 0.5 * share),
+                (Form::Tensor, _) if entry == 0.0 => 0.1 * size * (share - 0.5),
+                (Form::Tensor, _) => entry * (0.9 + 0.2 * share),
                 (Form::Payload, 1..=3) => PAYLOAD * (2.0 * share - 1.0),
                 (Form::Payload, 4 | 7 | 9) => 0.01 * (0.75 + 0.5 * share),
                 (Form::Payload, _) => 0.004 * (share - 0.5),
@@ -170,6 +184,7 @@ impl Target {
                 Form::Size
             }
             Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::Gravity => Form::Vector,
+            Self::InertiaOf(_) => Form::Tensor,
             Self::PayloadOn(_) => Form::Payload,
         }
     }
@@ -179,6 +194,7 @@ impl Target {
     pub const fn unit(&self) -> &'static str {
         match self {
             Self::MassOf(_) | Self::PayloadOn(_) => "kg",
+            Self::InertiaOf(_) => "kg m²",
             Self::ArmatureOf(_) => "kg m² or kg",
             Self::DampingOf(_) => "N m s/rad or N s/m",
             Self::FrictionOf(_) => "N m or N",
@@ -198,11 +214,12 @@ impl Target {
         }
     }
 
-    /// The link that it changes the mass of, or where that is, and a word for what it is.
+    /// The link whose mass it changes, or how that is spread, and what it is of that.
     #[must_use]
     pub const fn weighs(&self) -> Option<(&Name, &'static str)> {
         match self {
             Self::MassOf(link) | Self::CenterOfMassOf(link) => Some((link, "its mass")),
+            Self::InertiaOf(link) => Some((link, "its inertia")),
             Self::PayloadOn(link) => Some((link, "a payload on it")),
             _ => None,
         }
@@ -212,7 +229,7 @@ impl Target {
     #[must_use]
     pub const fn range_up_to(&self, most: f64) -> [f64; 2] {
         match self.form() {
-            Form::Size | Form::Payload => [0.0, most],
+            Form::Size | Form::Tensor | Form::Payload => [0.0, most],
             Form::Vector => [-most, most],
         }
     }
@@ -222,7 +239,7 @@ impl Target {
     pub fn refusal(&self, [least, most]: [f64; 2]) -> Option<[&'static str; 2]> {
         let example = match (self, self.form()) {
             (Self::Gravity, _) => "write range = 12.0, or range = -12.0..=12.0 for the same",
-            (_, Form::Size | Form::Payload) => {
+            (_, Form::Size | Form::Tensor | Form::Payload) => {
                 "write range = 0.0..=3.0, or range = 3.0 for the same"
             }
             (_, Form::Vector) => "write range = 0.5, or range = -0.5..=0.5 for the same",
@@ -233,6 +250,8 @@ impl Target {
             "is empty"
         } else if matches!(self, Self::MassOf(_) | Self::PayloadOn(_)) && least < 0.0 {
             "has negative masses"
+        } else if self.form() == Form::Tensor && least < 0.0 {
+            "has negative moments of inertia"
         } else if self.form() == Form::Size && least < 0.0 {
             "has negative numbers"
         } else {
@@ -247,6 +266,7 @@ impl Target {
         match (self, other) {
             (Self::MassOf(one), Self::MassOf(other))
             | (Self::CenterOfMassOf(one), Self::CenterOfMassOf(other))
+            | (Self::InertiaOf(one), Self::InertiaOf(other))
             | (Self::PayloadOn(one), Self::PayloadOn(other))
             | (Self::OriginOf(one), Self::OriginOf(other))
             | (Self::ArmatureOf(one), Self::ArmatureOf(other))
@@ -265,6 +285,7 @@ impl Target {
             Self::CenterOfMassOf(link) => {
                 format!("the centre of mass of link {}", quoted(&link.text))
             }
+            Self::InertiaOf(link) => format!("the inertia of link {}", quoted(&link.text)),
             Self::PayloadOn(link) => format!("a payload on link {}", quoted(&link.text)),
             Self::Gravity => "gravity".to_owned(),
             Self::OriginOf(joint) => format!("the origin of joint {}", quoted(&joint.text)),

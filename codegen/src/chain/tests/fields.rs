@@ -116,3 +116,66 @@ fn a_payload_is_meant_to_be_what_a_body_can_have() {
          up to 0.25 kg m² and its products up to half of that"
     );
 }
+
+#[test]
+fn an_inertia_is_about_the_centre_of_mass_in_the_axes_of_the_inertial() {
+    let chain = with_fields(ARM, vec![("tensor", Target::InertiaOf(named("rod")))]);
+    let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(chain.nominal, [[0.02, 0.0, 0.0, 0.03, 0.0, 0.04].to_vec()]);
+    let inertia = chain.joints[0].inertia.entries();
+    let tensor = [0.05, 0.001, 0.002, 0.06, 0.003, 0.07];
+    let found = at(&chain, &inertia, &tensor);
+    // ½ Tr(I) − I, and of a mass of 2 at x = 0.1 0.02 more at xx.
+    let expected = [0.06, 0.03, 0.02, -0.001, -0.002, -0.003, 0.2, 0.0, 0.0, 2.0];
+    close(&found, &expected);
+
+    // An inertial that stands turned about x: its y is z of the link.
+    let turned = r#"<robot name="arm"><link name="base"/><link name="rod"><inertial>
+        <origin rpy="1.5707963267948966 0 0"/><mass value="1"/>
+        <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+        <joint name="hinge" type="continuous"><parent link="base"/><child link="rod"/></joint></robot>"#;
+    let mut errors = Errors::new();
+    let description = crate::description::read_text(turned, "arm.urdf", None, &mut errors);
+    let request = Request {
+        parameters: vec![Parameter {
+            field: quote::format_ident!("tensor"),
+            target: Target::InertiaOf(named("rod")),
+            range: None,
+        }],
+        ..Request::default()
+    };
+    let chain = build(&description.expect("it can be read"), &request).expect("no mistakes");
+    let inertia = chain.joints[0].inertia.entries();
+    let found = at(&chain, &inertia, &[4.0, 0.0, 0.0, 5.0, 0.0, 6.0]);
+    close(&found[..3], &[3.5, 1.5, 2.5]);
+}
+
+#[test]
+fn the_inertia_of_what_has_no_mass_is_doubted_and_of_what_never_moves_refused() {
+    let of = |link: &str| vec![("tensor", Target::InertiaOf(named(link)))];
+    assert_eq!(
+        refused(ARM, of("flange")),
+        "error: link \"flange\" has no mass but an inertia: field `tensor` (refused: strict)\n"
+    );
+    assert_eq!(
+        refused(ARM, of("base")),
+        lines(&[
+            r#"error: link "base" does not move: its inertia changes nothing"#,
+            "  hint: leave the field out, or choose a base upstream of the link"
+        ])
+    );
+    let tensor = Target::InertiaOf(named("rod"));
+    let problem = tensor.refusal([-1.0, 1.0]).map(|[problem, _]| problem);
+    assert_eq!(problem, Some("has negative moments of inertia"));
+    let field = Parameter {
+        field: quote::format_ident!("tensor"),
+        target: tensor,
+        range: None,
+    };
+    let nominal = [0.02, 0.0, 0.0, 0.03, 0.0, 0.04];
+    assert_eq!(
+        field.range_words(&nominal),
+        "moments of `tensor` from 0 to 0.08 kg m² and its products up to half of that"
+    );
+    assert_eq!(field.ranges(&nominal)[1], [-0.04, 0.04]);
+}

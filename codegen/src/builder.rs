@@ -300,6 +300,13 @@ impl Builder {
         self
     }
 
+    /// Computes once what depends on fields alone: `arm.prepare()` gives a value with the same functions, of
+    /// which each computes the rest.
+    pub fn prepare(mut self) -> Self {
+        self.request.prepare = true;
+        self
+    }
+
     /// A public field of the struct that takes the place of a number of the description.
     ///
     /// Error bounds are for a mass from zero to twice what is described (to 1 kg where that is

@@ -64,6 +64,8 @@ pub struct Request {
     pub processor: Processor,
     /// Take slices of states besides, for all kinds of vectors: `gravity_batch` beside `gravity`.
     pub batch: bool,
+    /// Offer to compute once what depends on fields alone.
+    pub prepare: bool,
     /// The type of number in the generated code.
     pub scalar: Real,
     /// Which sines and cosines the generated code calls.

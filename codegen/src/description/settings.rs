@@ -22,7 +22,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-const WORDS: [&str; 30] = [
+const WORDS: [&str; 31] = [
     "urdf",
     "dh",
     "base",
@@ -48,6 +48,7 @@ const WORDS: [&str; 30] = [
     "formulation",
     "processor",
     "batch",
+    "prepare",
     "crate",
     "link",
     "joint",
@@ -56,7 +57,7 @@ const WORDS: [&str; 30] = [
 ];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 26;
+const KEYS: usize = 27;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -117,6 +118,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         "exact" => request.exact = true,
         "strict" => request.strict = true,
         "batch" => request.batch = true,
+        "prepare" => request.prepare = true,
         "lock" => {
             let content = in_parentheses(input, &key, "lock(joint, other = 0.3)")?;
             request.lock = tokens::list(&content, |input| {

@@ -12,6 +12,7 @@ use super::{About, LeftOut, Listed, Listing};
 use crate::function::Function;
 use crate::real::Real;
 use crate::request::Target;
+use crate::schedule::Price;
 use crate::space::{Kind, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
@@ -33,11 +34,13 @@ impl Angles {
     }
 }
 
-/// What is said of a function; `angles` where its results are plain arrays.
+/// What is said of a function; `angles` where its results are plain arrays, and what has been done `once` of
+/// a robot that is prepared.
 pub(super) fn of_function(
     listing: &Listing,
     listed: &Listed,
     angles: Option<&Angles>,
+    once: Option<&Price>,
 ) -> Vec<String> {
     let about = &listing.about;
     let base = code(&about.base);
@@ -75,6 +78,7 @@ pub(super) fn of_function(
     }
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
+    lines.extend(once.map(|once| format!("Done before, once for all functions: {once}.")));
     for accuracy in &listed.accuracy {
         let said = error::lines(accuracy);
         // A list is a paragraph of its own.
@@ -83,6 +87,27 @@ pub(super) fn of_function(
         lines.extend(said);
     }
     lines
+}
+
+/// What is said of the method that computes once what depends on fields alone.
+pub(super) fn of_prepare(price: &Price) -> Vec<String> {
+    vec![
+        "The same robot with all that depends on its fields alone computed, for loops in which they stay \
+         as they are."
+            .to_owned(),
+        String::new(),
+        "Results are the same, bit for bit; what is left of each function, its doc comment tells."
+            .to_owned(),
+        String::new(),
+        format!("{price}."),
+    ]
+}
+
+/// What is said of the struct that it returns.
+pub(super) fn of_prepared(robot: &str) -> Vec<String> {
+    vec![format!(
+        "What [`{robot}::prepare`] makes of the fields of a [`{robot}`]: the same functions, for less."
+    )]
 }
 
 /// What is said of the robot as data.

@@ -50,7 +50,7 @@ impl Header<'_> {
         base_parameters(&mut text, listing, prefix);
         let qualifier = if is_c { "HOMOGEN_FN " } else { "" };
         for (listed, name) in listing.functions.iter().zip(symbols(listing, prefix)) {
-            let about = documentation::of_function(listing, listed, Some(self.angles));
+            let about = documentation::of_function(listing, listed, Some(self.angles), None);
             text.push_str(&comment(&about));
             let parameters = parameters(listing, listed, prefix);
             // Writing to a string cannot fail.

@@ -301,7 +301,8 @@ impl Builder {
     }
 
     /// Computes once what depends on fields alone: `arm.prepare()` gives a value with the same functions, of
-    /// which each computes the rest.
+    /// which each computes the rest. In C it is `arm_prepare` and a struct for it to fill; the functions of
+    /// [`Builder::extern_c`] are those of the robot itself.
     pub fn prepare(mut self) -> Self {
         self.request.prepare = true;
         self

@@ -28,6 +28,8 @@ struct Panda {
     inertia: [f64; 6],
     #[robot(origin_of = "joint4")]
     origin: [f64; 3],
+    #[robot(base_position)]
+    base: [f64; 3],
     #[robot(gravity)]
     gravity: [f64; 3],
     /// Of a link that weighs nothing in the file.
@@ -73,6 +75,7 @@ fn as_described() -> Panda {
         center: translation(&inertial("link5").origin),
         inertia: inertial("link6").inertia.map(|entry| entry.value),
         origin: translation(&joint.origin),
+        base: [0.0; 3],
         gravity: [0.0, 0.0, -9.81],
         payload: 0.0,
         tool: Payload::default(),
@@ -109,6 +112,7 @@ fn other_numbers_give_what_their_chain_gives() {
         center: [0.03, -0.07, 0.11],
         inertia: [0.021, 0.003, -0.002, 0.018, 0.001, 0.015],
         origin: [0.09, 0.01, -0.02],
+        base: [0.4, -1.1, 0.7],
         gravity: [1.0, -2.0, 3.0],
         payload: 1.25,
         tool: Payload {

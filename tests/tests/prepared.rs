@@ -23,6 +23,8 @@ struct Panda {
     tool: Payload,
     #[robot(origin_of = "joint4")]
     origin: [f64; 3],
+    #[robot(base_position)]
+    base: [f64; 3],
     #[robot(gravity)]
     gravity: [f64; 3],
 }
@@ -37,6 +39,7 @@ const PANDA: Panda = Panda {
         inertia: [0.004, 0.0002, -0.0003, 0.005, 0.0001, 0.003],
     },
     origin: [0.09, 0.01, -0.02],
+    base: [0.4, -1.1, 0.7],
     gravity: [1.0, -2.0, 3.0],
 };
 

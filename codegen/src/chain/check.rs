@@ -208,6 +208,7 @@ fn check_targets(
         let missing = match &parameter.target {
             // What is asked of drives is looked at with all else that is.
             Target::Gravity
+            | Target::BasePosition
             | Target::ArmatureOf(_)
             | Target::DampingOf(_)
             | Target::FrictionOf(_) => None,

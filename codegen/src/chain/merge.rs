@@ -206,7 +206,7 @@ fn seat<'g>(
     let mut seats: Vec<Option<Seat<'g>>> = vec![None; description.links.len()];
     seats[tree.base] = Some(Seat {
         body: None,
-        pose: Pose::identity(graph),
+        pose: reader.base(),
     });
     for branch in &tree.branches {
         let joint = &description.joints[branch.joint];
@@ -360,6 +360,13 @@ impl<'g> Reader<'g, '_> {
             None => Vector::constant(self.graph, GRAVITY).0,
         };
         Vector(self.free(|target| matches!(target, Target::Gravity), described))
+    }
+
+    /// Where the base is in frame 0: there, but for a struct field.
+    fn base(&mut self) -> Pose<Term<'g>> {
+        let there = Vector::zero(self.graph).0;
+        let position = self.free(|target| matches!(target, Target::BasePosition), there);
+        Pose::translation(Vector(position))
     }
 
     fn motion(&self, kind: JointKind, freedom: Freedom) -> Motion {

@@ -56,6 +56,11 @@ pub(super) fn robot(
 
     let mut bodies: Vec<Body> = Vec::new();
     let mut seats: HashMap<&str, usize> = HashMap::new();
+    if let Some(placement) = reader.base() {
+        let nothing = [[Scalar::literal(0.0); 3]; 2];
+        bodies.push(held(None, placement, nothing, 0.0));
+        seats.insert(base, 0);
+    }
     let mut moving = 0;
     let places = Places {
         coordinates: &coordinates,
@@ -467,6 +472,12 @@ impl<'d> Reader<'d> {
                 (None, _) => described,
             }
         })
+    }
+
+    /// Where the base is, if a field says so.
+    fn base(&self) -> Option<Matrix<Scalar>> {
+        let position = self.field(|target| matches!(target, Target::BasePosition))?;
+        Some(Matrix::translation(position))
     }
 
     fn gravity(&self) -> [Scalar; 3] {

@@ -38,6 +38,7 @@ fn robots() -> Vec<(Description, Request)> {
         field("origin", Target::OriginOf("joint3".into())),
         field("payload", Target::PayloadOn("link8".into())),
         field("inertia", Target::InertiaOf("link4".into())),
+        field("base", Target::BasePosition),
     ];
     vec![
         loaded,

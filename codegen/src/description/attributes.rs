@@ -19,13 +19,14 @@ use crate::request::{Parameter, Target};
 use crate::wording::{known, quoted};
 
 /// What can be said of a field: the number that it stands for, and its range.
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "mass_of",
     "com_of",
     "inertia_of",
     "payload_on",
     "gravity",
     "origin_of",
+    "base_position",
     "armature_of",
     "damping_of",
     "friction_of",
@@ -237,6 +238,7 @@ fn said(input: ParseStream) -> Parsed<Said> {
         "damping_of" => Target::DampingOf,
         "friction_of" => Target::FrictionOf,
         "gravity" => return Ok(Said::Target(Target::Gravity)),
+        "base_position" => return Ok(Said::Target(Target::BasePosition)),
         "range" => return Range::read(input, &key).map(Said::Range),
         other => {
             return Err(complaint_with_hint(

@@ -43,7 +43,7 @@ pub(super) fn of_function(
     once: Option<&Price>,
 ) -> Vec<String> {
     let about = &listing.about;
-    let base = code(&about.base);
+    let base = frame_0(listing);
     let frame = listed.frame.as_deref().unwrap_or(&about.tip);
     let mut lines = Vec::new();
     match &*listed.functions {
@@ -87,6 +87,19 @@ pub(super) fn of_function(
         lines.extend(said);
     }
     lines
+}
+
+/// What frame 0 is: that of the base, or one that a field places the base in.
+fn frame_0(listing: &Listing) -> String {
+    let mut fields = listing.parameters.iter();
+    match fields.find(|field| field.target.places_base()) {
+        Some(field) => format!(
+            "the world that `{}` places {} in",
+            field.field,
+            code(&listing.about.base)
+        ),
+        None => code(&listing.about.base),
+    }
 }
 
 /// What is said of the method that computes once what depends on fields alone.
@@ -186,6 +199,10 @@ pub(super) fn of_field(target: &Target) -> String {
             format!("Coulomb friction of {}, in N m or N.", code(&joint.text))
         }
         Target::Gravity => "Acceleration of gravity in the base frame, in m/s².".to_owned(),
+        Target::BasePosition => {
+            "Where the origin of the base is in frame 0, whose axes are those of the base, in m."
+                .to_owned()
+        }
         Target::OriginOf(joint) => format!(
             "Translation from the parent's frame to that of {}, in m.",
             code(&joint.text)

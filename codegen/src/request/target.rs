@@ -42,6 +42,9 @@ pub enum Target {
     Gravity,
     /// The translation from the parent's frame to the joint's \[m\]; three numbers.
     OriginOf(Name),
+    /// Where the origin of the base's frame is in frame 0 \[m\], the axes of which are those of the base; three
+    /// numbers. Of a floating robot it is the frame that q counts from.
+    BasePosition,
     /// The inertia that a joint feels beside that of the bodies [kg m² or kg]; one number, for each of its
     /// velocities.
     ArmatureOf(Name),
@@ -183,7 +186,9 @@ impl Target {
             Self::MassOf(_) | Self::ArmatureOf(_) | Self::DampingOf(_) | Self::FrictionOf(_) => {
                 Form::Size
             }
-            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::Gravity => Form::Vector,
+            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::BasePosition | Self::Gravity => {
+                Form::Vector
+            }
             Self::InertiaOf(_) => Form::Tensor,
             Self::PayloadOn(_) => Form::Payload,
         }
@@ -198,7 +203,7 @@ impl Target {
             Self::ArmatureOf(_) => "kg m² or kg",
             Self::DampingOf(_) => "N m s/rad or N s/m",
             Self::FrictionOf(_) => "N m or N",
-            Self::CenterOfMassOf(_) | Self::OriginOf(_) => "m",
+            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::BasePosition => "m",
             Self::Gravity => "m/s²",
         }
     }
@@ -272,7 +277,7 @@ impl Target {
             | (Self::ArmatureOf(one), Self::ArmatureOf(other))
             | (Self::DampingOf(one), Self::DampingOf(other))
             | (Self::FrictionOf(one), Self::FrictionOf(other)) => one.text == other.text,
-            (Self::Gravity, Self::Gravity) => true,
+            (Self::Gravity, Self::Gravity) | (Self::BasePosition, Self::BasePosition) => true,
             _ => false,
         }
     }
@@ -288,6 +293,7 @@ impl Target {
             Self::InertiaOf(link) => format!("the inertia of link {}", quoted(&link.text)),
             Self::PayloadOn(link) => format!("a payload on link {}", quoted(&link.text)),
             Self::Gravity => "gravity".to_owned(),
+            Self::BasePosition => "the position of the base".to_owned(),
             Self::OriginOf(joint) => format!("the origin of joint {}", quoted(&joint.text)),
             Self::ArmatureOf(joint) | Self::DampingOf(joint) | Self::FrictionOf(joint) => {
                 let part = self.drives().map_or("", |(_, part)| part.word());
@@ -300,6 +306,12 @@ impl Target {
     #[must_use]
     pub const fn entries(&self) -> usize {
         self.form().endings().len()
+    }
+
+    /// Whether it says where the base is.
+    #[must_use]
+    pub const fn places_base(&self) -> bool {
+        matches!(self, Self::BasePosition)
     }
 
     /// Whether it is a payload, which has a type of its own beside the runtime.

@@ -179,3 +179,35 @@ fn the_inertia_of_what_has_no_mass_is_doubted_and_of_what_never_moves_refused() 
     );
     assert_eq!(field.ranges(&nominal)[1], [-0.04, 0.04]);
 }
+
+#[test]
+fn the_base_stands_where_a_field_says() {
+    let text = "struct Arm; link base; link eye;
+        joint hinge: revolute(z) { from: base, to: rod, at: xyz(1, 2, 3) rx(0.3) } link rod
+            { mass: 1.0, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01] }
+        joint mount: fixed { from: base, to: eye, at: xyz(0, 0, 0.5) }";
+    let place = || Target::BasePosition;
+    let chain = with_fields(
+        &text.replace("Arm", "Arm { tip: rod, frames(eye, base) }"),
+        vec![("at", place())],
+    );
+    let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
+    let joint = chain.joints[0].placement.translation.0;
+    close(
+        &at(&chain, &joint, &[10.0, 20.0, 30.0]),
+        &[11.0, 22.0, 33.0],
+    );
+    let [_, eye, base] = &chain.frames[..] else {
+        panic!("three frames");
+    };
+    for (frame, z) in [(eye, 30.5), (base, 30.0)] {
+        assert_eq!(frame.body, None);
+        let found = at(&chain, &frame.placement.translation.0, &[10.0, 20.0, 30.0]);
+        close(&found, &[10.0, 20.0, z]);
+    }
+    assert_eq!(chain.nominal, [[0.0; 3].to_vec()]);
+    assert_eq!(
+        refused(text, vec![("one", place()), ("two", place())]),
+        "error: field `two` stands for the position of the base, as `one` does\n  hint: leave out one of them\n"
+    );
+}

@@ -149,6 +149,69 @@ fn gravity_is_linear_in_a_payload() {
     assert!(felt, "a kilogram at the flange is felt");
 }
 
+/// The arm with a base and two joints that stand where fields say, turned as they say.
+#[derive(Robot)]
+#[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+struct Placed {
+    #[robot(base_placement)]
+    base: [f64; 6],
+    #[robot(placement_of = "joint4")]
+    elbow: [f64; 6],
+    #[robot(placement_of = "joint7")]
+    wrist: [f64; 6],
+}
+
+#[test]
+fn placements_of_the_file_give_the_constant_model_and_others_what_their_chain_gives() {
+    let description = described();
+    let placement = |name: &str| {
+        let mut joints = description.joints.iter();
+        let joint = joints.find(|joint| joint.name.text == name);
+        let steps = &joint.expect("it is in the file").origin;
+        let mut place = [0.0; 6];
+        for step in steps {
+            match step {
+                Step::Translate(offset) => {
+                    place[..3].copy_from_slice(&offset.map(|entry| entry.value));
+                }
+                Step::Rotate(axis, angle) => place[3 + *axis as usize] = angle.value,
+            }
+        }
+        place
+    };
+    let placed = Placed {
+        base: [0.0; 6],
+        elbow: placement("joint4"),
+        wrist: placement("joint7"),
+    };
+    assert!(placed.elbow[3] > 1.5, "{:?}", placed.elbow);
+    agree(&placed, &PandaClass, 4);
+
+    let placed = Placed {
+        base: [0.3, -0.2, 0.5, 0.4, -0.3, 2.0],
+        elbow: [0.08, 0.01, -0.02, 1.5, 0.1, -0.2],
+        wrist: [0.09, 0.02, 0.01, 1.6, -0.1, 0.3],
+    };
+    let chain: Chain<7, 1> = placed.chain();
+    agree(&placed, &chain, 5);
+    let upright = Placed {
+        base: [0.3, -0.2, 0.5, 0.0, 0.0, 2.0],
+        ..placed
+    };
+    let flat = Placed {
+        base: [0.0; 6],
+        ..placed
+    };
+    // Gravity knows how the base is turned, but not about it nor where it is.
+    let q = [0.4; 7];
+    let [tilted, upright, flat] = [placed, upright, flat].map(|robot| robot.gravity(&q));
+    for k in 0..7 {
+        let (upright, flat): (f64, f64) = (upright[k], flat[k]);
+        assert!((upright - flat).abs() < 1e-13, "{upright} {flat}");
+    }
+    assert!((tilted[1] - flat[1]).abs() > 1.0, "{tilted:?} {flat:?}");
+}
+
 /// A field of a generic struct, in every type of number.
 #[derive(Robot)]
 #[robot(urdf = "../robots/two_link.urdf", generate(gravity))]

@@ -25,6 +25,8 @@ struct Panda {
     origin: [f64; 3],
     #[robot(base_position)]
     base: [f64; 3],
+    #[robot(placement_of = "joint6")]
+    wrist: [f64; 6],
     #[robot(gravity)]
     gravity: [f64; 3],
 }
@@ -40,6 +42,7 @@ const PANDA: Panda = Panda {
     },
     origin: [0.09, 0.01, -0.02],
     base: [0.4, -1.1, 0.7],
+    wrist: [0.01, 0.02, -0.03, 1.5, 0.1, -0.2],
     gravity: [1.0, -2.0, 3.0],
 };
 

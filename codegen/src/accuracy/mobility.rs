@@ -38,13 +38,16 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         return Err("joints that follow others are not followed");
     }
     let moves = |target: &Target| {
-        use Target::{CenterOfMassOf, InertiaOf, OriginOf};
-        matches!(target, CenterOfMassOf(_) | InertiaOf(_) | OriginOf(_))
+        use Target::{BasePlacement, CenterOfMassOf, InertiaOf, OriginOf, PlacementOf};
+        let is_turned = matches!(target, BasePlacement | PlacementOf(_));
+        is_turned || matches!(target, CenterOfMassOf(_) | InertiaOf(_) | OriginOf(_))
     };
     let read = chain.parameters.iter().zip(&chain.nominal);
     let read = read.filter(|(_, nominal)| !nominal.is_empty());
     if read.into_iter().any(|(field, _)| moves(&field.target)) {
-        return Err("centres of mass, inertias and offsets that are fields are not followed");
+        return Err(
+            "centres of mass, inertias, offsets and placements that are fields are not followed",
+        );
     }
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout).bodies;

@@ -209,6 +209,7 @@ fn check_targets(
             // What is asked of drives is looked at with all else that is.
             Target::Gravity
             | Target::BasePosition
+            | Target::BasePlacement
             | Target::ArmatureOf(_)
             | Target::DampingOf(_)
             | Target::FrictionOf(_) => None,
@@ -219,7 +220,7 @@ fn check_targets(
                 .find(name, errors)
                 .is_some_and(|link| tree.dropped.contains(&link))
                 .then_some(("link", name)),
-            Target::OriginOf(name) => joints
+            Target::OriginOf(name) | Target::PlacementOf(name) => joints
                 .find(name, errors)
                 .is_some_and(|joint| tree.branches.iter().all(|branch| branch.joint != joint))
                 .then_some(("joint", name)),

@@ -10,6 +10,7 @@ mod drive;
 use std::collections::HashMap;
 
 use super::tree::{Branch, Follow, Tree};
+use super::turn::roll_pitch_yaw;
 use super::{Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
 use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
@@ -366,7 +367,29 @@ impl<'g> Reader<'g, '_> {
     fn base(&mut self) -> Pose<Term<'g>> {
         let there = Vector::zero(self.graph).0;
         let position = self.free(|target| matches!(target, Target::BasePosition), there);
-        Pose::translation(Vector(position))
+        let there = Pose::translation(Vector(position));
+        self.placed(|target| matches!(target, Target::BasePlacement), there)
+    }
+
+    /// A placement taken from the struct field that stands for it, where one does.
+    fn placed(
+        &mut self,
+        is: impl Fn(&Target) -> bool,
+        described: Pose<Term<'g>>,
+    ) -> Pose<Term<'g>> {
+        let mut fields = self.request.parameters.iter();
+        if !fields.any(|field| is(&field.target)) {
+            return described;
+        }
+        let [x, y, z] = described.translation.0;
+        let angles = roll_pitch_yaw(&described.rotation);
+        let [roll, pitch, yaw] = angles.map(|angle| self.graph.constant(angle));
+        let [x, y, z, roll, pitch, yaw] = self.free(is, [x, y, z, roll, pitch, yaw]);
+        let [roll, pitch, yaw] = [roll, pitch, yaw].map(Term::sin_cos);
+        Pose {
+            rotation: Rotation::about_z(yaw) * Rotation::about_y(pitch) * Rotation::about_x(roll),
+            translation: Vector([x, y, z]),
+        }
     }
 
     fn motion(&self, kind: JointKind, freedom: Freedom) -> Motion {
@@ -376,13 +399,14 @@ impl<'g> Reader<'g, '_> {
         })
     }
 
-    /// The placement of a joint, its translation taken from a struct field where one stands for it.
+    /// The placement of a joint, it or its translation taken from a struct field where one stands for it.
     fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
         let joint = &description.joints[branch.joint];
         let mut placement = self.placement(&joint.name.text, &joint.origin);
         let is = |target: &Target| matches!(target, Target::OriginOf(name) if name.text == joint.name.text);
         placement.translation = Vector(self.free(is, placement.translation.0));
-        placement
+        let is = |target: &Target| matches!(target, Target::PlacementOf(name) if name.text == joint.name.text);
+        self.placed(is, placement)
     }
 
     fn placement(&mut self, item: &str, steps: &[Step]) -> Pose<Term<'g>> {

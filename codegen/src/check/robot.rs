@@ -476,8 +476,9 @@ impl<'d> Reader<'d> {
 
     /// Where the base is, if a field says so.
     fn base(&self) -> Option<Matrix<Scalar>> {
-        let position = self.field(|target| matches!(target, Target::BasePosition))?;
-        Some(Matrix::translation(position))
+        let position = self.field(|target| matches!(target, Target::BasePosition));
+        let placement = self.field(|target| matches!(target, Target::BasePlacement));
+        position.map(Matrix::translation).or(placement.map(placed))
     }
 
     fn gravity(&self) -> [Scalar; 3] {
@@ -566,7 +567,9 @@ impl<'d> Reader<'d> {
         if let Some(offset) = field {
             placement.set_column(offset);
         }
-        Ok(placement)
+        let field =
+            self.field(|target| matches!(target, Target::PlacementOf(of) if of.text == *name));
+        Ok(field.map_or(placement, placed))
     }
 
     /// A direction, of length 1.
@@ -635,6 +638,15 @@ impl<'d> Reader<'d> {
             None => inertia,
         })
     }
+}
+
+/// A placement by its origin and its roll, pitch and yaw.
+fn placed([x, y, z, roll, pitch, yaw]: [Scalar; 6]) -> Matrix<Scalar> {
+    let turns = [(2, yaw), (1, pitch), (0, roll)].into_iter();
+    let turns = turns.map(|(axis, angle)| Matrix::rotation(axis, angle.sin_cos()));
+    turns.fold(Matrix::translation([x, y, z]), |placement, turn| {
+        placement.times(&turn)
+    })
 }
 
 /// J of a payload in the frame of its link: ∫rrᵗdm of what is about its centre, and m c cᵗ.

@@ -203,6 +203,15 @@ pub(super) fn of_field(target: &Target) -> String {
             "Where the origin of the base is in frame 0, whose axes are those of the base, in m."
                 .to_owned()
         }
+        Target::BasePlacement => {
+            "The frame of the base in frame 0: x, y, z in m, then roll, pitch, yaw in rad; gravity is seen in frame 0."
+                .to_owned()
+        }
+        Target::PlacementOf(joint) => format!(
+            "The frame of {} in its parent's: x, y, z in m, then roll, pitch, yaw in rad about the parent's x, y \
+             and z, in this order.",
+            code(&joint.text)
+        ),
         Target::OriginOf(joint) => format!(
             "Translation from the parent's frame to that of {}, in m.",
             code(&joint.text)

@@ -3,6 +3,8 @@
 //! In: nothing; a shared noun. Each [`Target`] knows how many entries it has, their units, and what
 //! they are meant to be within. It never looks at the description.
 
+use std::f64::consts::PI;
+
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
@@ -42,9 +44,15 @@ pub enum Target {
     Gravity,
     /// The translation from the parent's frame to the joint's \[m\]; three numbers.
     OriginOf(Name),
+    /// The frame of a joint in its parent's, at q = 0; six numbers: x, y, z \[m\], then roll, pitch, yaw \[rad\], by
+    /// which it is turned about the parent's x, y and z, in this order. Any three angles are a turn, so that there
+    /// is nothing to be of length 1.
+    PlacementOf(Name),
     /// Where the origin of the base's frame is in frame 0 \[m\], the axes of which are those of the base; three
     /// numbers. Of a floating robot it is the frame that q counts from.
     BasePosition,
+    /// The frame of the base in frame 0; six numbers, as before. Gravity is seen in frame 0.
+    BasePlacement,
     /// The inertia that a joint feels beside that of the bodies [kg m² or kg]; one number, for each of its
     /// velocities.
     ArmatureOf(Name),
@@ -61,6 +69,8 @@ enum Form {
     Size,
     /// Three along the axes.
     Vector,
+    /// A point and three angles.
+    Placement,
     /// A symmetric tensor, by rows.
     Tensor,
     /// A mass, a point, a tensor.
@@ -73,6 +83,7 @@ impl Form {
         match self {
             Self::Size => &[""],
             Self::Vector => &["_x", "_y", "_z"],
+            Self::Placement => &["_x", "_y", "_z", "_roll", "_pitch", "_yaw"],
             Self::Tensor => &["_xx", "_xy", "_xz", "_yy", "_yz", "_zz"],
             Self::Payload => &[
                 "_m", "_x", "_y", "_z", "_xx", "_xy", "_xz", "_yy", "_yz", "_zz",
@@ -102,8 +113,8 @@ impl Parameter {
     pub fn ranges(&self, described: &[f64]) -> Vec<[f64; 2]> {
         const TIMES: f64 = 2.0;
         let ends = self.range.unwrap_or_else(|| {
-            let sizes = described.iter().map(|entry| entry.abs());
-            let largest = sizes.fold(0.0, f64::max);
+            let lengths = described.iter().take(self.target.of_one_unit());
+            let largest = lengths.map(|entry| entry.abs()).fold(0.0, f64::max);
             let most = if largest > 0.0 { TIMES * largest } else { 1.0 };
             self.target.range_up_to(most)
         });
@@ -114,6 +125,7 @@ impl Parameter {
             (Form::Payload, 1..=3) => [-PAYLOAD, PAYLOAD],
             (Form::Payload, 4 | 7 | 9) => [0.0, square],
             (Form::Payload, 5 | 6 | 8) => [-square / 2.0, square / 2.0],
+            (Form::Placement, 3..) => [-PI, PI],
             (Form::Tensor, 1 | 2 | 4) => [-half, half],
             _ => ends,
         };
@@ -131,6 +143,7 @@ impl Parameter {
                  its moments of inertia up to {} kg m² and its products up to half of that",
                 ranges[4][1]
             ),
+            Form::Placement => format!("lengths of `{name}` ≤ {most} {unit}, its angles ≤ π rad"),
             Form::Tensor => format!(
                 "moments of `{name}` from {least} to {most} {unit} and its products up to half of that"
             ),
@@ -141,20 +154,22 @@ impl Parameter {
         }
     }
 
-    /// What to take an entry for in whose place nothing but zeros are described: the end of its range, and
-    /// nothing of products of inertia, of which a body can have no more than its moments allow.
+    /// What to take an entry for in whose place nothing but zeros are described: the end of its range; nothing
+    /// of products of inertia, of which a body can have no more than its moments allow, and of a placement,
+    /// which is one.
     #[must_use]
     pub fn at_the_end(&self, entry: usize) -> f64 {
         let [_, most] = self.ranges(&[])[entry];
         match (self.target.form(), entry) {
-            (Form::Payload, 5 | 6 | 8) | (Form::Tensor, 1 | 2 | 4) => 0.0,
+            (Form::Placement, _) | (Form::Payload, 5 | 6 | 8) | (Form::Tensor, 1 | 2 | 4) => 0.0,
             _ => most,
         }
     }
 
     /// Numbers near what is described, such as a body has, by as many between 0 and 1 as they are.
     pub fn near(&self, described: &[f64], mut unit: impl FnMut() -> f64) -> Vec<f64> {
-        let sizes = described.iter().map(|entry| entry.abs());
+        let sizes = described.iter().take(self.target.of_one_unit());
+        let sizes = sizes.map(|entry| entry.abs());
         let size = sizes.fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
         let entries = described.iter().enumerate();
@@ -162,7 +177,8 @@ impl Parameter {
             let share = unit();
             match (self.target.form(), k) {
                 (Form::Size, _) | (Form::Payload, 0) => size * (0.5 + share),
-                (Form::Vector, _) => entry + size * (share - 0.5),
+                (Form::Placement, 3..) => entry + 2.0 * (share - 0.5),
+                (Form::Vector | Form::Placement, _) => entry + size * (share - 0.5),
                 (Form::Tensor, 0 | 3 | 5) if entry == 0.0 => size * (0.75 + 0.5 * share),
                 (Form::Tensor, _) if entry == 0.0 => 0.1 * size * (share - 0.5),
                 (Form::Tensor, _) => entry * (0.9 + 0.2 * share),
@@ -189,6 +205,7 @@ impl Target {
             Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::BasePosition | Self::Gravity => {
                 Form::Vector
             }
+            Self::PlacementOf(_) | Self::BasePlacement => Form::Placement,
             Self::InertiaOf(_) => Form::Tensor,
             Self::PayloadOn(_) => Form::Payload,
         }
@@ -203,7 +220,8 @@ impl Target {
             Self::ArmatureOf(_) => "kg m² or kg",
             Self::DampingOf(_) => "N m s/rad or N s/m",
             Self::FrictionOf(_) => "N m or N",
-            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::BasePosition => "m",
+            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::PlacementOf(_) => "m",
+            Self::BasePosition | Self::BasePlacement => "m",
             Self::Gravity => "m/s²",
         }
     }
@@ -235,7 +253,7 @@ impl Target {
     pub const fn range_up_to(&self, most: f64) -> [f64; 2] {
         match self.form() {
             Form::Size | Form::Tensor | Form::Payload => [0.0, most],
-            Form::Vector => [-most, most],
+            Form::Vector | Form::Placement => [-most, most],
         }
     }
 
@@ -247,7 +265,9 @@ impl Target {
             (_, Form::Size | Form::Tensor | Form::Payload) => {
                 "write range = 0.0..=3.0, or range = 3.0 for the same"
             }
-            (_, Form::Vector) => "write range = 0.5, or range = -0.5..=0.5 for the same",
+            (_, Form::Vector | Form::Placement) => {
+                "write range = 0.5, or range = -0.5..=0.5 for the same"
+            }
         };
         let problem = if !(least.is_finite() && most.is_finite()) {
             "is not finite"
@@ -265,7 +285,7 @@ impl Target {
         Some([problem, example])
     }
 
-    /// Whether both are the same number.
+    /// Whether both are the same number, or one of them is among what the other is.
     #[must_use]
     pub fn is(&self, other: &Self) -> bool {
         match (self, other) {
@@ -273,12 +293,15 @@ impl Target {
             | (Self::CenterOfMassOf(one), Self::CenterOfMassOf(other))
             | (Self::InertiaOf(one), Self::InertiaOf(other))
             | (Self::PayloadOn(one), Self::PayloadOn(other))
-            | (Self::OriginOf(one), Self::OriginOf(other))
+            | (
+                Self::OriginOf(one) | Self::PlacementOf(one),
+                Self::OriginOf(other) | Self::PlacementOf(other),
+            )
             | (Self::ArmatureOf(one), Self::ArmatureOf(other))
             | (Self::DampingOf(one), Self::DampingOf(other))
             | (Self::FrictionOf(one), Self::FrictionOf(other)) => one.text == other.text,
-            (Self::Gravity, Self::Gravity) | (Self::BasePosition, Self::BasePosition) => true,
-            _ => false,
+            (Self::Gravity, Self::Gravity) => true,
+            (one, other) => one.places_base() && other.places_base(),
         }
     }
 
@@ -293,12 +316,22 @@ impl Target {
             Self::InertiaOf(link) => format!("the inertia of link {}", quoted(&link.text)),
             Self::PayloadOn(link) => format!("a payload on link {}", quoted(&link.text)),
             Self::Gravity => "gravity".to_owned(),
+            Self::PlacementOf(joint) => format!("the placement of joint {}", quoted(&joint.text)),
             Self::BasePosition => "the position of the base".to_owned(),
+            Self::BasePlacement => "the placement of the base".to_owned(),
             Self::OriginOf(joint) => format!("the origin of joint {}", quoted(&joint.text)),
             Self::ArmatureOf(joint) | Self::DampingOf(joint) | Self::FrictionOf(joint) => {
                 let part = self.drives().map_or("", |(_, part)| part.word());
                 format!("the {part} of joint {}", quoted(&joint.text))
             }
+        }
+    }
+
+    /// How many of its first numbers are of one unit.
+    const fn of_one_unit(&self) -> usize {
+        match self.form() {
+            Form::Placement => 3,
+            _ => self.entries(),
         }
     }
 
@@ -311,7 +344,7 @@ impl Target {
     /// Whether it says where the base is.
     #[must_use]
     pub const fn places_base(&self) -> bool {
-        matches!(self, Self::BasePosition)
+        matches!(self, Self::BasePosition | Self::BasePlacement)
     }
 
     /// Whether it is a payload, which has a type of its own beside the runtime.

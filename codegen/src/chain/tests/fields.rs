@@ -211,3 +211,89 @@ fn the_base_stands_where_a_field_says() {
         "error: field `two` stands for the position of the base, as `one` does\n  hint: leave out one of them\n"
     );
 }
+
+#[test]
+fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
+    let text = "struct Arm { tip: rod } link base;
+        joint hinge: revolute(z) { from: base, to: rod, at: xyz(1, 2, 3) rz(0.5) rx(pi/2) } link rod
+            { mass: 1.0, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01] }";
+    let place = [4.0, 5.0, 6.0, 0.3, -0.2, 0.7];
+    // Rz(0.7) Ry(-0.2) Rx(0.3), entry by entry.
+    let [(sr, cr), (sp, cp), (sy, cy)] = [0.3, -0.2, 0.7].map(f64::sin_cos);
+    let turn = [
+        cy * cp,
+        cy * sp * sr - sy * cr,
+        cy * sp * cr + sy * sr,
+        sy * cp,
+        sy * sp * sr + cy * cr,
+        sy * sp * cr - cy * sr,
+        -sp,
+        cp * sr,
+        cp * cr,
+    ];
+    let chain = with_fields(text, vec![("at", Target::PlacementOf(named("hinge")))]);
+    let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
+    let placement = chain.joints[0].placement;
+    close(&at(&chain, &placement.rotation.0.concat(), &place), &turn);
+    close(
+        &at(&chain, &placement.translation.0, &place),
+        &[4.0, 5.0, 6.0],
+    );
+    // As it is described: about z, then about the new x.
+    close(
+        &chain.nominal[0],
+        &[1.0, 2.0, 3.0, std::f64::consts::FRAC_PI_2, 0.0, 0.5],
+    );
+
+    let chain = with_fields(text, vec![("at", Target::BasePlacement)]);
+    let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
+    let origin = chain.joints[0].placement.translation.0;
+    let expected: [f64; 3] = std::array::from_fn(|row| {
+        let turned = (0..3)
+            .zip([1.0, 2.0, 3.0])
+            .map(|(k, entry)| turn[3 * row + k] * entry);
+        place[row] + turned.sum::<f64>()
+    });
+    let found = at(&chain, &origin, &place);
+    for (x, y) in found.iter().zip(expected) {
+        assert!((x - y).abs() < 4e-15, "{found:?} for {expected:?}");
+    }
+    assert_eq!(chain.nominal, [[0.0; 6].to_vec()]);
+}
+
+#[test]
+fn a_placement_is_one_field_and_its_joint_is_there() {
+    let text = "struct Arm { drop(tool) } link base; link tool;
+        joint hinge: revolute(z) { from: base, to: rod } link rod
+            { mass: 1.0, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01] }
+        joint mount: fixed { from: rod, to: tool }";
+    let fields = vec![
+        ("one", Target::OriginOf(named("hinge"))),
+        ("two", Target::PlacementOf(named("hinge"))),
+        ("three", Target::BasePosition),
+        ("four", Target::BasePlacement),
+        ("five", Target::PlacementOf(named("mount"))),
+    ];
+    assert_eq!(
+        refused(text, fields),
+        lines(&[
+            r#"error: field `two` stands for the placement of joint "hinge", as `one` does"#,
+            "  hint: leave out one of them",
+            "error: field `four` stands for the placement of the base, as `three` does",
+            "  hint: leave out one of them",
+            r#"error: joint "mount" is not modelled"#
+        ])
+    );
+    let field = Parameter {
+        field: quote::format_ident!("at"),
+        target: Target::PlacementOf(named("hinge")),
+        range: None,
+    };
+    let nominal = [0.0, 0.5, 0.25, 1.0, 0.0, 3.0];
+    assert_eq!(
+        field.range_words(&nominal),
+        "lengths of `at` ≤ 1 m, its angles ≤ π rad"
+    );
+    let names = ["x", "y", "z", "roll", "pitch", "yaw"].map(|name| format!("at_{name}"));
+    assert_eq!(field.entries(), names);
+}

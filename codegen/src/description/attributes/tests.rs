@@ -167,7 +167,7 @@ fn all_mistakes_are_reported_at_once() {
          2:18: unknown function \"inverse_dynamic\"\n  \
          hint: did you mean \"inverse_dynamics\"? known functions: {functions}\n\
          4:9: a field cannot stand for \"mass\"\n  \
-         hint: known keys: mass_of, com_of, inertia_of, payload_on, gravity, origin_of, base_position, armature_of, damping_of, friction_of and range\n\
+         hint: known keys: mass_of, com_of, inertia_of, payload_on, gravity, origin_of, placement_of, base_position, base_placement, armature_of, damping_of, friction_of and range\n\
          5:3: field `g` stands for two numbers\n"
     );
     assert_eq!(said, expected);

@@ -6,7 +6,7 @@
 //! tells how far a program is off, and [`forward`] which forms there are and what is enough.
 
 use super::forward::{self, Form};
-use super::identifiable::identifiable;
+use super::identifiable::{identifiable, settled};
 use super::measured::{Measure, Off};
 use super::program::expressions_by;
 use super::solvable::solvable;
@@ -101,6 +101,9 @@ pub(super) fn cheapest(
     closable(chain, functions)?;
     if functions.iter().any(|function| function.identifies()) {
         identifiable(chain)?;
+    }
+    if functions.contains(&Function::BaseRegressor) {
+        settled(chain)?;
     }
     let search = Search::new(processor, formulation, chain, functions, frame, scalar);
     if !functions.iter().any(|function| function.solves()) {

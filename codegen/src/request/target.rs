@@ -341,6 +341,15 @@ impl Target {
         self.form().endings().len()
     }
 
+    /// Whether the columns of regressors depend on it, and not only what they are multiplied with.
+    #[must_use]
+    pub const fn enters_regressors(&self) -> bool {
+        matches!(
+            self,
+            Self::OriginOf(_) | Self::PlacementOf(_) | Self::BasePlacement | Self::Gravity
+        )
+    }
+
     /// Whether it says where the base is.
     #[must_use]
     pub const fn places_base(&self) -> bool {

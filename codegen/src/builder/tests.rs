@@ -226,7 +226,7 @@ fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
     let end = before.rfind("\n    }\n").expect("its end");
     assert!(
         head.contains(
-            &before[start..end]
+            before[start..end]
                 .split("\n    }\n")
                 .next()
                 .expect("a body")

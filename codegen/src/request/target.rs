@@ -140,7 +140,7 @@ impl Parameter {
         match self.target.form() {
             Form::Payload => format!(
                 "`{name}` from {least} to {most} {unit}, its centre of mass up to {PAYLOAD} m along each axis, \
-                 its moments of inertia up to {} kg m² and its products up to half of that",
+                 its moments of inertia up to {} kg m² and its products up to half of that, as a body has them",
                 ranges[4][1]
             ),
             Form::Placement => format!("lengths of `{name}` ≤ {most} {unit}, its angles ≤ π rad"),
@@ -220,8 +220,11 @@ impl Target {
             Self::ArmatureOf(_) => "kg m² or kg",
             Self::DampingOf(_) => "N m s/rad or N s/m",
             Self::FrictionOf(_) => "N m or N",
-            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::PlacementOf(_) => "m",
-            Self::BasePosition | Self::BasePlacement => "m",
+            Self::CenterOfMassOf(_)
+            | Self::OriginOf(_)
+            | Self::PlacementOf(_)
+            | Self::BasePosition
+            | Self::BasePlacement => "m",
             Self::Gravity => "m/s²",
         }
     }

@@ -131,12 +131,11 @@ impl Once {
         self.steps_of(before, &mut moved, &mut left);
         left.before_angles = left.steps.len();
         for &angle in &program.angles {
-            let place = match moved.once(angle) {
-                Some(angle) => Place::Once(self.angle(angle)),
-                None => {
-                    left.angles.push(moved.left(angle, self));
-                    Place::Left(index(left.angles.len() - 1))
-                }
+            let place = if let Some(angle) = moved.once(angle) {
+                Place::Once(self.angle(angle))
+            } else {
+                left.angles.push(moved.left(angle, self));
+                Place::Left(index(left.angles.len() - 1))
             };
             moved.angles.push(place);
         }
@@ -149,17 +148,17 @@ impl Once {
     fn steps_of(&mut self, steps: &[Step], moved: &mut Moved, left: &mut Program) {
         for step in steps {
             let operands = step.operation.operands().into_iter();
-            let of_fields = operands.map(|operand| moved.once(operand));
-            let place = match of_fields.collect::<Option<Vec<Operand>>>() {
-                Some(operands) => Place::Once(self.step(step, &operands)),
-                None => {
-                    let operation = step.operation.map(|operand| moved.left(operand, self));
-                    left.steps.push(Step {
-                        label: step.label.clone(),
-                        operation,
-                    });
-                    Place::Left(index(left.steps.len() - 1))
-                }
+            let of_fields: Option<Vec<Operand>> =
+                operands.map(|operand| moved.once(operand)).collect();
+            let place = if let Some(operands) = of_fields {
+                Place::Once(self.step(step, &operands))
+            } else {
+                let operation = step.operation.map(|operand| moved.left(operand, self));
+                left.steps.push(Step {
+                    label: step.label.clone(),
+                    operation,
+                });
+                Place::Left(index(left.steps.len() - 1))
             };
             moved.steps.push(place);
         }

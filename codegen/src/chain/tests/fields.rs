@@ -113,7 +113,7 @@ fn a_payload_is_meant_to_be_what_a_body_can_have() {
     assert_eq!(
         load.range_words(&[0.0; 10]),
         "`load` from 0 to 4 kg, its centre of mass up to 0.25 m along each axis, its moments of inertia \
-         up to 0.25 kg m² and its products up to half of that"
+         up to 0.25 kg m² and its products up to half of that, as a body has them"
     );
 }
 

@@ -73,11 +73,8 @@ impl Header<'_> {
     fn prepared(&self, listing: &Listing, prepared: &Prepared) -> String {
         let prefix = self.prefix;
         let mut text = comment(&documentation::of_prepare(&prepared.price));
-        let parameters_of_prepare = of_prepare(prefix);
-        let _ = writeln!(
-            text,
-            "HOMOGEN_FN void {prefix}prepare({parameters_of_prepare});\n"
-        );
+        let filled = of_prepare(prefix);
+        let _ = writeln!(text, "HOMOGEN_FN void {prefix}prepare({filled});\n");
         let symbols = symbols(listing, &format!("{prefix}prepared_"));
         for (listed, name) in prepared.functions.iter().zip(symbols) {
             let once = Some(&prepared.price);

@@ -59,10 +59,10 @@ pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
     }
     if let Some(prepared) = &listing.prepared {
         let (prefix, once) = (writing.prefix, once(listing, prepared, writing));
-        let parameters_of_prepare = of_prepare(prefix);
+        let filled = of_prepare(prefix);
         let _ = writeln!(
             text,
-            "\nHOMOGEN_FN void {prefix}prepare({parameters_of_prepare})\n{{\n{once}}}"
+            "\nHOMOGEN_FN void {prefix}prepare({filled})\n{{\n{once}}}"
         );
         let symbols = super::names::symbols(listing, &format!("{prefix}prepared_"));
         for (listed, name) in prepared.functions.iter().zip(symbols) {

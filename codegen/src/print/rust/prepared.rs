@@ -115,8 +115,8 @@ fn structure(item: &Item, own: &Item, count: usize, dialect: &Dialect) -> TokenS
     quote! { #about #derive #visibility struct #name #arguments { #values: #kind, } }
 }
 
-/// The method and the struct after a mistake, which keep the rest of the program compiling: `methods` and
-/// `traits` write what a robot has, for any struct.
+/// The signature of the method, and the struct, after a mistake, which keep the rest of the program compiling;
+/// `members` are the methods and the traits of what a robot has, for any struct.
 pub(super) fn absent(
     item: &Item,
     dialect: &Dialect,

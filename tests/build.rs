@@ -34,7 +34,6 @@ fn main() -> Result<(), Box<dyn Error>> {
             .generate(Function::ALL);
         both(own, robot, &folder)?;
     }
-    let all = Function::ALL.into_iter();
     let driven = Builder::from_urdf("../robots/scara.urdf")
         .name("Standalone")
         .scalar(Real::F32)
@@ -43,8 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .damping("elbow", [0.75])
         .coulomb_friction("elbow", [0.5])
         .coulomb_friction("lift", [3.0])
-        // Regressors have no columns of drives.
-        .generate(all.filter(|function| !function.identifies()));
+        .generate(Function::ALL);
     both(driven, "driven", &folder)
 }
 

@@ -27,6 +27,7 @@ use crate::closure::Row;
 use crate::description::{Description, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
+use crate::joint::drive::Part;
 use crate::joint::{Drive, Motion, Posture};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
@@ -64,6 +65,8 @@ pub struct Chain {
     pub report: Report,
     /// Where the description came from.
     pub source: Source,
+    /// Whether behind the inertial parameters of links there are those of drives: where any is modelled.
+    pub identifies_drives: bool,
     /// What torques can tell of the inertial parameters.
     pub base_parameters: base_parameters::BaseParameters,
 }
@@ -290,6 +293,20 @@ fn parameters(link: &str) -> impl Iterator<Item = Entry> {
     })
 }
 
+/// What is identified of a joint's drive, in the order of [`Drive::entries`].
+fn of_drive(joint: &Joint) -> impl Iterator<Item = Entry> {
+    let slides = matches!(joint.motion, Motion::Prismatic);
+    let parts = [Part::Armature, Part::Damping, Part::Friction];
+    parts
+        .into_iter()
+        .zip([2, 1, 0])
+        .map(move |(part, order)| Entry {
+            name: format!("{}.{}", joint.name, part.word()),
+            kind: Kind::Drive { order, slides },
+            range: None,
+        })
+}
+
 /// Understands a description as the request wants it.
 ///
 /// # Errors
@@ -301,7 +318,12 @@ pub fn build(description: &Description, request: &Request) -> Result<Chain, Erro
     let chain = closure::check_merged(chain, request)?;
     let mut chain = physical::check(description, request, &tree, chain)?;
     let links = chain.joints.iter().filter_map(|joint| joint.link.as_ref());
-    let parameters: Vec<Entry> = links.flat_map(|(link, _)| parameters(link)).collect();
+    let mut parameters: Vec<Entry> = links.flat_map(|(link, _)| parameters(link)).collect();
+    chain.identifies_drives =
+        request.models_friction() || request.models_armature() || chain.is_driven();
+    if chain.identifies_drives {
+        parameters.extend(chain.joints.iter().flat_map(of_drive));
+    }
     chain.base_parameters = base_parameters::base_parameters(&chain);
     let leaders = chain.base_parameters.columns();
     chain.spaces.base_parameters = leaders.map(|leader| parameters[leader].clone()).collect();

@@ -17,7 +17,6 @@ mod weighable;
 
 pub use choice::{program, program_as, program_for};
 pub use closure::settled;
-pub use identifiable::identifiable;
 use program::equation_by;
 pub use program::{expressions_by, program_by};
 

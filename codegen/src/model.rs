@@ -192,8 +192,11 @@ impl<'s, 'g> Scene<'s, 'g> {
         let joints = carry::joints(self.bodies, &self.state, Way::PLAIN);
         let links: Vec<_> = self.bodies.bodies.iter().map(|body| body.link).collect();
         let columns = regressor::regressor(&joints, &links, self.bodies.gravity, &self.state);
-        let columns: Vec<Vec<Term<'g>>> =
-            columns.iter().map(|column| self.forces(column)).collect();
+        let drives = self.bodies.identifies_drives;
+        let drives = drives.then(|| regressor::of_drives(&joints, &self.state));
+        let columns: Vec<Vec<Term<'g>>> = (columns.iter().chain(drives.iter().flatten()))
+            .map(|column| self.forces(column))
+            .collect();
         let rows = 0..self.velocities();
         rows.flat_map(|row| columns.iter().map(move |column| column[row]))
             .collect()

@@ -22,7 +22,8 @@ pub enum Space {
     /// What acts on links from outside: of each action its couple and its force.
     Actions,
     /// What it is made of: of each link that a joint moves, with all that is fixed to it, m, q_x, q_y, q_z, J_xx, J_xy,
-    /// J_xz, J_yy, J_yz, J_zz in the link's own frame.
+    /// J_xz, J_yy, J_yz, J_zz in the link's own frame; then, where drives are modelled, armature, damping and friction of
+    /// each velocity of a joint.
     Parameters,
     /// What torques can tell of them, each by the parameter that leads it.
     BaseParameters,
@@ -52,6 +53,14 @@ pub enum Kind {
     Quaternion,
     /// Nothing: it is a moment of its mass, of this order.
     Moment(u8),
+    /// Nothing: it is what a joint that turns, or one that slides, feels for each second rate (2), for each rate (1), or
+    /// for its sign alone (0).
+    Drive {
+        /// How many times the coordinate is differentiated.
+        order: u8,
+        /// Whether the joint slides.
+        slides: bool,
+    },
 }
 
 /// An entry of a space.

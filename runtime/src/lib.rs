@@ -9,6 +9,7 @@ pub mod checklist {}
 #[cfg(feature = "batch")]
 pub mod batch;
 mod error;
+pub mod identify;
 mod matrix;
 mod paper;
 pub mod reach;

@@ -16,6 +16,6 @@ pub mod loop_closure;
 pub mod newton_euler;
 pub mod normalize;
 pub mod open_chain;
-mod singular_values;
+pub(crate) mod singular_values;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod worked_examples;

@@ -3,7 +3,7 @@
 //!
 //! Errors are in units of rounding times the largest entry in any state.
 
-use homogen::{Chain, robot};
+use homogen::{Chain, Drive, Robot, robot};
 use homogen_tests::functions::Block;
 use homogen_tests::robots::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
@@ -31,7 +31,8 @@ impl<R, const N: usize, const P: usize, const B: usize> Regressed<N, P, B> for R
 {
 }
 
-/// m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz of each body.
+/// m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz of each body; then armature, damping and friction of each joint, where
+/// there is room for them.
 fn parameters<const N: usize, const F: usize>(chain: &Chain<N, F>) -> Vec<f64> {
     let bodies = chain.joints.iter().flat_map(|joint| {
         let [
@@ -42,7 +43,15 @@ fn parameters<const N: usize, const F: usize>(chain: &Chain<N, F>) -> Vec<f64> {
         ] = joint.inertia.to_matrix();
         [m, qx, qy, qz, xx, xy, xz, yy, yz, zz]
     });
-    bodies.collect()
+    let drives = chain.joints.iter().flat_map(|joint| {
+        let Drive {
+            armature,
+            damping,
+            friction,
+        } = joint.drives[0];
+        [armature, damping, friction]
+    });
+    bodies.chain(drives).collect()
 }
 
 fn times<const P: usize>(rows: &[[f64; P]], parameters: &[f64]) -> Vec<f64> {
@@ -87,11 +96,29 @@ fn hold<R, const N: usize, const P: usize, const B: usize, const F: usize>(
     torques.assert_within(LIMIT_OF_TORQUES);
 }
 
+/// Columns of drives stand behind those of links: armatures of joints 1 and 2 are told with moments of their links.
+#[derive(Robot)]
+#[robot(urdf = "../robots/puma560_general.urdf")]
+#[robot(armature(
+    joint_1 = 1.14,
+    joint_2 = 4.71,
+    joint_3 = 0.83,
+    joint_4 = 0.2,
+    joint_5 = 0.18,
+    joint_6 = 0.19
+))]
+#[robot(
+    damping(joint_1 = 4.9, joint_3 = 3.2, joint_6 = 0.6),
+    friction(joint_2 = 6.5, joint_4 = 0.8)
+)]
+#[robot(generate(inverse_dynamics, regressor, base_regressor))]
+struct Driven;
+
 macro_rules! regressors {
-    ($($name:ident: $robot:ident, $joints:literal, $base:literal;)*) => {$(
+    ($($name:ident: $robot:ident, $joints:literal, $parameters:literal, $base:literal;)*) => {$(
         #[test]
         fn $name() {
-            hold::<_, $joints, { 10 * $joints }, $base, _>(
+            hold::<_, $joints, { $parameters * $joints }, $base, _>(
                 &$robot,
                 &$robot::chain(),
                 &$robot::BASE_PARAMETERS,
@@ -102,13 +129,14 @@ macro_rules! regressors {
 
 // The numbers of base parameters are the ranks of the regressors.
 regressors! {
-    two_link: TwoLink, 2, 6;
-    scara: Scara, 4, 8;
-    stanford: Stanford, 6, 33;
-    stanford_general: StanfordGeneral, 6, 33;
-    puma560: Puma560, 6, 36;
-    puma560_general: Puma560General, 6, 36;
-    ur5_class: Ur5Class, 6, 36;
-    panda_class: PandaClass, 7, 43;
-    quadruped: Quadruped, 12, 68;
+    two_link: TwoLink, 2, 10, 6;
+    scara: Scara, 4, 10, 8;
+    stanford: Stanford, 6, 10, 33;
+    stanford_general: StanfordGeneral, 6, 10, 33;
+    puma560: Puma560, 6, 10, 36;
+    puma560_general: Puma560General, 6, 10, 36;
+    ur5_class: Ur5Class, 6, 10, 36;
+    panda_class: PandaClass, 7, 10, 43;
+    quadruped: Quadruped, 12, 10, 68;
+    driven: Driven, 6, 13, 52;
 }

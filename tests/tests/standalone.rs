@@ -148,14 +148,6 @@ macro_rules! regressors {
     }};
 }
 
-/// Those of a robot with drives, of which there are none.
-macro_rules! no_regressors {
-    ($robot:expr, $arguments:expr) => {{
-        let _ = $arguments;
-        Vec::new()
-    }};
-}
-
 /// The bits, but for those of NaN, which the language leaves open.
 fn bits(numbers: &[f32]) -> Vec<u32> {
     let one = |number: &f32| {
@@ -197,14 +189,6 @@ fn agree<R, const N: usize, const F: usize>(
 
 macro_rules! standalone_files {
     ($name:ident, $robot:ident) => {
-        standalone_files!($name, $robot, regressors, {
-            assert_eq!(
-                $name::own::Standalone::BASE_PARAMETERS,
-                $name::named::Standalone::BASE_PARAMETERS
-            );
-        });
-    };
-    ($name:ident, $robot:ident, $regressors:ident, $same:block) => {
         mod $name {
             pub mod own {
                 include!(concat!(env!("OUT_DIR"), "/", stringify!($name), "_own.rs"));
@@ -222,17 +206,20 @@ macro_rules! standalone_files {
         #[test]
         fn $name() {
             use $name::{named, own};
-            $same
+            assert_eq!(
+                own::Standalone::BASE_PARAMETERS,
+                named::Standalone::BASE_PARAMETERS
+            );
             agree(
                 &$robot,
                 &$robot::chain(),
-                |arguments| $regressors!($robot, arguments),
+                |arguments| regressors!($robot, arguments),
                 |arguments| {
-                    let regressors = $regressors!(own::Standalone, arguments);
+                    let regressors = regressors!(own::Standalone, arguments);
                     [standalone!(own::Standalone, arguments), regressors].concat()
                 },
                 |arguments| {
-                    let regressors = $regressors!(named::Standalone, arguments);
+                    let regressors = regressors!(named::Standalone, arguments);
                     [standalone!(named::Standalone, arguments), regressors].concat()
                 },
             );
@@ -251,7 +238,7 @@ for_every_robot!(standalone_files);
 )]
 #[robot(damping(elbow = 0.75), friction(elbow = 0.5, lift = 3))]
 struct Driven;
-standalone_files!(driven, Driven, no_regressors, {});
+standalone_files!(driven, Driven);
 
 /// The sines that a file brings along are the straight half of the runtime's.
 mod single_sines {

@@ -33,7 +33,7 @@ const fn default(variable: Variable, kind: Kind) -> Option<f64> {
     match (variable, kind) {
         (Variable::Q, Kind::Turn) => Some(PI),
         (Variable::Q, Kind::Slide | Kind::Quaternion) | (Variable::Qd, Kind::Slide) => Some(1.0),
-        (Variable::Tau, _) | (_, Kind::Moment(_)) => None,
+        (Variable::Tau, _) | (_, Kind::Moment(_) | Kind::Drive { .. }) => None,
         (Variable::Qd | Variable::Qdd, _) => Some(10.0),
         (Variable::Actions, _) => Some(100.0),
     }

@@ -3,8 +3,9 @@
 //! In: a [`Chain`]. Out: [`BaseParameters`]. Whatever of a link's mass has a kinetic and a potential energy that its own
 //! joint does not change is, to all other joints, mass of the link that it hangs on: so each link's ten columns of the
 //! regressor depend on each other and on those of that link, or not at all (Mayeda, Yoshida and Osuka, "Base
-//! parameters of manipulator dynamic models", 1990). That is found numerically, in dense matrices at a
-//! few states, link by link (Gautier, "Numerical calculation of the base inertial parameters of robots", 1991).
+//! parameters of manipulator dynamic models", 1990); and so do those of what its joint feels of a drive. That is found
+//! numerically, in dense matrices at a few states, link by link (Gautier, "Numerical calculation of the base inertial
+//! parameters of robots", 1991).
 //!
 //! Fields are what is described in their place.
 
@@ -16,12 +17,8 @@ use std::collections::BTreeMap;
 use super::Chain;
 use crate::random::Random;
 use crate::request::Parameter;
-use columns::{Columns, PARAMETERS};
+use columns::{Column, Columns};
 use span::Span;
-
-/// The order in which columns of a link are taken, where not all are needed: off the diagonal first, the mass
-/// last.
-const ORDER: [usize; PARAMETERS] = [5, 6, 8, 4, 7, 9, 1, 2, 3, 0];
 
 /// What torques can tell of a robot's inertial parameters.
 #[derive(Clone, Debug, Default)]
@@ -67,31 +64,27 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
     }
     let columns = Columns::of(chain);
     let count = columns.links.len();
+    let described = columns.described();
     let unit = |parameter: usize| Form::from([(parameter, 1.0)]);
     // What torques see in the place of each parameter: it, and what outboard links hand on.
-    let mut seen: Vec<Form> = (0..PARAMETERS * count).map(unit).collect();
-    let described = columns.described();
+    let mut seen: Vec<Form> = (0..described.len()).map(unit).collect();
     if chain.all_lead() {
         for link in (0..count).rev() {
-            let own = columns.of_link(link, link);
+            let own = columns.own(link);
             let parent = columns.links[link].parent;
-            let inboard = parent.map(|parent| (parent, columns.of_link(parent, link)));
-            let others = inboard.iter().flat_map(|(_, columns)| columns);
-            let mut span = Span::among(own.iter().chain(others));
-            if let Some((parent, columns)) = &inboard {
-                for (k, column) in columns.iter().enumerate() {
-                    span.take(PARAMETERS * parent + k, column);
-                }
+            let inboard = parent.map(|parent| columns.of_link(parent, link));
+            let inboard: Vec<Column> = inboard.into_iter().flatten().collect();
+            let mut span = Span::among(own.iter().chain(&inboard).map(|(_, column)| column));
+            for (parameter, column) in &inboard {
+                span.take(*parameter, column);
             }
-            hand_on(link, &own, &mut span, &mut seen);
+            hand_on(&own, &mut span, &mut seen);
         }
     } else {
         // What one coordinate moves in several places may be told apart or not: all columns are looked at together.
-        let all: Vec<_> = (0..count).map(|link| columns.of_link(link, link)).collect();
-        let mut span = Span::among(all.iter().flatten());
-        for (link, own) in all.iter().enumerate() {
-            hand_on(link, own, &mut span, &mut seen);
-        }
+        let all: Vec<Column> = (0..count).flat_map(|link| columns.own(link)).collect();
+        let mut span = Span::among(all.iter().map(|(_, column)| column));
+        hand_on(&all, &mut span, &mut seen);
     }
     let kept = seen.iter().enumerate().filter(|(_, form)| !form.is_empty());
     let groups = kept.map(|(leader, form)| group(leader, form, &described));
@@ -128,19 +121,13 @@ pub fn revealing(chain: &Chain) -> Vec<&Parameter> {
     fields
 }
 
-/// Takes the columns of a link; where one is a combination of others, its parameter is handed on to theirs.
-fn hand_on<'c>(
-    link: usize,
-    own: &'c [Vec<f64>; PARAMETERS],
-    span: &mut Span<'c>,
-    seen: &mut [Form],
-) {
-    for k in ORDER {
-        let parameter = PARAMETERS * link + k;
-        let Some(combination) = span.take(parameter, &own[k]) else {
+/// Takes columns; where one is a combination of others, its parameter is handed on to theirs.
+fn hand_on<'c>(own: &'c [Column], span: &mut Span<'c>, seen: &mut [Form]) {
+    for (parameter, column) in own {
+        let Some(combination) = span.take(*parameter, column) else {
             continue;
         };
-        let handed_on = std::mem::take(&mut seen[parameter]);
+        let handed_on = std::mem::take(&mut seen[*parameter]);
         for (other, factor) in combination {
             add(&mut seen[other], &handed_on, factor);
         }

@@ -105,6 +105,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         gravity,
         report,
         source: description.source.clone(),
+        identifies_drives: false,
         base_parameters: super::base_parameters::BaseParameters::default(),
         graph,
     }
@@ -217,7 +218,7 @@ fn seat<'g>(
         let seat = if let Some(held) = branch.held {
             Seat {
                 body: parent.body,
-                pose: pose * held_at(graph, joint.kind, axes, &held),
+                pose: pose * held_at(graph, joint.kind, axes, graph.constant(held.value)),
             }
         } else {
             let link = moved(
@@ -261,14 +262,11 @@ fn moved<'g>(
     let mut moved = Moved::Own;
     if let Some(follow) = branch.follows {
         reader.note_follower(description, branch.joint, follow);
-        let offset = Number {
-            value: follow.offset,
-            ..Number::default()
-        };
-        placement = placement * held_at(graph, kind, axes, &offset);
+        let offset = number(graph, follow.offset);
+        placement = placement * held_at(graph, kind, axes, offset);
         moved = Moved::Follows {
             leader: follow.leader,
-            factor: graph.constant(follow.multiplier),
+            factor: number(graph, follow.multiplier),
         };
     } else {
         reader.report.joints.push(name.clone());
@@ -526,8 +524,8 @@ impl<'g> Reader<'g, '_> {
         self.report.mimicked.push(Mimicked {
             joint: name(joint),
             leader: name(follow.leader),
-            multiplier: follow.multiplier,
-            offset: follow.offset,
+            multiplier: follow.multiplier.to_f64(),
+            offset: follow.offset.to_f64(),
         });
     }
 
@@ -545,14 +543,20 @@ impl<'g> Reader<'g, '_> {
     }
 }
 
+/// A number of 106 bits.
+fn number(graph: &Graph, value: Double) -> Term<'_> {
+    let first = value.to_f64();
+    let rest = value - Double::from(first);
+    graph.constant(first) + graph.constant(rest.to_f64())
+}
+
 /// The displacement of a joint that is held at a coordinate, or of which all coordinates are zero.
 fn held_at<'g>(
     graph: &'g Graph,
     kind: JointKind,
     axes: [Vector<Term<'g>>; 2],
-    at: &Number,
+    q: Term<'g>,
 ) -> Pose<Term<'g>> {
-    let q = graph.constant(at.value);
     let turn = |axis: Vector<Term<'g>>| {
         // R = 1 + u̲ sin φ + u̲² (1 − cos φ)
         let (sine, cosine) = q.sin_cos();

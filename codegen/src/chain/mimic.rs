@@ -8,6 +8,7 @@ use super::names::Names;
 use super::tree::{Branch, Follow, Tree};
 use crate::description::{Description, Number};
 use crate::error::{Complaint, Errors, Place};
+use crate::expression::Double;
 use crate::wording::quoted;
 
 /// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are locked
@@ -59,15 +60,17 @@ pub fn follows(
         leaders[joint].filter(|_| !refused)?;
         let mut follow = Follow {
             leader: joint,
-            multiplier: 1.0,
-            offset: 0.0,
+            multiplier: Double::from(1.0),
+            offset: Double::from(0.0),
         };
         while let (Some(next), Some(mimic)) = (
             leaders[follow.leader],
             &description.joints[follow.leader].mimic,
         ) {
-            follow.offset += follow.multiplier * mimic.offset.value;
-            follow.multiplier *= mimic.multiplier.value;
+            // An offset that is rounded once more would be another one.
+            let offset = follow.multiplier * Double::from(mimic.offset.value);
+            follow.offset = follow.offset + offset;
+            follow.multiplier = follow.multiplier * Double::from(mimic.multiplier.value);
             follow.leader = next;
         }
         Some(follow)
@@ -122,10 +125,10 @@ pub fn hold(branches: &mut [Branch], follows: &[Option<Follow>]) {
         let Some(follow) = branch.follows else {
             continue;
         };
-        let still = (follow.multiplier == 0.0).then_some(0.0);
+        let still = follow.multiplier.is_zero().then_some(0.0);
         if let Some(at) = held[follow.leader].or(still) {
             branch.held = Some(Number {
-                value: follow.multiplier * at + follow.offset,
+                value: (follow.multiplier * Double::from(at) + follow.offset).to_f64(),
                 ..Number::default()
             });
         }

@@ -1,6 +1,7 @@
 //! How links hang on the base: what is left of a description's names once they refer to each other.
 
 use crate::description::Number;
+use crate::expression::Double;
 
 /// The part of a description that is modelled.
 #[derive(Debug)]
@@ -41,7 +42,7 @@ pub struct Follow {
     /// The joint that has the coordinate q, by its place in the description.
     pub leader: usize,
     /// What q is multiplied by.
-    pub multiplier: f64,
+    pub multiplier: Double,
     /// What is added [rad or m].
-    pub offset: f64,
+    pub offset: Double,
 }

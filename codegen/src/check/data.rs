@@ -88,6 +88,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         // Which bodies are links is of the description alone.
         links: Vec::new(),
         base_columns: Vec::new(),
+        identified: Vec::new(),
         loops: Vec::new(),
         actuated: Vec::new(),
         external: (external, data.external.1),

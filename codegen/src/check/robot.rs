@@ -8,6 +8,7 @@
 
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
 
 use crate::chain::Chain;
 use crate::dense::{Approximate, Body, Closed, Freedom, Matrix, Moved, Robot};
@@ -66,7 +67,10 @@ pub(super) fn robot(
         coordinates: &coordinates,
         velocities: &velocities,
     };
+    // The bodies that a joint moves, by its link.
+    let mut moved: HashMap<&str, Range<usize>> = HashMap::new();
     for &joint in &kept {
+        let first = bodies.len();
         let place = (
             seats.get(joint.parent.text.as_str()).copied(),
             reader.origin(joint)?,
@@ -89,6 +93,7 @@ pub(super) fn robot(
         let child = joint.child.text.as_str();
         bodies[link].inertia = reader.inertia(&description.links[links[child]])?;
         seats.insert(child, link);
+        moved.insert(child, first..bodies.len());
     }
     if moving != spaces.velocities.len() {
         return Err(Contradiction("how many joints move".to_owned()));
@@ -118,6 +123,10 @@ pub(super) fn robot(
         loops,
         actuated,
         base_columns: chain.base_parameters.columns().collect(),
+        identified: (chain.joints.iter())
+            .filter(|_| chain.identifies_drives)
+            .filter_map(|joint| moved.get(joint.link.as_ref()?.0.as_str()).cloned())
+            .collect(),
         links: (chain.joints.iter())
             .filter_map(|joint| seats.get(joint.link.as_ref()?.0.as_str()).copied())
             .collect(),

@@ -36,7 +36,6 @@ impl BaseParameters {
         let request = self.robot.request(&None, Vec::new());
         let chain = expand::understand(&description, &request)?;
         expand::check_size(&chain)?;
-        expand::identifiable(&chain)?;
         Ok(match self.format {
             Format::Text => Answer {
                 output: in_text(&description.name.text, &chain),
@@ -55,6 +54,20 @@ const fn unit(entry: &Entry) -> &'static str {
     match entry.kind {
         Kind::Moment(0) => "kg",
         Kind::Moment(1) => "kg m",
+        Kind::Drive {
+            order: 2,
+            slides: true,
+        } => "kg",
+        Kind::Drive {
+            order: 1,
+            slides: true,
+        } => "N s/m",
+        Kind::Drive {
+            order: 0,
+            slides: true,
+        } => "N",
+        Kind::Drive { order: 1, .. } => "N m s",
+        Kind::Drive { order: 0, .. } => "N m",
         _ => "kg m²",
     }
 }

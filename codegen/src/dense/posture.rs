@@ -220,7 +220,8 @@ impl Posture {
         forces
     }
 
-    /// Y of τ = Y π, row by row: each column is τ of a link that alone has mass, of which one parameter is 1.
+    /// Y of τ = Y π, row by row: each column is τ of a link that alone has mass, of which one parameter is 1; or of a joint
+    /// that alone has a drive, of which one number is 1.
     pub(super) fn regressor(&self, rates: &Rates) -> Vec<Scalar> {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
@@ -239,6 +240,18 @@ impl Posture {
                     }
                     at = self.robot.bodies[body].parent;
                 }
+                columns.push(column);
+            }
+        }
+        let identified = self.robot.identified.iter().cloned().flatten();
+        for freedom in identified.flat_map(|body| &self.robot.bodies[body].freedoms) {
+            let Freedom {
+                velocity, factor, ..
+            } = freedom;
+            let [rate, second] = [&rates.first, &rates.second].map(|of| *factor * of[*velocity]);
+            for felt in [second, rate, rate.sign()] {
+                let mut column = vec![Scalar::exact(0.0); self.robot.velocities];
+                column[*velocity] = *factor * felt;
                 columns.push(column);
             }
         }

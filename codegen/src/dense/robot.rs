@@ -1,5 +1,7 @@
 //! A robot, link by link, as matrices of numbers.
 
+use std::ops::Range;
+
 use super::{Approximate, Matrix};
 use crate::closure::Row;
 use crate::joint::Posture;
@@ -72,6 +74,8 @@ pub(crate) struct Robot {
     pub(crate) links: Vec<usize>,
     /// The columns of the regressor that the base regressor has.
     pub(crate) base_columns: Vec<usize>,
+    /// The bodies of each joint of whose drive the regressor has columns behind those of links.
+    pub(crate) identified: Vec<Range<usize>>,
     /// The loops.
     pub(crate) loops: Vec<Closed>,
     /// The velocities that are driven, where loops move the others.

@@ -1,8 +1,8 @@
 //! A free root: the base hangs on a floating joint, and frame 0 is that of no link.
 //!
 //! In: a description, and a request for a free base. Out: the description with one joint and one link
-//! more, and the request with that link as its base. What carried the base before is left out. It never
-//! changes a joint or a link that was described.
+//! more, and the request with that link as its base. What carried the base before carries that link, and so is
+//! left out. It changes nothing else that was described.
 
 use std::borrow::Cow;
 
@@ -37,14 +37,17 @@ pub fn freed<'a>(
         .iter()
         .find(|joint| joint.child.text == base.text);
     let carrier = carrier.map(|joint| joint.name.text.clone());
-    description
-        .joints
-        .retain(|joint| joint.child.text != base.text);
     let links: Vec<&Name> = description.links.iter().map(|link| &link.name).collect();
     let joints: Vec<&Name> = description.joints.iter().map(|joint| &joint.name).collect();
     let ground = new_name(&LINKS, &links, &base);
     let root = new_name(&JOINTS, &joints, &base);
     let place = base.place;
+    // Joints may follow what carried the base, which stays in its place upstream.
+    for joint in &mut description.joints {
+        if joint.child.text == base.text {
+            joint.child = ground.clone();
+        }
+    }
     description.links.push(Link {
         name: ground.clone(),
         inertial: None,

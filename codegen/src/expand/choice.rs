@@ -6,7 +6,7 @@
 //! tells how far a program is off, and [`forward`] which forms there are and what is enough.
 
 use super::forward::{self, Form};
-use super::identifiable::{identifiable, settled};
+use super::identifiable::settled;
 use super::measured::{Measure, Off};
 use super::program::expressions_by;
 use super::solvable::solvable;
@@ -27,7 +27,7 @@ use crate::wording::quoted;
 /// # Errors
 /// Where forward dynamics, or the inverse of the mass matrix, is asked for of a chain that has none, or
 /// that no form leaves half of the digits in this type of number; where a centre of mass is asked for of one
-/// without mass, or a regressor of one with friction or armature.
+/// without mass.
 ///
 /// # Panics
 /// Where a function of a frame is asked for and the chain has none.
@@ -99,9 +99,6 @@ pub(super) fn cheapest(
         weighable(chain)?;
     }
     closable(chain, functions)?;
-    if functions.iter().any(|function| function.identifies()) {
-        identifiable(chain)?;
-    }
     if functions.contains(&Function::BaseRegressor) {
         settled(chain)?;
     }

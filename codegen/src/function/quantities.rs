@@ -170,6 +170,9 @@ const fn of_parameters(over: &'static [Space]) -> Outcome {
             let [turning, sliding] = match of[1] {
                 Kind::Moment(0) => ["m²/s²", "m/s²"],
                 Kind::Moment(1) => ["m/s²", "1/s²"],
+                Kind::Drive { order: 2, .. } => ["1/s²", "m/s²"],
+                Kind::Drive { order: 1, .. } => ["1/s", "m/s"],
+                Kind::Drive { .. } => ["1", "1"],
                 _ => ["1/s²", "1/(m s²)"],
             };
             vec![by_one(of, turning, sliding)]

@@ -144,12 +144,6 @@ impl Function {
         )
     }
 
-    /// Whether it is of what torques tell of the parameters of links.
-    #[must_use]
-    pub const fn identifies(self) -> bool {
-        matches!(self, Self::Regressor | Self::BaseRegressor)
-    }
-
     /// What every expansion of it is held against.
     pub(crate) const fn truth(self) -> Truth {
         self.definition().truth

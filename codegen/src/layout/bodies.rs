@@ -18,6 +18,8 @@ pub struct Bodies<'g> {
     pub base: Inertia<Term<'g>>,
     /// The columns of the regressor that the base regressor has.
     pub base_columns: Vec<usize>,
+    /// Whether the regressor has columns of drives behind those of links.
+    pub identifies_drives: bool,
     /// The frames asked for, and behind them A and B of each loop: the joint whose body carries it, and M
     /// from that body to it.
     pub frames: Vec<(Option<usize>, Pose<Term<'g>>)>,
@@ -171,6 +173,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
         actuated: chain.actuated.clone(),
         base: Inertia::zero(graph),
         base_columns: chain.base_parameters.columns().collect(),
+        identifies_drives: chain.identifies_drives,
         frames: chain.frames.iter().chain(of_loops).map(place).collect(),
         external: chain.external.iter().map(place).collect(),
         external_in_frame_0: chain.external_in_frame_0,

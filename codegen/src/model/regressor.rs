@@ -1,4 +1,4 @@
-//! What torques are for the inertial parameters of each link: τ = Y π.
+//! What torques are for the inertial parameters of each link, and for what is modelled of drives: τ = Y π.
 //!
 //! In: the joints, where the links' own frames are, and the motion. Out: Y. Φ = skew\[H J\] is linear in J, and the
 //! power of each of its parts along L is found in the frame of the link: L is carried outwards, one screw a joint,
@@ -63,6 +63,19 @@ pub fn regressor<'g>(
         motions.push(moved);
     }
     columns
+}
+
+/// Those of what joints feel of their drives, three for each: q̈, q̇ and its sign.
+pub fn of_drives<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Vec<Term<'g>>> {
+    let of_each = joints.iter().enumerate().flat_map(|(k, joint)| {
+        let rate = state.qd(joint.index);
+        [state.qdd(joint.index), rate, rate.sign()].map(|felt| {
+            let mut column = vec![state.zero(); joints.len()];
+            column[k] = felt;
+            column
+        })
+    });
+    of_each.collect()
 }
 
 /// L ⊗ skew\[H J\] for a J that is 1 in one place and its mirror image: m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz.

@@ -13,7 +13,7 @@ use crate::function::Function;
 use crate::real::Real;
 use crate::request::Target;
 use crate::schedule::Price;
-use crate::space::{Kind, Outcome, Space, Spaces, Variable};
+use crate::space::{Entry, Kind, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
 /// For which angles a function without the runtime is precise.
@@ -75,6 +75,11 @@ pub(super) fn of_function(
     let of_bodies = |function: &Function| function.is_of_bodies();
     if about.driven && listed.functions.iter().any(of_bodies) {
         lines.push("Momenta and the Coriolis matrix are of bodies alone: friction and armature are not in them.".to_owned());
+    }
+    if listing.spaces.parameters.iter().any(is_of_a_drive)
+        && listed.functions.contains(&Function::Regressor)
+    {
+        lines.push("Behind the parameters of all links π has armature, damping and friction of each velocity of a joint, zero or not.".to_owned());
     }
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
@@ -141,13 +146,23 @@ pub(super) fn of_mechanism(listing: &Listing) -> Vec<String> {
     ]
 }
 
+const fn is_of_a_drive(entry: &Entry) -> bool {
+    matches!(entry.kind, Kind::Drive { .. })
+}
+
 /// What is said of the values of base parameters.
 pub(super) fn of_base_parameters(listing: &Listing) -> Vec<String> {
     let names: Vec<String> = (listing.spaces.names(Space::BaseParameters))
         .map(code)
         .collect();
+    let driven = listing.spaces.base_parameters.iter().any(is_of_a_drive);
+    let units = if driven {
+        "kg, kg m, kg m², of drives N m s and N m, of those that slide N s/m and N"
+    } else {
+        "kg, kg m, kg m²"
+    };
     let mut lines = vec![
-        "The base parameters π of τ = Y π with the base regressor Y; kg, kg m, kg m².".to_owned(),
+        format!("The base parameters π of τ = Y π with the base regressor Y; {units}."),
         String::new(),
         format!("Each by the one that leads it: {}.", names.join(", ")),
         "What is grouped with each, `homogen base-parameters` tells.".to_owned(),

@@ -69,7 +69,7 @@ impl Variable {
             (Self::Qdd, Kind::Slide) => "m/s²",
             (Self::Tau | Self::Actions, Kind::Turn) => "N m",
             (Self::Tau | Self::Actions, Kind::Slide) => "N",
-            (_, Kind::Moment(_)) => panic!("no argument is over parameters"),
+            (_, Kind::Moment(_) | Kind::Drive { .. }) => panic!("no argument is over parameters"),
         }
     }
 

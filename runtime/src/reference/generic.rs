@@ -481,12 +481,13 @@ pub fn potential_energy<
 }
 
 /// Y of τ = Y π [m²/s², m/s², 1/s² and a unit of length less for forces]: π lists for each body m, q_x, q_y, q_z, J_xx,
-/// J_xy, J_xz, J_yy, J_yz, J_zz in its frame.
+/// J_xy, J_xz, J_yy, J_yz, J_zz in its frame; and behind them, where there is room for it, for each velocity of each joint
+/// armature, damping and friction, whose columns are q̈, q̇ and its sign.
 ///
 /// A column is the torques of Φ = skew[(H − H_g) J] of a J that is 1 in one place and its mirror image (25).
 ///
 /// # Panics
-/// Where P is not 10 B, while compiling.
+/// Where P is neither 10 B nor that and three for each velocity of a joint.
 #[must_use]
 pub fn regressor<
     T: RealField + Copy,
@@ -513,11 +514,22 @@ pub fn regressor<
         (1, 2),
         (2, 2),
     ];
-    const { assert!(P == PLACES.len() * B, "a body has ten parameters") };
     let motion = Motion::at(chain, q, qd, qdd);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
+    let of_bodies = PLACES.len() * B;
+    let drives = 3 * positions.freedoms().count();
+    assert!(
+        P == of_bodies || P == of_bodies + drives,
+        "a body has ten parameters, and a velocity of a joint three"
+    );
     let mut rows = [[T::zero(); P]; N];
-    for (parameter, k) in (0..P).map(|parameter| (parameter, parameter % PLACES.len())) {
+    if P > of_bodies {
+        for (k, freedom) in positions.freedoms().enumerate() {
+            let of_drives = freedom.of_drives(qd, qdd);
+            rows[freedom.velocity][of_bodies + 3 * k..][..3].copy_from_slice(&of_drives);
+        }
+    }
+    for (parameter, k) in (0..of_bodies).map(|parameter| (parameter, parameter % PLACES.len())) {
         let body = parameter / PLACES.len();
         let mut unit = Matrix4::zeros();
         let (row, place) = PLACES[k];

@@ -188,26 +188,31 @@ impl<T: RealField + Copy> Freedom<T> {
     /// What its drive takes of the velocity's torque: armature q̈ + damping q̇ + friction sign q̇ at the
     /// joint's own rate, times the multiplier.
     pub(super) fn driven<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> T {
-        let own = |rates: &[T; N]| {
-            let rate = rates.get(self.velocity).copied().unwrap_or(T::zero());
-            self.multiplier * rate
-        };
-        let (rate, second) = (own(qd), own(qdd));
         let Drive {
             armature,
             damping,
             friction,
         } = self.drive;
-        let [armature, damping, friction]: [T; 3] =
-            [armature, damping, friction].map(nalgebra::convert);
-        let against = if rate > T::zero() {
-            friction
+        let numbers: [T; 3] = [armature, damping, friction].map(nalgebra::convert);
+        let of_each = self.of_drives(qd, qdd).into_iter().zip(numbers);
+        of_each.fold(T::zero(), |sum, (of_one, number)| sum + of_one * number)
+    }
+
+    /// The same of an armature of 1, of a damping of 1 and of a friction of 1.
+    pub(super) fn of_drives<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> [T; 3] {
+        let own = |rates: &[T; N]| {
+            let rate = rates.get(self.velocity).copied().unwrap_or(T::zero());
+            self.multiplier * rate
+        };
+        let rate = own(qd);
+        let sign = if rate > T::zero() {
+            T::one()
         } else if rate < T::zero() {
-            -friction
+            -T::one()
         } else {
             T::zero()
         };
-        self.multiplier * (armature * second + damping * rate + against)
+        [own(qdd), rate, sign].map(|felt| self.multiplier * felt)
     }
 
     /// Viscous friction as the velocity feels it.

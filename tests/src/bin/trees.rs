@@ -1,6 +1,7 @@
 //! Tens of thousands of random trees.
 //!
-//! `cargo run --release -p homogen-tests --bin trees -- --long [--seed N] [--robots N]`
+//! `cargo run --release -p homogen-tests --bin trees -- --long [--seed N] [--robots N]`, or `-- --robot N` for the one
+//! whose seed a failure names
 //!
 //! In: a seed; without `--long` a few hundred robots. Out: the worst error of each function, every
 //! failure in the smallest robot that shows it, and a status that says whether there was one.
@@ -26,6 +27,17 @@ fn main() -> ExitCode {
 struct Wanted {
     seed: u64,
     robots: u64,
+    /// The seed of a robot that is to be examined alone.
+    robot: Option<u64>,
+}
+
+impl Wanted {
+    /// The seeds of the robots.
+    fn seeds(&self) -> impl Iterator<Item = u64> {
+        let run = (0..self.robots).map(|index| numbered(self.seed, index));
+        let run = run.filter(|_| self.robot.is_none());
+        self.robot.into_iter().chain(run)
+    }
 }
 
 impl Wanted {
@@ -33,6 +45,7 @@ impl Wanted {
         let mut wanted = Self {
             seed: 1,
             robots: 300,
+            robot: None,
         };
         let mut given = None;
         while let Some(word) = words.next() {
@@ -43,6 +56,7 @@ impl Wanted {
             match word.as_str() {
                 "--long" => wanted.robots = 20_000,
                 "--seed" => wanted.seed = number()?,
+                "--robot" => wanted.robot = Some(number()?),
                 "--robots" => given = Some(number()?),
                 _ => return Err(format!("there is no option {word}")),
             }
@@ -62,8 +76,9 @@ fn examine(wanted: &Wanted) -> ExitCode {
     let mut worst: BTreeMap<&str, (f64, u64)> = BTreeMap::new();
     let (mut failures, mut programs, mut refused) = (0, 0, 0);
     let mut counts = [0; FEATURES.len()];
-    for index in 0..wanted.robots {
-        let seed = numbered(wanted.seed, index);
+    let mut done = 0;
+    for seed in wanted.seeds() {
+        done += 1;
         match try_seed(seed, effort) {
             Ok((robot, findings)) => {
                 programs += findings.programs;
@@ -83,8 +98,8 @@ fn examine(wanted: &Wanted) -> ExitCode {
                 println!("{told}\n");
             }
         }
-        if (index + 1) % 1000 == 0 {
-            eprintln!("{} robots, {failures} failures", index + 1);
+        if done % 1000 == 0 {
+            eprintln!("{done} robots, {failures} failures");
         }
     }
     for (function, (error, seed)) in worst {
@@ -94,8 +109,7 @@ fn examine(wanted: &Wanted) -> ExitCode {
         println!("{count:8} robots with {name}");
     }
     println!(
-        "{} robots, {programs} programs within {TOLERANCE:e}, {refused} refused by name, {failures} failures",
-        wanted.robots
+        "{done} robots, {programs} programs within {TOLERANCE:e}, {refused} refused by name, {failures} failures"
     );
     if failures == 0 {
         ExitCode::SUCCESS

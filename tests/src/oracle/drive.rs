@@ -67,8 +67,17 @@ impl Drive {
     /// What it takes of the velocity's torque: armature q̈ + damping q̇ + friction sign q̇.
     #[must_use]
     pub fn takes(&self, qd: &[Big], qdd: &[Big]) -> Big {
-        let sign = Arithmetic::sign(&self.factor * &qd[self.velocity]);
-        self.takes_smoothly(qd, qdd) + &self.factor * &self.friction * sign
+        let [.., rubs] = self.columns(qd, qdd);
+        self.takes_smoothly(qd, qdd) + &self.friction * rubs
+    }
+
+    /// What an armature, a damping and a friction of 1 would take.
+    #[must_use]
+    pub fn columns(&self, qd: &[Big], qdd: &[Big]) -> [Big; 3] {
+        let own = |rates: &[Big]| &self.factor * &rates[self.velocity];
+        let rate = own(qd);
+        let sign = Arithmetic::sign(rate.clone());
+        [own(qdd), rate, sign].map(|felt| &self.factor * felt)
     }
 
     /// The part of it that does not step: armature q̈ + damping q̇.

@@ -138,7 +138,8 @@ pub fn evaluate(
         }
         Function::Regressor => {
             let motion = moving(&qd, &qdd);
-            regressor(robot, &positions, &motion)
+            let of_links = regressor(robot, &positions, &motion);
+            with_columns_of_drives(robot, of_links, [&qd, &qdd])
         }
         Function::CenterOfMass => mass_center(robot, &positions).to_vec(),
         Function::CenterOfMassVelocity => {
@@ -247,6 +248,32 @@ fn regressor(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> 
         entries.collect::<Vec<Big>>()
     };
     (0..robot.velocities()).flat_map(row).collect()
+}
+
+/// Rows of a regressor, with three columns behind them for each velocity of a joint where drives are identified.
+fn with_columns_of_drives(robot: &Robot, of_links: Vec<Big>, [qd, qdd]: [&[Big]; 2]) -> Vec<Big> {
+    if !robot.identifies_drives {
+        return of_links;
+    }
+    let columns = robot.drives.iter().flat_map(|drive| {
+        let columns = drive.columns(qd, qdd).into_iter();
+        columns.map(|column| (drive.velocity, column))
+    });
+    let columns: Vec<(usize, Big)> = columns.collect();
+    let rows = of_links
+        .chunks(of_links.len() / qd.len().max(1))
+        .enumerate();
+    let rows = rows.flat_map(|(row, of_links)| {
+        let of_drives = columns.iter().map(move |(velocity, column)| {
+            if *velocity == row {
+                column.clone()
+            } else {
+                Big::zero()
+            }
+        });
+        of_links.iter().cloned().chain(of_drives)
+    });
+    rows.collect()
 }
 
 /// The bodies that a joint moves: what none moves is not the robot's.

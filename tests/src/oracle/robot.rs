@@ -28,8 +28,10 @@ pub struct Robot {
     pub gravity: Matrix,
     /// What holds bodies together that hang on the base anyhow.
     pub loops: Vec<Loop>,
-    /// What drives joints beside bodies.
+    /// What drives joints beside bodies, of each of their velocities.
     pub drives: Vec<Drive>,
+    /// Whether the regressor has columns of drives behind those of links.
+    pub identifies_drives: bool,
     /// The bodies that the surroundings act on, and whether their actions are in frame 0.
     pub external: (Vec<usize>, bool),
 }
@@ -81,6 +83,7 @@ impl Robot {
             gravity: reader.gravity(),
             loops: Vec::new(),
             drives: Vec::new(),
+            identifies_drives: request.models_friction() || request.models_armature(),
             external: (Vec::new(), request.external_in_frame_0),
         };
         let links = reader.hang(base, tip, &mut robot);

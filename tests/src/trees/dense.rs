@@ -6,6 +6,9 @@
 //! [`oracle::robot`](crate::oracle::robot), which reads what the generator read: one reader for both
 //! would be wrong together with the generator's.
 
+use std::collections::BTreeMap;
+use std::ops::Range;
+
 use crate::big::Big;
 use crate::oracle::drive::Drive;
 use crate::oracle::matrix::Matrix;
@@ -72,6 +75,7 @@ impl Dense {
                 gravity: Matrix::screw(&big([0.0; 3]), &big(gravity)),
                 loops: Vec::new(),
                 drives: Vec::new(),
+                identifies_drives: false,
                 external: (Vec::new(), false),
             },
             coordinates: Vec::new(),
@@ -103,15 +107,32 @@ impl Dense {
         dense
     }
 
+    /// The links with the bodies that each one's joint moves: they end with it, and go back to another's.
+    fn moved(&self) -> Vec<(usize, Range<usize>)> {
+        let mut first = 0;
+        let links = self.links.iter().enumerate();
+        let links = links.filter_map(|(body, link)| Some((body, (*link)?)));
+        links
+            .map(|(body, link)| (link, std::mem::replace(&mut first, body + 1)..body + 1))
+            .collect()
+    }
+
+    /// The links that joints move, one for each velocity of its joint, in the order of the drives.
+    #[must_use]
+    pub fn driven(&self) -> Vec<usize> {
+        let links = self.moved().into_iter().flat_map(|(link, bodies)| {
+            let screws = bodies.map(|body| self.robot.bodies[body].motion.screws().len());
+            std::iter::repeat_n(link, screws.sum())
+        });
+        links.collect()
+    }
+
     /// Adds drives, and links on which the surroundings act.
     fn load(&mut self, robot: &Robot) {
-        for (id, drive) in robot.drives() {
-            let drive = drive.map(Big::new);
-            // The bodies that the joint moves end with its link, and go back to another's.
-            let Some(link) = self.body(id) else { continue };
-            let before = self.links[..link].iter().rposition(Option::is_some);
-            let bodies = &self.robot.bodies[before.map_or(0, |before| before + 1)..=link];
-            for motion in bodies.iter().map(|body| &body.motion) {
+        let said: BTreeMap<usize, [f64; 3]> = robot.drives().collect();
+        for (id, bodies) in self.moved() {
+            let drive = said.get(&id).copied().unwrap_or_default().map(Big::new);
+            for motion in bodies.map(|body| &self.robot.bodies[body].motion) {
                 let factor = match motion {
                     Motion::Along { factor, .. } => factor.clone(),
                     Motion::Posture { .. } | Motion::Held { .. } => Big::one(),

@@ -132,10 +132,14 @@ impl Measure {
             }
             Function::Regressor => {
                 // A mass within reach, or first or second moments, moved and felt at a lever.
+                let first = rates;
                 let rates = sum(&arguments.qdd) + rates * rates;
-                compared(&|k| match k % 10 {
-                    0 => (self.gravity + rates * self.slide) * self.slide,
-                    1..4 => self.gravity + rates * self.slide,
+                let columns = expected(function).len() / count.max(1);
+                let of_links = 10 * self.robot.bodies.iter().filter(|body| body.link).count();
+                compared(&|k| match k % columns.max(1) {
+                    column if column >= of_links => rates + first + 1.0,
+                    column if column % 10 == 0 => (self.gravity + rates * self.slide) * self.slide,
+                    column if column % 10 < 4 => self.gravity + rates * self.slide,
                     _ => rates,
                 })
             }
@@ -270,7 +274,8 @@ impl Measure {
     }
 
     /// M times derivatives of accelerations, and what inverse dynamics changes by, beside what that is for
-    /// accelerations as large as those that torques may be off by.
+    /// accelerations as large as those that torques may be off by. Derivatives are M⁻¹ times what torques change by:
+    /// where large terms of that product cancel, no more is asked than that each term is right.
     fn unanswered(&self, found: &[f64], arguments: &Arguments, matrix: &[Big]) -> f64 {
         let count = arguments.qd.len();
         let evaluate = |function, at: &Arguments| frame_0::evaluate(&self.robot, function, 0, at);
@@ -291,6 +296,12 @@ impl Measure {
         let off = off.collect();
         at.qdd = off;
         let sizes = self.changes(&at);
+        let rows = inverse.chunks(count).zip(&roots);
+        let inverted = rows.map(|(row, root)| {
+            let row = row.iter().map(|entry| entry.abs().to_f64());
+            root * row.sum::<f64>()
+        });
+        let inverted: f64 = inverted.sum();
         let mut worst: f64 = 0.0;
         for (k, needed) in needed.iter().enumerate() {
             let (of, i, m) = (k / (count * count), k / count % count, k % count);
@@ -298,7 +309,8 @@ impl Measure {
             let column: Vec<f64> = column.take(count).copied().collect();
             let terms = matrix[i * count..].iter().zip(&column);
             let rest = terms.fold(needed.clone(), |sum, (entry, x)| sum + entry * Big::new(*x));
-            let size = sizes[of] + roots[i] * product(&column, &roots);
+            let size =
+                sizes[of] * (1.0 + roots[i] * inverted) + roots[i] * product(&column, &roots);
             let rest = rest.abs().to_f64();
             worst = worst.max(if rest == 0.0 { 0.0 } else { rest / size });
         }

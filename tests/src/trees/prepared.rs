@@ -67,7 +67,8 @@ impl<'r> Prepared<'r> {
             Check::of(&description, &request, &chain).map(|check| (chain, check))
         })?;
         let (chain, check) = understood.map_err(|errors| format!("refused: {errors}"))?;
-        let dense = Dense::of(robot);
+        let mut dense = Dense::of(robot);
+        dense.robot.identifies_drives = chain.identifies_drives;
         let spaces = chain.spaces();
         for (space, entries) in [
             (Space::Coordinates, &dense.coordinates),
@@ -200,12 +201,9 @@ impl<'r> Prepared<'r> {
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
             let weightless = case.function.is_of_mass() && refusal.contains("has mass");
-            // Torques with friction or armature are no sum of columns of links.
-            let driven = case.function.identifies() && refusal.contains("is modelled");
             let states = || (0..self.states.len()).any(singular);
             let excused = || states() || solves && (self.is_described_singular() || self.cancels());
-            let driven = driven && self.robot.drives().next().is_some();
-            if far || driven || weightless && self.is_weightless() || !own && excused() {
+            if far || weightless && self.is_weightless() || !own && excused() {
                 Ok(None)
             } else {
                 Err(refusal)
@@ -339,10 +337,10 @@ impl<'r> Prepared<'r> {
         for velocity in 0..order.len() {
             order[self.place(Space::Velocities, velocity)] = velocity;
         }
-        // Of each link that moves against the one it hangs on, ten.
+        // Of each link that moves against the one it hangs on, ten; of what drives joints, three for each velocity.
         let places = self.links().into_iter();
         let parameters = places.flat_map(|place| (0..10).map(move |k| 10 * place + k));
-        let parameters: Vec<usize> = parameters.collect();
+        let parameters: Vec<usize> = parameters.chain(self.drives()).collect();
         let result = function.result();
         let parts = result.parts().zip(result.split(self.chain.spaces(), found));
         let parts = parts.map(|((_, part), found)| {
@@ -358,8 +356,9 @@ impl<'r> Prepared<'r> {
     /// For each link of the dense robot that moves against the one it hangs on, its place among the chain's.
     fn links(&self) -> Vec<usize> {
         let parameters = &self.chain.spaces().parameters;
-        let names = parameters.iter().step_by(10);
-        let names = names.map(|entry| entry.name.trim_end_matches(".m"));
+        let names = parameters
+            .iter()
+            .filter_map(|entry| entry.name.strip_suffix(".m"));
         let known: Vec<usize> = names.map(id).collect();
         let bodies = self.dense.robot.bodies.iter().zip(&self.dense.links);
         let links = bodies.filter(|(body, _)| body.link);
@@ -368,6 +367,31 @@ impl<'r> Prepared<'r> {
         links
             .map(|link| place(link).expect("the same links"))
             .collect()
+    }
+
+    /// For each number of each drive of the dense robot its place among the chain's parameters; none where the chain
+    /// identifies no drives.
+    fn drives(&self) -> Vec<usize> {
+        if !self.chain.identifies_drives {
+            return Vec::new();
+        }
+        // A joint ends with the body that is its link.
+        let mut link = None;
+        let backwards = self.chain.joints.iter().rev().map(|joint| {
+            link = joint.link.as_ref().map(|(name, _)| id(name)).or(link);
+            link
+        });
+        let mut known: Vec<Option<usize>> = backwards.collect();
+        known.reverse();
+        let before = self.chain.spaces().parameters.len() - 3 * known.len();
+        let places = self.dense.driven().into_iter().map(|link| {
+            let place = known.iter().position(|other| *other == Some(link));
+            let place = place.expect("the same joints");
+            // The next of the same joint stands behind it.
+            known[place] = None;
+            before + 3 * place
+        });
+        places.flat_map(|first| first..first + 3).collect()
     }
 }
 

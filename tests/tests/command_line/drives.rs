@@ -62,18 +62,25 @@ fn mistakes_and_doubts_are_told() {
         "error: joint \"mount\" is fixed and has no friction\n\
          error: there is no joint \"nobody\"\n"
     );
-    for command in ["base-parameters -", "count - --functions regressor"] {
-        let refusal = refused(&format!("{command} --damping shoulder=1"), ARM);
-        assert!(
-            refusal.contains("friction or armature is modelled"),
-            "{refusal}"
-        );
-    }
     let doubtful = homogen("check - --friction --rotors", ARM);
     assert_eq!(doubtful.code, 0);
     let any = "is asked for, and no joint that moves is described with any";
     for what in ["friction", "an armature"] {
         let doubt = format!("{what} {any}");
         assert!(doubtful.output.contains(&doubt), "{}", doubtful.output);
+    }
+}
+
+/// About the first axis an armature and the moment of its link are felt alike.
+#[test]
+fn are_identified_beside_links() {
+    let answer = homogen("base-parameters - --friction", ARM);
+    assert_eq!(answer.code, 0, "{}", answer.remarks);
+    for sum in [
+        "0 N m s = shoulder.damping",
+        "0 N = slide.friction",
+        " + shoulder.armature",
+    ] {
+        assert!(answer.output.contains(sum), "{}", answer.output);
     }
 }

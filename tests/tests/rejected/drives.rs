@@ -19,11 +19,6 @@ struct Words {
 }
 
 #[derive(Robot)]
-#[robot(urdf = "rejected/arm.urdf", generate(gravity, regressor, base_regressor))]
-#[robot(damping(shoulder = 0.5))]
-struct Identified;
-
-#[derive(Robot)]
 #[robot(urdf = "rejected/arm.urdf", generate(inverse_dynamics_derivatives))]
 #[robot(external(nothing, frame = 1), ratio(shoulder = 10), rotors = 1)]
 struct Acted;
@@ -38,5 +33,5 @@ fn main() {
     let _ = arm.gravity(&[0.0; 2]);
     let words = Words { brake: arm.brake };
     let _ = (words.gravity(&[0.0; 2]), words.brake);
-    let _ = (Identified.gravity(&[0.0; 2]), Pushed.gravity(&[0.0; 2]), Acted);
+    let _ = (Pushed.gravity(&[0.0; 2]), Acted);
 }

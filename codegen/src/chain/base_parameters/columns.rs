@@ -11,10 +11,17 @@ use crate::random::Random;
 use crate::space::Space;
 
 /// How many inertial parameters a link has.
-pub const PARAMETERS: usize = 10;
+const PARAMETERS: usize = 10;
 
-/// How many numbers a link's columns have at least: twice as many as two links have columns.
-const ROWS: usize = 4 * PARAMETERS;
+/// How many numbers say what a joint feels of its drive: armature, damping and friction.
+const DRIVE: usize = 3;
+
+/// The order in which columns of a link are taken, where not all are needed: off the diagonal first, the mass
+/// last.
+const ORDER: [usize; PARAMETERS] = [5, 6, 8, 4, 7, 9, 1, 2, 3, 0];
+
+/// A parameter, and its column of the regressor.
+pub type Column = (usize, Vec<f64>);
 
 /// Of how many joints on the way to a link columns are looked at, at most: half of them from the base outwards, half
 /// from the link inwards.
@@ -24,6 +31,8 @@ const JOINTS: usize = 64;
 pub struct Link {
     /// Which of the chain's joints does.
     joint: usize,
+    /// That and those that are between it and the link it hangs on, from the base outwards.
+    own: Vec<usize>,
     /// The link that it hangs on, with nothing but bodies of its own joint between; none for the base.
     pub parent: Option<usize>,
     /// The joints whose forces are looked at: those that move it, from the base outwards, or all where some follow
@@ -39,8 +48,12 @@ pub struct Columns {
     pub links: Vec<Link>,
     /// Of each state, of each joint that is looked at there.
     states: Vec<Vec<Option<At>>>,
-    /// The velocity of each joint.
-    velocities: Vec<usize>,
+    /// Of each state, the first and the second rates.
+    rates: Vec<[Vec<f64>; 2]>,
+    /// The velocity of each joint, and what its rate is times that.
+    velocities: Vec<(usize, f64)>,
+    /// Of each joint; none where drives are not identified.
+    drives: Option<Vec<[f64; DRIVE]>>,
     /// For each joint the one that carries the body it hangs on.
     parents: Vec<Option<usize>>,
     inertias: Vec<Matrix<f64>>,
@@ -77,6 +90,7 @@ impl Columns {
             let entries = 0..chain.spaces.len(space);
             entries.map(|_| 6.0 * random.unit() - 3.0).collect()
         };
+        let mut rates = Vec::new();
         let states = (0..most).map(|state| {
             let [q, first, second] =
                 [Space::Coordinates, Space::Velocities, Space::Velocities].map(&mut list);
@@ -91,44 +105,93 @@ impl Columns {
                     bodies.extend(found.into_iter().map(Some));
                 }
             }
+            rates.push([first, second]);
             bodies
         });
+        let states = states.collect();
+        let factors = numbers.screws.iter().map(|(.., factor)| *factor);
         let joints = || chain.joints.iter();
         Self {
-            states: states.collect(),
-            velocities: joints().map(|joint| joint.velocity).collect(),
+            states,
+            rates,
+            velocities: joints().map(|joint| joint.velocity).zip(factors).collect(),
+            drives: chain.identifies_drives.then_some(numbers.drives),
             parents: joints().map(|joint| joint.parent).collect(),
             inertias: numbers.inertias,
             links,
         }
     }
 
-    /// What all links are described as, in the order of their parameters.
+    /// What all is described as, in the order of the parameters.
     pub fn described(&self) -> Vec<f64> {
         let links = self.links.iter().flat_map(|link| {
             let Matrix(j) = &self.inertias[link.joint];
             PLACES.map(|(row, column)| j[row][column])
         });
-        links.collect()
+        links
+            .chain(self.drives.iter().flatten().flatten().copied())
+            .collect()
+    }
+
+    /// The columns of a link, and of what the joints feel that move it against the one it hangs on.
+    pub fn own(&self, link: usize) -> Vec<Column> {
+        let mut of_link: Vec<Option<Column>> =
+            self.of_link(link, link).into_iter().map(Some).collect();
+        let ordered = ORDER.iter().filter_map(|&k| of_link[k].take());
+        let mut columns: Vec<Column> = ordered.collect();
+        if self.drives.is_some() {
+            columns.extend(
+                self.links[link]
+                    .own
+                    .iter()
+                    .flat_map(|&joint| self.of_drive(joint, link)),
+            );
+        }
+        columns
+    }
+
+    /// Those of what a joint feels, in the rows of what a link is looked at by.
+    fn of_drive(&self, joint: usize, rows_of: usize) -> impl Iterator<Item = Column> {
+        let rows = self.rows(rows_of);
+        let (velocity, factor) = self.velocities[joint];
+        let mut columns: [Vec<f64>; DRIVE] = Default::default();
+        for [first, second] in &self.rates[..self.links[rows_of].states] {
+            let (rate, second) = (factor * first[velocity], factor * second[velocity]);
+            for row in &rows {
+                let seen = if *row == velocity { factor } else { 0.0 };
+                for (column, felt) in columns.iter_mut().zip([second, rate, rate.signum()]) {
+                    column.push(seen * felt);
+                }
+            }
+        }
+        let before = PARAMETERS * self.links.len() + DRIVE * joint;
+        (before..).zip(columns)
+    }
+
+    /// The velocities that a link is looked at by.
+    fn rows(&self, link: usize) -> Vec<usize> {
+        let path = self.links[link].path.iter();
+        let mut rows: Vec<usize> = path.map(|&joint| self.velocities[joint].0).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        rows
     }
 
     /// The columns of a link in the rows of what another one is looked at by.
-    pub fn of_link(&self, link: usize, rows_of: usize) -> [Vec<f64>; PARAMETERS] {
-        let Link { path, states, .. } = &self.links[rows_of];
+    pub fn of_link(&self, link: usize, rows_of: usize) -> Vec<Column> {
+        let states = self.links[rows_of].states;
         let joint = self.links[link].joint;
         let inwards = std::iter::successors(Some(joint), |&joint| self.parents[joint]);
-        let mut rows: Vec<usize> = path.iter().map(|&joint| self.velocities[joint]).collect();
-        rows.sort_unstable();
-        rows.dedup();
+        let rows = self.rows(rows_of);
         // Of each row, what it moves inboard of the link.
         let mut movers = vec![Vec::new(); rows.len()];
         for mover in inwards {
-            if let Ok(row) = rows.binary_search(&self.velocities[mover]) {
+            if let Ok(row) = rows.binary_search(&self.velocities[mover].0) {
                 movers[row].push(mover);
             }
         }
         let mut columns: [Vec<f64>; PARAMETERS] = Default::default();
-        for state in &self.states[..*states] {
+        for state in &self.states[..states] {
             let Some(body) = &state[joint] else { continue };
             for movers in &movers {
                 let mut seen = [0.0; PARAMETERS];
@@ -142,7 +205,7 @@ impl Columns {
                 }
             }
         }
-        columns
+        (PARAMETERS * link..).zip(columns).collect()
     }
 }
 
@@ -184,22 +247,30 @@ fn links(chain: &Chain) -> Vec<Link> {
     let is_link = |joint: &usize| chain.joints[*joint].link.is_some();
     let joints: Vec<usize> = (0..chain.joints.len()).filter(is_link).collect();
     let velocities = chain.spaces.len(Space::Velocities);
+    let drive = if chain.identifies_drives { DRIVE } else { 0 };
     let links = joints.iter().map(|&joint| {
+        let parent = inwards(joint).skip(1).find(is_link);
+        let mut own: Vec<usize> = inwards(joint)
+            .take_while(|&other| Some(other) != parent)
+            .collect();
+        own.reverse();
+        // Twice as many numbers as there are columns.
         let (path, states) = if chain.all_lead() {
             let mut path: Vec<usize> = inwards(joint).collect();
             path.reverse();
             if path.len() > JOINTS {
                 path.drain(JOINTS / 2..path.len() - JOINTS / 2);
             }
-            let states = ROWS.div_ceil(path.len());
+            let rows = 2 * (2 * PARAMETERS + drive * own.len());
+            let states = rows.div_ceil(path.len());
             (path, states)
         } else {
-            let rows = 2 * PARAMETERS * joints.len();
+            let rows = 2 * (PARAMETERS * joints.len() + drive * chain.joints.len());
             ((0..chain.joints.len()).collect(), rows.div_ceil(velocities))
         };
-        let parent = inwards(joint).skip(1).find(is_link);
         Link {
             joint,
+            own,
             parent: parent.and_then(|parent| joints.iter().position(|&other| other == parent)),
             path,
             states,
@@ -218,6 +289,8 @@ struct Numbers {
     links: Vec<Matrix<f64>>,
     /// J in the link's frame.
     inertias: Vec<Matrix<f64>>,
+    /// What is felt beside that.
+    drives: Vec<[f64; DRIVE]>,
     /// H of the base that has the effect of gravity.
     falling: Matrix<f64>,
 }
@@ -274,6 +347,9 @@ impl Numbers {
             screws: joints().map(screw).collect(),
             links: joints().map(link).collect(),
             inertias: joints().map(inertia).collect(),
+            drives: joints()
+                .map(|joint| joint.drive.entries().map(one))
+                .collect(),
             falling,
         }
     }

@@ -12,7 +12,7 @@ use crate::expression::{Double, Input};
 use crate::function::Function;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Program, run};
-use crate::space::Space;
+use crate::space::{Space, Spaces, Variable};
 
 /// So many states that rows are more than columns.
 const STATES: u64 = 40;
@@ -32,12 +32,22 @@ fn program_of(chain: &Chain, function: Function) -> Program {
     program(chain, &[function], 0, Real::F64).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// The results of a program at a state of that number, the same of every program.
-fn at(program: &Program, state: u64) -> Vec<f64> {
+/// The results of a program of a robot at a state of that number, the same of every program.
+fn at(program: &Program, spaces: &Spaces, state: u64) -> Vec<f64> {
+    /// The squares of which add up to 1.
+    const UNIT: [f64; 4] = [0.1, -0.7, 0.5, 0.5];
     let results = run(program, |input| {
         let Input::Variable(variable, k) = input else {
             unreachable!("there are no fields");
         };
+        let of_quaternion = spaces.quaternions().find_map(|first| {
+            let place = usize::from(k).checked_sub(first);
+            place.filter(|&place| place < 4 && variable == Variable::Q)
+        });
+        if let Some(place) = of_quaternion {
+            let turned = usize::try_from(state).expect("a few") + place;
+            return Double::from(UNIT[turned % 4]);
+        }
         let seed = 1000 * state + 100 * variable as u64 + u64::from(k);
         let mut random = homogen_random::Random::new(seed);
         Double::from(3.0 * random.unit())
@@ -99,7 +109,7 @@ fn hold(chain: &Chain) -> usize {
     let mut columns = vec![Vec::new(); all];
     for state in 0..STATES {
         let [regressor, base, torques] =
-            [&regressor, &base, &torques].map(|program| at(program, state));
+            [&regressor, &base, &torques].map(|program| at(program, spaces, state));
         for (row, torque) in torques.iter().enumerate() {
             let whole = &regressor[all * row..][..all];
             let part = &base[some * row..][..some];
@@ -155,6 +165,66 @@ fn the_numbers_of_known_robots_are_the_known_ones() {
         ("quadruped", 68),
     ] {
         assert_eq!(hold(&shipped(robot)), known, "{robot}");
+    }
+}
+
+/// The armatures of joints 1 and 2 are told with J_zz of their links, whose axes nothing inboard turns about; all friction is told
+/// alone.
+#[test]
+fn drives_are_told_with_links_or_alone() {
+    let of = |request: &Request| {
+        let file = format!(
+            "{}/../robots/puma560_general.urdf",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        let described = read_file(Path::new(&file), None, &mut Errors::new());
+        build(&described.expect("a robot that ships"), request).expect("a chain")
+    };
+    let chain = of(&Request {
+        friction: true,
+        ..Request::default()
+    });
+    assert_eq!(hold(&chain), 36 + 3 * 6 - 2);
+    let led = |name: &str| {
+        chain
+            .spaces()
+            .names(Space::BaseParameters)
+            .any(|leader| leader == name)
+    };
+    let parts = ["armature", "damping", "friction"];
+    let alone: Vec<[bool; 3]> = (1..=6)
+        .map(|joint| parts.map(|part| led(&format!("joint_{joint}.{part}"))))
+        .collect();
+    let [told, hidden] = [[true; 3], [false, true, true]];
+    assert_eq!(alone, [hidden, hidden, told, told, told, told]);
+}
+
+#[test]
+fn drives_on_every_kind_of_joint_and_of_followers() {
+    let link = |name: &str| {
+        format!(
+            "link {name} {{ mass: 1.5, com: [0.1, 0.02, -0.03], inertia: [0.02, 0.001, 0, 0.03, 0, 0.04] }}"
+        )
+    };
+    let links = ["a", "b", "c", "d"].map(link).concat();
+    for joint in [
+        "prismatic(y)",
+        "cylindrical(y)",
+        "universal(x, y)",
+        "planar(y)",
+        "spherical",
+        "floating",
+    ] {
+        for mimic in ["", "mimic: one, multiplier: -2.0, "] {
+            let chain = fine(&format!(
+                "struct Robot; link base; {links}
+                joint one: revolute(z) {{ from: base, to: a, armature: 0.25, friction: 0.5 }}
+                joint two: {joint} {{ from: a, to: b, at: xyz(0.2, 0.1, 0.3) rpy(0.4, -0.3, 0.2), damping: 0.5 }}
+                joint three: revolute(x) {{ from: b, to: c, at: xyz(0, 0.2, 0), {mimic}armature: 0.125, damping: 0.5, friction: 0.75 }}
+                joint four: prismatic(x) {{ from: b, to: d, at: rz(0.3) }}"
+            ));
+            assert!(hold(&chain) > 0, "{joint}");
+        }
     }
 }
 

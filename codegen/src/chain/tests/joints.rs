@@ -2,10 +2,12 @@
 //! and what is said of those that cannot be.
 
 use super::{fine, lines, read, said};
+use crate::builder::Builder;
 use crate::chain::{Chain, Mimicked, Position, build};
 use crate::description::read_text;
 use crate::error::Errors;
 use crate::expand::expand;
+use crate::function::Function;
 use crate::request::Request;
 use crate::space::Space;
 
@@ -194,6 +196,20 @@ fn a_follower_stands_still_with_its_leader() {
     assert_eq!(entries(&alone, Space::Coordinates), ["wrist", "one"]);
 }
 
+/// −8e-13 and −2 have no sum in 53 bits: what is printed is the sine of it, rounded once, as every expansion checks.
+#[test]
+fn offsets_of_followers_of_followers_are_not_rounded_before_they_are_used() {
+    let (description, request) = read(
+        "struct Hand { tip = right } link base; link palm; link left; link right;
+         joint turn: revolute(y) { from: base, to: palm }
+         joint one: revolute(x) { from: palm, to: left, mimic: turn, multiplier: -1, offset: -8e-13 }
+         joint other: revolute(x) { from: palm, to: right, mimic: one, offset: -2 }",
+    );
+    let builder = Builder::from_description(description).request(request);
+    let listing = builder.generate([Function::ForwardKinematics]).listing();
+    listing.unwrap_or_else(|errors| panic!("{errors}"));
+}
+
 #[test]
 fn who_follows_must_be_able_to() {
     assert_eq!(
@@ -247,6 +263,10 @@ fn a_free_base_hangs_on_a_frame_of_no_link() {
     let palm = fine(&hand("floating, base = palm", "mimic: one"));
     assert_eq!(palm.report.joints, ["root", "one"]);
     assert_eq!(palm.report.dropped, ["base"]);
+    // So is what it leads.
+    let led = fine(&hand("floating, base = palm", "mimic: wrist, offset: 0.1"));
+    assert_eq!(led.report.joints, ["root", "one"]);
+    assert_eq!(led.report.locked, [("other".to_owned(), 0.1)]);
     // Names that are taken are not taken again.
     let taken = hand("floating", "")
         .replace("base", "world")

@@ -1,7 +1,7 @@
 //! The door for build scripts.
 //!
 //! In: calls, in the vocabulary of the derive's attributes. Out: a readable file in `OUT_DIR` that
-//! needs `core` and nothing else, or one in C with its header. It never reads or writes anything
+//! needs `core` and nothing else, one in C with its header, or a package for Python. It never reads or writes anything
 //! before [`Builder::write`], [`Builder::to_tokens`] or [`Builder::to_source`].
 
 #[cfg(feature = "pretty")]
@@ -9,11 +9,15 @@ mod c;
 #[cfg(feature = "pretty")]
 mod file;
 mod output;
+#[cfg(feature = "pretty")]
+mod python;
 #[cfg(all(test, feature = "pretty"))]
 mod tests;
 
 #[cfg(feature = "cli")]
 pub(crate) use c::header_beside;
+#[cfg(feature = "cli")]
+pub(crate) use python::{module_of, write_folder};
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;

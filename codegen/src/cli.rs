@@ -4,6 +4,7 @@
 //! printed, so that a mistake leaves nothing on standard output. One file a command; none of them
 //! does a stage's work. Only `report`, which runs for minutes, shows what it does meanwhile.
 
+mod arithmetic;
 mod base_parameters;
 mod check;
 mod count;
@@ -14,6 +15,7 @@ mod inspect;
 mod json;
 mod options;
 mod progress;
+mod python;
 mod report;
 mod states;
 
@@ -78,6 +80,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::Count(count) => count.run(input),
         Command::Eval(eval) => eval.run(input),
         Command::Generate(generate) => generate.run(input),
+        Command::Python(python) => python.run(input),
         Command::BaseParameters(parameters) => parameters.run(input),
         Command::Report(report) => report.run(),
     };
@@ -103,6 +106,7 @@ enum Command {
     Count(count::Count),
     Eval(eval::Eval),
     Generate(generate::Generate),
+    Python(python::Python),
     BaseParameters(base_parameters::BaseParameters),
     Report(report::Report),
 }

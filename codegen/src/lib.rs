@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! description ──► chain ──► layout ──► model ──► simplify ──► schedule ──► print
-//!  what the        what it    which     4×4       fewer         a routine:   rust, c
-//!  user wrote      means      frames    matrices  operations    names,
+//!  what the        what it    which     4×4       fewer         a routine:   rust, c,
+//!  user wrote      means      frames    matrices  operations    names,       python
 //!                             and       of Expr                 statements,
 //!                             numbers                           spaces
 //! ```

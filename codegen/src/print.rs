@@ -6,6 +6,8 @@
 
 pub mod c;
 mod documentation;
+#[cfg(feature = "pretty")]
+pub mod python;
 pub mod rust;
 
 use crate::accuracy::Accuracy;

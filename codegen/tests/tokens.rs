@@ -1,18 +1,19 @@
 //! Which rooms of this crate know the tokens of Rust: those that read them, ask for them or print them.
 //!
 //! In: the sources without their tests. Out: nothing where only those name `proc_macro2`, `quote` or
-//! `syn`, and `print` beside its room for Rust does not.
+//! `syn`, and `print` beside its rooms for Rust and for Python, whose extensions are Rust, does not.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Files and folders that may.
-const ROOMS: [&str; 6] = [
+const ROOMS: [&str; 7] = [
     "builder",
     "description",
     "door",
     "error",
     "request",
+    "print/python",
     "print/rust",
 ];
 

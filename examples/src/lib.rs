@@ -1,11 +1,17 @@
 //! What the small programs share.
 //!
 //! Random states, the functions of a robot called by name, times with the machine they were
-//! measured on. Nothing here is needed to use `homogen`.
+//! measured on; and what is written once for all robots: controllers, a filter, an optimiser. Nothing here is needed to
+//! use `homogen`.
 
 pub mod bound;
+pub mod control;
+pub mod drawing;
 pub mod entries;
+pub mod filter;
 pub mod machine;
+pub mod motion;
+pub mod optimal;
 pub mod price;
 pub mod states;
 pub mod timing;

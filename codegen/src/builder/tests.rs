@@ -429,3 +429,30 @@ fn a_real_arm_needs_nothing_but_core_and_sines() {
     }
     assert!(!text.contains("homogen::") && !text.contains("_f64"));
 }
+
+#[test]
+fn a_package_for_python_has_no_options_of_rust() {
+    let builder = arm(as_asked)
+        .runtime("::homogen")
+        .sin_cos("::libm::sincos")
+        .extern_c("arm_")
+        .processor(Processor::CortexM7)
+        .drop("nothing")
+        .generate([Function::Gravity]);
+    let errors = builder.to_python("arm_py").expect_err("four mistakes");
+    let told = errors.to_string();
+    for part in [
+        "its own batches",
+        "can be named in Rust only",
+        "files that need `core` alone",
+        "finds its processor when it runs",
+    ] {
+        assert!(told.contains(part), "{told}");
+    }
+    let package = arm(as_asked)
+        .generate([Function::Gravity])
+        .to_python("Arm Py");
+    assert_eq!(package.expect("no mistakes").module, "arm_py");
+    let errors = arm(as_asked).to_python("numpy").expect_err("a mistake");
+    assert!(errors.to_string().contains("would hide NumPy"), "{errors}");
+}

@@ -13,7 +13,7 @@ use std::ops::Range;
 use crate::chain::Chain;
 use crate::dense::{Approximate, Body, Closed, Freedom, Matrix, Moved, Robot};
 use crate::description::{Axis, Description, Inertial, Joint, Link, Mimic, Name, Number, Step};
-use crate::expression::Arithmetic;
+use crate::expression::{Arithmetic, Double};
 use crate::joint::drive::Part;
 use crate::joint::{self, Along, Movement, Posture};
 use crate::request::{Request, Target};
@@ -272,20 +272,25 @@ impl<'d> Reader<'d> {
             };
         }
         let (mut factor, mut offset) = (Scalar::exact(1.0), Scalar::exact(0.0));
-        let (mut value, mut along) = (0.0, 1.0);
+        // Where it is held is a number of 53 bits, of which no step before is rounded.
+        let [mut value, mut along] = [0.0, 1.0].map(Double::from);
         let mut at = joint;
         while let Some((mimic, leader)) = self.leader(at) {
             offset = offset + factor * Scalar::literal(mimic.offset.value);
             factor = factor * Scalar::literal(mimic.multiplier.value);
-            value += along * mimic.offset.value;
-            along *= mimic.multiplier.value;
+            value = value + along * Double::from(mimic.offset.value);
+            along = along * Double::from(mimic.multiplier.value);
             at = leader;
         }
         let there = kept.iter().any(|other| other.name.text == at.name.text);
         match self.motion(at, kept, path) {
-            Motion::Own if there && along != 0.0 => Motion::Follows(&at.name.text, factor, offset),
-            Motion::Held(held) if there => Motion::Held(along * held + value),
-            _ => Motion::Held(value),
+            Motion::Own if there && !along.is_zero() => {
+                Motion::Follows(&at.name.text, factor, offset)
+            }
+            Motion::Held(held) if there => {
+                Motion::Held((along * Double::from(held) + value).to_f64())
+            }
+            _ => Motion::Held(value.to_f64()),
         }
     }
 

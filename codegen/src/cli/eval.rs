@@ -1,7 +1,8 @@
 //! `homogen eval`: a function's values, without a compiler.
 //!
 //! In: a description, the name of a function, states. Out: its results, computed by the scheduled
-//! program itself in the arithmetic asked for, each number in its shortest form that reads back; and
+//! program itself in the arithmetic asked for, with the bits of generated code that brings its own sines and
+//! fuses no product with a sum; each number in its shortest form that reads back; and
 //! every doubt about the description.
 
 use std::fmt::{Display, Write};
@@ -11,6 +12,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Map, Value, json};
 
+use super::arithmetic::Own;
 use super::functions;
 use super::options::{Format, Robot, STANDARD_INPUT, Scalar, is_standard_input, mistake};
 use super::states::State;
@@ -20,6 +22,7 @@ use crate::check::Check;
 use crate::error::{Errors, Place};
 use crate::expand;
 use crate::expression::Input;
+use crate::formulation::Sines;
 use crate::function::Function;
 use crate::schedule::{Arithmetic, Program, run};
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces, Variable};
@@ -87,7 +90,7 @@ impl Eval {
             &program,
             request.scalar,
         )?;
-        let results = self.results(&program, &arguments, &states)?;
+        let results = self.results(&program, (&arguments, request.formulation.sines), &states)?;
         Ok(match self.format {
             Format::Text => Answer {
                 output: in_text(&chain, function, &results),
@@ -125,15 +128,17 @@ impl Eval {
     fn results(
         &self,
         program: &Program,
-        arguments: &[Variable],
+        (arguments, sines): (&[Variable], Sines),
         states: &[State],
     ) -> Result<Vec<Vec<f64>>, Errors> {
         let mut errors = Errors::new();
         let mut results = Vec::with_capacity(states.len());
         for (index, state) in states.iter().enumerate() {
-            let numbers = match self.scalar {
-                Scalar::F32 => numbers::<f32>(program, arguments, state),
-                Scalar::F64 => numbers::<f64>(program, arguments, state),
+            let numbers = match (self.scalar, sines) {
+                (Scalar::F32, Sines::Own) => numbers::<Own<f32>>(program, arguments, state),
+                (Scalar::F64, Sines::Own) => numbers::<Own<f64>>(program, arguments, state),
+                (Scalar::F32, Sines::Platform) => numbers::<f32>(program, arguments, state),
+                (Scalar::F64, Sines::Platform) => numbers::<f64>(program, arguments, state),
             };
             if numbers.iter().any(|number| !number.is_finite()) {
                 let message = format!("state {index}: a result is too large for {:?}", self.scalar);

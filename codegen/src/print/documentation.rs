@@ -128,6 +128,17 @@ pub(super) fn of_prepared(robot: &str) -> Vec<String> {
     )]
 }
 
+/// What a function computes, in a line.
+pub(super) fn title(listing: &Listing, listed: &Listed) -> String {
+    let about = &listing.about;
+    let base = frame_0(listing);
+    let frame = code(listed.frame.as_deref().unwrap_or(&about.tip));
+    match &*listed.functions {
+        [function] => function.sentence(&base, &frame),
+        _ => "Several functions that share their work, in this order:".to_owned(),
+    }
+}
+
 /// What is said of the robot as data.
 pub(super) fn of_chain(listing: &Listing) -> Vec<String> {
     let title = "The same robot as data, for the generic recursions at run time.".to_owned();

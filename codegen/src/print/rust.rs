@@ -13,16 +13,17 @@ mod declaration;
 mod dialect;
 mod extern_c;
 mod item;
+mod lanes;
 mod lengths;
 mod literals;
 mod mechanism;
 mod method;
-mod names;
+pub(super) mod names;
 mod prepared;
 #[cfg(feature = "pretty")]
 mod pretty;
 mod results;
-mod sines;
+pub(super) mod sines;
 mod steps;
 mod stub;
 #[cfg(all(test, feature = "pretty"))]
@@ -38,6 +39,9 @@ use dialect::Dialect;
 pub use comments::header;
 pub use extern_c::c_header;
 pub use item::{Declaration, Item};
+pub use lanes::lanes;
+#[cfg(feature = "pretty")]
+pub(super) use lanes::under;
 #[cfg(feature = "pretty")]
 pub use pretty::Source;
 pub use stub::stub;

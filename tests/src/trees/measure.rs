@@ -85,7 +85,7 @@ impl Measure {
             Function::Velocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.slide }),
             Function::Acceleration => {
                 let rates = self.gain * sum(&arguments.qdd) + rates * rates;
-                compared(&|k| rates * if k % 4 == 3 { self.slide } else { 1.0 })
+                compared(&|k| self.moved(k, rates))
             }
             Function::SpatialJacobian | Function::BodyJacobian | Function::GeometricJacobian => {
                 compared(&|k| self.gain * if k % 6 < 3 { 1.0 } else { self.slide })
@@ -95,10 +95,7 @@ impl Measure {
             | Function::GeometricJacobianRate => {
                 compared(&|k| rates * if k % 6 < 3 { 1.0 } else { self.slide })
             }
-            Function::AccelerationBias => {
-                let squares = rates * rates;
-                compared(&|k| squares * if k % 4 == 3 { self.slide } else { 1.0 })
-            }
+            Function::AccelerationBias => compared(&|k| self.moved(k, rates * rates)),
             Function::InverseDynamics | Function::Bias | Function::Gravity => {
                 let mut at = arguments.clone();
                 if function != Function::InverseDynamics {
@@ -190,6 +187,16 @@ impl Measure {
             .zip(inertias)
             .map(|(size, m)| 0.5 * f64::EPSILON * size / m.to_f64());
         rounded.fold(0.0, f64::max) / found.fold(0.0, f64::max)
+    }
+
+    /// What an entry of an acceleration is made of, where turns are accelerated so much: a point may fall as well, and what
+    /// holds it is taken off at the end.
+    fn moved(&self, entry: usize, rates: f64) -> f64 {
+        if entry % 4 == 3 {
+            rates * self.slide + self.gravity
+        } else {
+            rates
+        }
     }
 
     /// What the momentum of a unit rate is made of: its entry of that number, about whichever pole within

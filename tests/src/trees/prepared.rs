@@ -134,7 +134,9 @@ impl<'r> Prepared<'r> {
             let error = self.error(case, frame, &found, arguments);
             // Not a number is no error within anything.
             if error.partial_cmp(&TOLERANCE) != Some(std::cmp::Ordering::Less) {
-                return Err(format!("an error of {error:.1e}\n{arguments}"));
+                return Err(format!(
+                    "an error of {error:.1e}\n{arguments} found {found:?}"
+                ));
             }
             worst = worst.max(error);
         }

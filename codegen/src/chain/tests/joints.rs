@@ -200,14 +200,21 @@ fn a_follower_stands_still_with_its_leader() {
 #[test]
 fn offsets_of_followers_of_followers_are_not_rounded_before_they_are_used() {
     let (description, request) = read(
-        "struct Hand { tip = right } link base; link palm; link left; link right;
+        "struct Hand { tip = finger } link base; link palm; link left; link right; link finger;
          joint turn: revolute(y) { from: base, to: palm }
          joint one: revolute(x) { from: palm, to: left, mimic: turn, multiplier: -1, offset: -8e-13 }
-         joint other: revolute(x) { from: palm, to: right, mimic: one, offset: -2 }",
+         joint other: revolute(x) { from: palm, to: right, mimic: one, offset: -2 }
+         joint spare: revolute(y) { from: right, to: finger }",
     );
     let builder = Builder::from_description(description).request(request);
-    let listing = builder.generate([Function::ForwardKinematics]).listing();
-    listing.unwrap_or_else(|errors| panic!("{errors}"));
+    let made = |builder: Builder| {
+        let listing = builder.generate([Function::ForwardKinematics]).listing();
+        listing.unwrap_or_else(|errors| panic!("{errors}"));
+    };
+    made(builder.clone());
+    for at in [-1.8, 2.01, -1.570_796_3] {
+        made(builder.clone().lock_at("turn", at));
+    }
 }
 
 #[test]

@@ -18,7 +18,9 @@ pub(super) fn type_of(argument: Variable, lengths: Lengths<'_>, dialect: &Dialec
     let number = &dialect.number;
     let one = match (argument, &dialect.world) {
         (Variable::Actions, World::Runtime(runtime)) => quote! { #runtime::Action<#number> },
-        (Variable::Actions, World::Core(_)) => array(number, &literal(ACTION.len())),
+        (Variable::Actions, World::Core(_) | World::Lanes(_)) => {
+            array(number, &literal(ACTION.len()))
+        }
         _ => number.clone(),
     };
     array(&one, &lengths(argument.space()))
@@ -31,12 +33,12 @@ pub(super) fn unpack((argument, entries): &(Variable, Entries), dialect: &Dialec
         return quote! { let _ = #name; };
     }
     let entries: Vec<TokenStream> = entries.iter().map(Option::as_ref).map(pattern).collect();
-    if *argument != Variable::Actions {
+    if *argument != Variable::Actions || matches!(dialect.world, World::Lanes(_)) {
         return quote! { let [#(#entries),*] = *#name; };
     }
     let actions = entries.chunks(ACTION.len());
     match &dialect.world {
-        World::Core(_) => {
+        World::Core(_) | World::Lanes(_) => {
             let actions = actions.map(|entries| quote! { [#(#entries),*] });
             quote! { let [#(#actions),*] = *#name; }
         }

@@ -186,7 +186,9 @@ impl Writer<'_> {
             (World::Runtime(runtime), true) => {
                 quote_spanned! {span=> #runtime::Payload::numbers(&self.#field) }
             }
-            (World::Runtime(_) | World::Core(_), _) => quote_spanned! {span=> self.#field },
+            (World::Runtime(_) | World::Core(_) | World::Lanes(_), _) => {
+                quote_spanned! {span=> self.#field }
+            }
         };
         let converted = |value: &TokenStream| self.dialect.converted(&self.numerals, value, span);
         if let [Some(name)] = &**entries {

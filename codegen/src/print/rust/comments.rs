@@ -47,6 +47,7 @@ fn needs(world: &World) -> String {
             let own = env!("CARGO_PKG_RUST_VERSION");
             format!("Needs: Rust {own} or later, {}.", code(&spelled(path)))
         }
+        World::Lanes(path) => format!("Needs: {}.", code(&spelled(path))),
         World::Core(library) => {
             let oldest = COMPILERS[usize::from(library.c_prefix.is_some())];
             let path = library.sin_cos.as_ref();

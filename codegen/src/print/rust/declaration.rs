@@ -32,7 +32,7 @@ fn made(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
         World::Runtime(_) => quote! {
             #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         },
-        World::Core(_) => quote! { #[derive(Clone, Copy, Debug)] },
+        World::Core(_) | World::Lanes(_) => quote! { #[derive(Clone, Copy, Debug)] },
     };
     let number = dialect.field();
     let fields = listing.parameters.iter().map(|parameter| {
@@ -70,7 +70,7 @@ pub(super) fn allowed(dialect: &Dialect) -> TokenStream {
         World::Runtime(_) => {
             quote! { reason = "generated code has one form for every robot" }
         }
-        World::Core(_) => TokenStream::new(),
+        World::Core(_) | World::Lanes(_) => TokenStream::new(),
     };
     quote! {
         #[allow(

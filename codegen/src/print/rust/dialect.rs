@@ -55,13 +55,14 @@ impl Dialect {
         };
         let made = matches!(item.declaration, Declaration::Made);
         let mut names = item.names();
-        let generic = (real == Real::Generic).then(|| ident(&names.alone("T")));
+        let is_generic = real == Real::Generic || matches!(world, World::Lanes(_));
+        let generic = is_generic.then(|| ident(&names.alone("T")));
         let number = match (&generic, world, real) {
             (Some(generic), _, _) => quote! { #generic },
             (None, World::Runtime(_), Real::F32) => quote! { ::core::primitive::f32 },
             (None, World::Runtime(_), _) => quote! { ::core::primitive::f64 },
-            (None, World::Core(_), Real::F32) => quote! { f32 },
-            (None, World::Core(_), _) => quote! { f64 },
+            (None, _, Real::F32) => quote! { f32 },
+            (None, _, _) => quote! { f64 },
         };
         Self {
             world: world.clone(),
@@ -80,9 +81,9 @@ impl Dialect {
     /// The generic parameter of a function with its bound.
     pub fn bound(&self) -> Option<TokenStream> {
         match (&self.generic, &self.world) {
-            (Some(generic), World::Runtime(runtime)) if !self.prepared => {
-                Some(quote! { #generic: #runtime::Scalar })
-            }
+            (Some(_), _) if self.prepared => None,
+            (Some(generic), World::Runtime(runtime)) => Some(quote! { #generic: #runtime::Scalar }),
+            (Some(generic), World::Lanes(path)) => Some(quote! { #generic: #path::Number }),
             _ => None,
         }
     }
@@ -95,7 +96,7 @@ impl Dialect {
     /// For which angles functions are precise, where the runtime does not say so.
     pub fn angles(&self) -> Option<Angles> {
         match &self.world {
-            World::Runtime(_) => None,
+            World::Runtime(_) | World::Lanes(_) => None,
             World::Core(library) => Some(library.angles(self.real)),
         }
     }
@@ -123,6 +124,7 @@ impl Dialect {
     pub fn field(&self) -> TokenStream {
         match (&self.world, self.real) {
             (World::Runtime(_), Real::Generic) => quote! { ::core::primitive::f64 },
+            (World::Lanes(_), _) => quote! { f64 },
             _ => self.number.clone(),
         }
     }
@@ -133,6 +135,11 @@ impl Dialect {
             (Some(number), World::Runtime(runtime), _) => {
                 let k = ident(&names.fresh("k"));
                 let statement = quote! { let #k = <#number as #runtime::Scalar>::constant; };
+                (Numerals::Through(k), statement)
+            }
+            (Some(number), World::Lanes(path), _) => {
+                let k = ident(&names.fresh("k"));
+                let statement = quote! { let #k = <#number as #path::Number>::constant; };
                 (Numerals::Through(k), statement)
             }
             (_, _, _) if self.bare => (Numerals::Bare, TokenStream::new()),
@@ -152,6 +159,7 @@ impl Dialect {
         };
         match (&self.world, numerals, self.real) {
             (World::Core(_), _, _) => value.clone(),
+            (World::Lanes(_), Numerals::Through(k), _) => quote! { #k(#value) },
             (_, _, Real::F32) if self.fields == Some(Real::F32) => value.clone(),
             // By way of f64, so that a field may be either; to f64 and back changes nothing.
             (World::Runtime(runtime), _, Real::F32) => {
@@ -171,7 +179,7 @@ impl Dialect {
                 let statement = quote! { let #name = <#number as #runtime::Scalar>::mul_add; };
                 (Some(name), statement)
             }
-            World::Core(_) => (None, TokenStream::new()),
+            World::Core(_) | World::Lanes(_) => (None, TokenStream::new()),
         }
     }
 
@@ -179,6 +187,7 @@ impl Dialect {
     pub fn sqrt(&self, a: &TokenStream) -> TokenStream {
         match &self.world {
             World::Runtime(runtime) => quote! { #runtime::Scalar::sqrt(#a) },
+            World::Lanes(path) => quote! { #path::Number::sqrt(#a) },
             World::Core(_) if self.real == Real::F32 => quote! { ::libm::sqrtf(#a) },
             World::Core(_) => quote! { ::libm::sqrt(#a) },
         }
@@ -190,6 +199,7 @@ impl Dialect {
         let number = &self.number;
         match &self.world {
             World::Runtime(runtime) => quote! { #runtime::Scalar::sgn(#a) },
+            World::Lanes(path) => quote! { #path::Number::sgn(#a) },
             World::Core(_) => quote! { #number::from(i8::from(#a > 0.0) - i8::from(#a < 0.0)) },
         }
     }
@@ -202,23 +212,24 @@ impl Dialect {
         angles: &[TokenStream],
         names: &mut Names,
     ) -> TokenStream {
+        let number = match &self.world {
+            World::Runtime(runtime) => quote! { #runtime::Scalar },
+            World::Lanes(path) => quote! { #path::Number },
+            World::Core(_) => TokenStream::new(),
+        };
         match &self.world {
-            World::Runtime(runtime) if self.sines == Sines::Platform => one_by_one(
-                &quote! { #runtime::Scalar::sin_cos },
-                sines,
-                cosines,
-                angles,
-            ),
-            World::Runtime(runtime) if angles.len() <= ON_ONE_LINE => quote! {
-                let ([#(#sines),*], [#(#cosines),*]) =
-                    #runtime::Scalar::sin_cos_all([#(#angles),*]);
+            World::Runtime(_) | World::Lanes(_) if self.sines == Sines::Platform => {
+                one_by_one(&quote! { #number::sin_cos }, sines, cosines, angles)
+            }
+            World::Runtime(_) | World::Lanes(_) if angles.len() <= ON_ONE_LINE => quote! {
+                let ([#(#sines),*], [#(#cosines),*]) = #number::sin_cos_all([#(#angles),*]);
             },
-            World::Runtime(runtime) => {
+            World::Runtime(_) | World::Lanes(_) => {
                 let [a, s, c] =
                     ["angles", "sines", "cosines"].map(|name| ident(&names.fresh(name)));
                 quote! {
                     let #a = [#(#angles),*];
-                    let (#s, #c) = #runtime::Scalar::sin_cos_all(#a);
+                    let (#s, #c) = #number::sin_cos_all(#a);
                     let [#(#sines),*] = #s;
                     let [#(#cosines),*] = #c;
                 }
@@ -245,7 +256,7 @@ impl Dialect {
         let angles = functions.any(|listed| !listed.program.angles.is_empty());
         match &self.world {
             World::Core(Library { sin_cos: None, .. }) if angles => sines::function(self.real),
-            World::Core(_) | World::Runtime(_) => TokenStream::new(),
+            World::Core(_) | World::Runtime(_) | World::Lanes(_) => TokenStream::new(),
         }
     }
 }

@@ -76,7 +76,7 @@ pub(super) fn in_trait(
     let acted = listing.spaces.actions() > 0 && function.takes_actions();
     let actions = match &dialect.world {
         World::Runtime(runtime) if acted => Some(no_actions(&lengths, runtime)),
-        World::Runtime(_) | World::Core(_) => None,
+        World::Runtime(_) | World::Core(_) | World::Lanes(_) => None,
     };
     let arguments = arguments.map(ToTokens::into_token_stream).chain(actions);
     let call = quote! { Self::#name(self, #(#arguments),*) };

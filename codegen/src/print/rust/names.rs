@@ -16,7 +16,7 @@ pub(super) fn unscoped() -> Names {
 
 /// The names of all methods, in the order of the listing; none is that of a function that a struct
 /// has besides.
-pub(super) fn of_methods(listing: &Listing) -> Vec<Ident> {
+pub(in crate::print) fn of_methods(listing: &Listing) -> Vec<Ident> {
     let mut names = unscoped();
     names.take("chain");
     names.take(sines::NAME);
@@ -27,12 +27,12 @@ pub(super) fn of_methods(listing: &Listing) -> Vec<Ident> {
 }
 
 /// A name as a token.
-pub(super) fn ident(name: &str) -> Ident {
+pub(in crate::print) fn ident(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
 /// A text as the name of a type: `double pendulum` is `DoublePendulum`.
-pub(super) fn type_name(text: &str) -> String {
+pub(in crate::print) fn type_name(text: &str) -> String {
     let words = sanitize(text);
     let words = words.split('_').map(|word| {
         let mut letters = word.chars();

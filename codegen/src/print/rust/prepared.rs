@@ -107,7 +107,7 @@ fn structure(item: &Item, own: &Item, count: usize, dialect: &Dialect) -> TokenS
         World::Runtime(_) => quote! {
             #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         },
-        World::Core(_) => quote! { #[derive(Clone, Copy, Debug)] },
+        World::Core(_) | World::Lanes(_) => quote! { #[derive(Clone, Copy, Debug)] },
     };
     let (name, visibility, values) = (&own.ident, &own.visibility, ident(VALUES));
     let (_, arguments, _) = own.generics.split_for_impl();

@@ -34,7 +34,7 @@ pub(super) fn result_type(
                     let number = &dialect.number;
                     quote! { #path<#(#lengths,)* #number> }
                 }
-                World::Core(_) => path,
+                World::Core(_) | World::Lanes(_) => path,
             }
         }
     });
@@ -60,7 +60,7 @@ fn structure(function: Function, dialect: &Dialect) -> TokenStream {
             let name = format_ident!("{function:?}");
             quote! { #runtime::#name }
         }
-        World::Core(_) => {
+        World::Core(_) | World::Lanes(_) => {
             let name = own_structure(function, dialect);
             quote! { #name }
         }
@@ -126,7 +126,7 @@ pub(super) fn type_of(quantity: &Quantity, lengths: Lengths<'_>, dialect: &Diale
 /// The runtime's type of an entity, where it has one.
 fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
     match (entity, &dialect.world) {
-        (Entity::Number | Entity::Vector, _) | (_, World::Core(_)) => None,
+        (Entity::Number | Entity::Vector, _) | (_, World::Core(_) | World::Lanes(_)) => None,
         (entity, World::Runtime(runtime)) => {
             // They are called as the entities are.
             let name = format_ident!("{entity:?}");

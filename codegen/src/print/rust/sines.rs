@@ -16,12 +16,16 @@ pub(super) const NAME: &str = "sin_cos";
 
 /// The function.
 pub(super) fn function(real: Real) -> TokenStream {
-    let text = match real {
+    // The text is Rust: it is compiled below.
+    TokenStream::from_str(text(real)).unwrap_or_default()
+}
+
+/// The function as it was written.
+pub(in crate::print) const fn text(real: Real) -> &'static str {
+    match real {
         Real::F32 => include_str!("sines/single.rs"),
         Real::F64 | Real::Generic => include_str!("sines/double.rs"),
-    };
-    // The text is Rust: it is compiled below.
-    TokenStream::from_str(text).unwrap_or_default()
+    }
 }
 
 #[cfg(test)]

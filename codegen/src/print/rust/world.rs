@@ -15,6 +15,9 @@ pub enum World {
     Runtime(TokenStream),
     /// Nothing but `core` and these functions: results are arrays.
     Core(Library),
+    /// A trait `Number` at this path, of numbers alone or side by side: arguments and results are arrays
+    /// without arrays within them.
+    Lanes(TokenStream),
 }
 
 /// What code without the runtime finds and leaves around it.

@@ -1,0 +1,68 @@
+//! Texts as Python and TOML read them back.
+//!
+//! In: text that anyone may have written. Out: literals between quotes. Nothing in them is read as code.
+
+use std::fmt::Write;
+
+use crate::wording::visible;
+
+/// Lines as a docstring, its further lines behind `indent`.
+pub(super) fn docstring(lines: &[String], indent: &str) -> String {
+    let lines: Vec<String> = lines.iter().map(|line| escaped(&visible(line))).collect();
+    let text = lines.join(&format!("\n{indent}"));
+    let text = text.replace(&format!("{indent}\n"), "\n");
+    let end = if lines.len() > 1 {
+        format!("\n{indent}")
+    } else {
+        String::new()
+    };
+    format!("\"\"\"{text}{end}\"\"\"")
+}
+
+/// A text between quotes, every letter of it; for Python and for TOML alike.
+pub(super) fn string(text: &str) -> String {
+    let mut literal = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => literal.extend(['\\', letter]),
+            ' '..='~' => literal.push(letter),
+            // Writing to a string cannot fail.
+            _ => drop(write!(literal, "\\U{:08x}", u32::from(letter))),
+        }
+    }
+    literal.push('"');
+    literal
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('\\', "\\\\").replace('"', "\\\"")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{docstring, string};
+
+    #[test]
+    fn nothing_in_a_literal_is_code() {
+        for (text, literal) in [
+            ("\"\"\"; import os #", r#""\"\"\"; import os #""#),
+            ("a\\", r#""a\\""#),
+            (
+                "a\nb\u{202e}é\0",
+                "\"a\\U0000000ab\\U0000202e\\U000000e9\\U00000000\"",
+            ),
+        ] {
+            assert_eq!(string(text), literal);
+        }
+        let lines = [
+            "\"\"\" \\".to_owned(),
+            String::new(),
+            "τ\n\u{202e}".to_owned(),
+        ];
+        assert_eq!(
+            docstring(&lines, "  "),
+            "\"\"\"\\\"\\\"\\\" \\\\\n\n  τ\\\\u{a}\\\\u{202e}\n  \"\"\""
+        );
+        assert_eq!(docstring(&["τ".to_owned()], ""), "\"\"\"τ\"\"\"");
+    }
+}

@@ -1,0 +1,46 @@
+//! Names that Python takes.
+//!
+//! In: texts. Out: the words that nothing can be called, names of modules. It never names a value.
+
+use crate::schedule::{Names, sanitize};
+
+/// Names in a scope of their own.
+pub(super) fn unscoped() -> Names {
+    Names::beside(&KEYWORDS)
+}
+
+/// A text as the name of a module, in ASCII: `Arm-Py` is `arm_py`. None where that would hide NumPy.
+#[must_use]
+pub fn module(text: &str) -> Option<String> {
+    let name = sanitize(text).replace(|letter: char| !letter.is_ascii(), "_");
+    let name = unscoped().alone(&name);
+    // Links and libraries want a letter first.
+    let letter = if name.starts_with('_') { "n" } else { "" };
+    (name != "numpy").then(|| format!("{letter}{name}"))
+}
+
+/// Words that Python reserves: always, in places, or by custom.
+const KEYWORDS: [&str; 39] = [
+    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "case", "class",
+    "continue", "def", "del", "elif", "else", "except", "finally", "for", "from", "global", "if",
+    "import", "in", "is", "lambda", "match", "nonlocal", "not", "or", "pass", "raise", "return",
+    "try", "type", "while", "with", "yield", "self",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::module;
+
+    #[test]
+    fn modules_are_words_of_ascii() {
+        let folders = [
+            "arm_py", "Arm-Py", "class", "None", "__init__", "2nd", "机器", "a.b", "",
+        ];
+        let modules = folders.map(|folder| module(folder).expect("a name"));
+        let wanted = [
+            "arm_py", "arm_py", "class_", "none", "init", "n2nd", "n__", "a_b", "unnamed",
+        ];
+        assert_eq!(modules, wanted);
+        assert_eq!(module("NumPy"), None);
+    }
+}

@@ -1,0 +1,257 @@
+//! Many states: by the widest vectors of the processor that runs, and by all its cores.
+//!
+//! Neither changes a bit of any result.
+
+use std::sync::{Arc, Mutex};
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::number::{Lanes, Number};
+use crate::real::Real;
+
+/// An argument of some states: `N` numbers each.
+#[derive(Clone, Copy)]
+pub struct Argument<'a, const N: usize> {
+    numbers: &'a [Real],
+    /// How far it is from one state to the next: `N`, or 0 where all have the same.
+    stride: usize,
+}
+
+impl<'a, const N: usize> Argument<'a, N> {
+    /// The numbers of every state, one after the other, or of one that stands for all.
+    pub fn of(numbers: &'a [Real], is_for_all: bool) -> Self {
+        let stride = if is_for_all { 0 } else { N };
+        Self { numbers, stride }
+    }
+
+    /// The same for the states before and from `at`.
+    pub fn split(self, at: usize) -> (Self, Self) {
+        let (_, rest) = self.numbers.split_at(at * self.stride);
+        let rest = Self {
+            numbers: rest,
+            ..self
+        };
+        (self, rest)
+    }
+
+    #[inline(always)]
+    fn state(&self, state: usize) -> &'a [Real; N] {
+        let numbers = &self.numbers[state * self.stride..];
+        numbers.first_chunk().expect("every state has its numbers")
+    }
+}
+
+/// A function of some states.
+pub trait Work: Sized + Send {
+    /// How many states there are.
+    fn states(&self) -> usize;
+
+    /// The work on the states before and from `at`.
+    fn split(self, at: usize) -> (Self, Self);
+
+    /// Does it by as many states at a time as `P` has lanes.
+    fn by<P: Lanes>(self);
+}
+
+/// The functions of a robot, each as a struct of the same name that holds states and room for results.
+macro_rules! functions {
+    ($robot:ty: $(
+        $name:ident($($argument:ident: $width:literal),*) -> ($($result:ident: $size:literal),*);
+    )*) => {$(
+        #[allow(non_camel_case_types)]
+        pub struct $name<'a> {
+            pub robot: &'a $robot,
+            pub states: usize,
+            $(pub $argument: $crate::batch::Argument<'a, $width>,)*
+            $(pub $result: &'a mut [$crate::real::Real],)*
+        }
+
+        impl $crate::batch::Work for $name<'_> {
+            fn states(&self) -> usize {
+                self.states
+            }
+
+            fn split(self, at: usize) -> (Self, Self) {
+                let Self { robot, states, .. } = self;
+                $(let $argument = self.$argument.split(at);)*
+                $(let $result = self.$result.split_at_mut(at * $size);)*
+                (
+                    Self { robot, states: at, $($argument: $argument.0,)* $($result: $result.0,)* },
+                    Self { robot, states: states - at, $($argument: $argument.1,)* $($result: $result.1,)* },
+                )
+            }
+
+            #[inline(always)]
+            fn by<P: $crate::number::Lanes>(self) {
+                $(let mut $argument = $crate::batch::empty::<P, $width>();)*
+                let mut first = 0;
+                while first < self.states {
+                    let count = (self.states - first).min(P::COUNT * $crate::batch::FILLED);
+                    $($crate::batch::load(&self.$argument, first, count, &mut $argument);)*
+                    for (pack, begin) in (0..count).step_by(P::COUNT).enumerate() {
+                        let results = self.robot.$name($(&$argument[pack]),*);
+                        let lanes = (count - begin).min(P::COUNT);
+                        let ($($result,)*) = &results;
+                        $(
+                            let room = &mut self.$result[(first + begin) * $size..][..lanes * $size];
+                            $crate::batch::store::<P, $size>($result, room);
+                        )*
+                    }
+                    first += count;
+                }
+            }
+        }
+    )*};
+}
+pub(crate) use functions;
+
+/// How many packs are filled before the first is computed with, so that their lanes, which are written one
+/// by one, have left the processor's queue when they are read together.
+pub const FILLED: usize = 8;
+
+/// Packs that are not filled yet.
+#[inline(always)]
+pub fn empty<P: Number, const N: usize>() -> [[P; N]; FILLED] {
+    [[P::constant(0.0); N]; FILLED]
+}
+
+/// Fills packs with states; where states are fewer than lanes the others get the last one.
+#[inline(always)]
+pub fn load<P: Lanes, const N: usize>(
+    argument: &Argument<'_, N>,
+    first: usize,
+    count: usize,
+    packs: &mut [[P; N]; FILLED],
+) {
+    for (packs, begin) in packs.iter_mut().zip((0..count).step_by(P::COUNT)) {
+        let states: [&[Real; N]; MOST] = std::array::from_fn(|lane| {
+            let lane = lane.min(P::COUNT - 1);
+            argument.state(first + (begin + lane).min(count - 1))
+        });
+        for (i, pack) in packs.iter_mut().enumerate() {
+            *pack = P::of(|lane| states[lane][i]);
+        }
+    }
+}
+
+/// The most lanes that there are.
+const MOST: usize = crate::real::WIDE;
+
+/// Writes the results of the lanes that are states.
+///
+/// It is never inlined: the vectors of a result are to be stored as they are, for from their stores the
+/// compiler tells that lanes belong together.
+#[inline(never)]
+pub fn store<P: Lanes, const N: usize>(results: &[P; N], room: &mut [Real]) {
+    for (lane, room) in room.chunks_mut(N.max(1)).enumerate() {
+        for (number, result) in room.iter_mut().zip(results) {
+            *number = result.lane(lane);
+        }
+    }
+}
+
+/// How many states one core does in one go: ten microseconds of the inverse dynamics of an arm.
+const SHARE: usize = 512;
+
+/// Does the work with the vectors and the cores that this processor has.
+pub fn run<W: Work>(work: W) {
+    if work.states() <= SHARE {
+        here(work);
+    } else if let Some(pool) = pool() {
+        pool.install(|| shared(work));
+    } else {
+        here(work);
+    }
+}
+
+/// Leaves halves to whoever is free, down to a size that is worth it.
+fn shared<W: Work>(work: W) {
+    let states = work.states();
+    if states <= SHARE {
+        here(work);
+    } else {
+        // Whole packs leave the odd states to the last one.
+        let (first, rest) = work.split((states / 2).next_multiple_of(MOST));
+        rayon::join(|| shared(first), || shared(rest));
+    }
+}
+
+/// The threads of this process, if it can have any: a copy that `fork` makes has none of its parent's.
+fn pool() -> Option<Arc<ThreadPool>> {
+    static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+    let process = std::process::id();
+    let mut own = POOL.lock().ok()?;
+    if let Some((of, pool)) = &*own
+        && *of == process
+    {
+        return Some(Arc::clone(pool));
+    }
+    let pool = Arc::new(ThreadPoolBuilder::new().build().ok()?);
+    // Nobody is left who could be told to stop.
+    std::mem::forget(own.replace((process, Arc::clone(&pool))));
+    Some(pool)
+}
+
+/// Does the work on this core.
+fn here<W: Work>(work: W) {
+    if work.states() <= 2 {
+        work.by::<Real>();
+    } else {
+        vectors::run(work);
+    }
+}
+
+/// Processors that may have more than their target.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod vectors {
+    use super::Work;
+    use crate::number::Pack;
+    use crate::real::{NARROW, Real, WIDE};
+    use pulp::NullaryFnOnce;
+    use pulp::x86::{V3, V4};
+
+    struct Narrow<W>(W);
+
+    impl<W: Work> NullaryFnOnce for Narrow<W> {
+        type Output = ();
+
+        #[inline(always)]
+        fn call(self) {
+            self.0.by::<Pack<NARROW>>();
+        }
+    }
+
+    struct Wide<W>(W);
+
+    impl<W: Work> NullaryFnOnce for Wide<W> {
+        type Output = ();
+
+        #[inline(always)]
+        fn call(self) {
+            self.0.by::<Pack<WIDE>>();
+        }
+    }
+
+    /// By AVX-512, AVX2, or one state at a time.
+    pub fn run<W: Work>(work: W) {
+        if let Some(processor) = V4::try_new() {
+            processor.vectorize(Wide(work));
+        } else if let Some(processor) = V3::try_new() {
+            processor.vectorize(Narrow(work));
+        } else {
+            work.by::<Real>();
+        }
+    }
+}
+
+/// Processors whose vectors every compiler may use.
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+mod vectors {
+    use super::Work;
+    use crate::number::Pack;
+    use crate::real::NARROW;
+
+    pub fn run<W: Work>(work: W) {
+        work.by::<Pack<NARROW>>();
+    }
+}

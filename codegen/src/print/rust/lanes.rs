@@ -1,0 +1,104 @@
+//! Functions of numbers side by side.
+//!
+//! In: a [`Listing`], the struct that gets methods, and the path of a module with the trait `Number`. Out: the
+//! struct, and a method for each function that takes and returns arrays of numbers, of every result one without
+//! arrays within it. It is Rust that no user reads first: what the functions mean is said where they are called.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::body::{Body, body};
+use super::comments::doc;
+use super::declaration;
+use super::dialect::Dialect;
+use super::item::Item;
+use super::lengths::literal;
+use super::names::{ident, of_methods};
+use super::world::World;
+use crate::print::{Fields, Listed, Listing, c, documentation};
+use crate::space::Entity;
+
+/// The struct and its methods.
+#[must_use]
+pub fn lanes(listing: &Listing, item: &Item, path: &TokenStream) -> TokenStream {
+    let dialect = Dialect::of(
+        listing.scalar,
+        listing.sines,
+        item,
+        &World::Lanes(path.clone()),
+    );
+    let methods = listing.functions.iter().zip(of_methods(listing));
+    let methods = methods.map(|(listed, name)| method(listing, item, listed, &name, &dialect));
+    let methods = methods.collect();
+    let declaration = declaration::declaration(listing, item, &dialect);
+    let block = declaration::block(item, &methods, &dialect);
+    quote! { #declaration #block }
+}
+
+fn method(
+    listing: &Listing,
+    item: &Item,
+    listed: &Listed,
+    name: &Ident,
+    dialect: &Dialect,
+) -> TokenStream {
+    let World::Lanes(path) = &dialect.world else {
+        return TokenStream::new();
+    };
+    let arguments = listed.arguments(&listing.spaces);
+    let Body {
+        statements,
+        results,
+    } = body(
+        &listed.program,
+        (&arguments, false),
+        (Fields::Own(&listing.parameters), &listing.spaces),
+        dialect,
+    );
+    let number = &dialect.number;
+    let parameters = arguments.iter().map(|argument| {
+        let length = literal(listing.spaces.len(argument.space()));
+        let argument = ident(argument.name());
+        quote! { #argument: &[#number; #length] }
+    });
+    let constant = |value: f64| {
+        let value = Literal::f64_unsuffixed(value);
+        quote! { <#number as #path::Number>::constant(#value) }
+    };
+    let mut rest = &*results;
+    let quantities = c::results(&listed.functions);
+    let (types, values): (Vec<_>, Vec<_>) = quantities
+        .iter()
+        .map(|(_, quantity)| {
+            let size = quantity.size(&listing.spaces);
+            let (own, others) = rest.split_at(size.min(rest.len()));
+            rest = others;
+            let under = under(quantity.entity).iter().map(|&value| constant(value));
+            let size = literal(size + under.len());
+            (
+                quote! { [#number; #size] },
+                quote! { [#(#own,)* #(#under),*] },
+            )
+        })
+        .unzip();
+    let bound = dialect.bound();
+    let about = doc(&[documentation::title(listing, listed)]);
+    let visibility = &item.visibility;
+    quote! {
+        #about
+        #[inline(always)]
+        #visibility fn #name<#bound>(&self, #(#parameters),*) -> (#(#types,)*) {
+            #statements
+            (#(#values,)*)
+        }
+    }
+}
+
+/// What stands under the upper rows of a matrix of four.
+pub(in crate::print) const fn under(entity: Entity) -> &'static [f64] {
+    match entity {
+        Entity::Pose => &[0.0, 0.0, 0.0, 1.0],
+        Entity::Acceleration => &[0.0; 4],
+        _ => &[],
+    }
+}

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Packages for Python, from a description to a program: writes them, has `pip` build them in a fresh virtual
+# environment, and holds what they compute against `homogen eval`, bit for bit.
+#
+# Maturin and NumPy come from PyPI, the crates that a package needs from crates.io. Where there is no
+# Python from 3.10 on with `venv`, the last line says so and nothing is checked.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+if ! python3 -c 'import sys, ensurepip; assert sys.version_info >= (3, 10)' 2>/dev/null; then
+    echo "not checked: there is no Python from 3.10 on with venv"
+    exit 0
+fi
+
+cargo build --quiet --locked -p homogen-codegen --features cli --bin homogen
+target="${CARGO_TARGET_DIR:-$PWD/target}"
+homogen="$target/debug/homogen"
+folder="$target/python"
+rm -rf "$folder"
+mkdir -p "$folder"
+python3 -m venv "$folder/venv"
+pip() { "$folder/venv/bin/pip" --quiet --disable-pip-version-check "$@"; }
+# What packages share is compiled once.
+export CARGO_TARGET_DIR="$folder/target"
+
+# The module, the description, and options.
+packages=(
+    "panda_py robots/panda_class.urdf --tip link8"
+    "two_link_py robots/two_link.urdf --scalar f32 --frames fore"
+    "pushed_py robots/two_link.urdf --functions inverse_dynamics_derivatives,forward_dynamics,mass_matrix+inverse_dynamics_derivatives --external fore --friction=elbow=0.2 --damping shoulder=0.5"
+    "quadruped_py robots/quadruped.urdf --floating --tip fl_foot --functions forward_kinematics,geometric_jacobian,inverse_dynamics,mass_matrix,forward_dynamics,centroidal_momentum_matrix,kinetic_energy --frames fr_foot,hl_foot"
+    "class tests/python/hostile.urdf --functions forward_kinematics,body_jacobian,gravity,mass_matrix+gravity --frames __init__,init,import"
+)
+for package in "${packages[@]}"; do
+    read -ra words <<<"$package"
+    "$homogen" python "${words[@]:1}" -o "$folder/${words[0]}" >/dev/null
+    began=$SECONDS
+    pip install "$folder/${words[0]}"
+    echo "${words[0]}: built and installed in $((SECONDS - began)) s"
+done
+"$folder/venv/bin/python" -W error tests/python/check.py "$homogen" "${packages[@]}"

@@ -334,15 +334,24 @@ impl Builder {
         self
     }
 
+    /// Computes once what depends on fields alone: `arm.prepare()` gives a value with the same functions, of
+    /// which each computes the rest. In C it is `arm_prepare` and a struct for it to fill; the functions of
+    /// [`Builder::extern_c`] are those of the robot itself.
+    pub fn prepare(mut self) -> Self {
+        self.request.prepare = true;
+        self
+    }
+
     /// A public field of the struct that takes the place of a number of the description.
     ///
     /// Error bounds are for a mass from zero to twice what is described (to 1 kg where that is
-    /// nothing), for entries of vectors of up to twice the largest that is described (of up to 1).
+    /// nothing), for entries of vectors of up to twice the largest that is described (of up to 1); for a
+    /// payload of up to 1 kg, whose centre is up to 0.25 m off along each axis.
     pub fn parameter(self, field: &str, target: Target) -> Self {
         self.field(field, target, None)
     }
 
-    /// The same, with the range that each of its entries is meant to have: `0.0..=3.0`.
+    /// The same, with the range that each of its entries is meant to have: `0.0..=3.0`; of a payload its mass.
     ///
     /// Error bounds are for this range; nothing checks it at run time.
     pub fn parameter_within(

@@ -21,6 +21,7 @@ mod shape;
 #[cfg(test)]
 pub(crate) mod tests;
 mod tree;
+mod turn;
 
 use crate::closure::Row;
 use crate::description::{Description, Source, freed};

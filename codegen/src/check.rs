@@ -16,9 +16,9 @@ use crate::chain::Chain;
 use crate::dense::{Approximate, Dense, Motion, State};
 use crate::description::{Description, Source, freed};
 use crate::error::{Errors, Place};
-use crate::expression::Arithmetic;
+use crate::expression::{Arithmetic, Input};
 use crate::function::{Function, Given, Truth};
-use crate::print::ChainData;
+use crate::print::{ChainData, Listing};
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
@@ -101,6 +101,37 @@ impl Check {
                 };
                 errors.push_with_hint(self.place, self.words(function, &wrong), FAULT);
                 return Err(errors);
+            }
+        }
+        Ok(())
+    }
+
+    /// Holds what is left of functions whose part of fields alone is computed once against the whole of them:
+    /// bit for bit.
+    ///
+    /// # Errors
+    /// Where a result is another one.
+    pub fn judge_prepared(&self, listing: &Listing) -> Result<(), Errors> {
+        let mut errors = self.source.errors();
+        let Some(prepared) = &listing.prepared else {
+            return Ok(());
+        };
+        for dense in &self.states {
+            let state = |input| dense.state.get(input).to_f64();
+            let values = run(&prepared.once, state);
+            let either = |input| match input {
+                Input::Parameter(_, value) => values[usize::from(value)],
+                Input::Variable(..) => state(input),
+            };
+            for (whole, left) in listing.functions.iter().zip(&prepared.functions) {
+                let bits = |results: Vec<f64>| -> Vec<u64> {
+                    results.into_iter().map(f64::to_bits).collect()
+                };
+                if bits(run(&whole.program, state)) != bits(run(&left.program, either)) {
+                    let message = format!("{} would be another once prepared", whole.name());
+                    errors.push_with_hint(self.place, message, FAULT);
+                    return Err(errors);
+                }
             }
         }
         Ok(())

@@ -9,6 +9,7 @@ mod choice;
 mod closure;
 mod data;
 mod forward;
+mod identifiable;
 mod measured;
 mod program;
 mod solvable;
@@ -26,7 +27,7 @@ use crate::description::{Description, freed};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
 use crate::function::{Function, Given};
-use crate::print::{About, LeftOut, Listed, Listing};
+use crate::print::{About, LeftOut, Listed, Listing, Prepared};
 use crate::real::{Real, Trigonometry};
 use crate::request::Request;
 use crate::schedule::Price;
@@ -81,7 +82,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
         left_out,
         ..about(description, &chain, request.formulation)
     };
-    errors.into_result(Listing {
+    let listing = Listing {
         about,
         spaces: chain.spaces().clone(),
         functions,
@@ -91,7 +92,24 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
         scalar: request.scalar,
         sines: request.formulation.sines,
         parameters: request.parameters.clone(),
-    })
+        prepared: None,
+    };
+    if !request.prepare {
+        return errors.into_result(listing);
+    }
+    let listing = listing.prepare(request.processor);
+    let reads = |prepared: &Prepared| !prepared.names.is_empty();
+    if errors.is_empty() && !listing.prepared.as_ref().is_some_and(reads) {
+        errors.push_with_hint(
+            Place::Unknown,
+            "`prepare` computes once what depends on fields alone, and no function reads one",
+            "leave it out, or ask for functions that read the fields",
+        );
+    }
+    if let Err(fault) = check.judge_prepared(&listing) {
+        errors.append(fault);
+    }
+    errors.into_result(listing)
 }
 
 /// The functions that a robot cannot have whose frames nobody asks for.
@@ -132,6 +150,7 @@ fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: &Errors) {
 pub fn understand(description: &Description, request: &Request) -> Result<Chain, Errors> {
     check_processor(request)?;
     check_batch(request)?;
+    check_prepare(request)?;
     if let Err(refusal) = request.formulation.check() {
         let mut errors = Errors::new();
         errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
@@ -174,6 +193,19 @@ fn check_batch(request: &Request) -> Result<(), Errors> {
             Place::Unknown,
             "`batch` needs functions of any type of number: its types are packs",
             "leave out `scalar`; batches are of f32 and f64 alike",
+        );
+    }
+    errors.into_result(())
+}
+
+/// Refuses to compute once what there is nothing of.
+fn check_prepare(request: &Request) -> Result<(), Errors> {
+    let mut errors = Errors::new();
+    if request.prepare && request.parameters.is_empty() {
+        errors.push_with_hint(
+            Place::Unknown,
+            "`prepare` computes once what depends on fields alone, and the robot has none",
+            "leave it out: all other numbers are folded into the code",
         );
     }
     errors.into_result(())

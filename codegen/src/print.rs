@@ -16,9 +16,10 @@ use crate::formulation::Sines;
 use crate::function::Function;
 use crate::joint::Posture;
 use crate::layout::Layout;
+use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Parameter;
-use crate::schedule::{Price, Program};
+use crate::schedule::{Price, Program, part};
 use crate::space::{Space, Spaces, Variable};
 
 /// Everything that is printed for one robot.
@@ -43,9 +44,75 @@ pub struct Listing {
     /// The fields that programs read, in the order in which
     /// [`Input::Parameter`](crate::expression::Input) counts them.
     pub parameters: Vec<Parameter>,
+    /// The same functions with what depends on fields alone computed once, where that is asked for.
+    pub prepared: Option<Prepared>,
+}
+
+/// A robot in two parts: what its fields make of it, and what is left of its functions.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    /// What depends on fields alone.
+    pub once: Program,
+    /// What that costs.
+    pub price: Price,
+    /// What its results would like to be called, none twice.
+    pub names: Vec<String>,
+    /// The functions, in the order of the listing, which read those results as the only field.
+    pub functions: Vec<Listed>,
+}
+
+/// What programs read of a struct.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Fields<'l> {
+    /// What the user puts into it.
+    Own(&'l [Parameter]),
+    /// What has been computed of that: one field, whose entries would like these names.
+    Computed(&'l [String]),
+}
+
+impl Fields<'_> {
+    /// The names that the entries of each would like.
+    pub(crate) fn entries(self) -> Vec<Vec<String>> {
+        match self {
+            Self::Own(parameters) => parameters.iter().map(Parameter::entries).collect(),
+            Self::Computed(names) => vec![names.to_vec()],
+        }
+    }
 }
 
 impl Listing {
+    /// Parts the functions of a listing into what depends on fields alone and what is left.
+    #[must_use]
+    pub fn prepare(mut self, processor: Processor) -> Self {
+        let programs = self.functions.iter().map(|listed| &listed.program);
+        let parts = part(
+            &programs.collect::<Vec<_>>(),
+            &Fields::Own(&self.parameters).entries(),
+        );
+        let on = |price: Price| price.on(processor, self.scalar);
+        let functions = self.functions.iter().zip(parts.each);
+        let functions = functions.map(|(listed, program)| {
+            let Price {
+                naive_mul,
+                naive_add,
+                ..
+            } = listed.price;
+            let price = Price::of(&program).beside_dense(naive_mul, naive_add);
+            Listed {
+                price: on(price),
+                program,
+                ..listed.clone()
+            }
+        });
+        self.prepared = Some(Prepared {
+            functions: functions.collect(),
+            price: on(Price::of(&parts.once)),
+            once: parts.once,
+            names: parts.names,
+        });
+        self
+    }
+
     /// The values of the base parameters, where a function asks for them.
     pub(crate) fn base_parameters(&self) -> Option<&[f64]> {
         let mut functions = self.functions.iter().flat_map(|listed| &listed.functions);

@@ -4,7 +4,11 @@
 //! In: attributes of a derive, calls of the builder, options of the command line. Out: one
 //! [`Request`], the same whichever door it came through. It never looks at the description.
 
-use proc_macro2::{Ident, TokenStream};
+mod target;
+
+pub use target::{Parameter, Target};
+
+use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 
 use crate::description::{Name, Number};
@@ -14,7 +18,6 @@ use crate::function::Function;
 use crate::joint::drive::{Part, Parts};
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
-use crate::wording::quoted;
 
 /// Everything that is asked for.
 #[derive(Clone, Debug, Default)]
@@ -61,6 +64,8 @@ pub struct Request {
     pub processor: Processor,
     /// Take slices of states besides, for all kinds of vectors: `gravity_batch` beside `gravity`.
     pub batch: bool,
+    /// Offer to compute once what depends on fields alone.
+    pub prepare: bool,
     /// The type of number in the generated code.
     pub scalar: Real,
     /// Which sines and cosines the generated code calls.
@@ -69,40 +74,6 @@ pub struct Request {
     pub parameters: Vec<Parameter>,
     /// The path under which the generated code finds the runtime crate; `::homogen` where none.
     pub runtime: Option<TokenStream>,
-}
-
-/// A struct field that takes the place of a number of the description at run time.
-#[derive(Clone, Debug)]
-pub struct Parameter {
-    /// The field.
-    pub field: Ident,
-    /// The number it stands for.
-    pub target: Target,
-    /// The least and the greatest that each of its entries is meant to be, in the unit of what it
-    /// stands for; by default from zero to twice what is described, to both sides where it is a
-    /// vector. Error bounds are for these; nothing checks it at run time.
-    pub range: Option<[f64; 2]>,
-}
-
-/// What a struct field can stand for.
-#[derive(Clone, Debug)]
-pub enum Target {
-    /// The mass of a link \[kg\]; one number. The inertia about the centre of mass stays as described;
-    /// a link described without one is a point of mass at its origin.
-    MassOf(Name),
-    /// The centre of mass of a link in the link's frame \[m\]; three numbers.
-    CenterOfMassOf(Name),
-    /// The acceleration of gravity in the base frame [m/s²]; three numbers.
-    Gravity,
-    /// The translation from the parent's frame to the joint's \[m\]; three numbers.
-    OriginOf(Name),
-    /// The inertia that a joint feels beside that of the bodies [kg m² or kg]; one number, for each of its
-    /// velocities.
-    ArmatureOf(Name),
-    /// The viscous friction of a joint [N m s/rad or N s/m]; one number, as before.
-    DampingOf(Name),
-    /// The Coulomb friction of a joint [N m or N]; one number, as before.
-    FrictionOf(Name),
 }
 
 impl Request {
@@ -214,131 +185,24 @@ impl Request {
     /// Whether a struct field stands for the mass of a link.
     #[must_use]
     pub fn weighs(&self, link: &Name) -> bool {
-        let mut targets = self.parameters.iter().map(|parameter| &parameter.target);
-        targets.any(|target| matches!(target, Target::MassOf(name) if name.text == link.text))
-    }
-}
-
-impl Parameter {
-    /// The name of the field.
-    #[must_use]
-    pub fn name(&self) -> String {
-        self.field.unraw().to_string()
+        self.has(|target| matches!(target, Target::MassOf(name) if name.text == link.text))
     }
 
-    /// The names of its entries: the field's, and behind it an axis where there are three.
+    /// Whether a struct field stands for the inertia of a link.
     #[must_use]
-    pub fn entries(&self) -> Vec<String> {
-        let name = self.name();
-        match self.target.entries() {
-            1 => vec![name],
-            _ => ["x", "y", "z"]
-                .map(|axis| format!("{name}_{axis}"))
-                .to_vec(),
-        }
-    }
-}
-
-impl Target {
-    /// The unit of its numbers.
-    #[must_use]
-    pub const fn unit(&self) -> &'static str {
-        match self {
-            Self::MassOf(_) => "kg",
-            Self::ArmatureOf(_) => "kg m² or kg",
-            Self::DampingOf(_) => "N m s/rad or N s/m",
-            Self::FrictionOf(_) => "N m or N",
-            Self::CenterOfMassOf(_) | Self::OriginOf(_) => "m",
-            Self::Gravity => "m/s²",
-        }
+    pub fn spreads(&self, link: &Name) -> bool {
+        self.has(|target| matches!(target, Target::InertiaOf(name) if name.text == link.text))
     }
 
-    /// The joint and the part of its drive, where it is of one.
+    /// Whether a struct field stands for a payload on a link.
     #[must_use]
-    pub const fn drives(&self) -> Option<(&Name, Part)> {
-        match self {
-            Self::ArmatureOf(joint) => Some((joint, Part::Armature)),
-            Self::DampingOf(joint) => Some((joint, Part::Damping)),
-            Self::FrictionOf(joint) => Some((joint, Part::Friction)),
-            _ => None,
-        }
+    pub fn loads(&self, link: &Name) -> bool {
+        self.has(|target| matches!(target, Target::PayloadOn(name) if name.text == link.text))
     }
 
-    /// The range that one number stands for: from zero to it, to both sides where entries have signs.
-    #[must_use]
-    pub const fn range_up_to(&self, most: f64) -> [f64; 2] {
-        match self {
-            Self::MassOf(_) | Self::ArmatureOf(_) | Self::DampingOf(_) | Self::FrictionOf(_) => {
-                [0.0, most]
-            }
-            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::Gravity => [-most, most],
-        }
-    }
-
-    /// What is wrong with a range of its entries, and what to write instead.
-    #[must_use]
-    pub fn refusal(&self, [least, most]: [f64; 2]) -> Option<[&'static str; 2]> {
-        let example = match self {
-            Self::MassOf(_) | Self::ArmatureOf(_) | Self::DampingOf(_) | Self::FrictionOf(_) => {
-                "write range = 0.0..=3.0, or range = 3.0 for the same"
-            }
-            Self::CenterOfMassOf(_) | Self::OriginOf(_) => {
-                "write range = 0.5, or range = -0.5..=0.5 for the same"
-            }
-            Self::Gravity => "write range = 12.0, or range = -12.0..=12.0 for the same",
-        };
-        let problem = if !(least.is_finite() && most.is_finite()) {
-            "is not finite"
-        } else if least > most {
-            "is empty"
-        } else if matches!(self, Self::MassOf(_)) && least < 0.0 {
-            "has negative masses"
-        } else if self.drives().is_some() && least < 0.0 {
-            "has negative numbers"
-        } else {
-            return None;
-        };
-        Some([problem, example])
-    }
-
-    /// Whether both are the same number.
-    #[must_use]
-    pub fn is(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::MassOf(one), Self::MassOf(other))
-            | (Self::CenterOfMassOf(one), Self::CenterOfMassOf(other))
-            | (Self::OriginOf(one), Self::OriginOf(other))
-            | (Self::ArmatureOf(one), Self::ArmatureOf(other))
-            | (Self::DampingOf(one), Self::DampingOf(other))
-            | (Self::FrictionOf(one), Self::FrictionOf(other)) => one.text == other.text,
-            (Self::Gravity, Self::Gravity) => true,
-            _ => false,
-        }
-    }
-
-    /// What it is in a sentence.
-    #[must_use]
-    pub fn words(&self) -> String {
-        match self {
-            Self::MassOf(link) => format!("the mass of link {}", quoted(&link.text)),
-            Self::CenterOfMassOf(link) => {
-                format!("the centre of mass of link {}", quoted(&link.text))
-            }
-            Self::Gravity => "gravity".to_owned(),
-            Self::OriginOf(joint) => format!("the origin of joint {}", quoted(&joint.text)),
-            Self::ArmatureOf(joint) | Self::DampingOf(joint) | Self::FrictionOf(joint) => {
-                let part = self.drives().map_or("", |(_, part)| part.word());
-                format!("the {part} of joint {}", quoted(&joint.text))
-            }
-        }
-    }
-
-    /// How many numbers the field holds.
-    #[must_use]
-    pub const fn entries(&self) -> usize {
-        match self {
-            Self::MassOf(_) | Self::ArmatureOf(_) | Self::DampingOf(_) | Self::FrictionOf(_) => 1,
-            Self::CenterOfMassOf(_) | Self::Gravity | Self::OriginOf(_) => 3,
-        }
+    fn has(&self, is: impl Fn(&Target) -> bool) -> bool {
+        self.parameters
+            .iter()
+            .any(|parameter| is(&parameter.target))
     }
 }

@@ -41,6 +41,7 @@ pub use robot::drive::Drive;
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
 pub use robot::mechanism::{Mechanism, Residual, Row};
+pub use robot::payload::Payload;
 #[cfg(feature = "std")]
 pub use scalar::Fused;
 #[cfg(any(feature = "std", feature = "libm"))]

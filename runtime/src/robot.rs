@@ -28,6 +28,7 @@ pub(crate) mod jacobian;
 pub(crate) mod joint;
 mod loops;
 pub(crate) mod mechanism;
+pub(crate) mod payload;
 pub mod posture;
 mod step;
 

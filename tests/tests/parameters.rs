@@ -3,7 +3,7 @@
 //! Set to the file's numbers they must give what the constants give; set to others, what the
 //! generic recursions make of `chain(&self)`. Fields may be of any type that fits into `f64`.
 
-use homogen::{Chain, Robot};
+use homogen::{Chain, Payload, Robot};
 use homogen_codegen::description::{Description, Step, read_file};
 use homogen_codegen::error::Errors;
 use homogen_tests::functions::{EveryFunction, evaluate};
@@ -24,13 +24,19 @@ struct Panda {
     mass: f64,
     #[robot(com_of = "link5")]
     center: [f64; 3],
+    #[robot(inertia_of = "link6")]
+    inertia: [f64; 6],
     #[robot(origin_of = "joint4")]
     origin: [f64; 3],
+    #[robot(base_position)]
+    base: [f64; 3],
     #[robot(gravity)]
     gravity: [f64; 3],
     /// Of a link that weighs nothing in the file.
     #[robot(mass_of = "link8")]
     payload: f64,
+    #[robot(payload_on = "link7")]
+    tool: Payload,
     /// The user's own.
     calls: u32,
 }
@@ -53,22 +59,26 @@ fn translation(steps: &[Step]) -> [f64; 3] {
 /// With the numbers of the file.
 fn as_described() -> Panda {
     let description = described();
-    let link = description
-        .links
-        .iter()
-        .find(|link| link.name.text == "link5");
+    let inertial = |name: &str| {
+        let mut links = description.links.iter();
+        let link = links.find(|link| link.name.text == name);
+        let inertial = link.and_then(|link| link.inertial.as_ref());
+        inertial.expect("it is in the file and has a mass")
+    };
     let joint = description
         .joints
         .iter()
         .find(|joint| joint.name.text == "joint4");
-    let (link, joint) = link.zip(joint).expect("they are in the file");
-    let inertial = link.inertial.as_ref().expect("it has a mass");
+    let joint = joint.expect("it is in the file");
     Panda {
-        mass: inertial.mass.value,
-        center: translation(&inertial.origin),
+        mass: inertial("link5").mass.value,
+        center: translation(&inertial("link5").origin),
+        inertia: inertial("link6").inertia.map(|entry| entry.value),
         origin: translation(&joint.origin),
+        base: [0.0; 3],
         gravity: [0.0, 0.0, -9.81],
         payload: 0.0,
+        tool: Payload::default(),
         calls: 0,
     }
 }
@@ -100,9 +110,16 @@ fn other_numbers_give_what_their_chain_gives() {
     let panda = Panda {
         mass: 2.75,
         center: [0.03, -0.07, 0.11],
+        inertia: [0.021, 0.003, -0.002, 0.018, 0.001, 0.015],
         origin: [0.09, 0.01, -0.02],
+        base: [0.4, -1.1, 0.7],
         gravity: [1.0, -2.0, 3.0],
         payload: 1.25,
+        tool: Payload {
+            mass: 0.75,
+            center: [0.02, -0.05, 0.08],
+            inertia: [0.004, 0.0002, -0.0003, 0.005, 0.0001, 0.003],
+        },
         calls: 0,
     };
     let chain: Chain<7, 1> = panda.chain();
@@ -130,6 +147,69 @@ fn gravity_is_linear_in_a_payload() {
         }
     }
     assert!(felt, "a kilogram at the flange is felt");
+}
+
+/// The arm with a base and two joints that stand where fields say, turned as they say.
+#[derive(Robot)]
+#[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+struct Placed {
+    #[robot(base_placement)]
+    base: [f64; 6],
+    #[robot(placement_of = "joint4")]
+    elbow: [f64; 6],
+    #[robot(placement_of = "joint7")]
+    wrist: [f64; 6],
+}
+
+#[test]
+fn placements_of_the_file_give_the_constant_model_and_others_what_their_chain_gives() {
+    let description = described();
+    let placement = |name: &str| {
+        let mut joints = description.joints.iter();
+        let joint = joints.find(|joint| joint.name.text == name);
+        let steps = &joint.expect("it is in the file").origin;
+        let mut place = [0.0; 6];
+        for step in steps {
+            match step {
+                Step::Translate(offset) => {
+                    place[..3].copy_from_slice(&offset.map(|entry| entry.value));
+                }
+                Step::Rotate(axis, angle) => place[3 + *axis as usize] = angle.value,
+            }
+        }
+        place
+    };
+    let placed = Placed {
+        base: [0.0; 6],
+        elbow: placement("joint4"),
+        wrist: placement("joint7"),
+    };
+    assert!(placed.elbow[3] > 1.5, "{:?}", placed.elbow);
+    agree(&placed, &PandaClass, 4);
+
+    let placed = Placed {
+        base: [0.3, -0.2, 0.5, 0.4, -0.3, 2.0],
+        elbow: [0.08, 0.01, -0.02, 1.5, 0.1, -0.2],
+        wrist: [0.09, 0.02, 0.01, 1.6, -0.1, 0.3],
+    };
+    let chain: Chain<7, 1> = placed.chain();
+    agree(&placed, &chain, 5);
+    let upright = Placed {
+        base: [0.3, -0.2, 0.5, 0.0, 0.0, 2.0],
+        ..placed
+    };
+    let flat = Placed {
+        base: [0.0; 6],
+        ..placed
+    };
+    // Gravity knows how the base is turned, but not about it nor where it is.
+    let q = [0.4; 7];
+    let [tilted, upright, flat] = [placed, upright, flat].map(|robot| robot.gravity(&q));
+    for k in 0..7 {
+        let (upright, flat): (f64, f64) = (upright[k], flat[k]);
+        assert!((upright - flat).abs() < 1e-13, "{upright} {flat}");
+    }
+    assert!((tilted[1] - flat[1]).abs() > 1.0, "{tilted:?} {flat:?}");
 }
 
 /// A field of a generic struct, in every type of number.

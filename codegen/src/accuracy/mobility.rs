@@ -32,16 +32,22 @@ pub struct Mobility {
 ///
 /// # Errors
 /// Why it is not known: kinetic energy may be negative with an inertia that no body has; centres of
-/// mass and offsets are known at run time only.
+/// mass, inertias and offsets are known at run time only.
 pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility, &'static str> {
     if !chain.all_lead() {
         return Err("joints that follow others are not followed");
     }
-    let moves = |target: &Target| matches!(target, Target::CenterOfMassOf(_) | Target::OriginOf(_));
+    let moves = |target: &Target| {
+        use Target::{BasePlacement, CenterOfMassOf, InertiaOf, OriginOf, PlacementOf};
+        let is_turned = matches!(target, BasePlacement | PlacementOf(_));
+        is_turned || matches!(target, CenterOfMassOf(_) | InertiaOf(_) | OriginOf(_))
+    };
     let read = chain.parameters.iter().zip(&chain.nominal);
     let read = read.filter(|(_, nominal)| !nominal.is_empty());
     if read.into_iter().any(|(field, _)| moves(&field.target)) {
-        return Err("centres of mass and offsets that are fields are not followed");
+        return Err(
+            "centres of mass, inertias, offsets and placements that are fields are not followed",
+        );
     }
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout).bodies;
@@ -50,6 +56,12 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         .collect();
     let numbers = evaluate(&graph, &numbers, |input| {
         let least = match input {
+            // What a body adds to the energy is never negative, so that without it is the least.
+            Input::Parameter(field, _)
+                if chain.parameters[usize::from(field)].target.is_payload() =>
+            {
+                Some(0.0)
+            }
             Input::Parameter(..) => range.get(input).map(|[least, _]| least),
             Input::Variable(..) => None,
         };

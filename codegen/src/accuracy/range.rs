@@ -7,7 +7,6 @@ use std::f64::consts::PI;
 
 use crate::chain::Chain;
 use crate::expression::Input;
-use crate::request::Parameter;
 use crate::space::{Entry, Kind, Spaces, Variable};
 
 /// The least and the greatest that each argument of a function can be.
@@ -58,13 +57,6 @@ fn ranges(spaces: &Spaces, variable: Variable) -> Vec<[f64; 2]> {
     ranges.collect()
 }
 
-/// How large the entries of a field are in whose place nothing but zeros are described: 1 kg, 1 m or
-/// 1 m/s².
-const FIELD: f64 = 1.0;
-
-/// How many times as large as described they are otherwise.
-const TIMES: f64 = 2.0;
-
 impl Range {
     /// The states of a chain. A field has the range that is declared for it, or else one that holds
     /// zero and twice the largest entry that is described in its place: its entries may be anything
@@ -79,7 +71,7 @@ impl Range {
             qdd: ranges(spaces, Variable::Qdd),
             actions: ranges(spaces, Variable::Actions),
             fields: (chain.parameters.iter().zip(&chain.nominal))
-                .map(|(field, nominal)| vec![within(field, nominal); nominal.len()])
+                .map(|(field, nominal)| field.ranges(nominal))
                 .collect(),
         }
     }
@@ -157,33 +149,10 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(usize) -> boo
     };
     let fields = chain.parameters.iter().zip(&chain.nominal).enumerate();
     let fields = fields.filter(|(field, _)| reads(*field));
-    let fields = fields.map(|(_, (field, nominal))| {
-        let [least, most] = within(field, nominal);
-        let (name, unit) = (&field.field, field.target.unit());
-        if least == -most {
-            format!("entries of `{name}` ≤ {most} {unit}")
-        } else {
-            format!("`{name}` from {least} to {most} {unit}")
-        }
-    });
+    let fields = fields.map(|(_, (field, nominal))| field.range_words(nominal));
     let words = within_limits.into_iter().chain(sizes);
     let words: Vec<String> = words.chain(fields).collect();
     words.join(", ")
-}
-
-/// The least and the greatest of each entry of a field.
-fn within(field: &Parameter, nominal: &[f64]) -> [f64; 2] {
-    field.range.unwrap_or_else(|| {
-        let described = nominal
-            .iter()
-            .fold(0.0, |most: f64, entry| most.max(entry.abs()));
-        let most = if described > 0.0 {
-            TIMES * described
-        } else {
-            FIELD
-        };
-        field.target.range_up_to(most)
-    })
 }
 
 fn number(size: f64) -> String {

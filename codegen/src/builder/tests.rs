@@ -187,6 +187,96 @@ fn the_centre_of_a_mass_that_is_not_there_is_doubted_unless_a_field_gives_the_ma
 }
 
 #[test]
+fn a_payload_has_a_type_of_its_own_beside_the_runtime_and_is_an_array_without_it() {
+    let builder = Builder::from_urdf("../robots/two_link.urdf")
+        .generate([Function::Gravity])
+        .parameter_within("load", Target::PayloadOn("tip".into()), 0.0..=4.0);
+    let alone = text(&builder);
+    for part in [
+        "pub load: [f64; 10],\n",
+        "let [load_m, load_x, load_y, _, _, _, _, _, _, _] = self.load;\n",
+        "/// What `tip` carries: its mass in kg",
+        "`load` from 0 to 4 kg, its centre of mass up to 0.25 m along each axis",
+    ] {
+        assert!(alone.contains(part), "{alone}");
+    }
+    let beside = text(&builder.runtime("::homogen"));
+    for part in [
+        "pub load: ::homogen::Payload<::core::primitive::f64>,\n",
+        "= ::homogen::Payload::numbers(",
+    ] {
+        assert!(beside.contains(part), "{beside}");
+    }
+}
+
+#[test]
+fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
+    let plain = Builder::from_urdf("../robots/two_link.urdf")
+        .generate([
+            Function::InverseDynamics,
+            Function::InverseDynamicsDerivatives,
+        ])
+        .parameter("load", Target::PayloadOn("tip".into()));
+    let parted = text(&plain.clone().prepare());
+    let mut parts = parted.split("pub fn prepare(&self) -> TwoLinkPrepared {\n");
+    let [head, rest] = [(); 2].map(|()| parts.next().expect("both parts"));
+    // What the robot itself has is what it was.
+    let before = text(&plain);
+    let start = before.find("/// Joint torques").expect("a function");
+    let end = before.rfind("\n    }\n").expect("its end");
+    assert!(
+        head.contains(
+            before[start..end]
+                .split("\n    }\n")
+                .next()
+                .expect("a body")
+        )
+    );
+    for part in [
+        "// Options: f64, field load, prepare.\n",
+        "    /// Results are the same, bit for bit;",
+    ] {
+        assert!(head.contains(part), "{head}");
+    }
+    for part in [
+        "pub struct TwoLinkPrepared {\n    values: [f64; ",
+        "impl TwoLinkPrepared {\n",
+        "    /// Done before, once for all functions: ",
+        ".values;\n",
+        "= TwoLink::sin_cos(",
+        ") -> TwoLinkInverseDynamicsDerivatives {",
+    ] {
+        assert!(rest.contains(part), "{rest}");
+    }
+    // Neither fields nor structures of results are there twice.
+    assert!(!rest.contains("self.load"), "{rest}");
+    assert_eq!(parted.matches("pub struct ").count(), 3, "{parted}");
+}
+
+#[test]
+fn nothing_is_prepared_where_there_is_nothing_to_prepare() {
+    let arm = || Builder::from_urdf("../robots/two_link.urdf").prepare();
+    let said = |builder: Builder| {
+        builder
+            .to_tokens()
+            .map(|_| ())
+            .expect_err("a mistake")
+            .to_string()
+    };
+    assert_eq!(
+        said(arm().generate([Function::Gravity])),
+        "error: `prepare` computes once what depends on fields alone, and the robot has none\n  \
+         hint: leave it out: all other numbers are folded into the code\n"
+    );
+    let unread = arm().generate([Function::ForwardKinematics]);
+    assert_eq!(
+        said(unread.parameter("load", Target::PayloadOn("tip".into()))),
+        "error: `prepare` computes once what depends on fields alone, and no function reads one\n  \
+         hint: leave it out, or ask for functions that read the fields\n"
+    );
+}
+
+#[test]
 fn a_range_that_a_field_cannot_have_is_told() {
     let mass = || Target::MassOf("rod-2".into());
     let builder = arm(as_asked)

@@ -15,6 +15,8 @@ mod span;
 use std::collections::BTreeMap;
 
 use super::Chain;
+use crate::random::Random;
+use crate::request::Parameter;
 use columns::{Column, Columns};
 use span::Span;
 
@@ -89,6 +91,34 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
     BaseParameters {
         groups: groups.collect(),
     }
+}
+
+/// The fields for which torques can tell more, or others, where they are not what is described.
+///
+/// All of them are looked at together, near what is described: where joints stand askew and gravity has no
+/// axis, nothing is hidden that can be seen anywhere.
+#[must_use]
+pub fn revealing(chain: &Chain) -> Vec<&Parameter> {
+    let fields = chain.parameters.iter();
+    let fields: Vec<_> = fields
+        .filter(|field| field.target.enters_regressors())
+        .collect();
+    if fields.is_empty() {
+        return fields;
+    }
+    let mut random = Random(0);
+    let both = chain.parameters.iter().zip(&chain.nominal);
+    let elsewhere = Chain {
+        nominal: both
+            .map(|(field, nominal)| field.near(nominal, || random.unit()))
+            .collect(),
+        ..chain.clone()
+    };
+    let found = base_parameters(&elsewhere);
+    if found.columns().eq(chain.base_parameters.columns()) {
+        return Vec::new();
+    }
+    fields
 }
 
 /// Takes columns; where one is a combination of others, its parameter is handed on to theirs.

@@ -208,14 +208,19 @@ fn check_targets(
         let missing = match &parameter.target {
             // What is asked of drives is looked at with all else that is.
             Target::Gravity
+            | Target::BasePosition
+            | Target::BasePlacement
             | Target::ArmatureOf(_)
             | Target::DampingOf(_)
             | Target::FrictionOf(_) => None,
-            Target::MassOf(name) | Target::CenterOfMassOf(name) => links
+            Target::MassOf(name)
+            | Target::CenterOfMassOf(name)
+            | Target::InertiaOf(name)
+            | Target::PayloadOn(name) => links
                 .find(name, errors)
                 .is_some_and(|link| tree.dropped.contains(&link))
                 .then_some(("link", name)),
-            Target::OriginOf(name) => joints
+            Target::OriginOf(name) | Target::PlacementOf(name) => joints
                 .find(name, errors)
                 .is_some_and(|joint| tree.branches.iter().all(|branch| branch.joint != joint))
                 .then_some(("joint", name)),
@@ -229,7 +234,7 @@ fn check_targets(
     }
 }
 
-/// A field for the mass of a link that never moves would change nothing.
+/// A field for the mass of a link that never moves, or for what it carries, would change nothing.
 fn check_moving(
     description: &Description,
     request: &Request,
@@ -242,7 +247,7 @@ fn check_moving(
         moves[branch.child] = moves[branch.parent] || branch.held.is_none();
     }
     for parameter in &request.parameters {
-        if let Target::MassOf(name) | Target::CenterOfMassOf(name) = &parameter.target
+        if let Some((name, what)) = parameter.target.weighs()
             && let Some(link) = links.get(name)
             && !moves[link]
             && !tree.dropped.contains(&link)
@@ -250,7 +255,7 @@ fn check_moving(
             errors.push_with_hint(
                 name.place,
                 format!(
-                    "link {} does not move: its mass changes nothing",
+                    "link {} does not move: {what} changes nothing",
                     quoted(&name.text)
                 ),
                 "leave the field out, or choose a base upstream of the link",

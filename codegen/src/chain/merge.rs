@@ -10,6 +10,7 @@ mod drive;
 use std::collections::HashMap;
 
 use super::tree::{Branch, Follow, Tree};
+use super::turn::roll_pitch_yaw;
 use super::{Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
 use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
@@ -207,7 +208,7 @@ fn seat<'g>(
     let mut seats: Vec<Option<Seat<'g>>> = vec![None; description.links.len()];
     seats[tree.base] = Some(Seat {
         body: None,
-        pose: Pose::identity(graph),
+        pose: reader.base(),
     });
     for branch in &tree.branches {
         let joint = &description.joints[branch.joint];
@@ -360,6 +361,35 @@ impl<'g> Reader<'g, '_> {
         Vector(self.free(|target| matches!(target, Target::Gravity), described))
     }
 
+    /// Where the base is in frame 0: there, but for a struct field.
+    fn base(&mut self) -> Pose<Term<'g>> {
+        let there = Vector::zero(self.graph).0;
+        let position = self.free(|target| matches!(target, Target::BasePosition), there);
+        let there = Pose::translation(Vector(position));
+        self.placed(|target| matches!(target, Target::BasePlacement), there)
+    }
+
+    /// A placement taken from the struct field that stands for it, where one does.
+    fn placed(
+        &mut self,
+        is: impl Fn(&Target) -> bool,
+        described: Pose<Term<'g>>,
+    ) -> Pose<Term<'g>> {
+        let mut fields = self.request.parameters.iter();
+        if !fields.any(|field| is(&field.target)) {
+            return described;
+        }
+        let [x, y, z] = described.translation.0;
+        let angles = roll_pitch_yaw(&described.rotation);
+        let [roll, pitch, yaw] = angles.map(|angle| self.graph.constant(angle));
+        let [x, y, z, roll, pitch, yaw] = self.free(is, [x, y, z, roll, pitch, yaw]);
+        let [roll, pitch, yaw] = [roll, pitch, yaw].map(Term::sin_cos);
+        Pose {
+            rotation: Rotation::about_z(yaw) * Rotation::about_y(pitch) * Rotation::about_x(roll),
+            translation: Vector([x, y, z]),
+        }
+    }
+
     fn motion(&self, kind: JointKind, freedom: Freedom) -> Motion {
         Motion::of(freedom.movement, || {
             let pitch = kind.pitch().unwrap_or_default();
@@ -367,13 +397,14 @@ impl<'g> Reader<'g, '_> {
         })
     }
 
-    /// The placement of a joint, its translation taken from a struct field where one stands for it.
+    /// The placement of a joint, it or its translation taken from a struct field where one stands for it.
     fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
         let joint = &description.joints[branch.joint];
         let mut placement = self.placement(&joint.name.text, &joint.origin);
         let is = |target: &Target| matches!(target, Target::OriginOf(name) if name.text == joint.name.text);
         placement.translation = Vector(self.free(is, placement.translation.0));
-        placement
+        let is = |target: &Target| matches!(target, Target::PlacementOf(name) if name.text == joint.name.text);
+        self.placed(is, placement)
     }
 
     fn placement(&mut self, item: &str, steps: &[Step]) -> Pose<Term<'g>> {
@@ -452,6 +483,7 @@ impl<'g> Reader<'g, '_> {
         let of_mass = |target: &Target| matches!(target, Target::MassOf(name) if is(name));
         let of_center =
             |target: &Target| matches!(target, Target::CenterOfMassOf(name) if is(name));
+        let of_inertia = |target: &Target| matches!(target, Target::InertiaOf(name) if is(name));
         let nothing = self.graph.constant(0.0);
         let (mass, tensor, mut origin) = match &link.inertial {
             Some(inertial) => (
@@ -464,9 +496,27 @@ impl<'g> Reader<'g, '_> {
         };
         let [mass] = self.free(of_mass, [mass]);
         origin.translation = Vector(self.free(of_center, origin.translation.0));
-        let free = mass.value().is_none();
-        (free || link.inertial.is_some())
-            .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin))
+        let tensor = self.free(of_inertia, tensor);
+        let free = (tensor.iter().chain([&mass])).any(|entry| entry.value().is_none());
+        let own = (free || link.inertial.is_some())
+            .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin));
+        let payload = self.payload(link);
+        match (own, payload) {
+            (Some(own), Some(payload)) => Some(own + payload),
+            (own, payload) => own.or(payload),
+        }
+    }
+
+    /// J of what a struct field puts on a link, in the link's frame.
+    fn payload(&mut self, link: &Link) -> Option<Inertia<Term<'g>>> {
+        let is = |target: &Target| matches!(target, Target::PayloadOn(name) if name.text == link.name.text);
+        let free = self.request.loads(&link.name);
+        free.then(|| {
+            let nothing = [self.graph.constant(0.0); 10];
+            let [mass, x, y, z, tensor @ ..] = self.free(is, nothing);
+            let center = Pose::translation(Vector([x, y, z]));
+            Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(center)
+        })
     }
 
     fn note_follower(&mut self, description: &Description, joint: usize, follow: Follow) {

@@ -47,12 +47,16 @@ pub fn check(
             continue;
         };
         let link = &description.links[branch.child];
-        massive[body] |= request.weighs(&link.name);
+        massive[body] |= [Request::weighs, Request::spreads, Request::loads]
+            .iter()
+            .any(|is| is(request, &link.name));
         if let Some(inertial) = &link.inertial {
             massive[body] = true;
-            doubts.extend(doubt(&link.name.text, inertial));
+            if !request.spreads(&link.name) {
+                doubts.extend(doubt(&link.name.text, inertial));
+            }
         }
-        doubts.extend(centre_of_nothing(link, request));
+        doubts.extend(part_of_nothing(link, request));
     }
     let massless = carried.iter().zip(&massive);
     let massless = massless.filter(|(_, massive)| !**massive);
@@ -119,23 +123,33 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
     })
 }
 
-/// A field for where the mass of a link is that has none.
-fn centre_of_nothing(link: &Link, request: &Request) -> Option<Complaint> {
+/// A field for where the mass of a link is, or how it is spread, where it has none.
+fn part_of_nothing(link: &Link, request: &Request) -> Vec<Complaint> {
     let inertial = link.inertial.as_ref();
     if inertial.is_some_and(|inertial| inertial.mass.value != 0.0) || request.weighs(&link.name) {
-        return None;
+        return Vec::new();
     }
-    let parameter = request.parameters.iter().find(|parameter| {
-        matches!(&parameter.target, Target::CenterOfMassOf(name) if name.text == link.name.text)
-    })?;
-    let (name, field) = (quoted(&link.name.text), &parameter.field);
-    Some(Complaint {
-        place: Place::Token(field.span()),
-        message: format!(
-            "link {name} has no mass: field `{field}`, where its centre is, changes nothing"
-        ),
-        hint: Some(format!("give it a mass, or a field with mass_of = {name}")),
-    })
+    let name = quoted(&link.name.text);
+    let doubts = request.parameters.iter().filter_map(|parameter| {
+        let field = &parameter.field;
+        let message = match &parameter.target {
+            Target::CenterOfMassOf(of) if of.text == link.name.text => {
+                format!(
+                    "link {name} has no mass: field `{field}`, where its centre is, changes nothing"
+                )
+            }
+            Target::InertiaOf(of) if of.text == link.name.text => {
+                format!("link {name} has no mass but an inertia: field `{field}`")
+            }
+            _ => return None,
+        };
+        Some(Complaint {
+            place: Place::Token(field.span()),
+            message,
+            hint: Some(format!("give it a mass, or a field with mass_of = {name}")),
+        })
+    });
+    doubts.collect()
 }
 
 /// Whether a body can have an inertia, given in any frame; none where that is known at run time only.

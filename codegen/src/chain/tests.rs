@@ -6,6 +6,7 @@ mod base_parameters;
 mod bodies;
 mod drives;
 mod external;
+mod fields;
 mod joints;
 
 use std::path::Path;

@@ -57,6 +57,11 @@ pub(super) fn robot(
 
     let mut bodies: Vec<Body> = Vec::new();
     let mut seats: HashMap<&str, usize> = HashMap::new();
+    if let Some(placement) = reader.base() {
+        let nothing = [[Scalar::literal(0.0); 3]; 2];
+        bodies.push(held(None, placement, nothing, 0.0));
+        seats.insert(base, 0);
+    }
     let mut moving = 0;
     let places = Places {
         coordinates: &coordinates,
@@ -483,6 +488,13 @@ impl<'d> Reader<'d> {
         })
     }
 
+    /// Where the base is, if a field says so.
+    fn base(&self) -> Option<Matrix<Scalar>> {
+        let position = self.field(|target| matches!(target, Target::BasePosition));
+        let placement = self.field(|target| matches!(target, Target::BasePlacement));
+        position.map(Matrix::translation).or(placement.map(placed))
+    }
+
     fn gravity(&self) -> [Scalar; 3] {
         let field = self.field(|target| matches!(target, Target::Gravity));
         let described = self
@@ -569,7 +581,9 @@ impl<'d> Reader<'d> {
         if let Some(offset) = field {
             placement.set_column(offset);
         }
-        Ok(placement)
+        let field =
+            self.field(|target| matches!(target, Target::PlacementOf(of) if of.text == *name));
+        Ok(field.map_or(placement, placed))
     }
 
     /// A direction, of length 1.
@@ -615,7 +629,9 @@ impl<'d> Reader<'d> {
         };
         let inertial = link.inertial.as_ref().unwrap_or(&nothing);
         let [mass] = mass.unwrap_or([Scalar::literal(inertial.mass.value)]);
-        let [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(|entry| Scalar::literal(entry.value));
+        let tensor = self.field(|target| matches!(target, Target::InertiaOf(of) if is(of)));
+        let described = inertial.inertia.map(|entry| Scalar::literal(entry.value));
+        let [xx, xy, xz, yy, yz, zz] = tensor.unwrap_or(described);
         // ½ Tr(I) − I, and the mass.
         let half = (xx + yy + zz) * Scalar::exact(0.5);
         let none = Scalar::exact(0.0);
@@ -629,8 +645,35 @@ impl<'d> Reader<'d> {
         if let Some(center) = center {
             origin.set_column(center);
         }
-        Ok(origin.times(&central).times(&origin.transposed()))
+        let payload = self.field(|target| matches!(target, Target::PayloadOn(of) if is(of)));
+        let inertia = origin.times(&central).times(&origin.transposed());
+        Ok(match payload {
+            Some(payload) => inertia.plus(&loaded(payload)),
+            None => inertia,
+        })
     }
+}
+
+/// A placement by its origin and its roll, pitch and yaw.
+fn placed([x, y, z, roll, pitch, yaw]: [Scalar; 6]) -> Matrix<Scalar> {
+    let turns = [(2, yaw), (1, pitch), (0, roll)].into_iter();
+    let turns = turns.map(|(axis, angle)| Matrix::rotation(axis, angle.sin_cos()));
+    turns.fold(Matrix::translation([x, y, z]), |placement, turn| {
+        placement.times(&turn)
+    })
+}
+
+/// J of a payload in the frame of its link: ∫rrᵗdm of what is about its centre, and m c cᵗ.
+fn loaded([mass, x, y, z, xx, xy, xz, yy, yz, zz]: [Scalar; 10]) -> Matrix<Scalar> {
+    let half = (xx + yy + zz) * Scalar::exact(0.5);
+    let at = |a, b| mass * a * b;
+    let (one, two, three) = (at(x, y) - xy, at(x, z) - xz, at(y, z) - yz);
+    Matrix([
+        [at(x, x) + half - xx, one, two, mass * x],
+        [one, at(y, y) + half - yy, three, mass * y],
+        [two, three, at(z, z) + half - zz, mass * z],
+        [mass * x, mass * y, mass * z, mass],
+    ])
 }
 
 /// A direction with length 1.

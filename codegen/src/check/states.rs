@@ -7,7 +7,7 @@ use crate::chain::Chain;
 use crate::dense::State;
 use crate::expression::Double;
 use crate::random::Random;
-use crate::request::{Request, Target};
+use crate::request::Request;
 use crate::space::{Entry, Kind};
 
 /// So many states.
@@ -45,20 +45,8 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
         state.actions.push(20.0 * random.unit() - 10.0);
     }
     for (parameter, nominal) in request.parameters.iter().zip(&chain.nominal) {
-        let size = nominal
-            .iter()
-            .fold(0.0_f64, |most, entry| most.max(entry.abs()));
-        let size = if size > 0.0 { size } else { 1.0 };
-        let mut near = |entry: f64| match parameter.target {
-            Target::MassOf(_)
-            | Target::ArmatureOf(_)
-            | Target::DampingOf(_)
-            | Target::FrictionOf(_) => size * (0.5 + random.unit()),
-            _ => entry + size * (random.unit() - 0.5),
-        };
-        state
-            .fields
-            .push(nominal.iter().map(|&entry| near(entry)).collect());
+        let fields = parameter.near(nominal, || random.unit());
+        state.fields.push(fields);
     }
     state
 }

@@ -22,20 +22,41 @@ fn described(name: &str) -> Description {
     description.expect("no mistakes, so a description")
 }
 
+fn field(name: &str, target: Target) -> Parameter {
+    Parameter {
+        field: quote::format_ident!("{name}"),
+        target,
+        range: None,
+    }
+}
+
+/// A robot that is turned by fields. Its programs compute some zeros: that columns of a turn are at right angles
+/// to each other, nothing knows.
+fn placed() -> (Description, Request) {
+    let parameters = vec![
+        field("elbow", Target::PlacementOf("joint4".into())),
+        field("wrist", Target::PlacementOf("joint7".into())),
+        field("base", Target::BasePlacement),
+    ];
+    let request = Request {
+        parameters,
+        ..Request::default()
+    };
+    (described("panda_class.urdf"), request)
+}
+
 /// Robots of every kind of joint, with and without fields.
 fn robots() -> Vec<(Description, Request)> {
     let robot = |name: &str| (described(name), Request::default());
     let mut loaded = robot("panda_class.urdf");
-    let field = |name: &str, target| Parameter {
-        field: quote::format_ident!("{name}"),
-        target,
-        range: None,
-    };
     loaded.1.parameters = vec![
         field("gravity", Target::Gravity),
         field("mass", Target::MassOf("link5".into())),
         field("center", Target::CenterOfMassOf("link5".into())),
         field("origin", Target::OriginOf("joint3".into())),
+        field("payload", Target::PayloadOn("link8".into())),
+        field("inertia", Target::InertiaOf("link4".into())),
+        field("base", Target::BasePosition),
     ];
     vec![
         loaded,
@@ -189,7 +210,7 @@ fn many() -> Vec<(Description, Request)> {
     let odd = inline::read(tokens, Path::new(""), &mut errors).expect("a robot");
     assert!(errors.is_empty(), "{errors}");
     let odd = (odd.description.expect("a robot"), odd.request);
-    robots().into_iter().chain([odd]).collect()
+    robots().into_iter().chain([odd, placed()]).collect()
 }
 
 fn pass(formulation: Formulation) {

@@ -21,11 +21,16 @@ use crate::request::{Parameter, Target};
 use crate::wording::{known, quoted};
 
 /// What can be said of a field: the number that it stands for, and its range.
-pub(super) const KEYS: [&str; 8] = [
+pub(super) const KEYS: [&str; 13] = [
     "mass_of",
     "com_of",
+    "inertia_of",
+    "payload_on",
     "gravity",
     "origin_of",
+    "placement_of",
+    "base_position",
+    "base_placement",
     "armature_of",
     "damping_of",
     "friction_of",
@@ -268,11 +273,16 @@ fn said(input: ParseStream) -> Parsed<Said> {
     let of: fn(super::Name) -> Target = match text.as_str() {
         "mass_of" => Target::MassOf,
         "com_of" => Target::CenterOfMassOf,
+        "inertia_of" => Target::InertiaOf,
+        "payload_on" => Target::PayloadOn,
         "origin_of" => Target::OriginOf,
+        "placement_of" => Target::PlacementOf,
         "armature_of" => Target::ArmatureOf,
         "damping_of" => Target::DampingOf,
         "friction_of" => Target::FrictionOf,
         "gravity" => return Ok(Said::Target(Target::Gravity)),
+        "base_position" => return Ok(Said::Target(Target::BasePosition)),
+        "base_placement" => return Ok(Said::Target(Target::BasePlacement)),
         "range" => return Range::read(input, &key).map(Said::Range),
         other => {
             return Err(complaint_with_hint(

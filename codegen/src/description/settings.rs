@@ -22,7 +22,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-pub(super) const WORDS: [&str; 30] = [
+pub(super) const WORDS: [&str; 31] = [
     "urdf",
     "dh",
     "base",
@@ -48,6 +48,7 @@ pub(super) const WORDS: [&str; 30] = [
     "formulation",
     "processor",
     "batch",
+    "prepare",
     "crate",
     "link",
     "joint",
@@ -59,7 +60,7 @@ pub(super) const WORDS: [&str; 30] = [
 pub(super) const SCALARS: [&str; 3] = ["f32", "f64", "generic"];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 26;
+const KEYS: usize = 27;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -120,6 +121,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         "exact" => request.exact = true,
         "strict" => request.strict = true,
         "batch" => request.batch = true,
+        "prepare" => request.prepare = true,
         "lock" => {
             let content = in_parentheses(input, &key, "lock(joint, other = 0.3)")?;
             request.lock = tokens::list(&content, |input| {

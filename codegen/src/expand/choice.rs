@@ -6,6 +6,7 @@
 //! tells how far a program is off, and [`forward`] which forms there are and what is enough.
 
 use super::forward::{self, Form};
+use super::identifiable::settled;
 use super::measured::{Measure, Off};
 use super::program::expressions_by;
 use super::solvable::solvable;
@@ -98,6 +99,9 @@ pub(super) fn cheapest(
         weighable(chain)?;
     }
     closable(chain, functions)?;
+    if functions.contains(&Function::BaseRegressor) {
+        settled(chain)?;
+    }
     let search = Search::new(processor, formulation, chain, functions, frame, scalar);
     if !functions.iter().any(|function| function.solves()) {
         let inverts = |function: &Function| function.is_constrained() && !function.wants_drives();

@@ -175,7 +175,7 @@ impl<'c> Measure<'c> {
 
     fn state(&self, number: u32) -> State {
         let arguments = Arguments::new(&self.range, number);
-        let input = |input| Double::from(arguments.at(self.chain, &self.range, input));
+        let input = |input| Double::from(arguments.at(self.chain, input));
         let exact = self.solved.iter().map(|solved| solved.exactly.at(input));
         State {
             exact: exact.collect(),
@@ -186,9 +186,7 @@ impl<'c> Measure<'c> {
     /// The largest error beside the largest result, of the function for which that is worse.
     fn error_at<T: Rounded>(&self, program: &Program, state: &State) -> f64 {
         let State { arguments, exact } = state;
-        let found = run::<T>(program, |input| {
-            T::literal(arguments.at(self.chain, &self.range, input))
-        });
+        let found = run::<T>(program, |input| T::literal(arguments.at(self.chain, input)));
         let functions = self.solved.iter().zip(exact);
         functions.fold(0.0, |worst, (solved, exact)| {
             let size = largest(exact.iter().map(|exact| exact.to_f64()));
@@ -239,7 +237,7 @@ impl Arguments {
         arguments
     }
 
-    fn at(&self, chain: &Chain, range: &Range, input: Input) -> f64 {
+    fn at(&self, chain: &Chain, input: Input) -> f64 {
         match input {
             Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
             Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
@@ -247,7 +245,7 @@ impl Arguments {
             Input::Variable(Variable::Actions, k) => self.actions[usize::from(k)],
             // No function that solves something reads accelerations; one beside it may.
             Input::Variable(Variable::Qdd, _) => 1.0,
-            Input::Parameter(..) => single(field(chain, range, input)),
+            Input::Parameter(..) => single(field(chain, input)),
         }
     }
 }

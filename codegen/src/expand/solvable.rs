@@ -46,8 +46,7 @@ enum Lack {
 /// # Errors
 /// Where it is singular or has a negative pivot in every posture.
 pub(super) fn solvable(chain: &Chain) -> Result<Worst, Errors> {
-    let range = Range::of(chain);
-    worst(chain, |input| field(chain, &range, input)).map_err(|lack| refusal(chain, &lack))
+    worst(chain, |input| field(chain, input)).map_err(|lack| refusal(chain, &lack))
 }
 
 /// What is doubtful about a chain that is solvable somewhere: fields that must not be what is described,
@@ -91,10 +90,10 @@ fn zero(chain: &Chain) -> Option<Complaint> {
 
 /// The value of a field's entry: what is described in its place, or the end of its range where nothing
 /// but zeros are.
-pub(super) fn field(chain: &Chain, range: &Range, input: Input) -> f64 {
+pub(super) fn field(chain: &Chain, input: Input) -> f64 {
     match input {
-        Input::Parameter(field, _) if is_zero(&chain.nominal[usize::from(field)]) => {
-            range.get(input).map_or(0.0, |[_, most]| most)
+        Input::Parameter(field, entry) if is_zero(&chain.nominal[usize::from(field)]) => {
+            chain.parameters[usize::from(field)].at_the_end(entry.into())
         }
         _ => described(chain, input),
     }

@@ -12,6 +12,7 @@ use super::{About, LeftOut, Listed, Listing};
 use crate::function::Function;
 use crate::real::Real;
 use crate::request::Target;
+use crate::schedule::Price;
 use crate::space::{Entry, Kind, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
@@ -33,14 +34,16 @@ impl Angles {
     }
 }
 
-/// What is said of a function; `angles` where its results are plain arrays.
+/// What is said of a function; `angles` where its results are plain arrays, and what has been done `once` of
+/// a robot that is prepared.
 pub(super) fn of_function(
     listing: &Listing,
     listed: &Listed,
     angles: Option<&Angles>,
+    once: Option<&Price>,
 ) -> Vec<String> {
     let about = &listing.about;
-    let base = code(&about.base);
+    let base = frame_0(listing);
     let frame = listed.frame.as_deref().unwrap_or(&about.tip);
     let mut lines = Vec::new();
     match &*listed.functions {
@@ -80,6 +83,7 @@ pub(super) fn of_function(
     }
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
+    lines.extend(once.map(|once| format!("Done before, once for all functions: {once}.")));
     for accuracy in &listed.accuracy {
         let said = error::lines(accuracy);
         // A list is a paragraph of its own.
@@ -90,10 +94,44 @@ pub(super) fn of_function(
     lines
 }
 
+/// What frame 0 is: that of the base, or one that a field places the base in.
+fn frame_0(listing: &Listing) -> String {
+    let mut fields = listing.parameters.iter();
+    match fields.find(|field| field.target.places_base()) {
+        Some(field) => format!(
+            "the world that `{}` places {} in",
+            field.field,
+            code(&listing.about.base)
+        ),
+        None => code(&listing.about.base),
+    }
+}
+
+/// What is said of the method that computes once what depends on fields alone.
+pub(super) fn of_prepare(price: &Price) -> Vec<String> {
+    vec![
+        "The same robot with all that depends on its fields alone computed, for loops in which they stay \
+         as they are."
+            .to_owned(),
+        String::new(),
+        "Results are the same, bit for bit; what is left of each function, its doc comment tells."
+            .to_owned(),
+        String::new(),
+        format!("{price}."),
+    ]
+}
+
+/// What is said of the struct that it returns.
+pub(super) fn of_prepared(robot: &str) -> Vec<String> {
+    vec![format!(
+        "What [`{robot}::prepare`] makes of the fields of a [`{robot}`]: the same functions, for less."
+    )]
+}
+
 /// What a function computes, in a line.
 pub(super) fn title(listing: &Listing, listed: &Listed) -> String {
     let about = &listing.about;
-    let base = code(&about.base);
+    let base = frame_0(listing);
     let frame = code(listed.frame.as_deref().unwrap_or(&about.tip));
     match &*listed.functions {
         [function] => function.sentence(&base, &frame),
@@ -165,6 +203,16 @@ pub(super) fn of_field(target: &Target) -> String {
                 code(&link.text)
             )
         }
+        Target::InertiaOf(link) => format!(
+            "I_xx, I_xy, I_xz, I_yy, I_yz, I_zz of {} about its centre of mass, in the axes of its inertial, in \
+             kg m².",
+            code(&link.text)
+        ),
+        Target::PayloadOn(link) => format!(
+            "What {} carries: its mass in kg, its centre of mass in that link's frame, in m, and I_xx, I_xy, \
+             I_xz, I_yy, I_yz, I_zz about it in the axes of that frame, in kg m².",
+            code(&link.text)
+        ),
         Target::ArmatureOf(joint) => format!(
             "Inertia that {} feels beside that of the bodies, in kg m² or kg.",
             code(&joint.text)
@@ -177,6 +225,19 @@ pub(super) fn of_field(target: &Target) -> String {
             format!("Coulomb friction of {}, in N m or N.", code(&joint.text))
         }
         Target::Gravity => "Acceleration of gravity in the base frame, in m/s².".to_owned(),
+        Target::BasePosition => {
+            "Where the origin of the base is in frame 0, whose axes are those of the base, in m."
+                .to_owned()
+        }
+        Target::BasePlacement => {
+            "The frame of the base in frame 0: x, y, z in m, then roll, pitch, yaw in rad; gravity is seen in frame 0."
+                .to_owned()
+        }
+        Target::PlacementOf(joint) => format!(
+            "The frame of {} in its parent's: x, y, z in m, then roll, pitch, yaw in rad about the parent's x, y \
+             and z, in this order.",
+            code(&joint.text)
+        ),
         Target::OriginOf(joint) => format!(
             "Translation from the parent's frame to that of {}, in m.",
             code(&joint.text)

@@ -19,6 +19,7 @@ mod literals;
 mod mechanism;
 mod method;
 pub(super) mod names;
+mod prepared;
 #[cfg(feature = "pretty")]
 mod pretty;
 mod results;
@@ -29,10 +30,10 @@ mod stub;
 pub(crate) mod tests;
 mod world;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::Listing;
+use super::{Fields, Listed, Listing, documentation};
 use dialect::Dialect;
 
 pub use comments::header;
@@ -56,8 +57,9 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     let mut methods = TokenStream::new();
     let mut beside = TokenStream::new();
     for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
-        let body = method::computation(listing, item, listed, &dialect);
-        let own = |body: &_| method::method(listing, item, listed, &name, (body, &dialect));
+        let fields = Fields::Own(&listing.parameters);
+        let body = method::computation((listed, fields), &listing.spaces, &dialect);
+        let own = |body: &_| method(listing, item, listed, &name, (body, &dialect));
         let acted = listing.spaces.actions() > 0;
         let batched = |function| listing.batch && batch::exists(function, acted);
         match (&*listed.functions, &listed.frame, &dialect.world) {
@@ -78,12 +80,27 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     methods.extend(chain::chain(listing, item, &dialect));
     methods.extend(mechanism::mechanism(listing, item, &dialect));
     methods.extend(steps::steps(listing, item, &dialect));
+    let (prepare, prepared) = prepared::prepared(listing, item, &dialect);
+    methods.extend(prepare);
     methods.extend(dialect.own_sines(listing));
     beside.extend(results::own_structures(listing, item, &dialect));
     beside.extend(extern_c::functions(listing, item, &dialect));
     let declaration = declaration::declaration(listing, item, &dialect);
     let methods = declaration::block(item, &methods, &dialect);
-    quote! { #declaration #methods #beside }
+    quote! { #declaration #methods #beside #prepared }
+}
+
+/// A method of the robot, under what there is to say of it.
+fn method(
+    listing: &Listing,
+    item: &Item,
+    listed: &Listed,
+    name: &Ident,
+    computation: (&TokenStream, &Dialect),
+) -> TokenStream {
+    let (_, dialect) = computation;
+    let about = documentation::of_function(listing, listed, dialect.angles().as_ref(), None);
+    method::method((item, &listing.spaces), (listed, &about), name, computation)
 }
 
 /// The methods that [`print()`] writes for functions, alone, to be read.
@@ -99,8 +116,9 @@ pub fn each_method(listing: &Listing, item: &Item, world: &World) -> Vec<TokenSt
     let methods = listing.functions.iter().zip(names::of_methods(listing));
     methods
         .map(|(listed, name)| {
-            let body = method::computation(listing, item, listed, &dialect);
-            method::method(listing, item, listed, &name, (&body, &dialect))
+            let fields = Fields::Own(&listing.parameters);
+            let body = method::computation((listed, fields), &listing.spaces, &dialect);
+            method(listing, item, listed, &name, (&body, &dialect))
         })
         .collect()
 }

@@ -236,6 +236,7 @@ impl Naming<'_> {
         match (self.coordinates_of(angle), angle) {
             (Some(coordinates), _) => numbers(&coordinates),
             (None, Operand::Step(step)) => self.steps[step as usize].clone(),
+            (None, Operand::Input(input)) => self.inputs[&input].clone().unwrap_or_default(),
             (None, _) => "a".to_owned(),
         }
     }

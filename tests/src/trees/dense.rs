@@ -16,7 +16,7 @@ use crate::oracle::motion::{self, Motion, Posture, across};
 use crate::oracle::robot as oracle;
 
 use super::movement::Movement;
-use super::robot::{Body, Field, Inertial, Kind, Placement, Robot};
+use super::robot::{Body, Field, Inertial, Kind, NUMBERS, Placement, Robot};
 use super::written::{Reading, Written};
 
 /// A robot in matrices, and what its coordinates and velocities are.
@@ -67,7 +67,7 @@ impl Dense {
         let gravity = gravity.map_or([0.0, 0.0, -9.81], |entries| {
             entries.each_ref().map(Written::value)
         });
-        let gravity = robot.field(Field::Gravity).unwrap_or(gravity);
+        let gravity = robot.field(Field::Gravity).map_or(gravity, first);
         let mut dense = Self {
             robot: oracle::Robot {
                 bodies: Vec::new(),
@@ -220,8 +220,11 @@ impl Dense {
         if parent.is_none() && body.parent != robot.asked.base {
             return false;
         }
-        let offset = robot.field(Field::Origin(body.id));
-        let placement = placement(&body.at, offset, robot.reading());
+        let offset = robot.field(Field::Origin(body.id)).map(first);
+        let placement = match robot.field(Field::Placement(body.id)) {
+            Some(field) => placed(field),
+            None => placement(&body.at, offset, robot.reading()),
+        };
         let inertia = inertia(robot, body.id, body.inertial.as_ref());
         let movement = Movement::of(robot, body);
         let slide = match &body.kind {
@@ -409,16 +412,41 @@ fn inertia(robot: &Robot, link: usize, inertial: Option<&Inertial>) -> Matrix {
     let inertial = inertial.unwrap_or(&nothing);
     let mass = robot.field(Field::Mass(link));
     let mass = mass.map_or(inertial.mass.value(), |[mass, ..]| mass);
-    let [xx, xy, xz, yy, yz, zz] = big(inertial.tensor.each_ref().map(Written::value));
+    let tensor = inertial.tensor.each_ref().map(Written::value);
+    let tensor = robot.field(Field::Inertia(link)).map_or(tensor, first);
+    let center = robot.field(Field::Center(link)).map(first);
+    let at = placement(&inertial.at, center, robot.reading());
+    let own = &(&at * &central(mass, tensor)) * &at.transposed();
+    let Some([mass, x, y, z, tensor @ ..]) = robot.field(Field::Payload(link)) else {
+        return own;
+    };
+    let at = Matrix::translation(&big([x, y, z]));
+    &own + &(&(&at * &central(mass, tensor)) * &at.transposed())
+}
+
+/// J about the centre of mass.
+fn central(mass: f64, tensor: [f64; 6]) -> Matrix {
+    let [xx, xy, xz, yy, yz, zz] = big(tensor);
     let half = (&xx + &yy + &zz) / Big::new(2.0);
     let zero = Big::zero;
-    let central = Matrix([
+    Matrix([
         [&half - &xx, -&xy, -&xz, zero()],
         [-&xy, &half - &yy, -&yz, zero()],
         [-&xz, -&yz, &half - &zz, zero()],
         [zero(), zero(), zero(), Big::new(mass)],
-    ]);
-    let center = robot.field(Field::Center(link));
-    let at = placement(&inertial.at, center, robot.reading());
-    &(&at * &central) * &at.transposed()
+    ])
+}
+
+/// The first numbers of a field.
+fn first<const N: usize>(field: [f64; NUMBERS]) -> [f64; N] {
+    std::array::from_fn(|k| field[k])
+}
+
+/// M by an origin, and by roll, pitch and yaw.
+fn placed([x, y, z, roll, pitch, yaw, ..]: [f64; NUMBERS]) -> Matrix {
+    let turns = [(2, yaw), (1, pitch), (0, roll)].into_iter();
+    turns.fold(
+        Matrix::translation(&big([x, y, z])),
+        |placement, (axis, angle)| &placement * &rotation(axis, &Big::new(angle).sin_cos()),
+    )
 }

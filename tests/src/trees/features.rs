@@ -16,7 +16,7 @@ use super::written::{Reading, Written};
 type Feature = (&'static str, fn(&Robot) -> bool);
 
 /// The list.
-pub const FEATURES: [Feature; 73] = [
+pub const FEATURES: [Feature; 76] = [
     ("a joint with a drive", |robot| {
         robot.drives().next().is_some()
     }),
@@ -230,6 +230,15 @@ pub const FEATURES: [Feature; 73] = [
     }),
     ("a field for a centre of mass", |robot| {
         field(robot, |field| matches!(field, Field::Center(_)))
+    }),
+    ("a field for an inertia", |robot| {
+        field(robot, |field| matches!(field, Field::Inertia(_)))
+    }),
+    ("a field for a payload", |robot| {
+        field(robot, |field| matches!(field, Field::Payload(_)))
+    }),
+    ("a field for a placement", |robot| {
+        field(robot, |field| matches!(field, Field::Placement(_)))
     }),
     ("a field for an origin", |robot| {
         field(robot, |field| matches!(field, Field::Origin(_)))

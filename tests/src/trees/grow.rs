@@ -27,7 +27,7 @@ mod numbers;
 use crate::states::Random;
 
 use self::numbers::Numbers;
-use super::robot::{Asked, Body, Door, Field, Kind, Robot};
+use super::robot::{Asked, Body, Door, Field, Kind, NUMBERS, Robot};
 use super::written::Written;
 
 /// The most joints of a robot, moving or not.
@@ -182,6 +182,16 @@ fn ask(robot: &mut Robot, numbers: &mut Numbers) {
 fn give_fields(robot: &mut Robot, modelled: &[usize], numbers: &mut Numbers) {
     let (length, mass) = (numbers.length, numbers.mass);
     let anywhere = |random: &mut Random| [(); 3].map(|()| length * random.unit());
+    let padded = |numbers: &[f64]| -> [f64; NUMBERS] {
+        std::array::from_fn(|k| numbers.get(k).copied().unwrap_or(0.0))
+    };
+    // Such as a body has: of two moments none is less than half of the third, and products are small.
+    let tensor = |random: &mut Random, size: f64| -> [f64; 6] {
+        std::array::from_fn(|k| match k {
+            0 | 3 | 5 => size * (1.0 + 0.25 * random.unit()),
+            _ => 0.1 * size * random.unit(),
+        })
+    };
     for &id in modelled {
         let random = &mut *numbers.random;
         let weighs = |body: &Body| {
@@ -191,25 +201,44 @@ fn give_fields(robot: &mut Robot, modelled: &[usize], numbers: &mut Numbers) {
         match random.below(16) {
             0 if robot.moves(id) => {
                 let value = mass * (1.0 + random.unit());
-                robot
-                    .asked
-                    .fields
-                    .push((Field::Mass(id), [value, 0.0, 0.0]));
+                robot.asked.fields.push((Field::Mass(id), padded(&[value])));
             }
             1 if robot.moves(id) && robot.body(id).is_some_and(weighs) => {
                 let value = anywhere(random);
-                robot.asked.fields.push((Field::Center(id), value));
+                robot.asked.fields.push((Field::Center(id), padded(&value)));
             }
             2 => {
                 let value = anywhere(random);
-                robot.asked.fields.push((Field::Origin(id), value));
+                robot.asked.fields.push((Field::Origin(id), padded(&value)));
+            }
+            3 if robot.moves(id) => {
+                let value = mass * (1.0 + random.unit());
+                let center = anywhere(random);
+                let about = tensor(random, 0.1 * value * length * length);
+                let load = [&[value][..], &center, &about].concat();
+                robot.asked.fields.push((Field::Payload(id), padded(&load)));
+            }
+            4 if robot.moves(id) && robot.body(id).is_some_and(weighs) => {
+                let value = tensor(random, 0.1 * mass * length * length);
+                robot
+                    .asked
+                    .fields
+                    .push((Field::Inertia(id), padded(&value)));
+            }
+            5 => {
+                let angles = [(); 3].map(|()| 3.0 * random.unit());
+                let value = [anywhere(random), angles].concat();
+                robot
+                    .asked
+                    .fields
+                    .push((Field::Placement(id), padded(&value)));
             }
             _ => {}
         }
     }
     if robot.asked.gravity.is_none() && numbers.random.chance(4) {
         let value = [(); 3].map(|()| 9.0 * numbers.random.unit());
-        robot.asked.fields.push((Field::Gravity, value));
+        robot.asked.fields.push((Field::Gravity, padded(&value)));
     }
 }
 

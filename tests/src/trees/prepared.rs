@@ -24,7 +24,7 @@ use super::cases::{Case, Choice};
 use super::dense::{Dense, Entry};
 use super::measure::Measure;
 use super::regular::pivot;
-use super::robot::{Asked, Field, Robot};
+use super::robot::{Asked, Field, NUMBERS, Robot};
 use super::text;
 
 /// What every function is right to, beside the sizes that [`measure`](super::measure) tells.
@@ -242,9 +242,18 @@ impl<'r> Prepared<'r> {
     /// with what is in the fields, with what is described in their place, or with what the engine takes
     /// for a field in whose place nothing but zeros are described: the end of its range.
     fn is_singular(&self, state: usize) -> bool {
-        const END: f64 = 1.0; // 1 kg, 1 m or 1 m/s²
+        const END: f64 = 1.0; // 1 kg, 1 m, 1 kg m² or 1 m/s²
+        let end = |field: Field| -> [f64; NUMBERS] {
+            let (far, wide) = (0.25, 0.0625);
+            match field {
+                Field::Payload(_) => [END, far, far, far, wide, 0.0, 0.0, wide, 0.0, wide],
+                Field::Inertia(_) => [END, 0.0, 0.0, END, 0.0, END, 0.0, 0.0, 0.0, 0.0],
+                Field::Placement(_) => [0.0; NUMBERS],
+                _ => [END; NUMBERS],
+            }
+        };
         let pivots = self.pivots.get_or_init(|| {
-            let with = |fields: Vec<(Field, [f64; 3])>| {
+            let with = |fields: Vec<(Field, [f64; NUMBERS])>| {
                 let asked = Asked {
                     fields,
                     ..self.robot.asked.clone()
@@ -257,7 +266,7 @@ impl<'r> Prepared<'r> {
             let fields = self.robot.asked.fields.iter().zip(&self.chain.nominal);
             let undescribed =
                 fields.filter(|(_, nominal)| nominal.iter().all(|&entry| entry == 0.0));
-            let at_the_end = undescribed.map(|((field, _), _)| (*field, [END; 3]));
+            let at_the_end = undescribed.map(|((field, _), _)| (*field, end(*field)));
             let others = [with(Vec::new()), with(at_the_end.collect())];
             let least = |state| {
                 let others = others.iter().map(|other| pivot(other, state));

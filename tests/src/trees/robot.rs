@@ -131,13 +131,16 @@ pub struct Asked {
     pub gravity: Option<[Written; 3]>,
     /// Whether every angle is what it says.
     pub exact: bool,
-    /// Struct fields and what is in them.
-    pub fields: Vec<(Field, [f64; 3])>,
+    /// Struct fields and what is in them, with zeros behind.
+    pub fields: Vec<(Field, [f64; NUMBERS])>,
     /// Joints with a drive: armature, damping and friction at each of their velocities.
     pub drives: Vec<(usize, [f64; 3])>,
     /// Links on which the surroundings act, and whether they do in frame 0.
     pub external: (Vec<usize>, bool),
 }
+
+/// As many numbers as the longest field holds.
+pub const NUMBERS: usize = 10;
 
 /// What a struct field stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,8 +149,14 @@ pub enum Field {
     Mass(usize),
     /// The centre of mass of a link.
     Center(usize),
+    /// The inertia of a link.
+    Inertia(usize),
+    /// What a link carries besides.
+    Payload(usize),
     /// The origin of a joint.
     Origin(usize),
+    /// The placement of a joint.
+    Placement(usize),
     /// Gravity.
     Gravity,
 }
@@ -248,7 +257,7 @@ impl Robot {
 
     /// What is in the field that stands for something, where one does.
     #[must_use]
-    pub fn field(&self, of: Field) -> Option<[f64; 3]> {
+    pub fn field(&self, of: Field) -> Option<[f64; NUMBERS]> {
         let mut fields = self.asked.fields.iter();
         fields
             .find(|(field, _)| *field == of)
@@ -318,7 +327,12 @@ impl Field {
     #[must_use]
     pub const fn of(self) -> Option<usize> {
         match self {
-            Self::Mass(id) | Self::Center(id) | Self::Origin(id) => Some(id),
+            Self::Mass(id)
+            | Self::Center(id)
+            | Self::Inertia(id)
+            | Self::Payload(id)
+            | Self::Origin(id)
+            | Self::Placement(id) => Some(id),
             Self::Gravity => None,
         }
     }

@@ -135,6 +135,9 @@ fn parameters(asked: &Asked) -> Vec<Parameter> {
         target: match field {
             Field::Mass(id) => Target::MassOf(format!("link{id}").as_str().into()),
             Field::Center(id) => Target::CenterOfMassOf(format!("link{id}").as_str().into()),
+            Field::Inertia(id) => Target::InertiaOf(format!("link{id}").as_str().into()),
+            Field::Payload(id) => Target::PayloadOn(format!("link{id}").as_str().into()),
+            Field::Placement(id) => Target::PlacementOf(format!("joint{id}").as_str().into()),
             Field::Origin(id) => Target::OriginOf(format!("joint{id}").as_str().into()),
             Field::Gravity => Target::Gravity,
         },

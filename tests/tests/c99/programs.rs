@@ -55,7 +55,15 @@ pub fn rust(robot: &Robot, real: Real) -> String {
         };
     }
     text.push_str("};\n");
-    for Asked { functions, name } in &robot.asked {
+    if robot.asked.iter().any(|asked| asked.prepared) {
+        text.push_str("let prepared = arm.prepare();\n");
+    }
+    for Asked {
+        functions,
+        name,
+        prepared,
+    } in &robot.asked
+    {
         let arguments = Variable::together(
             functions
                 .iter()
@@ -65,7 +73,8 @@ pub fn rust(robot: &Robot, real: Real) -> String {
             .iter()
             .map(|of| format!("&{}", of.name()))
             .collect();
-        let _ = writeln!(text, "let found = arm.{name}({});", arguments.join(", "));
+        let of = if *prepared { "prepared" } else { "arm" };
+        let _ = writeln!(text, "let found = {of}.{name}({});", arguments.join(", "));
         for (place, function) in functions.iter().enumerate() {
             let among = match &**functions {
                 [_] => String::new(),
@@ -110,9 +119,22 @@ pub fn c(robot: &Robot, real: Real) -> String {
             "arm_robot robot; memcpy(&robot, state + {place}, sizeof robot);"
         );
     }
-    for Asked { functions, name } in &robot.asked {
+    if robot.asked.iter().any(|asked| asked.prepared) {
+        text.push_str("arm_prepared prepared; arm_prepare(&robot, &prepared);\n");
+    }
+    for Asked {
+        functions,
+        name,
+        prepared,
+    } in &robot.asked
+    {
         text.push_str("{\n");
-        let robot_first = (!robot.fields.is_empty()).then(|| "&robot".to_owned());
+        let [first, own] = if *prepared {
+            ["&prepared", "prepared_"]
+        } else {
+            ["&robot", ""]
+        };
+        let robot_first = (!robot.fields.is_empty()).then(|| first.to_owned());
         let mut handed: Vec<String> = robot_first.into_iter().collect();
         let arguments = Variable::together(
             functions
@@ -129,7 +151,7 @@ pub fn c(robot: &Robot, real: Real) -> String {
             let address = if lengths.is_empty() { "&" } else { "" };
             handed.push(format!("{address}{result}"));
         }
-        let _ = writeln!(text, "arm_{name}({});", handed.join(", "));
+        let _ = writeln!(text, "arm_{own}{name}({});", handed.join(", "));
         for (result, _) in &results {
             let _ = writeln!(text, "fwrite(&{result}, sizeof {result}, 1, stdout);");
         }

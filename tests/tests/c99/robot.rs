@@ -18,6 +18,8 @@ pub struct Asked {
     pub functions: Vec<Function>,
     /// Its name in Rust, and in C behind the prefix.
     pub name: String,
+    /// Whether it is that of the robot once prepared.
+    pub prepared: bool,
 }
 
 /// A robot and what is asked of it.
@@ -58,10 +60,16 @@ impl Robot {
             let frames = request.frames.iter().filter(|_| of_a_frame);
             let further = frames.map(|frame| format!("{name}_of_{}", frame.text));
             let names: Vec<_> = [name.clone()].into_iter().chain(further).collect();
-            asked.extend(names.into_iter().map(|name| Asked {
-                functions: functions.clone(),
-                name,
-            }));
+            for prepared in [false, true]
+                .into_iter()
+                .take(1 + usize::from(request.prepare))
+            {
+                asked.extend(names.iter().map(|name| Asked {
+                    functions: functions.clone(),
+                    name: name.clone(),
+                    prepared,
+                }));
+            }
         }
         let fields = request.parameters.iter();
         let fields = fields.map(|field| (field.field.to_string(), field.target.entries()));
@@ -86,7 +94,8 @@ impl Robot {
         Self::new(name, described(name), request)
     }
 
-    /// Two links with numbers that are free at run time, one of them never read, and a further frame.
+    /// Two links with numbers that are free at run time, one of them never read, and a further frame; and the
+    /// same once prepared.
     pub fn with_fields() -> Self {
         let field = |name: &str, target| Parameter {
             field: format_ident!("{name}"),
@@ -99,6 +108,8 @@ impl Robot {
             parameters: vec![
                 field("payload", Target::MassOf("tip".into())),
                 field("center", Target::CenterOfMassOf("tip".into())),
+                field("tensor", Target::InertiaOf("fore".into())),
+                field("load", Target::PayloadOn("fore".into())),
                 field("double", Target::Gravity),
                 field("reach", Target::OriginOf("elbow".into())),
             ],
@@ -109,6 +120,7 @@ impl Robot {
                 vec![Function::KineticEnergy, Function::PotentialEnergy],
                 vec![Function::ForwardDynamics],
             ],
+            prepare: true,
             ..Request::default()
         };
         Self::new("fields", described("two_link"), request)

@@ -19,6 +19,8 @@ pub struct Asked {
     pub formulation: Formulation,
     /// Links whose masses are fields.
     pub loads: &'static [&'static str],
+    /// Other numbers that are fields, each of a link or a joint.
+    pub free: &'static [(fn(Name) -> Target, &'static str)],
     /// Whether its joints have drives, and the surroundings act on its tip.
     pub driven: bool,
     /// How many times the worst error that was measured a bound may be.
@@ -34,6 +36,7 @@ pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
         tip,
         formulation: Formulation::default(),
         loads: &[],
+        free: &[],
         driven: false,
         farthest: 150.0,
     }
@@ -67,9 +70,15 @@ pub fn described(asked: Asked) -> (Description, Request) {
         target: Target::MassOf(Name::from(link)),
         range: None,
     });
+    let others = asked.free.iter().zip(0..);
+    let others = others.map(|(&(target, of), k)| Parameter {
+        field: format_ident!("field_{k}"),
+        target: target(Name::from(of)),
+        range: None,
+    });
     let request = Request {
         tip: Some(Name::from(asked.tip)),
-        parameters: loads.collect(),
+        parameters: loads.chain(others).collect(),
         formulation: asked.formulation,
         ..Request::default()
     };

@@ -11,6 +11,8 @@ mod direct;
 mod solved;
 mod states;
 
+use homogen_codegen::Target;
+use homogen_codegen::description::Name;
 use homogen_codegen::formulation::{Angles, Formulation, Forward, Frame, Parameters};
 use homogen_tests::tested::{F32, F64, Fused32, Fused64, Tested};
 
@@ -193,6 +195,32 @@ fn with_drives_and_actions() {
             assert!(check_accelerations::<F64>(asked), "{robot}");
             assert!(check_accelerations::<Fused64>(asked), "{robot}");
         }
+    }
+}
+
+/// Solutions have no bound with inertias or turns that are known at run time only.
+#[test]
+fn with_payloads_inertias_and_placements_that_are_known_at_run_time() {
+    for (free, farthest) in [
+        (
+            &[
+                (Target::PayloadOn as fn(Name) -> Target, "link8"),
+                (Target::InertiaOf, "link5"),
+            ][..],
+            250.0,
+        ),
+        (&[(Target::PlacementOf, "joint4")], 1500.0),
+    ] {
+        let asked = Asked {
+            free,
+            farthest,
+            ..panda()
+        };
+        check::<F64>(asked);
+        check::<F32>(asked);
+        check::<Fused64>(asked);
+        check::<Fused32>(asked);
+        assert!(!check_accelerations::<F64>(asked));
     }
 }
 

@@ -10,7 +10,7 @@ use crate::error::Errors;
 use crate::expand::program;
 use crate::expression::{Double, Input};
 use crate::function::Function;
-use crate::request::Request;
+use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Program, run};
 use crate::space::{Space, Spaces, Variable};
 
@@ -273,4 +273,69 @@ fn what_cannot_be_told_is_in_no_group() {
             .collect::<Vec<_>>(),
         ["plate.J_xx"]
     );
+}
+
+/// How many of the columns of a function's rows do not depend on each other where fields are far from what is
+/// described.
+fn rank_elsewhere(chain: &Chain, function: Function, columns: usize) -> usize {
+    let program = program_of(chain, function);
+    let mut found = vec![Vec::new(); columns];
+    for state in 0..STATES {
+        let results = run(&program, |input| {
+            let seed = match input {
+                Input::Variable(variable, k) => 1000 * state + 100 * variable as u64 + u64::from(k),
+                Input::Parameter(field, k) => 7_000_000 + 100 * u64::from(field) + u64::from(k),
+            };
+            Double::from(3.0 * homogen_random::Random::new(seed).unit())
+        });
+        let results: Vec<f64> = results.into_iter().map(Double::to_f64).collect();
+        for row in results.chunks(columns) {
+            for (column, entry) in found.iter_mut().zip(row) {
+                column.push(*entry);
+            }
+        }
+    }
+    rank(found)
+}
+
+#[test]
+fn base_parameters_are_refused_where_fields_reveal_others() {
+    let file = format!("{}/../robots/panda_class.urdf", env!("CARGO_MANIFEST_DIR"));
+    let mut errors = Errors::new();
+    let described = read_file(Path::new(&file), None, &mut errors).expect("a robot that ships");
+    for (target, reveals) in [
+        (Target::MassOf("link5".into()), false),
+        (Target::PayloadOn("link8".into()), false),
+        (Target::InertiaOf("link3".into()), false),
+        (Target::BasePosition, false),
+        (Target::BasePlacement, true),
+        (Target::Gravity, true),
+        (Target::OriginOf("joint1".into()), false),
+        (Target::PlacementOf("joint4".into()), false),
+    ] {
+        let field = quote::format_ident!("free");
+        let request = Request {
+            parameters: vec![Parameter {
+                field,
+                target: target.clone(),
+                range: None,
+            }],
+            ..Request::default()
+        };
+        let chain = build(&described, &request).unwrap_or_else(|errors| panic!("{errors}"));
+        let spaces = chain.spaces();
+        let [all, some] = [Space::Parameters, Space::BaseParameters].map(|space| spaces.len(space));
+        let rank = rank_elsewhere(&chain, Function::Regressor, all);
+        assert_eq!(rank > some, reveals, "{target:?}: {rank} for {some}");
+        let base = program(&chain, &[Function::BaseRegressor], 0, Real::F64);
+        if reveals {
+            let refusal = base.expect_err("it is wrong elsewhere").to_string();
+            let expected = "error: torques can tell other base parameters where field `free` is not what is \
+                            described\n  hint: ask for `regressor`";
+            assert!(refusal.contains(&expected[7..]), "{refusal}");
+        } else {
+            assert!(base.is_ok(), "{target:?}");
+            assert_eq!(rank_elsewhere(&chain, Function::BaseRegressor, some), some);
+        }
+    }
 }

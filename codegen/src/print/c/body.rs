@@ -1,51 +1,62 @@
 //! From a routine to statements.
 //!
-//! In: a [`Listed`] function of a [`Listing`], and how it is written. Out: a constant for each statement
+//! In: a [`Listed`] function of a [`Listing`], or what is computed once for all of them, and how it is written. Out: a constant for each statement
 //! of its [`Routine`], and its results in the arrays of the caller. It never branches, and calls
 //! nothing but sines, cosines, roots and fused products.
 
 use std::fmt::Write;
 
 use super::Writing;
-use super::declarations::{argument_lengths, lengths, members, number, results};
+use super::declarations::{VALUES, argument_lengths, lengths, members, number, results};
 use super::literals::literal;
 use super::names::unscoped;
 use crate::formulation::Sines;
-use crate::print::{Listed, Listing};
+use crate::print::{Fields, Listed, Listing, Prepared};
 use crate::real::Real;
-use crate::request::Parameter;
-use crate::schedule::{Angle, Names, Operation, Readable, Routine, Statement, Value};
+use crate::schedule::{Angle, Names, Operation, Program, Readable, Routine, Statement, Value};
+use crate::space::{Quantity, Variable};
 
-/// The lines within the braces of a function.
-pub(super) fn body(listing: &Listing, listed: &Listed, writing: &Writing<'_>) -> String {
-    let fields = listing.parameters.iter().map(Parameter::entries);
-    let readable = Readable {
-        arguments: &listed.arguments(&listing.spaces),
-        spaces: &listing.spaces,
-        fields: &fields.collect::<Vec<_>>(),
-    };
-    let routine = Routine::of(&listed.program, &readable, names(listed, writing));
-    let mut writer = Writer {
-        writing,
-        real: listing.scalar,
-        sines: listing.sines,
-        text: String::new(),
-        names: routine.names.clone(),
-    };
-    writer.load(&routine, listing);
-    writer.statements(&routine.statements);
-    writer.store(&routine, listing, listed);
+/// The lines within the braces of a function that reads these fields.
+pub(super) fn body(
+    listing: &Listing,
+    (listed, fields): (&Listed, Fields<'_>),
+    writing: &Writing<'_>,
+) -> String {
+    let arguments = listed.arguments(&listing.spaces);
+    let results = results(&listed.functions);
+    let taken = results.iter().map(|(name, _)| name.as_str());
+    let names = names(taken, writing);
+    let (mut writer, routine) = Writer::of(
+        &listed.program,
+        (listing, fields),
+        &arguments,
+        (names, writing),
+    );
+    writer.store(&routine, listing, &results);
     writer.text
 }
 
-/// What nothing in a function can be called.
-fn names(listed: &Listed, writing: &Writing<'_>) -> Names {
+/// The lines of the function that computes once what depends on fields alone.
+pub(super) fn once(listing: &Listing, prepared: &Prepared, writing: &Writing<'_>) -> String {
+    let names = names(["prepared"].into_iter(), writing);
+    let fields = Fields::Own(&listing.parameters);
+    let (mut writer, routine) =
+        Writer::of(&prepared.once, (listing, fields), &[], (names, writing));
+    for (k, value) in routine.results.iter().enumerate() {
+        let value = writer.read(value);
+        writer.line(&format!("prepared->{VALUES}[{k}] = {value};"));
+    }
+    writer.text
+}
+
+/// What nothing in a function can be called that has these results.
+fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> Names {
     let mut names = unscoped();
     for name in ["cos", "cosf", "robot", "sin", "sinf", "sqrt", "sqrtf"] {
         names.take(name);
     }
-    for (name, _) in results(&listed.functions) {
-        names.take(&name);
+    for name in results {
+        names.take(name);
     }
     for own in ["sin_cos", "turn"] {
         names.take(&writing.own(own));
@@ -62,7 +73,32 @@ struct Writer<'w> {
     names: Names,
 }
 
-impl Writer<'_> {
+impl<'w> Writer<'w> {
+    /// The statements of a program, and its routine.
+    fn of(
+        program: &Program,
+        (listing, fields): (&Listing, Fields<'_>),
+        arguments: &[Variable],
+        (names, writing): (Names, &'w Writing<'w>),
+    ) -> (Self, Routine) {
+        let readable = Readable {
+            arguments,
+            spaces: &listing.spaces,
+            fields: &fields.entries(),
+        };
+        let routine = Routine::of(program, &readable, names);
+        let mut writer = Self {
+            writing,
+            real: listing.scalar,
+            sines: listing.sines,
+            text: String::new(),
+            names: routine.names.clone(),
+        };
+        writer.load(&routine, (listing, fields));
+        writer.statements(&routine.statements);
+        (writer, routine)
+    }
+
     /// `const double name = value;`.
     fn constant(&mut self, name: &str, value: &str) {
         let number = number(self.real);
@@ -75,7 +111,7 @@ impl Writer<'_> {
     }
 
     /// All that is read of arguments and fields, before anything is written.
-    fn load(&mut self, routine: &Routine, listing: &Listing) {
+    fn load(&mut self, routine: &Routine, (listing, fields): (&Listing, Fields<'_>)) {
         for (argument, entries) in &routine.arguments {
             let read = entries.iter().enumerate();
             for (k, name) in read.filter_map(|(k, name)| Some((k, name.as_ref()?))) {
@@ -87,12 +123,16 @@ impl Writer<'_> {
             }
         }
         let mut unread = !listing.parameters.is_empty();
-        for (entries, member) in routine.fields.iter().zip(members(listing)) {
+        let members = match fields {
+            Fields::Own(_) => members(listing),
+            Fields::Computed(_) => vec![VALUES.to_owned()],
+        };
+        for (entries, member) in routine.fields.iter().zip(members) {
             for (k, name) in entries.iter().enumerate() {
                 let Some(name) = name else { continue };
                 unread = false;
-                match &**entries {
-                    [_] => self.constant(name, &format!("robot->{member}")),
+                match (&**entries, fields) {
+                    ([_], Fields::Own(_)) => self.constant(name, &format!("robot->{member}")),
                     _ => self.constant(name, &format!("robot->{member}[{k}]")),
                 }
             }
@@ -191,14 +231,14 @@ impl Writer<'_> {
     }
 
     /// The results, one after the other.
-    fn store(&mut self, routine: &Routine, listing: &Listing, listed: &Listed) {
+    fn store(&mut self, routine: &Routine, listing: &Listing, results: &[(String, Quantity)]) {
         let mut values = routine.results.iter();
-        for (name, quantity) in results(&listed.functions) {
-            let lengths = lengths(&quantity, &listing.spaces);
+        for (name, quantity) in results {
+            let lengths = lengths(quantity, &listing.spaces);
             let size = lengths.iter().product::<usize>();
             for (k, value) in values.by_ref().take(size).enumerate() {
                 let value = self.read(value);
-                let place = place(&name, k, &lengths);
+                let place = place(name, k, &lengths);
                 self.line(&format!("{place} = {value};"));
             }
         }

@@ -45,6 +45,27 @@ pub(super) fn structure(text: &mut String, listing: &Listing, prefix: &str) {
     let _ = writeln!(text, "}} {prefix}robot;\n");
 }
 
+/// The member of a struct that holds what is computed once.
+pub(super) const VALUES: &str = "values";
+
+/// The struct of what is computed once of the fields, where that is asked for.
+pub(super) fn prepared(text: &mut String, listing: &Listing, prefix: &str) {
+    let Some(prepared) = &listing.prepared else {
+        return;
+    };
+    let (number, count) = (number(listing.scalar), prepared.names.len());
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "typedef struct {{\n    {number} {VALUES}[{count}]; /* What {prefix}prepare computes. */\n}} {prefix}prepared;\n"
+    );
+}
+
+/// The parameters of the function that fills it.
+pub(super) fn of_prepare(prefix: &str) -> String {
+    format!("const {prefix}robot *robot, {prefix}prepared *prepared")
+}
+
 /// The values of base parameters, where they are asked for.
 pub(super) fn base_parameters(text: &mut String, listing: &Listing, prefix: &str) {
     let values = listing.base_parameters();
@@ -109,11 +130,16 @@ pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
     }
 }
 
-/// `const float q[6], float gravity[6]`.
-pub(super) fn parameters(listing: &Listing, listed: &Listed, prefix: &str) -> String {
+/// `const float q[6], float gravity[6]`, behind a pointer to a struct of that name, where there is one.
+pub(super) fn parameters(
+    listing: &Listing,
+    listed: &Listed,
+    (prefix, structure): (&str, &str),
+) -> String {
     let spaces = &listing.spaces;
     let number = number(listing.scalar);
-    let robot = (!listing.parameters.is_empty()).then(|| format!("const {prefix}robot *robot"));
+    let robot =
+        (!listing.parameters.is_empty()).then(|| format!("const {prefix}{structure} *robot"));
     let arguments = listed.arguments(spaces).into_iter();
     let arguments = arguments
         .map(|argument| declarator(argument.name(), &argument_lengths(argument, spaces)))

@@ -6,10 +6,10 @@
 use std::fmt::Write;
 
 use super::comments::comment;
-use super::declarations::{base_parameters, indices, parameters, structure};
+use super::declarations::{self, base_parameters, indices, of_prepare, parameters, structure};
 use super::names::{ascii, symbols};
-use crate::print::Listing;
 use crate::print::documentation::{self, Angles};
+use crate::print::{Listing, Prepared};
 
 /// What a header tells besides what the listing does.
 pub(in crate::print) struct Header<'a> {
@@ -47,16 +47,43 @@ impl Header<'_> {
             indices(&mut text, listing, prefix);
         }
         structure(&mut text, listing, prefix);
+        let prepared = listing.prepared.as_ref().filter(|_| is_c);
+        if prepared.is_some() {
+            declarations::prepared(&mut text, listing, prefix);
+        }
         base_parameters(&mut text, listing, prefix);
         let qualifier = if is_c { "HOMOGEN_FN " } else { "" };
         for (listed, name) in listing.functions.iter().zip(symbols(listing, prefix)) {
-            let about = documentation::of_function(listing, listed, Some(self.angles));
+            let about = documentation::of_function(listing, listed, Some(self.angles), None);
             text.push_str(&comment(&about));
-            let parameters = parameters(listing, listed, prefix);
+            let parameters = parameters(listing, listed, (prefix, "robot"));
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{qualifier}void {name}({parameters});\n");
         }
+        if let Some(prepared) = prepared {
+            text.push_str(&self.prepared(listing, prepared));
+        }
         text.push_str("#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
+        text
+    }
+}
+
+impl Header<'_> {
+    /// The function that computes once what depends on fields alone, and those that read it.
+    fn prepared(&self, listing: &Listing, prepared: &Prepared) -> String {
+        let prefix = self.prefix;
+        let mut text = comment(&documentation::of_prepare(&prepared.price));
+        let filled = of_prepare(prefix);
+        let _ = writeln!(text, "HOMOGEN_FN void {prefix}prepare({filled});\n");
+        let symbols = symbols(listing, &format!("{prefix}prepared_"));
+        for (listed, name) in prepared.functions.iter().zip(symbols) {
+            let once = Some(&prepared.price);
+            let about = documentation::of_function(listing, listed, Some(self.angles), once);
+            text.push_str(&comment(&about));
+            let parameters = parameters(listing, listed, (prefix, "prepared"));
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "HOMOGEN_FN void {name}({parameters});\n");
+        }
         text
     }
 }

@@ -6,14 +6,14 @@
 use std::fmt::Write;
 
 use super::Writing;
-use super::body::body;
+use super::body::{body, once};
 use super::comments::comment;
-use super::declarations::parameters;
+use super::declarations::{of_prepare, parameters};
 use super::header::guard;
 use super::names::symbols;
 use super::sines;
 use crate::formulation::Sines;
-use crate::print::{Listed, Listing, documentation};
+use crate::print::{Fields, Listed, Listing, documentation};
 use crate::real::Real;
 use crate::schedule::Operation;
 
@@ -52,9 +52,25 @@ pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
         text.push_str(&sines::function(listing.scalar, writing));
     }
     for (listed, name) in listing.functions.iter().zip(&symbols) {
-        let parameters = parameters(listing, listed, writing.prefix);
-        let body = body(listing, listed, writing);
+        let parameters = parameters(listing, listed, (writing.prefix, "robot"));
+        let fields = Fields::Own(&listing.parameters);
+        let body = body(listing, (listed, fields), writing);
         let _ = writeln!(text, "\nHOMOGEN_FN void {name}({parameters})\n{{\n{body}}}");
+    }
+    if let Some(prepared) = &listing.prepared {
+        let (prefix, once) = (writing.prefix, once(listing, prepared, writing));
+        let filled = of_prepare(prefix);
+        let _ = writeln!(
+            text,
+            "\nHOMOGEN_FN void {prefix}prepare({filled})\n{{\n{once}}}"
+        );
+        let symbols = super::names::symbols(listing, &format!("{prefix}prepared_"));
+        for (listed, name) in prepared.functions.iter().zip(symbols) {
+            let parameters = parameters(listing, listed, (prefix, "prepared"));
+            let fields = Fields::Computed(&prepared.names);
+            let body = body(listing, (listed, fields), writing);
+            let _ = writeln!(text, "\nHOMOGEN_FN void {name}({parameters})\n{{\n{body}}}");
+        }
     }
     text
 }

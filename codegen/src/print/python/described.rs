@@ -129,7 +129,7 @@ impl<'l> Class<'l> {
     /// What is said of a method.
     pub fn about(&self, method: &Method<'_>) -> Vec<String> {
         let listed = method.listed;
-        let mut lines = documentation::of_function(self.listing, listed, None);
+        let mut lines = documentation::of_function(self.listing, listed, None, None);
         // Behind what is computed, and the empty line after it.
         let at = match listed.functions.len() {
             1 => 2,

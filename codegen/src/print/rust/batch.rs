@@ -65,8 +65,7 @@ impl<'p> Batched<'p> {
         let generics = method::generics(&[], self.dialect);
         let head = declaration::implementation(self.item, &of, &generics);
         let name = ident(self.function.name());
-        let parameters =
-            method::parameters(self.item, (&[self.function], false), &lengths, self.dialect);
+        let parameters = method::parameters((&[self.function], false), &lengths, self.dialect);
         let allowed = declaration::allowed(self.dialect);
         quote! {
             #allowed
@@ -84,13 +83,7 @@ impl<'p> Batched<'p> {
         let runtime = self.runtime;
         let (name, arguments) = (ident(self.function.name()), method::names(self.function));
         let visibility = &self.item.visibility;
-        let signature = signature(
-            self.item,
-            self.function,
-            (&lengths, &[]),
-            runtime,
-            self.dialect,
-        );
+        let signature = signature(self.function, (&lengths, &[]), runtime, self.dialect);
         let about = doc(&[
             format!(
                 "[`{name}`](Self::{name}) of each state of some slices, into `results`, with the same bits."
@@ -114,7 +107,6 @@ impl<'p> Batched<'p> {
 /// `fn gravity_batch<T: ::homogen::batch::Number>(&self, q: &[[T; 2]], results: &mut [[T; 2]]) -> …`, for arrays of
 /// the given lengths, some of which may be parameters.
 pub(super) fn signature(
-    item: &Item,
     function: Function,
     (lengths, unknown): (Lengths<'_>, &[TokenStream]),
     runtime: &TokenStream,
@@ -127,7 +119,7 @@ pub(super) fn signature(
         let length = lengths(argument.space());
         quote! { #name: &[[#number; #length]] }
     });
-    let result = result_type(item, &[function], lengths, dialect);
+    let result = result_type(&[function], lengths, dialect);
     quote! {
         fn #name<#number: #runtime::batch::Number #(, #unknown)*>(
             &self,

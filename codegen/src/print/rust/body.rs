@@ -11,12 +11,13 @@ use super::arguments::{pattern, unpack};
 use super::dialect::Dialect;
 use super::literals::Numerals;
 use super::names::ident;
-use crate::print::Listing;
+use super::world::World;
+use crate::print::Fields;
 use crate::request::Parameter;
 use crate::schedule::{
     Angle, Entries, LONGEST_SCOPE, Names, Operation, Program, Readable, Routine, Statement, Value,
 };
-use crate::space::Variable;
+use crate::space::{Spaces, Variable};
 
 /// The inside of a function.
 pub(super) struct Body {
@@ -26,6 +27,9 @@ pub(super) struct Body {
     pub results: Vec<TokenStream>,
 }
 
+/// The field of a prepared robot.
+pub(super) const VALUES: &str = "values";
+
 /// How many fields are loaded in one scope; three numbers of a field take up to four `let`s.
 const FIELDS: usize = LONGEST_SCOPE / 4;
 
@@ -34,21 +38,24 @@ const FIELDS: usize = LONGEST_SCOPE / 4;
 pub(super) fn body(
     program: &Program,
     (arguments, returns_number): (&[Variable], bool),
-    listing: &Listing,
+    (fields, spaces): (Fields<'_>, &Spaces),
     dialect: &Dialect,
 ) -> Body {
     let mut names = dialect.names.clone();
     let (numerals, constant) = dialect.numerals(&mut names);
     let (fused, mul_add) = dialect.fused(&mut names);
-    let fields = listing.parameters.iter().map(Parameter::entries);
     let readable = Readable {
         arguments,
-        spaces: &listing.spaces,
-        fields: &fields.collect::<Vec<_>>(),
+        spaces,
+        fields: &fields.entries(),
     };
     let mut routine = Routine::of(program, &readable, names);
     let returned = returns_number.then(|| returned(&mut routine)).flatten();
-    let loads = routine.fields.iter().zip(&listing.parameters);
+    let parameters = match fields {
+        Fields::Own(parameters) => parameters,
+        Fields::Computed(_) => &[],
+    };
+    let loads = routine.fields.iter().zip(parameters);
     let loads = loads.filter(|(entries, _)| entries.iter().any(Option::is_some));
     let loads: Vec<_> = loads.collect();
     let mut writer = Writer {
@@ -67,6 +74,9 @@ pub(super) fn body(
     }
     let arguments = routine.arguments.iter();
     statements.extend(arguments.map(|argument| unpack(argument, dialect)));
+    if let (Fields::Computed(_), [values]) = (fields, &*routine.fields) {
+        statements.extend(computed(values));
+    }
     let load = |(entries, field): &(&Entries, &Parameter)| writer.load(entries, field);
     if loads.len() <= FIELDS {
         statements.extend(loads.iter().map(load));
@@ -169,10 +179,17 @@ impl Writer<'_> {
     }
 
     /// `let payload = self.payload;` or `let [gravity_x, _, gravity_z] = self.gravity;`, converted.
-    fn load(&self, entries: &Entries, Parameter { field, .. }: &Parameter) -> TokenStream {
+    fn load(&self, entries: &Entries, Parameter { field, target, .. }: &Parameter) -> TokenStream {
         // The compiler's complaint about a field of another type belongs under the field.
         let span = field.span().resolved_at(Span::call_site());
-        let value = quote_spanned! {span=> self.#field };
+        let value = match (&self.dialect.world, target.is_payload()) {
+            (World::Runtime(runtime), true) => {
+                quote_spanned! {span=> #runtime::Payload::numbers(&self.#field) }
+            }
+            (World::Runtime(_) | World::Core(_) | World::Lanes(_), _) => {
+                quote_spanned! {span=> self.#field }
+            }
+        };
         let converted = |value: &TokenStream| self.dialect.converted(&self.numerals, value, span);
         if let [Some(name)] = &**entries {
             let (name, value) = (ident(name), converted(&value));
@@ -188,6 +205,14 @@ impl Writer<'_> {
         let patterns = entries.iter().map(Option::as_ref).map(pattern);
         quote! { let [#(#patterns),*] = #value; #(#conversions)* }
     }
+}
+
+/// `let [phi_2_in_2_cz, _, payload_m] = self.values;`, where any of them is read.
+fn computed(values: &Entries) -> Option<TokenStream> {
+    let any = values.iter().any(Option::is_some);
+    let patterns = values.iter().map(Option::as_ref).map(pattern);
+    let field = ident(VALUES);
+    any.then(|| quote! { let [#(#patterns),*] = self.#field; })
 }
 
 /// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them.

@@ -16,7 +16,7 @@ use super::literals::Numerals;
 use super::results::{square_and_column, two_vectors};
 use super::world::World;
 use crate::joint::Posture;
-use crate::print::{ChainData, DataMotion, Listing, documentation};
+use crate::print::{ChainData, DataMotion, Fields, Listing, documentation};
 use crate::space::Space;
 
 /// How many numbers a joint has, and how many of them are its placement and its screw.
@@ -33,7 +33,12 @@ pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
     let Body {
         statements,
         results,
-    } = body(&data.program, (&[], false), listing, &dialect.of_data());
+    } = body(
+        &data.program,
+        (&[], false),
+        (Fields::Own(&listing.parameters), &listing.spaces),
+        &dialect.of_data(),
+    );
     let value = value(data, &results, runtime);
 
     let about = doc(&documentation::of_chain(listing));

@@ -38,9 +38,12 @@ fn made(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
     let fields = listing.parameters.iter().map(|parameter| {
         let field = &parameter.field;
         let about = doc(&[documentation::of_field(&parameter.target)]);
-        let kind = match parameter.target.entries() {
-            1 => number.clone(),
-            entries => array(&number, &literal(entries)),
+        let kind = match (&dialect.world, parameter.target.entries()) {
+            (World::Runtime(runtime), _) if parameter.target.is_payload() => {
+                quote! { #runtime::Payload<#number> }
+            }
+            (_, 1) => number.clone(),
+            (_, entries) => array(&number, &literal(entries)),
         };
         quote! { #about pub #field: #kind, }
     });

@@ -32,6 +32,10 @@ pub(super) struct Dialect {
     generic: Option<Ident>,
     /// The type of number, by name.
     pub real: Real,
+    /// The struct that has the fields: what stands beside it is called after it.
+    pub robot: Ident,
+    /// Whether the struct, and not each function, is generic over the type of number.
+    prepared: bool,
     /// The names that functions cannot bind.
     pub names: Names,
     /// Where its sines come from.
@@ -62,6 +66,8 @@ impl Dialect {
         };
         Self {
             world: world.clone(),
+            robot: item.ident.clone(),
+            prepared: false,
             number,
             generic,
             real,
@@ -72,9 +78,10 @@ impl Dialect {
         }
     }
 
-    /// The generic parameter with its bound.
+    /// The generic parameter of a function with its bound.
     pub fn bound(&self) -> Option<TokenStream> {
         match (&self.generic, &self.world) {
+            (Some(_), _) if self.prepared => None,
             (Some(generic), World::Runtime(runtime)) => Some(quote! { #generic: #runtime::Scalar }),
             (Some(generic), World::Lanes(path)) => Some(quote! { #generic: #path::Number }),
             _ => None,
@@ -91,6 +98,14 @@ impl Dialect {
         match &self.world {
             World::Runtime(_) | World::Lanes(_) => None,
             World::Core(library) => Some(library.angles(self.real)),
+        }
+    }
+
+    /// The same world in a struct that holds numbers of the type which functions have.
+    pub fn of_prepared(&self) -> Self {
+        Self {
+            prepared: true,
+            ..self.clone()
         }
     }
 
@@ -222,7 +237,14 @@ impl Dialect {
             World::Core(library) => {
                 let own = ident(sines::NAME);
                 let sin_cos = library.sin_cos.clone();
-                let sin_cos = sin_cos.unwrap_or_else(|| quote! { Self::#own });
+                let robot = &self.robot;
+                let sin_cos = sin_cos.unwrap_or_else(|| {
+                    if self.prepared {
+                        quote! { #robot::#own }
+                    } else {
+                        quote! { Self::#own }
+                    }
+                });
                 one_by_one(&sin_cos, sines, cosines, angles)
             }
         }

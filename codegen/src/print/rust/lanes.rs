@@ -15,7 +15,7 @@ use super::item::Item;
 use super::lengths::literal;
 use super::names::{ident, of_methods};
 use super::world::World;
-use crate::print::{Listed, Listing, c, documentation};
+use crate::print::{Fields, Listed, Listing, c, documentation};
 use crate::space::Entity;
 
 /// The struct and its methods.
@@ -49,7 +49,12 @@ fn method(
     let Body {
         statements,
         results,
-    } = body(&listed.program, (&arguments, false), listing, dialect);
+    } = body(
+        &listed.program,
+        (&arguments, false),
+        (Fields::Own(&listing.parameters), &listing.spaces),
+        dialect,
+    );
     let number = &dialect.number;
     let parameters = arguments.iter().map(|argument| {
         let length = literal(listing.spaces.len(argument.space()));

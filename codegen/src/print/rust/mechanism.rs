@@ -16,7 +16,7 @@ use super::lengths::literal;
 use super::results::square_and_column;
 use super::world::World;
 use crate::closure::Row;
-use crate::print::{Listing, LoopData, documentation};
+use crate::print::{Fields, Listing, LoopData, documentation};
 use crate::space::Space;
 
 /// How many numbers a frame has, and a loop.
@@ -38,7 +38,7 @@ pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> To
     } = body(
         &data.loops.program,
         (&[], false),
-        listing,
+        (Fields::Own(&listing.parameters), &listing.spaces),
         &dialect.of_data(),
     );
     let loops = data.loops.loops.iter().zip(results.chunks(LOOP));

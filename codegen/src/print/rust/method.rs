@@ -17,17 +17,16 @@ use super::names::ident;
 use super::results::{result_type, result_value};
 use super::world::World;
 use crate::function::Function;
-use crate::print::{Listed, Listing, arguments, documentation};
-use crate::space::Space;
+use crate::print::{Fields, Listed, Listing, arguments};
+use crate::space::{Space, Spaces};
 
-/// What computes `listed`, to stand between braces.
+/// What computes `listed` from what its struct has, to stand between braces.
 pub(super) fn computation(
-    listing: &Listing,
-    item: &Item,
-    listed: &Listed,
+    (listed, fields): (&Listed, Fields<'_>),
+    spaces: &Spaces,
     dialect: &Dialect,
 ) -> TokenStream {
-    let arguments = listed.arguments(&listing.spaces);
+    let arguments = listed.arguments(spaces);
     let is_number = |function: &Function| function.result().is_number();
     let returns_number = matches!(&*listed.functions, [only] if is_number(only));
     let Body {
@@ -36,35 +35,26 @@ pub(super) fn computation(
     } = body(
         &listed.program,
         (&arguments, returns_number),
-        listing,
+        (fields, spaces),
         dialect,
     );
-    let result = result_value(item, &listed.functions, &listing.spaces, &results, dialect);
+    let result = result_value(&listed.functions, spaces, &results, dialect);
 
     quote! { #statements #result }
 }
 
-/// The method that computes `listed` by what stands between its braces.
+/// The method that computes `listed` by what stands between its braces, under these lines.
 pub(super) fn method(
-    listing: &Listing,
-    item: &Item,
-    listed: &Listed,
+    (item, spaces): (&Item, &Spaces),
+    (listed, about): (&Listed, &[String]),
     name: &Ident,
     (computation, dialect): (&TokenStream, &Dialect),
 ) -> TokenStream {
-    let about = documentation::of_function(listing, listed, dialect.angles().as_ref());
-    let about = doc(&about);
+    let about = doc(about);
     let visibility = &item.visibility;
-    let lengths = known(&listing.spaces);
-    let acted = listing.spaces.actions() > 0;
-    let signature = signature(
-        item,
-        name,
-        (&listed.functions, acted),
-        &lengths,
-        &[],
-        dialect,
-    );
+    let lengths = known(spaces);
+    let acted = spaces.actions() > 0;
+    let signature = signature(name, (&listed.functions, acted), &lengths, &[], dialect);
     quote! {
         #about
         #[must_use]
@@ -115,7 +105,7 @@ pub(super) fn implementation(
     let of = of_runtime(function, lengths, runtime, dialect);
     let head = declaration::implementation(item, &of, &generics(unknown, dialect));
     let method = ident(function.name());
-    let parameters = parameters(item, (&[function], false), lengths, dialect);
+    let parameters = parameters((&[function], false), lengths, dialect);
     quote! { #head { #[inline] fn #method #parameters { #call } } }
 }
 
@@ -139,7 +129,6 @@ pub(super) fn of_runtime(
 /// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]` of functions, which actions from outside
 /// enter or not; `unknown` are generic parameters that stand for lengths.
 pub(super) fn signature(
-    item: &Item,
     name: &Ident,
     functions: (&[Function], bool),
     lengths: Lengths<'_>,
@@ -151,7 +140,7 @@ pub(super) fn signature(
         [] => quote! { #name },
         generics => quote! { #name<#(#generics),*> },
     };
-    let parameters = parameters(item, functions, lengths, dialect);
+    let parameters = parameters(functions, lengths, dialect);
     quote! { fn #name #parameters }
 }
 
@@ -163,7 +152,6 @@ pub(super) fn generics(unknown: &[TokenStream], dialect: &Dialect) -> Vec<TokenS
 
 /// `(&self, q: &[T; 2]) -> [T; 2]`.
 pub(super) fn parameters(
-    item: &Item,
     (functions, acted): (&[Function], bool),
     lengths: Lengths<'_>,
     dialect: &Dialect,
@@ -173,6 +161,6 @@ pub(super) fn parameters(
         let of = type_of(argument, lengths, dialect);
         quote! { #name: &#of }
     });
-    let result = result_type(item, functions, lengths, dialect);
+    let result = result_type(functions, lengths, dialect);
     quote! { (&self, #(#parameters),*) -> #result }
 }

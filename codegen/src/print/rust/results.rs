@@ -20,7 +20,6 @@ use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 
 /// The type of what `functions` return together.
 pub(super) fn result_type(
-    item: &Item,
     functions: &[Function],
     lengths: Lengths<'_>,
     dialect: &Dialect,
@@ -28,7 +27,7 @@ pub(super) fn result_type(
     let types = functions.iter().map(|&function| match function.result() {
         Outcome::One(quantity) => type_of(&quantity, lengths, dialect),
         outcome @ Outcome::Parts(_) => {
-            let path = structure(item, function, dialect);
+            let path = structure(function, dialect);
             match dialect.world {
                 World::Runtime(_) => {
                     let lengths = spaces(outcome).into_iter().map(lengths);
@@ -54,7 +53,7 @@ fn spaces(outcome: Outcome) -> Vec<Space> {
 }
 
 /// The path of the struct that a function of several quantities returns.
-fn structure(item: &Item, function: Function, dialect: &Dialect) -> TokenStream {
+fn structure(function: Function, dialect: &Dialect) -> TokenStream {
     match &dialect.world {
         World::Runtime(runtime) => {
             // It is called as the function is, in the case of types.
@@ -62,15 +61,15 @@ fn structure(item: &Item, function: Function, dialect: &Dialect) -> TokenStream 
             quote! { #runtime::#name }
         }
         World::Core(_) | World::Lanes(_) => {
-            let name = own_structure(item, function);
+            let name = own_structure(function, dialect);
             quote! { #name }
         }
     }
 }
 
 /// The name of that struct where there is no runtime.
-fn own_structure(item: &Item, function: Function) -> Ident {
-    format_ident!("{}{function:?}", item.ident.unraw())
+fn own_structure(function: Function, dialect: &Dialect) -> Ident {
+    format_ident!("{}{function:?}", dialect.robot.unraw())
 }
 
 /// The structs that functions return, where there is no runtime to have them.
@@ -88,7 +87,7 @@ pub(super) fn own_structures(listing: &Listing, item: &Item, dialect: &Dialect) 
         let Outcome::Parts(parts) = function.result() else {
             return None;
         };
-        let name = own_structure(item, function);
+        let name = own_structure(function, dialect);
         let about = doc(&[format!(
             "What [`{}::{}`] returns.",
             item.ident.unraw(),
@@ -138,7 +137,6 @@ fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
 
 /// The value of what `functions` return together: their numbers stand one after the other.
 pub(super) fn result_value(
-    item: &Item,
     functions: &[Function],
     spaces: &Spaces,
     numbers: &[TokenStream],
@@ -158,7 +156,7 @@ pub(super) fn result_value(
         match &*fields {
             [(None, value)] => value.clone(),
             fields => {
-                let path = structure(item, function, dialect);
+                let path = structure(function, dialect);
                 let fields = fields.iter().map(|(name, value)| quote! { #name: #value });
                 quote! { #path { #(#fields),* } }
             }

@@ -12,7 +12,7 @@ use super::item::{Declaration, Item};
 use super::lengths::{Lengths, literal};
 use super::names::{ident, unscoped};
 use super::world::World;
-use super::{batch, chain, declaration, mechanism, method};
+use super::{batch, chain, declaration, mechanism, method, prepared};
 use crate::function::Function;
 use crate::print;
 use crate::real::Real;
@@ -43,56 +43,28 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
         Space::Coordinates | Space::Velocities | Space::Actions => lengths(space),
         _ => quote! { #other },
     };
-    let constant = |name: &Ident| quote! { const #name: ::core::primitive::usize };
     let parameter = unknown.as_ref().map(constant);
 
-    let acted = !request.external.is_empty();
-    let mut methods = TokenStream::new();
-    let mut traits = TokenStream::new();
-    let mut names = unscoped();
-    names.take("chain");
     let has_loops = spaces.is_some_and(|spaces| spaces.len(Space::Constraints) > 0);
-    for functions in &request.items(has_loops) {
-        let frames = request.frames.iter().map(|frame| Some(frame.text.as_str()));
-        for frame in [None].into_iter().chain(frames) {
-            if frame.is_some() && !functions.iter().all(|function| function.of_a_frame()) {
-                continue;
-            }
-            let name = ident(&names.fresh(&print::name(functions, frame)));
-            let further = functions
-                .iter()
-                .any(|function| function.further().next().is_some());
-            let further = further.then(|| constant(&other));
-            let parameters: Vec<_> = parameter.iter().cloned().chain(further).collect();
-            let signature = method::signature(
-                item,
-                &name,
-                (functions, acted),
-                &lengths,
-                &parameters,
-                &dialect,
-            );
-            let unreachable = quote! { ::core::unreachable!() };
-            methods.extend(absent(item, &signature, &unreachable));
-            if let ([function], None) = (functions.as_slice(), frame) {
-                let batched = request.batch && batch::exists(*function, acted);
-                if let (true, Real::Generic, World::Runtime(runtime)) =
-                    (batched, request.scalar, &dialect.world)
-                {
-                    let lengths: (Lengths<'_>, &[_]) = (&lengths, &parameters);
-                    let signature = batch::signature(item, *function, lengths, runtime, &dialect);
-                    methods.extend(absent(item, &signature, &unreachable));
-                }
-                traits.extend(method::implementation(
-                    item,
-                    *function,
-                    &lengths,
-                    &parameters,
-                    &unreachable,
-                    &dialect,
-                ));
-            }
-        }
+    let of_functions = |item: &Item, dialect: &Dialect, batch: bool| {
+        functions(
+            item,
+            &Request {
+                batch,
+                ..request.clone()
+            },
+            (&lengths, parameter.as_ref(), &other),
+            has_loops,
+            dialect,
+        )
+    };
+    let (mut methods, mut traits) = of_functions(item, &dialect, request.batch);
+    if request.prepare {
+        let (prepare, beside) = prepared::absent(item, &dialect, |item, dialect| {
+            of_functions(item, dialect, false)
+        });
+        methods.extend(absent(item, &prepare, &quote! { ::core::unreachable!() }));
+        traits.extend(beside);
     }
     let wanted = request.items(has_loops).concat();
     methods.extend(data(
@@ -108,6 +80,63 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     };
     let block = declaration::block(item, &methods, &dialect);
     quote! { #declaration #block #traits }
+}
+
+/// Methods and traits of the functions that were asked for.
+fn functions(
+    item: &Item,
+    request: &Request,
+    (lengths, parameter, other): (Lengths<'_>, Option<&TokenStream>, &Ident),
+    has_loops: bool,
+    dialect: &Dialect,
+) -> (TokenStream, TokenStream) {
+    let acted = !request.external.is_empty();
+    let mut methods = TokenStream::new();
+    let mut traits = TokenStream::new();
+    let mut names = unscoped();
+    names.take("chain");
+    for functions in &request.items(has_loops) {
+        let frames = request.frames.iter().map(|frame| Some(frame.text.as_str()));
+        for frame in [None].into_iter().chain(frames) {
+            if frame.is_some() && !functions.iter().all(|function| function.of_a_frame()) {
+                continue;
+            }
+            let name = ident(&names.fresh(&print::name(functions, frame)));
+            let further = functions
+                .iter()
+                .any(|function| function.further().next().is_some());
+            let further = further.then(|| constant(other));
+            let parameters: Vec<_> = parameter.into_iter().cloned().chain(further).collect();
+            let signature =
+                method::signature(&name, (functions, acted), lengths, &parameters, dialect);
+            let unreachable = quote! { ::core::unreachable!() };
+            methods.extend(absent(item, &signature, &unreachable));
+            if let ([function], None) = (functions.as_slice(), frame) {
+                let batched = request.batch && batch::exists(*function, acted);
+                if let (true, Real::Generic, World::Runtime(runtime)) =
+                    (batched, request.scalar, &dialect.world)
+                {
+                    let lengths: (Lengths<'_>, &[_]) = (lengths, &parameters);
+                    let signature = batch::signature(*function, lengths, runtime, dialect);
+                    methods.extend(absent(item, &signature, &unreachable));
+                }
+                traits.extend(method::implementation(
+                    item,
+                    *function,
+                    lengths,
+                    &parameters,
+                    &unreachable,
+                    dialect,
+                ));
+            }
+        }
+    }
+    (methods, traits)
+}
+
+/// A generic parameter that stands for a number.
+fn constant(name: &Ident) -> TokenStream {
+    quote! { const #name: ::core::primitive::usize }
 }
 
 /// What stands for the robot as data: a chain, a mechanism where it was wanted, and base parameters.

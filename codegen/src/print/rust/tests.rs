@@ -154,6 +154,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
         scalar,
         sines: Sines::default(),
         parameters: Vec::new(),
+        prepared: None,
     }
 }
 

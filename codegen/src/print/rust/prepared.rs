@@ -1,0 +1,134 @@
+//! A robot whose fields have been read once and for all.
+//!
+//! In: the functions of a [`Listing`] in two parts. Out: the method `prepare`, which computes what depends on
+//! fields alone, and the struct that holds it, with a method and a trait for each function. It never
+//! decides what belongs to which part.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::ext::IdentExt;
+use syn::{Generics, parse_quote};
+
+use super::body::{Body, VALUES, body};
+use super::comments::doc;
+use super::declaration;
+use super::dialect::Dialect;
+use super::item::{Declaration, Item};
+use super::lengths::{array, literal};
+use super::method;
+use super::names::{ident, of_methods};
+use super::steps;
+use super::world::World;
+use crate::print::{Fields, Listing, documentation};
+
+/// The method of the robot, and what stands beside it; nothing where nobody asks.
+pub(super) fn prepared(
+    listing: &Listing,
+    item: &Item,
+    dialect: &Dialect,
+) -> (TokenStream, TokenStream) {
+    let Some(prepared) = &listing.prepared else {
+        return <(TokenStream, TokenStream)>::default();
+    };
+    let own = of(item, dialect);
+    let Body {
+        statements,
+        results,
+    } = body(
+        &prepared.once,
+        (&[], false),
+        (Fields::Own(&listing.parameters), &listing.spaces),
+        dialect,
+    );
+    let (values, visibility) = (ident(VALUES), &item.visibility);
+    let name = &own.ident;
+    let about = doc(&documentation::of_prepare(&prepared.price));
+    let signature = signature(item, dialect);
+    let prepare = quote! {
+        #about
+        #[must_use]
+        #visibility #signature { #statements #name { #values: [#(#results),*] } }
+    };
+
+    let inside = dialect.of_prepared();
+    let mut methods = TokenStream::new();
+    let mut beside = TokenStream::new();
+    for (listed, name) in prepared.functions.iter().zip(of_methods(listing)) {
+        let fields = Fields::Computed(&prepared.names);
+        let body = method::computation((listed, fields), &listing.spaces, &inside);
+        let about = documentation::of_function(
+            listing,
+            listed,
+            inside.angles().as_ref(),
+            Some(&prepared.price),
+        );
+        methods.extend(method::method(
+            (&own, &listing.spaces),
+            (listed, &about),
+            &name,
+            (&body, &inside),
+        ));
+        if let ([function], None) = (&*listed.functions, &listed.frame) {
+            beside.extend(method::in_trait(listing, &own, *function, &name, &inside));
+        }
+    }
+    methods.extend(steps::steps(listing, &own, &inside));
+    let methods = declaration::block(&own, &methods, &inside);
+    let structure = structure(item, &own, prepared.names.len(), dialect);
+    (prepare, quote! { #structure #methods #beside })
+}
+
+/// `fn prepare<T: ::homogen::Scalar>(&self) -> ArmPrepared<T>`.
+fn signature(item: &Item, dialect: &Dialect) -> TokenStream {
+    let own = of(item, dialect);
+    let name = &own.ident;
+    let (_, arguments, _) = own.generics.split_for_impl();
+    let generics = dialect.bound().map(|bound| quote! { <#bound> });
+    quote! { fn prepare #generics(&self) -> #name #arguments }
+}
+
+/// The struct that holds what is computed of the fields of another.
+fn of(item: &Item, dialect: &Dialect) -> Item {
+    let generics = dialect
+        .bound()
+        .map_or_else(Generics::default, |bound| parse_quote! { <#bound> });
+    Item {
+        visibility: item.visibility.clone(),
+        ident: format_ident!("{}Prepared", item.ident.unraw(), span = item.ident.span()),
+        generics,
+        declaration: Declaration::Made,
+    }
+}
+
+/// Its declaration, with so many numbers.
+fn structure(item: &Item, own: &Item, count: usize, dialect: &Dialect) -> TokenStream {
+    let about = doc(&documentation::of_prepared(&item.ident.unraw().to_string()));
+    let derive = match dialect.world {
+        World::Runtime(_) => quote! {
+            #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        },
+        World::Core(_) | World::Lanes(_) => quote! { #[derive(Clone, Copy, Debug)] },
+    };
+    let (name, visibility, values) = (&own.ident, &own.visibility, ident(VALUES));
+    let (_, arguments, _) = own.generics.split_for_impl();
+    let kind = array(&dialect.number, &literal(count));
+    quote! { #about #derive #visibility struct #name #arguments { #values: #kind, } }
+}
+
+/// The signature of the method, and the struct, after a mistake, which keep the rest of the program compiling;
+/// `members` are the methods and the traits of what a robot has, for any struct.
+pub(super) fn absent(
+    item: &Item,
+    dialect: &Dialect,
+    members: impl Fn(&Item, &Dialect) -> (TokenStream, TokenStream),
+) -> (TokenStream, TokenStream) {
+    let own = of(item, dialect);
+    let inside = dialect.of_prepared();
+    let (methods, traits) = members(&own, &inside);
+    let methods = declaration::block(&own, &methods, &inside);
+    let structure = structure(item, &own, 0, dialect);
+    (
+        signature(item, dialect),
+        quote! { #structure #methods #traits },
+    )
+}

@@ -1,0 +1,264 @@
+//! What of some programs depends on struct fields alone.
+//!
+//! In: the programs of a robot. Out: one program of fields, which computes all that they share or have of
+//! it, and for each of them what is left, which reads those results in place of fields. It never changes an
+//! operation, adds one or moves one past another that it depends on, so that results keep their bits.
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::HashMap;
+
+use super::names::sanitize;
+use super::{Operand, Operation, Program, Step};
+use crate::expression::Input;
+
+/// Programs in two parts.
+#[derive(Clone, Debug)]
+pub struct Parts {
+    /// What depends on fields alone. Its results are the values that the others read.
+    pub once: Program,
+    /// What those values would like to be called, none twice.
+    pub names: Vec<String>,
+    /// What is left of each program: no field is read, and [`Input::Parameter`] with field 0 is a value.
+    pub each: Vec<Program>,
+}
+
+/// Parts programs; the entries of each field have a name.
+#[must_use]
+pub fn part(programs: &[&Program], fields: &[Vec<String>]) -> Parts {
+    let mut once = Once::default();
+    let each = programs.iter().map(|program| once.take(program)).collect();
+    let names = once.names(fields);
+    Parts {
+        once: once.program(),
+        names,
+        each,
+    }
+}
+
+/// What an operand is by its bits, so that equal ones are found.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Key {
+    Literal(u64),
+    Input(Input),
+    Sin(u32),
+    Cos(u32),
+    Step(u32),
+}
+
+impl Key {
+    fn of(operand: Operand) -> Self {
+        match operand {
+            Operand::Literal(value) => Self::Literal(value.to_bits()),
+            Operand::Input(input) => Self::Input(input),
+            Operand::Sin(angle) => Self::Sin(angle),
+            Operand::Cos(angle) => Self::Cos(angle),
+            Operand::Step(step) => Self::Step(step),
+        }
+    }
+}
+
+/// The program of fields in the making: its steps in the order in which they were found.
+#[derive(Default)]
+struct Once {
+    steps: Vec<Step>,
+    angles: Vec<Operand>,
+    values: Vec<Operand>,
+    known_steps: HashMap<(std::mem::Discriminant<Operation>, Vec<Key>), u32>,
+    known_angles: HashMap<Key, u32>,
+    known_values: HashMap<Key, u16>,
+}
+
+/// Where the steps and angles of one program went: into that of fields, or what is left of its own.
+struct Moved {
+    steps: Vec<Place>,
+    angles: Vec<Place>,
+}
+
+#[derive(Clone, Copy)]
+enum Place {
+    Once(u32),
+    Left(u32),
+}
+
+impl Moved {
+    /// An operand in the program of fields, where it depends on nothing else.
+    fn once(&self, operand: Operand) -> Option<Operand> {
+        let place = |places: &[Place], k: u32| match places[k as usize] {
+            Place::Once(k) => Some(k),
+            Place::Left(_) => None,
+        };
+        match operand {
+            Operand::Literal(_) | Operand::Input(Input::Parameter(..)) => Some(operand),
+            Operand::Input(Input::Variable(..)) => None,
+            Operand::Sin(k) => place(&self.angles, k).map(Operand::Sin),
+            Operand::Cos(k) => place(&self.angles, k).map(Operand::Cos),
+            Operand::Step(k) => place(&self.steps, k).map(Operand::Step),
+        }
+    }
+
+    /// An operand in what is left.
+    fn left(&self, operand: Operand, once: &mut Once) -> Operand {
+        let place = |places: &[Place], k: u32| match places[k as usize] {
+            Place::Once(k) | Place::Left(k) => k,
+        };
+        match (self.once(operand), operand) {
+            (Some(literal @ Operand::Literal(_)), _) => literal,
+            (Some(value), _) => Operand::Input(Input::Parameter(0, once.value(value))),
+            (None, Operand::Sin(k)) => Operand::Sin(place(&self.angles, k)),
+            (None, Operand::Cos(k)) => Operand::Cos(place(&self.angles, k)),
+            (None, Operand::Step(k)) => Operand::Step(place(&self.steps, k)),
+            (None, other) => other,
+        }
+    }
+}
+
+impl Once {
+    /// Takes what a program has of fields alone, and returns what is left.
+    fn take(&mut self, program: &Program) -> Program {
+        let mut moved = Moved {
+            steps: Vec::with_capacity(program.steps.len()),
+            angles: Vec::with_capacity(program.angles.len()),
+        };
+        let mut left = Program {
+            angles: Vec::new(),
+            before_angles: 0,
+            steps: Vec::new(),
+            results: Vec::new(),
+        };
+        let (before, after) = program.steps.split_at(program.before_angles);
+        self.steps_of(before, &mut moved, &mut left);
+        left.before_angles = left.steps.len();
+        for &angle in &program.angles {
+            let place = if let Some(angle) = moved.once(angle) {
+                Place::Once(self.angle(angle))
+            } else {
+                left.angles.push(moved.left(angle, self));
+                Place::Left(index(left.angles.len() - 1))
+            };
+            moved.angles.push(place);
+        }
+        self.steps_of(after, &mut moved, &mut left);
+        let results = program.results.iter();
+        left.results = results.map(|&result| moved.left(result, self)).collect();
+        left
+    }
+
+    fn steps_of(&mut self, steps: &[Step], moved: &mut Moved, left: &mut Program) {
+        for step in steps {
+            let operands = step.operation.operands().into_iter();
+            let of_fields: Option<Vec<Operand>> =
+                operands.map(|operand| moved.once(operand)).collect();
+            let place = if let Some(operands) = of_fields {
+                Place::Once(self.step(step, &operands))
+            } else {
+                let operation = step.operation.map(|operand| moved.left(operand, self));
+                left.steps.push(Step {
+                    label: step.label.clone(),
+                    operation,
+                });
+                Place::Left(index(left.steps.len() - 1))
+            };
+            moved.steps.push(place);
+        }
+    }
+
+    /// The step that does the same with these operands.
+    fn step(&mut self, step: &Step, operands: &[Operand]) -> u32 {
+        let keys = operands.iter().copied().map(Key::of).collect();
+        let key = (std::mem::discriminant(&step.operation), keys);
+        let next = index(self.steps.len());
+        let found = *self.known_steps.entry(key).or_insert(next);
+        if found == next {
+            let mut operands = operands.iter().copied();
+            let operation = step.operation;
+            self.steps.push(Step {
+                label: step.label.clone(),
+                operation: operation.map(|read| operands.next().unwrap_or(read)),
+            });
+        }
+        found
+    }
+
+    fn angle(&mut self, angle: Operand) -> u32 {
+        let next = index(self.angles.len());
+        let found = *self.known_angles.entry(Key::of(angle)).or_insert(next);
+        if found == next {
+            self.angles.push(angle);
+        }
+        found
+    }
+
+    fn value(&mut self, value: Operand) -> u16 {
+        let next = u16::try_from(self.values.len()).expect("fewer than 2¹⁶ values of fields");
+        let found = *self.known_values.entry(Key::of(value)).or_insert(next);
+        if found == next {
+            self.values.push(value);
+        }
+        found
+    }
+
+    /// What the values would like to be called: as the step or the entry of the field is.
+    fn names(&self, fields: &[Vec<String>]) -> Vec<String> {
+        let mut taken = HashMap::new();
+        let values = self.values.iter().map(|value| {
+            let wish = match *value {
+                Operand::Step(step) => self.steps[step as usize].label.clone(),
+                Operand::Input(Input::Parameter(field, entry)) => {
+                    Some(fields[usize::from(field)][usize::from(entry)].clone())
+                }
+                Operand::Sin(_) => Some("sine".to_owned()),
+                Operand::Cos(_) => Some("cosine".to_owned()),
+                Operand::Input(_) | Operand::Literal(_) => None,
+            };
+            let wish = sanitize(&wish.unwrap_or_else(|| "prepared".to_owned()));
+            let count: &mut usize = taken.entry(wish.clone()).or_default();
+            *count += 1;
+            match *count {
+                1 => wish,
+                several => format!("{wish}_{several}"),
+            }
+        });
+        values.collect()
+    }
+
+    /// The program: what angles depend on first.
+    fn program(self) -> Program {
+        let mut early = vec![false; self.steps.len()];
+        let mut waiting = self.angles.clone();
+        while let Some(operand) = waiting.pop() {
+            if let Operand::Step(step) = operand
+                && !early[step as usize]
+            {
+                early[step as usize] = true;
+                waiting.extend(self.steps[step as usize].operation.operands());
+            }
+        }
+        // The early ones keep their order among themselves, and so do the others.
+        let mut order: Vec<usize> = (0..self.steps.len()).collect();
+        order.sort_by_key(|&step| !early[step]);
+        let mut places = vec![0; order.len()];
+        for (place, &step) in order.iter().enumerate() {
+            places[step] = index(place);
+        }
+        let moved = |operand: Operand| match operand {
+            Operand::Step(step) => Operand::Step(places[step as usize]),
+            other => other,
+        };
+        let steps = order.iter().map(|&step| Step {
+            label: self.steps[step].label.clone(),
+            operation: self.steps[step].operation.map(moved),
+        });
+        Program {
+            angles: self.angles.iter().copied().map(moved).collect(),
+            before_angles: early.iter().filter(|early| **early).count(),
+            steps: steps.collect(),
+            results: self.values.iter().copied().map(moved).collect(),
+        }
+    }
+}
+
+fn index(k: usize) -> u32 {
+    u32::try_from(k).expect("fewer than 2³² steps")
+}

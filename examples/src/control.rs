@@ -67,6 +67,9 @@ const LEAST_MOBILITY: f64 = 1e-6;
 /// Operational-space control (Khatib, "A unified approach for motion and force control of robot manipulators", 1987): the
 /// tip moves as if it were free but for the errors of its task, and what moves beside it goes to a posture, by motions
 /// that do not accelerate the tip.
+///
+/// # Panics
+/// Where the state or the robot's numbers are none.
 pub fn operational_space<R, const N: usize>(
     robot: &R,
     q: &[f64; N],

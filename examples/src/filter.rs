@@ -97,6 +97,9 @@ impl<const N: usize> Belief<N> {
     }
 
     /// What is believed once coordinates were measured.
+    ///
+    /// # Panics
+    /// Where encoders are said to be exact, or a number is none.
     pub fn correct(&mut self, measured: &[f64; N]) {
         let noise = DMatrix::identity(N, N) * (self.doubts.encoder * self.doubts.encoder);
         let seen = self.covariance.rows(0, N).clone_owned();

@@ -48,6 +48,9 @@ struct Correction {
 
 impl<const N: usize> Problem<N> {
     /// The best motion that is found from torques that stay as given, in at most so many rounds.
+    ///
+    /// # Panics
+    /// Where torques have no price, or a number is none.
     pub fn solve<R>(&self, robot: &R, hold: &[f64; N], rounds: usize) -> Plan<N>
     where
         R: ForwardDynamics<N> + ForwardDynamicsDerivatives<N>,

@@ -110,6 +110,10 @@ fn main() -> io::Result<()> {
             joint + 1
         );
     }
+    let [before, after] = found.unexplained();
+    println!(
+        "  of another motion's torques {before:.2} N m are unexplained before, {after:.2} N m after"
+    );
     let path = plot::path_from_arguments("identify");
     plot::write(&path, &found.page())?;
     println!("  drawn in {}", path.display());

@@ -45,10 +45,7 @@ fn main() -> io::Result<()> {
         plan.costs.len() - 1,
         plan.costs[0]
     );
-    println!(
-        "  misses its end by {:.1e} rad, and rest by {:.1e} rad/s",
-        missed, rest
-    );
+    println!("  misses its end by {missed:.1e} rad, and rest by {rest:.1e} rad/s");
     println!(
         "  {:.1} ms a round, of which most is linear algebra",
         1e3 * time.as_secs_f64() / count(&plan)

@@ -11,6 +11,9 @@ use homogen_tests::drives::driven;
 use homogen_tests::subjects::{Subject, subject};
 use quote::format_ident;
 
+/// A number that is a field, and the link or the joint that it is of.
+pub type Free = (fn(Name) -> Target, &'static str);
+
 /// A robot, and how it is asked for.
 #[derive(Clone, Copy)]
 pub struct Asked {
@@ -20,7 +23,7 @@ pub struct Asked {
     /// Links whose masses are fields.
     pub loads: &'static [&'static str],
     /// Other numbers that are fields, each of a link or a joint.
-    pub free: &'static [(fn(Name) -> Target, &'static str)],
+    pub free: &'static [Free],
     /// Whether its joints have drives, and the surroundings act on its tip.
     pub driven: bool,
     /// How many times the worst error that was measured a bound may be.

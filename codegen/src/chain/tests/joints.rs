@@ -212,7 +212,7 @@ fn offsets_of_followers_of_followers_are_not_rounded_before_they_are_used() {
         listing.unwrap_or_else(|errors| panic!("{errors}"));
     };
     made(builder.clone());
-    for at in [-1.8, 2.01, -1.570_796_3] {
+    for at in [-1.8, 2.01, -1.4325] {
         made(builder.clone().lock_at("turn", at));
     }
 }

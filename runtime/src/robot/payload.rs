@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
 ///     center: [0.0, 0.0, 0.1],
 ///     inertia: [0.003, 0.0, 0.0, 0.003, 0.0, 0.001],
 /// };
-/// assert_eq!(Payload::default().mass, 0.0);
+/// assert_eq!(Payload::<f64>::default().mass, 0.0);
 /// # assert_eq!(bottle.numbers()[3], 0.1);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

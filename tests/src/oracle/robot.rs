@@ -222,6 +222,10 @@ impl<'d> Reader<'d> {
                 inertia: self.inertia(base),
                 link: true,
             });
+            // Nothing drives it.
+            let nothing = || [(); 3].map(|()| Big::zero());
+            let drives = (0..6).map(|velocity| Drive::new(velocity, Big::one(), nothing()));
+            robot.drives.extend(drives);
         }
         for joint in kept {
             let on = joint.parent.text.as_str();

@@ -180,7 +180,7 @@ const MUTATIONS: [Mutation; 40] = [
     Mutation {
         name: "merging: a held joint not moved to where it is held",
         file: "codegen/src/chain/merge.rs",
-        from: "pose: pose * held_at(graph, joint.kind, axes, &held),",
+        from: "pose: pose * held_at(graph, joint.kind, axes, graph.constant(held.value)),",
         to: "pose,",
         noticed_by: engine(CHECKED),
     },

@@ -2,6 +2,8 @@
 # Packages for Python, from a description to a program: writes them, has `pip` build them in a fresh virtual
 # environment, and holds what they compute against `homogen eval`, bit for bit.
 #
+#   run.sh [--long]     --long: all functions of an arm with seven joints, and not only seven of them
+#
 # Maturin and NumPy come from PyPI, the crates that a package needs from crates.io. Where there is no
 # Python from 3.10 on with `venv`, the last line says so and nothing is checked.
 set -euo pipefail
@@ -23,9 +25,13 @@ pip() { "$folder/venv/bin/pip" --quiet --disable-pip-version-check "$@"; }
 # What packages share is compiled once.
 export CARGO_TARGET_DIR="$folder/target"
 
+# All functions of seven joints take two minutes to compile.
+panda="--functions forward_kinematics,geometric_jacobian,acceleration,inverse_dynamics,mass_matrix,forward_dynamics,gravity_derivative"
+[ "${1:-}" = --long ] && panda=""
+
 # The module, the description, and options.
 packages=(
-    "panda_py robots/panda_class.urdf --tip link8"
+    "panda_py robots/panda_class.urdf --tip link8 $panda"
     "two_link_py robots/two_link.urdf --scalar f32 --frames fore"
     "pushed_py robots/two_link.urdf --functions inverse_dynamics_derivatives,forward_dynamics,mass_matrix+inverse_dynamics_derivatives --external fore --friction=elbow=0.2 --damping shoulder=0.5"
     "quadruped_py robots/quadruped.urdf --floating --tip fl_foot --functions forward_kinematics,geometric_jacobian,inverse_dynamics,mass_matrix,forward_dynamics,centroidal_momentum_matrix,kinetic_energy --frames fr_foot,hl_foot"

@@ -57,9 +57,9 @@ impl<const N: usize> Problem<N> {
     {
         let torques = vec![*hold; self.steps];
         let mut plan = self.follow(robot, &torques, |_, _| [0.0; N]);
-        let mut cost = self.cost(&plan, hold);
-        plan.costs = vec![cost];
+        plan.costs = vec![self.cost(&plan, hold)];
         for _ in 0..rounds {
+            let cost = plan.costs[plan.costs.len() - 1];
             let corrections = self.improve(robot, &plan, hold);
             // Shorter steps, until one pays.
             let tried = (0..10)
@@ -78,8 +78,8 @@ impl<const N: usize> Problem<N> {
                         let change = shift * share + gain * off;
                         from_fn(|i| change[i])
                     });
-                    let cost = self.cost(&next, hold);
-                    (cost < plan.costs[plan.costs.len() - 1]).then_some((cost, next))
+                    let less = self.cost(&next, hold);
+                    (less < cost).then_some((less, next))
                 });
             let Some((less, next)) = tried else { break };
             let costs = [plan.costs, vec![less]].concat();
@@ -87,7 +87,6 @@ impl<const N: usize> Problem<N> {
             if cost - less < 1e-9 * cost {
                 break;
             }
-            cost = less;
         }
         plan
     }

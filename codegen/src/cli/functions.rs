@@ -1,13 +1,18 @@
 //! The functions that a command is asked about.
 //!
-//! In: names, alone or with `+` between them, and the links that they are of. Out: functions; all
-//! that the robot has where none is named. It never knows what a command does with them.
+//! In: names, alone or with `+` between them, and the links that they are of. Out: functions, all
+//! that the robot has where none is named; and the builder that makes them. It never knows what a command
+//! does with them.
 
 use std::fmt::Write;
+use std::io::Read;
 
 use clap::Args;
 
-use super::options::Robot;
+use super::options::{self, Robot, Scalar};
+use crate::builder::Builder;
+use crate::error::Errors;
+use crate::expand;
 use crate::function::Function;
 use crate::print::{LeftOut, Listing};
 use crate::request::Request;
@@ -59,6 +64,30 @@ impl Functions {
     pub(super) fn request(&self, robot: &Robot) -> Request {
         let functions = self.functions.iter().map(|item| item.0.clone());
         robot.request(&self.frames.frames, functions.collect())
+    }
+
+    /// The builder of what is asked of a robot in that type of number, under a name of its own where it has one; and
+    /// the doubts about the robot.
+    pub(super) fn builder(
+        &self,
+        robot: &Robot,
+        scalar: Scalar,
+        name: Option<&str>,
+        input: &mut dyn Read,
+    ) -> Result<(Builder, String), Errors> {
+        let description = robot.description(input)?;
+        let request = Request {
+            scalar: scalar.into(),
+            ..self.request(robot)
+        };
+        let chain = expand::understand(&description, &request)?;
+        let remarks = options::warnings(&description, &chain.report.warnings);
+        let builder = Builder::from_description(description).request(request);
+        let builder = match name {
+            Some(name) => builder.name(name),
+            None => builder,
+        };
+        Ok((builder, remarks))
     }
 
     /// What a person should know about the answer: what the robot cannot have.

@@ -10,10 +10,9 @@ use clap::{Args, ValueEnum};
 
 use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
-use super::{Answer, Said, options};
+use super::{Answer, Said};
 use crate::builder::{Builder, header_beside};
 use crate::error::Errors;
-use crate::expand;
 
 /// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -60,15 +59,10 @@ pub(super) struct Generate {
 
 impl Generate {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
-        let description = self.robot.description(input)?;
-        let mut request = self.functions.request(&self.robot);
-        request.scalar = self.scalar.into();
-        let chain = expand::understand(&description, &request)?;
-        let mut remarks = options::warnings(&description, &chain.report.warnings);
-        let mut builder = Builder::from_description(description).request(request);
-        if let Some(name) = &self.name {
-            builder = builder.name(name);
-        }
+        let name = self.name.as_deref();
+        let (mut builder, mut remarks) =
+            self.functions
+                .builder(&self.robot, self.scalar, name, input)?;
         if let Some(path) = &self.sin_cos {
             builder = builder.sin_cos(path);
         }

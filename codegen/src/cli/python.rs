@@ -10,9 +10,8 @@ use clap::Args;
 
 use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
-use super::{Answer, Said, options};
-use crate::builder::{Builder, module_of, write_folder};
-use crate::expand;
+use super::{Answer, Said};
+use crate::builder::{module_of, write_folder};
 
 /// Write a package for Python: the functions of a robot for NumPy, of one state or of many
 #[derive(Args, Clone, Debug)]
@@ -43,15 +42,10 @@ impl Python {
             return Err(mistake("a package is many files: name a folder"));
         }
         let module = module_of(&self.output)?;
-        let description = self.robot.description(input)?;
-        let mut request = self.functions.request(&self.robot);
-        request.scalar = self.scalar.into();
-        let chain = expand::understand(&description, &request)?;
-        let mut remarks = options::warnings(&description, &chain.report.warnings);
-        let mut builder = Builder::from_description(description).request(request);
-        if let Some(name) = &self.name {
-            builder = builder.name(name);
-        }
+        let name = self.name.as_deref();
+        let (builder, mut remarks) =
+            self.functions
+                .builder(&self.robot, self.scalar, name, input)?;
         let listing = builder.python_listing()?;
         remarks.push_str(&Functions::remarks(&listing));
         let package = builder.python(&listing, &module);

@@ -135,11 +135,7 @@ fn measured(waves: &Waves<7>, t: f64, random: &mut Random) -> (Desired<7>, Vecto
         at: AT,
     };
     let exact = arm.inverse_dynamics(q, qd, qdd);
-    // Of twelve uniform numbers in (−1, 1) the sum has a variance of 4.
-    let tau = from_fn(|i| {
-        let normal = (0..12).map(|_| random.odd()).sum::<f64>() / 2.0;
-        exact[i] + NOISE * normal
-    });
+    let tau = from_fn(|i| exact[i] + NOISE * random.normal());
     (desired, tau)
 }
 

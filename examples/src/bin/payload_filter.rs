@@ -84,8 +84,7 @@ fn simulate() -> Vec<Sample> {
         .map(|k| f64::from(k) * PERIOD)
         .take_while(|t| *t <= END)
     {
-        // Of twelve uniform numbers in (−1, 1) the sum has a variance of 4.
-        let read = from_fn(|i| q[i] + ENCODER * (0..12).map(|_| random.odd()).sum::<f64>() / 2.0);
+        let read = from_fn(|i| q[i] + ENCODER * random.normal());
         belief.correct(&read);
         let [seen, rates] = belief.state;
         let desired = MOTION.at(t);

@@ -48,6 +48,11 @@ impl Random {
         self.unit() + 1.0 / f64::from(1_u32 << 24)
     }
 
+    /// A number about 0 with a standard deviation of 1, nearly normal: half of the sum of twelve in (−1, 1).
+    pub fn normal(&mut self) -> f64 {
+        (0..12).map(|_| self.odd()).sum::<f64>() / 2.0
+    }
+
     /// A number in [−1, 1), a multiple of 2⁻¹⁵.
     pub fn coarse(&mut self) -> f32 {
         let [a, b, ..] = self.bits().to_be_bytes();

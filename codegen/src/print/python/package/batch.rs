@@ -58,7 +58,7 @@ macro_rules! functions {
     ($robot:ty: $(
         $name:ident($($argument:ident: $width:literal),*) -> ($($result:ident: $size:literal),*);
     )*) => {$(
-        #[allow(non_camel_case_types)]
+        #[allow(non_camel_case_types, reason = "each is called as its function")]
         pub struct $name<'a> {
             pub robot: &'a $robot,
             pub states: usize,

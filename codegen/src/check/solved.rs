@@ -119,4 +119,3 @@ fn most_unsolved(dense: &Dense, row: usize, found: Approximate, solution: &[Appr
     }
     most
 }
-

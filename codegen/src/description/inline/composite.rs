@@ -29,11 +29,11 @@ pub(super) fn is_next(input: ParseStream) -> bool {
 }
 
 /// Reads a composite behind its name.
-pub(super) fn read(name: Name, input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Joint>> {
+pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Joint>> {
     let subject = format!("joint {}", quoted(&name.text));
     let word = tokens::word(input)?;
     let mut joints = if input.peek(token::Paren) {
-        motions(&name, &tokens::parentheses(input)?, errors)
+        motions(name, &tokens::parentheses(input)?, errors)
     } else {
         Vec::new()
     };

@@ -60,7 +60,7 @@ struct Motion {
 pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Joint>> {
     let name = named(input)?;
     if composite::is_next(input) {
-        return composite::read(name, input, errors);
+        return composite::read(&name, input, errors);
     }
     Ok(vec![of(name, &KEYS, input, errors)?])
 }

@@ -1,7 +1,7 @@
 //! A whole-body step: forces of the feet and torques that move a trunk as it is told, as far as ground and drives allow.
 //!
 //! In: the equation of motion of a robot whose first six velocities are those of its free base, its feet, and the
-//! acceleration that is wanted of the base. Out: accelerations, torques and the forces of the ground, by one quadratic
+//! acceleration that is wanted of the base. Out: torques and the forces of the ground, by one quadratic
 //! program that [Clarabel](https://clarabel.org) solves. It knows no robot, and keeps nothing between two calls.
 
 use std::array::from_fn;
@@ -44,8 +44,6 @@ pub struct Limits {
 /// What a step asks for.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<const N: usize, const K: usize> {
-    /// q̈ \[rad/s², m/s²\].
-    pub qdd: [f64; N],
     /// τ, of which the base has none \[N m\].
     pub tau: [f64; N],
     /// The force on each foot, in the axes of frame 0 with z upwards \[N\].
@@ -106,7 +104,6 @@ pub fn step<const N: usize, const K: usize>(
     }
     let x = rows.solve(N + 3 * K, equal, wanted)?;
 
-    let qdd = from_fn(|j| x[j]);
     let tau = from_fn(|i| {
         if i < BASE {
             return 0.0;
@@ -115,7 +112,7 @@ pub fn step<const N: usize, const K: usize>(
         equation.bias[i] + terms.map(|(j, entry)| entry * x[j]).sum::<f64>()
     });
     let forces = from_fn(|k| force_of::<N>(k).map(|entry| x[entry]));
-    Ok(Step { qdd, tau, forces })
+    Ok(Step { tau, forces })
 }
 
 /// Where the force of a foot stands among what is looked for: behind all accelerations.

@@ -1,9 +1,11 @@
 //! A quadruped on its feet sways, turns and squats: a quadratic program a step shares the load among its feet.
 //!
-//! The step is the one of `homogen_examples::whole_body`, written for any robot on a free base; the robot is simulated
+//! The step of `step.rs` is written for any robot on a free base; the robot is simulated
 //! in steps of 0.2 ms on springs with friction, and controlled at 500 Hz. The sway grows until the feet of one side carry
 //! nothing: then the trunk lags, and the feet stay where they are. Draws how far the trunk is from where it should be,
 //! and what its feet carry, to `target/whole_body.svg` or to the path given.
+
+mod step;
 
 use std::array::from_fn;
 use std::f64::consts::TAU;
@@ -12,11 +14,11 @@ use std::io;
 use homogen::{Action, Robot, Screw, vector};
 use homogen_examples::drawing::over_time;
 use homogen_examples::motion::largest;
-use homogen_examples::whole_body::{BASE, Contact, Equation, Limits, Step, step};
 use homogen_plot::{self as plot, Color, Curve, Page, Style};
+use step::{BASE, Contact, Equation, Limits, Step, step};
 
 #[derive(Robot)]
-#[robot(urdf = "../robots/quadruped.urdf", floating)]
+#[robot(urdf = "../../robots/quadruped.urdf", floating)]
 #[robot(frames("base", "fl_foot", "fr_foot", "hl_foot", "hr_foot"))]
 #[robot(external("fl_foot", "fr_foot", "hl_foot", "hr_foot", frame = 0))]
 #[robot(generate(

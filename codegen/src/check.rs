@@ -18,11 +18,12 @@ use crate::description::{Description, Source, freed};
 use crate::error::{Errors, Place};
 use crate::expression::{Arithmetic, Input};
 use crate::function::{Function, Given, Truth};
+use crate::list::{Id, List, Square};
 use crate::print::{ChainData, Listing};
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
-use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
+use crate::space::{Entity, Outcome, Quantity, Space, Spaces, VelocityId};
 use crate::wording::quoted;
 use robot::Contradiction;
 
@@ -331,25 +332,30 @@ fn first_wrong(
 fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
     let qdd = found.iter().copied().map(Approximate::as_found);
     let torques = dense.torques_of(qdd.collect());
-    let mut pairs = torques.iter().zip(&dense.state.tau).enumerate();
-    pairs.find_map(|(row, (torque, tau))| {
+    let found: List<VelocityId, Approximate> = found.iter().copied().collect();
+    torques.numbered().find_map(|(row, torque)| {
+        let tau = &dense.state.tau[row];
         let distance = (torque.to_f64() - tau).abs();
-        let most = most_unsolved(dense, row, *torque, found);
-        wrong(row, torque.to_f64(), *tau, distance <= most)
+        let most = most_unsolved(dense, row, *torque, &found);
+        wrong(row.index(), torque.to_f64(), *tau, distance <= most)
+    })
+}
+
+/// A row of M x.
+fn product(dense: &Dense, row: VelocityId, x: &List<VelocityId, Approximate>) -> Approximate {
+    let terms = dense.mass_matrix().row(row).zip(x);
+    terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
+        sum + m * x.as_found()
     })
 }
 
 /// The first entry of M M⁻¹ that is not of the identity.
 fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
-    let matrix = dense.mass_matrix();
-    let count = matrix.len();
-    (0..count * count).find_map(|entry| {
-        let (row, column) = (entry / count, entry % count);
-        let solution: Vec<Approximate> = (0..count).map(|k| found[k * count + column]).collect();
-        let terms = matrix[row].iter().zip(&solution);
-        let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
-            sum + *m * x.as_found()
-        });
+    let inverse = Square::<VelocityId, _>::of_rows(found);
+    let mut places = inverse.places().enumerate();
+    places.find_map(|(entry, (row, column))| {
+        let solution = inverse.column(column);
+        let product = product(dense, row, &solution);
         let unit = if row == column { 1.0 } else { 0.0 };
         let distance = (product.to_f64() - unit).abs();
         let most = most_unsolved(dense, row, product, &solution);
@@ -360,9 +366,8 @@ fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
 /// The first entry of M ∂q̈/∂q and M ∂q̈/∂q̇ that is not what inverse dynamics changes by the other way, at the
 /// accelerations that ∂q̈/∂τ makes of τ; or of M ∂q̈/∂τ that is not of the identity.
 fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
-    let matrix = dense.mass_matrix();
-    let count = matrix.len();
-    let (by_motion, inverse) = found.split_at(2 * count * count);
+    let count = found.len() / 3;
+    let (by_motion, inverse) = found.split_at(2 * count);
     if let Some(wrong) = first_not_inverse(dense, inverse) {
         let entry = by_motion.len() + wrong.entry;
         return Some(Wrong { entry, ..wrong });
@@ -372,45 +377,46 @@ fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Option<Wrong>
     let lacking: Vec<Approximate> = lacking
         .map(|(bias, tau)| Approximate::exact(*tau) - *bias)
         .collect();
-    let accelerations = (0..count).map(|row| {
-        let terms = inverse[row * count..].iter().zip(&lacking);
-        terms.fold(Approximate::exact(0.0), |sum, (x, y)| sum + *x * *y)
+    let inverse = Square::<VelocityId, _>::of_rows(inverse);
+    let accelerations = inverse.rows().map(|row| {
+        let terms = row.into_iter().zip(&lacking);
+        terms.fold(Approximate::exact(0.0), |sum, (x, y)| sum + x * *y)
     });
-    let needed = dense
-        .torque_derivatives_of(accelerations.collect())
-        .concat();
-    (0..by_motion.len()).find_map(|entry| {
-        let (of, row, column) = (
-            entry / (count * count),
-            entry / count % count,
-            entry % count,
-        );
-        let solution = by_motion[of * count * count..][..count * count].iter();
-        let solution: Vec<Approximate> = solution.skip(column).step_by(count).copied().collect();
-        let terms = matrix[row].iter().zip(&solution);
-        let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
-            sum + *m * x.as_found()
-        });
-        let needed = -needed[entry];
-        let distance = (product.value - needed.value).to_f64().abs();
-        let most = most_unsolved(dense, row, product, &solution) + SOLVED * needed.error;
-        let most = most + needed.noise();
-        let (product, needed) = (product.to_f64(), needed.to_f64());
-        wrong(entry, product, needed, distance <= most)
-    })
+    let needed = dense.torque_derivatives_of(accelerations.collect());
+    let found = by_motion.chunks(count.max(1)).map(Square::of_rows);
+    let pairs = found.zip(&needed).flat_map(|(found, needed)| {
+        let places = needed.places();
+        places.map(move |(row, column)| (row, found.column(column), needed[(row, column)]))
+    });
+    pairs
+        .enumerate()
+        .find_map(|(entry, (row, solution, needed))| {
+            let product = product(dense, row, &solution);
+            let needed = -needed;
+            let distance = (product.value - needed.value).to_f64().abs();
+            let most = most_unsolved(dense, row, product, &solution) + SOLVED * needed.error;
+            let most = most + needed.noise();
+            let (product, needed) = (product.to_f64(), needed.to_f64());
+            wrong(entry, product, needed, distance <= most)
+        })
 }
 
 /// How far a row of M x may be from what it should be: what x may be off by times M, and what the
 /// roundings of the numbers in M, and of all that is solved for, amount to.
-fn most_unsolved(dense: &Dense, row: usize, found: Approximate, solution: &[Approximate]) -> f64 {
+fn most_unsolved(
+    dense: &Dense,
+    row: VelocityId,
+    found: Approximate,
+    solution: &List<VelocityId, Approximate>,
+) -> f64 {
     const ROUNDOFF: f64 = f64::EPSILON / 2.0;
     let matrix = dense.mass_matrix();
-    let diagonal = |k: usize| matrix[k][k].size();
+    let diagonal = |k: VelocityId| matrix[(k, k)].size();
     let mut most = SOLVED * found.error + found.noise();
-    for (k, x) in solution.iter().enumerate() {
+    for (k, x) in solution.numbered() {
         let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
         // Not more than that of M may be lost on the way, however x itself is conditioned.
-        let carried = (matrix[row][k].size() * x.error).min(HARDLY_SOLVED * lost);
+        let carried = (matrix[(row, k)].size() * x.error).min(HARDLY_SOLVED * lost);
         most += SOLVED * lost + carried;
     }
     most

@@ -14,19 +14,20 @@ use std::cell::OnceCell;
 
 pub(crate) use approximate::Approximate;
 pub(crate) use matrix::Matrix;
-pub(crate) use robot::{Body, Closed, Freedom, Moved, Robot};
+pub(crate) use robot::{Body, BodyId, Closed, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
-use crate::space::Variable;
+use crate::list::{Id, List, Square};
+use crate::space::{CoordinateId, Variable, VelocityId};
 use posture::{Posture, Rates};
 
 /// What a program reads.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct State {
-    pub(crate) q: Vec<Double>,
-    pub(crate) qd: Vec<f64>,
-    pub(crate) qdd: Vec<f64>,
-    pub(crate) tau: Vec<f64>,
+    pub(crate) q: List<CoordinateId, Double>,
+    pub(crate) qd: List<VelocityId, f64>,
+    pub(crate) qdd: List<VelocityId, f64>,
+    pub(crate) tau: List<VelocityId, f64>,
     /// Of each action c and f.
     pub(crate) actions: Vec<f64>,
     pub(crate) fields: Vec<Vec<f64>>,
@@ -35,12 +36,12 @@ pub(crate) struct State {
 impl State {
     pub(crate) fn get(&self, input: Input) -> Double {
         let (list, k) = match input {
-            Input::Variable(Variable::Q, k) => return self.q[usize::from(k)],
-            Input::Variable(Variable::Qd, k) => (&self.qd, k),
-            Input::Variable(Variable::Qdd, k) => (&self.qdd, k),
-            Input::Variable(Variable::Tau, k) => (&self.tau, k),
-            Input::Variable(Variable::Actions, k) => (&self.actions, k),
-            Input::Parameter(field, k) => (&self.fields[usize::from(field)], k),
+            Input::Variable(Variable::Q, k) => return self.q[CoordinateId::new(k.into())],
+            Input::Variable(Variable::Qd, k) => (&*self.qd, k),
+            Input::Variable(Variable::Qdd, k) => (&*self.qdd, k),
+            Input::Variable(Variable::Tau, k) => (&*self.tau, k),
+            Input::Variable(Variable::Actions, k) => (&*self.actions, k),
+            Input::Parameter(field, k) => (&*self.fields[usize::from(field)], k),
         };
         list[usize::from(k)].into()
     }
@@ -67,7 +68,7 @@ type Moving<'a> = (
 pub(crate) struct Dense {
     pub(crate) state: State,
     posture: Posture,
-    mass_matrix: OnceCell<Vec<Vec<Approximate>>>,
+    mass_matrix: OnceCell<Square<VelocityId, Approximate>>,
     regressor: OnceCell<Vec<Approximate>>,
 }
 
@@ -95,7 +96,7 @@ impl Dense {
     ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
         for (k, screw) in self.posture.moving(frame) {
-            let column = &mut columns[6 * k..6 * k + 6];
+            let column = &mut columns[6 * k.index()..][..6];
             for (entry, own) in column.iter_mut().zip(seen(screw).vectors()) {
                 *entry = *entry + own;
             }
@@ -112,7 +113,7 @@ impl Dense {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
         let rates = self.rates(Motion::Coasting);
         for (k, screw, rate) in self.posture.moving_rates(frame, &rates) {
-            let column = &mut columns[6 * k..6 * k + 6];
+            let column = &mut columns[6 * k.index()..][..6];
             for (entry, own) in column.iter_mut().zip(seen(screw, &rate).vectors()) {
                 *entry = *entry + own;
             }
@@ -126,7 +127,7 @@ impl Dense {
     }
 
     /// The screws of the joints that move a frame, with their places in q̇.
-    fn moving(&self, frame: usize) -> Vec<&(usize, Matrix<Approximate>)> {
+    fn moving(&self, frame: usize) -> Vec<&(VelocityId, Matrix<Approximate>)> {
         self.posture.moving(frame)
     }
 
@@ -177,8 +178,7 @@ impl Dense {
 
     /// The same at a unit rate of each joint alone.
     pub(crate) fn unit_moments(&self) -> impl Iterator<Item = Matrix<Approximate>> {
-        let count = self.state.qd.len();
-        (0..count).map(move |k| {
+        self.state.qd.ids().map(move |k| {
             let mut rates = self.rates(Motion::Rest);
             rates.first[k] = Approximate::exact(1.0);
             self.moments_at(&rates)
@@ -228,26 +228,31 @@ impl Dense {
     }
 
     /// τ of a motion, against gravity.
-    pub(crate) fn torques(&self, motion: Motion) -> Vec<Approximate> {
+    pub(crate) fn torques(&self, motion: Motion) -> List<VelocityId, Approximate> {
         self.posture.torques(&self.rates(motion))
     }
 
     /// τ of the whole motion, under the actions from outside.
-    pub(crate) fn driving_torques(&self) -> Vec<Approximate> {
+    pub(crate) fn driving_torques(&self) -> List<VelocityId, Approximate> {
         self.less_outside(self.torques(Motion::Driven))
     }
 
     /// τ less what actions from outside do.
-    fn less_outside(&self, torques: Vec<Approximate>) -> Vec<Approximate> {
+    fn less_outside(
+        &self,
+        torques: List<VelocityId, Approximate>,
+    ) -> List<VelocityId, Approximate> {
         let outside = self.posture.outside(&self.state.actions);
         let both = torques.into_iter().zip(outside);
         both.map(|(torque, outside)| torque - outside).collect()
     }
 
     /// τ of accelerations that were found, under the actions from outside.
-    pub(crate) fn torques_of(&self, qdd: Vec<Approximate>) -> Vec<Approximate> {
-        let first = Approximate::exactly(&self.state.qd);
-        self.less_outside(self.posture.torques(&Rates { first, second: qdd }))
+    pub(crate) fn torques_of(
+        &self,
+        qdd: List<VelocityId, Approximate>,
+    ) -> List<VelocityId, Approximate> {
+        self.less_outside(self.posture.torques(&self.rates_with(qdd)))
     }
 
     /// Y of τ = Y π, row by row.
@@ -266,49 +271,60 @@ impl Dense {
     }
 
     /// τ of the motion without q̈, under the actions from outside.
-    pub(crate) fn coasting_torques(&self) -> Vec<Approximate> {
+    pub(crate) fn coasting_torques(&self) -> List<VelocityId, Approximate> {
         self.less_outside(self.torques(Motion::Coasting))
     }
 
-    /// ∂τ/∂q at rest, against gravity, row by row.
-    pub(crate) fn gravity_derivative(&self) -> Vec<Approximate> {
+    /// ∂τ/∂q at rest, against gravity.
+    pub(crate) fn gravity_derivative(&self) -> Square<VelocityId, Approximate> {
         let [by_coordinate, _] = self.posture.torque_derivatives(&self.rates(Motion::Rest));
         by_coordinate
     }
 
-    /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, under the actions from outside, each row by row.
-    pub(crate) fn torque_derivatives(&self) -> [Vec<Approximate>; 2] {
+    /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, under the actions from outside.
+    pub(crate) fn torque_derivatives(&self) -> [Square<VelocityId, Approximate>; 2] {
         self.derivatives_at(&self.rates(Motion::Driven))
     }
 
     /// The same of accelerations that were found.
-    pub(crate) fn torque_derivatives_of(&self, qdd: Vec<Approximate>) -> [Vec<Approximate>; 2] {
-        let first = Approximate::exactly(&self.state.qd);
-        self.derivatives_at(&Rates { first, second: qdd })
+    pub(crate) fn torque_derivatives_of(
+        &self,
+        qdd: List<VelocityId, Approximate>,
+    ) -> [Square<VelocityId, Approximate>; 2] {
+        self.derivatives_at(&self.rates_with(qdd))
     }
 
-    fn derivatives_at(&self, rates: &Rates) -> [Vec<Approximate>; 2] {
+    fn derivatives_at(&self, rates: &Rates) -> [Square<VelocityId, Approximate>; 2] {
         let [mut by_coordinate, by_rate] = self.posture.torque_derivatives(rates);
         let outside = self.posture.outside_derivative(&self.state.actions);
-        for (entry, outside) in by_coordinate.iter_mut().zip(outside) {
-            *entry = *entry - outside;
+        for place in by_coordinate.places() {
+            by_coordinate[place] = by_coordinate[place] - outside[place];
         }
         [by_coordinate, by_rate]
     }
 
-    /// C, row by row.
-    pub(crate) fn coriolis_matrix(&self) -> Vec<Approximate> {
+    /// C.
+    pub(crate) fn coriolis_matrix(&self) -> Square<VelocityId, Approximate> {
         self.posture.coriolis_matrix(&self.rates(Motion::Coasting))
     }
 
-    /// M, row by row.
-    pub(crate) fn mass_matrix(&self) -> &[Vec<Approximate>] {
+    /// M.
+    pub(crate) fn mass_matrix(&self) -> &Square<VelocityId, Approximate> {
         self.mass_matrix.get_or_init(|| self.posture.mass_matrix())
     }
 
+    /// q̇ with accelerations that were found.
+    fn rates_with(&self, second: List<VelocityId, Approximate>) -> Rates {
+        Rates {
+            second,
+            ..self.rates(Motion::Coasting)
+        }
+    }
+
     fn rates(&self, motion: Motion) -> Rates {
-        let nothing = || vec![Approximate::exact(0.0); self.state.qd.len()];
-        let [qd, qdd] = [&self.state.qd, &self.state.qdd].map(|of| Approximate::exactly(of));
+        let nothing = || self.state.qd.map(|_| Approximate::exact(0.0));
+        let [qd, qdd] =
+            [&self.state.qd, &self.state.qdd].map(|of| of.map(|&x| Approximate::exact(x)));
         let (first, second) = match motion {
             Motion::Rest => (nothing(), nothing()),
             Motion::Coasting => (qd, nothing()),

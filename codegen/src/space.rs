@@ -11,6 +11,8 @@ mod variable;
 pub use quantity::{Entity, Outcome, Part, Quantity};
 pub use variable::Variable;
 
+use crate::list::{List, id};
+
 /// One of the lists that every robot has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
@@ -29,6 +31,16 @@ pub enum Space {
     BaseParameters,
     /// What is zero where its loops are closed; empty where it has none.
     Constraints,
+}
+
+id! {
+    /// The number of an entry of [`Space::Coordinates`].
+    CoordinateId
+}
+
+id! {
+    /// The number of an entry of [`Space::Velocities`].
+    VelocityId
 }
 
 /// The entries of an action, and what each does: a couple turns, a force slides.
@@ -78,9 +90,9 @@ pub struct Entry {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spaces {
     /// Those of q.
-    pub coordinates: Vec<Entry>,
+    pub coordinates: List<CoordinateId, Entry>,
     /// Those of q̇, q̈ and τ.
-    pub velocities: Vec<Entry>,
+    pub velocities: List<VelocityId, Entry>,
     /// Those of inertial parameters.
     pub parameters: Vec<Entry>,
     /// Those of base parameters.
@@ -117,11 +129,10 @@ impl Spaces {
     }
 
     /// Where the quaternions of q begin.
-    pub fn quaternions(&self) -> impl Iterator<Item = usize> {
-        let is_quaternion = |entry: &Entry| entry.kind == Kind::Quaternion;
-        let places =
-            (0..self.coordinates.len()).filter(move |&k| is_quaternion(&self.coordinates[k]));
-        places.step_by(4)
+    pub fn quaternions(&self) -> impl Iterator<Item = CoordinateId> {
+        let coordinates = self.coordinates.numbered();
+        let places = coordinates.filter(|(_, entry)| entry.kind == Kind::Quaternion);
+        places.map(|(k, _)| k).step_by(4)
     }
 
     /// How many entries one of them has.

@@ -7,21 +7,22 @@ use std::f64::consts::PI;
 
 use crate::chain::Chain;
 use crate::expression::Input;
-use crate::space::{Entry, Kind, Spaces, Variable};
+use crate::list::{Id, List};
+use crate::space::{CoordinateId, Entry, Kind, Spaces, Variable, VelocityId};
 
 /// The least and the greatest that each argument of a function can be.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Range {
     /// Of each coordinate [rad or m].
-    pub q: Vec<[f64; 2]>,
+    pub q: List<CoordinateId, [f64; 2]>,
     /// Of each rate [rad/s or m/s].
-    pub qd: Vec<[f64; 2]>,
+    pub qd: List<VelocityId, [f64; 2]>,
     /// Of each second rate [rad/s² or m/s²].
-    pub qdd: Vec<[f64; 2]>,
+    pub qdd: List<VelocityId, [f64; 2]>,
     /// Of the entries of each action from outside \[N m, N\].
     pub actions: Vec<[f64; 2]>,
     /// Where the quaternions of q begin.
-    pub(super) quaternions: Vec<usize>,
+    pub(super) quaternions: Vec<CoordinateId>,
     /// Of the entries of each struct field, in the units of what it stands for.
     pub fields: Vec<Vec<[f64; 2]>>,
 }
@@ -48,7 +49,7 @@ const fn described(variable: Variable, entry: &Entry) -> Option<[f64; 2]> {
 }
 
 /// The range of each entry of a variable; of none where nothing is said.
-fn ranges(spaces: &Spaces, variable: Variable) -> Vec<[f64; 2]> {
+fn ranges<R: FromIterator<[f64; 2]>>(spaces: &Spaces, variable: Variable) -> R {
     let entries = spaces.entries(variable.space()).iter();
     let ranges = entries.filter_map(|entry| {
         let otherwise = || default(variable, entry.kind).map(|size| [-size, size]);
@@ -88,7 +89,7 @@ impl Range {
     /// ½ or −½, as their signs were.
     pub fn upright(&self, q: &mut [f64]) {
         for &first in &self.quaternions {
-            for entry in &mut q[first..first + 4] {
+            for entry in &mut q[first.index()..][..4] {
                 *entry = 0.5_f64.copysign(*entry);
             }
         }

@@ -11,13 +11,14 @@ use std::collections::HashMap;
 
 use super::tree::{Branch, Follow, Tree};
 use super::turn::roll_pitch_yaw;
-use super::{Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
+use super::{BodyId, Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
 use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
 use crate::joint::{Along, Drive, Freedom, JointKind, Motion, Movement, Posture, entry};
+use crate::list::List;
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 use crate::request::{Request, Target};
-use crate::space::{ACTION, Entry, Spaces};
+use crate::space::{ACTION, CoordinateId, Entry, Spaces, VelocityId};
 
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
@@ -25,7 +26,7 @@ const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 /// Where a link ended up: in which body, and where in it.
 #[derive(Clone, Copy)]
 struct Seat<'g> {
-    body: Option<usize>,
+    body: Option<BodyId>,
     pose: Pose<Term<'g>>,
 }
 
@@ -33,7 +34,7 @@ struct Seat<'g> {
 struct Body<'g> {
     joint: usize,
     velocity: String,
-    parent: Option<usize>,
+    parent: Option<BodyId>,
     motion: Motion,
     placement: Pose<Term<'g>>,
     axis: Vector<Term<'g>>,
@@ -97,7 +98,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         joints,
         spaces,
         loops,
-        actuated: Vec::new(),
+        actuated: List::new(),
         frames,
         external,
         external_in_frame_0: request.external_in_frame_0,
@@ -126,16 +127,16 @@ fn actions(external: &[Frame]) -> Vec<Entry> {
 /// The bodies with their places in the lists of coordinates and velocities, and those lists.
 fn listed(
     description: &Description,
-    bodies: Vec<Body<'_>>,
+    bodies: List<BodyId, Body<'_>>,
     graph: &Graph,
-) -> (Vec<super::Joint>, Spaces) {
+) -> (List<BodyId, super::Joint>, Spaces) {
     let mut spaces = Spaces::default();
     // Of each joint with one coordinate, its places among coordinates and velocities.
     let mut leaders = HashMap::new();
     let mut places = Vec::with_capacity(bodies.len());
     for body in &bodies {
         let described = &description.joints[body.joint];
-        let (coordinate, velocity) = (spaces.coordinates.len(), spaces.velocities.len());
+        let (coordinate, velocity) = (spaces.coordinates.next(), spaces.velocities.next());
         places.push((coordinate, velocity));
         // Which of several coordinates limits are of, no format says.
         let one = described.limits.filter(|_| !described.kind.has_several());
@@ -160,7 +161,7 @@ fn listed(
         spaces.velocities.push(entry(name, kind, range));
     }
     let one = graph.constant(1.0).expr();
-    let joint = |(body, (coordinate, velocity)): (Body<'_>, (usize, usize))| {
+    let joint = |(body, (coordinate, velocity)): (Body<'_>, (CoordinateId, VelocityId))| {
         let described = &description.joints[body.joint];
         let (position, velocity) = match body.moved {
             Moved::Own => {
@@ -202,9 +203,9 @@ fn seat<'g>(
     description: &Description,
     tree: &Tree,
     reader: &mut Reader<'g, '_>,
-) -> (Vec<Option<Seat<'g>>>, Vec<Body<'g>>) {
+) -> (Vec<Option<Seat<'g>>>, List<BodyId, Body<'g>>) {
     let graph = reader.graph;
-    let mut bodies: Vec<Body<'g>> = Vec::new();
+    let mut bodies = List::new();
     let mut seats: Vec<Option<Seat<'g>>> = vec![None; description.links.len()];
     seats[tree.base] = Some(Seat {
         body: None,
@@ -221,7 +222,7 @@ fn seat<'g>(
                 pose: pose * held_at(graph, joint.kind, axes, graph.constant(held.value)),
             }
         } else {
-            let link = moved(
+            let (last, link) = moved(
                 description,
                 branch,
                 (parent.body, pose),
@@ -229,7 +230,6 @@ fn seat<'g>(
                 &mut bodies,
                 reader,
             );
-            let last = bodies.len() - 1;
             bodies[last].link = Some((branch.child, link));
             Seat {
                 body: Some(last),
@@ -247,15 +247,15 @@ fn seat<'g>(
     (seats, bodies)
 }
 
-/// Adds the bodies that a joint moves; where the link that it carries is in the last of them.
+/// Adds the bodies that a joint moves; the last of them, and where the link that it carries is in that.
 fn moved<'g>(
     description: &Description,
     branch: &Branch,
-    (mut parent, mut placement): (Option<usize>, Pose<Term<'g>>),
+    (mut parent, mut placement): (Option<BodyId>, Pose<Term<'g>>),
     axes: [Vector<Term<'g>>; 2],
-    bodies: &mut Vec<Body<'g>>,
+    bodies: &mut List<BodyId, Body<'g>>,
     reader: &mut Reader<'g, '_>,
-) -> Pose<Term<'g>> {
+) -> (BodyId, Pose<Term<'g>>) {
     let (graph, joint) = (reader.graph, &description.joints[branch.joint]);
     let (kind, name) = (joint.kind, &joint.name.text);
     let mut link = Pose::identity(graph);
@@ -281,7 +281,7 @@ fn moved<'g>(
     }
     for (place, (velocity, freedom)) in kind.velocities(name).enumerate() {
         let axis = direction(graph, freedom, axes);
-        bodies.push(Body {
+        let body = bodies.push(Body {
             joint: branch.joint,
             velocity,
             parent,
@@ -293,12 +293,12 @@ fn moved<'g>(
             moved,
             drive: reader.drive(joint, place),
         });
-        (parent, placement) = (Some(bodies.len() - 1), Pose::identity(graph));
+        (parent, placement) = (Some(body), Pose::identity(graph));
         if kind.posture().is_some() {
             moved = Moved::Taken;
         }
     }
-    link
+    (parent.expect("joints that move have velocities"), link)
 }
 
 /// About or along which direction a freedom is, in the frame of the moved body.

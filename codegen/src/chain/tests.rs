@@ -11,7 +11,7 @@ mod joints;
 
 use std::path::Path;
 
-use super::{Chain, build};
+use super::{BodyId, Chain, build};
 use crate::description::{Description, Name, inline};
 use crate::error::Errors;
 use crate::request::{Parameter, Request, Target};

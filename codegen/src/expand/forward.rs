@@ -7,11 +7,12 @@
 use super::measured::{Measure, Off, allowed};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
-use crate::chain::Chain;
+use crate::chain::{BodyId, Chain};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
+use crate::list::List;
 use crate::model::{Congruence, Way};
 use crate::real::Real;
 use crate::request::Request;
@@ -139,7 +140,7 @@ pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
 
 /// The most joints that stand in a row.
 fn longest(chain: &Chain) -> usize {
-    let mut before: Vec<usize> = Vec::with_capacity(chain.joints.len());
+    let mut before: List<BodyId, usize> = List::new();
     for joint in &chain.joints {
         before.push(1 + joint.parent.map_or(0, |parent| before[parent]));
     }

@@ -10,6 +10,7 @@ use crate::error::Errors;
 use crate::expand::program;
 use crate::expression::{Double, Input};
 use crate::function::Function;
+use crate::list::Id;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Program, run};
 use crate::space::{Space, Spaces, Variable};
@@ -41,7 +42,7 @@ fn at(program: &Program, spaces: &Spaces, state: u64) -> Vec<f64> {
             unreachable!("there are no fields");
         };
         let of_quaternion = spaces.quaternions().find_map(|first| {
-            let place = usize::from(k).checked_sub(first);
+            let place = usize::from(k).checked_sub(first.index());
             place.filter(|&place| place < 4 && variable == Variable::Q)
         });
         if let Some(place) = of_quaternion {

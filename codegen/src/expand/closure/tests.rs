@@ -19,6 +19,7 @@ use crate::expand::{program_by, understand};
 use crate::expression::Input;
 use crate::function::Function;
 use crate::layout::Layout;
+use crate::list::Id;
 use crate::model::Way;
 use crate::request::Request;
 use crate::schedule::{Program, run};
@@ -103,7 +104,7 @@ fn upright(chain: &Chain, seed: usize) -> Vec<f64> {
     let spaces = chain.spaces();
     let mut q = numbers(spaces.coordinates.len(), seed);
     for first in spaces.quaternions() {
-        let entries = &mut q[first..first + 4];
+        let entries = &mut q[first.index()..][..4];
         let length = entries.iter().map(|x| x * x).sum::<f64>().sqrt();
         for entry in entries {
             *entry /= length;

@@ -11,12 +11,13 @@ use crate::expand::{expand, program_by, program_for, understand};
 use crate::formulation::{Angles, Formulation, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
+use crate::list::Id;
 use crate::model::Way;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::Program;
-use crate::space::Space;
+use crate::space::{Space, VelocityId};
 
 #[test]
 fn accelerations_solve_the_equations_of_motion_with_their_multipliers() {
@@ -118,7 +119,7 @@ fn every_way_gives_the_same() {
         four_bar,
     ] {
         let mut chain = chain(&text).expect("a robot");
-        chain.actuated[0] = true;
+        chain.actuated[VelocityId::new(0)] = true;
         let spaces = chain.spaces();
         let velocities = spaces.velocities.len();
         let (q, qd, tau) = (

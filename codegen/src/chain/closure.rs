@@ -6,7 +6,7 @@
 
 use super::names::Names;
 use super::{Chain, Loop};
-use crate::description::Description;
+use crate::description::{Description, LinkId};
 use crate::error::{Complaint, Errors};
 use crate::function::Function;
 use crate::request::Request;
@@ -14,7 +14,7 @@ use crate::space::{Entry, VelocityId};
 use crate::wording::quoted;
 
 /// Refuses loops of links that are not there, or of one alone.
-pub fn check(description: &Description, links: &Names<'_>, errors: &mut Errors) {
+pub fn check(description: &Description, links: &Names<'_, LinkId>, errors: &mut Errors) {
     for described in &description.loops {
         let found = [&described.from, &described.to].map(|link| links.find(link, errors));
         if let [Some(from), Some(to)] = found

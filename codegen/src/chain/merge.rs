@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use super::tree::{Branch, Follow, Tree};
 use super::turn::roll_pitch_yaw;
 use super::{BodyId, Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
-use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
+use crate::description::{Axis, Description, Joint, JointId, Link, LinkId, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
 use crate::joint::{Along, Drive, Freedom, JointKind, Motion, Movement, Posture, entry};
 use crate::list::List;
@@ -32,14 +32,14 @@ struct Seat<'g> {
 
 /// A body beyond one freedom of a joint; only that beyond the last is a link.
 struct Body<'g> {
-    joint: usize,
+    joint: JointId,
     velocity: String,
     parent: Option<BodyId>,
     motion: Motion,
     placement: Pose<Term<'g>>,
     axis: Vector<Term<'g>>,
     /// The link that it is, and M from its frame to the link's.
-    link: Option<(usize, Pose<Term<'g>>)>,
+    link: Option<(LinkId, Pose<Term<'g>>)>,
     inertia: Inertia<Term<'g>>,
     moved: Moved<'g>,
     drive: Drive<Term<'g>>,
@@ -51,7 +51,7 @@ enum Moved<'g> {
     /// A coordinate of its own.
     Own,
     /// That of another joint, times a factor.
-    Follows { leader: usize, factor: Term<'g> },
+    Follows { leader: JointId, factor: Term<'g> },
     /// Coordinates that move it with all that come after it of its joint.
     Posture(Posture),
     /// The body before it.
@@ -67,9 +67,9 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         nominal: vec![Vec::new(); request.parameters.len()],
         report: Report::default(),
     };
-    let name = |link: usize| description.links[link].name.text.clone();
+    let name = |link: LinkId| description[link].name.text.clone();
     let (seats, bodies) = seat(description, tree, &mut reader);
-    let frame = |link: usize| {
+    let frame = |link: LinkId| {
         let seat = seats[link]?;
         Some(Frame {
             name: name(link),
@@ -84,7 +84,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let loops = closure::closed(description, &seats, &mut reader);
     let gravity = reader.gravity().map(Term::expr);
     reader.report.base = name(tree.base);
-    let modelled = (0..seats.len()).filter(|&link| seats[link].is_some());
+    let modelled = seats.ids().filter(|&link| seats[link].is_some());
     reader.report.links = modelled.map(name).collect();
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
     let (joints, mut spaces) = listed(description, bodies, &graph);
@@ -135,7 +135,7 @@ fn listed(
     let mut leaders = HashMap::new();
     let mut places = Vec::with_capacity(bodies.len());
     for body in &bodies {
-        let described = &description.joints[body.joint];
+        let described = &description[body.joint];
         let (coordinate, velocity) = (spaces.coordinates.next(), spaces.velocities.next());
         places.push((coordinate, velocity));
         // Which of several coordinates limits are of, no format says.
@@ -162,7 +162,7 @@ fn listed(
     }
     let one = graph.constant(1.0).expr();
     let joint = |(body, (coordinate, velocity)): (Body<'_>, (CoordinateId, VelocityId))| {
-        let described = &description.joints[body.joint];
+        let described = &description[body.joint];
         let (position, velocity) = match body.moved {
             Moved::Own => {
                 let factor = one;
@@ -185,7 +185,7 @@ fn listed(
             placement: body.placement.map(Term::expr),
             axis: body.axis.map(Term::expr),
             link: body.link.map(|(link, pose)| {
-                let name = description.links[link].name.text.clone();
+                let name = description[link].name.text.clone();
                 (name, pose.map(Term::expr))
             }),
             inertia: body.inertia.map(Term::expr),
@@ -203,16 +203,16 @@ fn seat<'g>(
     description: &Description,
     tree: &Tree,
     reader: &mut Reader<'g, '_>,
-) -> (Vec<Option<Seat<'g>>>, List<BodyId, Body<'g>>) {
+) -> (List<LinkId, Option<Seat<'g>>>, List<BodyId, Body<'g>>) {
     let graph = reader.graph;
     let mut bodies = List::new();
-    let mut seats: Vec<Option<Seat<'g>>> = vec![None; description.links.len()];
+    let mut seats = List::filled(None, description.links.len());
     seats[tree.base] = Some(Seat {
         body: None,
         pose: reader.base(),
     });
     for branch in &tree.branches {
-        let joint = &description.joints[branch.joint];
+        let joint = &description[branch.joint];
         let parent = seats[branch.parent].expect("parents come before children");
         let pose = parent.pose * reader.origin(description, branch);
         let axes = reader.axes(joint);
@@ -238,7 +238,7 @@ fn seat<'g>(
         };
         reader.note(description, branch);
         if let Some(body) = seat.body
-            && let Some(inertia) = reader.inertia(&description.links[branch.child])
+            && let Some(inertia) = reader.inertia(&description[branch.child])
         {
             bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
         }
@@ -256,7 +256,7 @@ fn moved<'g>(
     bodies: &mut List<BodyId, Body<'g>>,
     reader: &mut Reader<'g, '_>,
 ) -> (BodyId, Pose<Term<'g>>) {
-    let (graph, joint) = (reader.graph, &description.joints[branch.joint]);
+    let (graph, joint) = (reader.graph, &description[branch.joint]);
     let (kind, name) = (joint.kind, &joint.name.text);
     let mut link = Pose::identity(graph);
     let mut moved = Moved::Own;
@@ -399,7 +399,7 @@ impl<'g> Reader<'g, '_> {
 
     /// The placement of a joint, it or its translation taken from a struct field where one stands for it.
     fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
-        let joint = &description.joints[branch.joint];
+        let joint = &description[branch.joint];
         let mut placement = self.placement(&joint.name.text, &joint.origin);
         let is = |target: &Target| matches!(target, Target::OriginOf(name) if name.text == joint.name.text);
         placement.translation = Vector(self.free(is, placement.translation.0));
@@ -519,8 +519,8 @@ impl<'g> Reader<'g, '_> {
         })
     }
 
-    fn note_follower(&mut self, description: &Description, joint: usize, follow: Follow) {
-        let name = |joint: usize| description.joints[joint].name.text.clone();
+    fn note_follower(&mut self, description: &Description, joint: JointId, follow: Follow) {
+        let name = |joint: JointId| description[joint].name.text.clone();
         self.report.mimicked.push(Mimicked {
             joint: name(joint),
             leader: name(follow.leader),
@@ -531,9 +531,9 @@ impl<'g> Reader<'g, '_> {
 
     fn note(&mut self, description: &Description, branch: &Branch) {
         let Some(held) = branch.held else { return };
-        let joint = &description.joints[branch.joint];
+        let joint = &description[branch.joint];
         let [parent, child]: [String; 2] =
-            [branch.parent, branch.child].map(|link| description.links[link].name.text.clone());
+            [branch.parent, branch.child].map(|link| description[link].name.text.clone());
         if joint.kind.moves() {
             self.report
                 .locked

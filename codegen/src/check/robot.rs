@@ -11,7 +11,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::chain::Chain;
 use crate::dense::{Approximate, Body, BodyId, Closed, Freedom, Matrix, Moved, Robot};
-use crate::description::{Axis, Description, Inertial, Joint, Link, Mimic, Name, Number, Step};
+use crate::description::{
+    Axis, Description, Inertial, Joint, Link, LinkId, Mimic, Name, Number, Step,
+};
 use crate::expression::{Arithmetic, Double};
 use crate::joint::drive::Part;
 use crate::joint::{self, Along, Movement, Posture};
@@ -43,7 +45,8 @@ pub(super) fn robot(
             })
             .collect(),
     };
-    let links = by_name(description.links.iter().map(|link| &link.name));
+    let links: HashMap<&str, LinkId> =
+        places(description.links.iter().map(|link| link.name.text.as_str()));
     let spaces = chain.spaces();
     let coordinates = places(spaces.names(Space::Coordinates));
     let velocities = places(spaces.names(Space::Velocities));
@@ -89,7 +92,7 @@ pub(super) fn robot(
             _ => reader.in_series(joint, motion, place, &places, &mut bodies)?,
         };
         let child = joint.child.text.as_str();
-        bodies[link].inertia = reader.inertia(&description.links[links[child]])?;
+        bodies[link].inertia = reader.inertia(&description[links[child]])?;
         seats.insert(child, link);
         moved.insert(child, bodies.ids().skip(before).collect());
     }
@@ -130,11 +133,6 @@ pub(super) fn robot(
             .collect(),
         external: (external, request.external_in_frame_0),
     })
-}
-
-fn by_name<'d>(names: impl Iterator<Item = &'d Name>) -> HashMap<&'d str, usize> {
-    let names = names.map(|name| name.text.as_str());
-    names.enumerate().map(|(k, name)| (name, k)).collect()
 }
 
 fn places<'n, I: Id>(names: impl Iterator<Item = &'n str>) -> HashMap<&'n str, I> {
@@ -218,8 +216,8 @@ struct Reader<'d> {
 
 impl<'d> Reader<'d> {
     /// The joints that carry what is modelled, parents before children.
-    fn kept(&self, base: &'d str, links: &HashMap<&'d str, usize>) -> Vec<&'d Joint> {
-        let mut carried: Vec<Vec<&Joint>> = links.iter().map(|_| Vec::new()).collect();
+    fn kept(&self, base: &'d str, links: &HashMap<&'d str, LinkId>) -> Vec<&'d Joint> {
+        let mut carried: List<LinkId, Vec<&Joint>> = List::filled(Vec::new(), links.len());
         for joint in &self.description.joints {
             carried[links[joint.parent.text.as_str()]].push(joint);
         }

@@ -320,7 +320,7 @@ pub fn build(description: &Description, request: &Request) -> Result<Chain, Erro
     let chain = closure::check_merged(chain, request)?;
     let mut chain = physical::check(description, request, &tree, chain)?;
     let links = chain.joints.iter().filter_map(|joint| joint.link.as_ref());
-    let mut parameters: Vec<Entry> = links.flat_map(|(link, _)| parameters(link)).collect();
+    let mut parameters: List<_, Entry> = links.flat_map(|(link, _)| parameters(link)).collect();
     chain.identifies_drives =
         request.models_friction() || request.models_armature() || chain.is_driven();
     if chain.identifies_drives {

@@ -18,7 +18,7 @@ pub(crate) use robot::{Body, BodyId, Closed, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
 use crate::list::{Id, List, Square};
-use crate::space::{CoordinateId, Variable, VelocityId};
+use crate::space::{CoordinateId, ParameterId, Variable, VelocityId};
 use posture::{Posture, Rates};
 
 /// What a program reads.
@@ -69,7 +69,7 @@ pub(crate) struct Dense {
     pub(crate) state: State,
     posture: Posture,
     mass_matrix: OnceCell<Square<VelocityId, Approximate>>,
-    regressor: OnceCell<Vec<Approximate>>,
+    regressor: OnceCell<List<ParameterId, List<VelocityId, Approximate>>>,
 }
 
 impl Dense {
@@ -256,18 +256,26 @@ impl Dense {
     }
 
     /// Y of τ = Y π, row by row.
-    pub(crate) fn regressor(&self) -> &[Approximate] {
+    pub(crate) fn regressor(&self) -> Vec<Approximate> {
+        self.rows_of(&self.columns_of_regressor().iter().collect::<Vec<_>>())
+    }
+
+    fn columns_of_regressor(&self) -> &List<ParameterId, List<VelocityId, Approximate>> {
         let found = || self.posture.regressor(&self.rates(Motion::Driven));
         self.regressor.get_or_init(found)
     }
 
+    /// A matrix row by row, of its columns.
+    fn rows_of(&self, columns: &[&List<VelocityId, Approximate>]) -> Vec<Approximate> {
+        let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
+        self.state.qd.ids().flat_map(row).collect()
+    }
+
     /// Of those columns the ones that the base regressor has.
     pub(crate) fn base_regressor(&self) -> Vec<Approximate> {
-        let all = self.regressor();
-        let rows = all.chunks((all.len() / self.state.qd.len().max(1)).max(1));
-        let columns = self.posture.base_columns();
-        rows.flat_map(|row| columns.iter().map(|&column| row[column]))
-            .collect()
+        let all = self.columns_of_regressor();
+        let columns = self.posture.base_columns().iter();
+        self.rows_of(&columns.map(|&column| &all[column]).collect::<Vec<_>>())
     }
 
     /// τ of the motion without q̈, under the actions from outside.

@@ -41,7 +41,7 @@ use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::list::{self, List, Square};
 use crate::matrix::{Action, Screw, Vector};
-use crate::space::{Variable, VelocityId};
+use crate::space::{ParameterId, Variable, VelocityId};
 
 /// What a function is built from: bodies with their frames, a state, and the way.
 pub struct Scene<'s, 'g> {
@@ -191,20 +191,27 @@ impl<'s, 'g> Scene<'s, 'g> {
             .collect()
     }
 
-    /// Y of τ = Y π, row by row; in the frames of the links, whatever the way.
-    pub(crate) fn regressor(&self) -> Vec<Term<'g>> {
+    /// Y of τ = Y π by its columns; in the frames of the links, whatever the way.
+    pub(crate) fn regressor(&self) -> List<ParameterId, List<VelocityId, Term<'g>>> {
         let joints = carry::joints(self.bodies, &self.state, Way::PLAIN);
         let links = self.bodies.bodies.map(|body| body.link);
         let columns = regressor::regressor(&joints, &links, self.bodies.gravity, &self.state);
         let drives = self.bodies.identifies_drives;
         let drives = drives.then(|| regressor::of_drives(&joints, &self.state));
-        let columns: Vec<List<VelocityId, Term<'g>>> =
-            (columns.iter().chain(drives.iter().flatten()))
-                .map(|column| self.forces(column))
-                .collect();
-        let rows = self.velocities();
-        rows.flat_map(|row| columns.iter().map(move |column| column[row]))
-            .collect()
+        let columns = columns.iter().chain(drives.iter().flatten());
+        columns.map(|column| self.forces(column)).collect()
+    }
+
+    /// A matrix row by row, of columns that have an entry for each velocity.
+    pub(crate) fn rows_of<'c>(
+        &self,
+        columns: impl Iterator<Item = &'c List<VelocityId, Term<'g>>> + Clone,
+    ) -> Vec<Term<'g>>
+    where
+        'g: 'c,
+    {
+        let row = |row: VelocityId| columns.clone().map(move |column| column[row]);
+        self.velocities().flat_map(row).collect()
     }
 
     /// ∂τ/∂q and ∂τ/∂q̇ of a motion with the given q̈, under the actions from outside.

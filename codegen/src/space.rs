@@ -43,6 +43,11 @@ id! {
     VelocityId
 }
 
+id! {
+    /// The number of an entry of [`Space::Parameters`], and of the column of the regressor that it has.
+    ParameterId
+}
+
 /// The entries of an action, and what each does: a couple turns, a force slides.
 pub const ACTION: [(&str, Kind); 6] = [
     ("cx", Kind::Turn),
@@ -94,7 +99,7 @@ pub struct Spaces {
     /// Those of q̇, q̈ and τ.
     pub velocities: List<VelocityId, Entry>,
     /// Those of inertial parameters.
-    pub parameters: Vec<Entry>,
+    pub parameters: List<ParameterId, Entry>,
     /// Those of base parameters.
     pub base_parameters: Vec<Entry>,
     /// Those of the residuals of its loops: lengths slide, products of axes turn.

@@ -9,7 +9,7 @@ use super::{Approximate, BodyId, Closed, Freedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
 use crate::list::{self, Id, List, Square};
-use crate::space::{CoordinateId, VelocityId};
+use crate::space::{CoordinateId, ParameterId, VelocityId};
 
 type Scalar = Approximate;
 
@@ -107,7 +107,7 @@ impl Posture {
     }
 
     /// The columns of the regressor that the base regressor has.
-    pub(super) fn base_columns(&self) -> &[usize] {
+    pub(super) fn base_columns(&self) -> &[ParameterId] {
         &self.robot.base_columns
     }
 
@@ -236,13 +236,13 @@ impl Posture {
         forces
     }
 
-    /// Y of τ = Y π, row by row: each column is τ of a link that alone has mass, of which one parameter is 1; or of a joint
+    /// Y of τ = Y π by its columns, each of which is τ of a link that alone has mass, of which one parameter is 1; or of a joint
     /// that alone has a drive, of which one number is 1.
-    pub(super) fn regressor(&self, rates: &Rates) -> Vec<Scalar> {
+    pub(super) fn regressor(&self, rates: &Rates) -> List<ParameterId, List<VelocityId, Scalar>> {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
         let motions = self.motions(rates);
-        let mut columns = Vec::new();
+        let mut columns = List::new();
         for &link in &self.robot.links {
             let (h, pose) = (motions[link].1.plus(&falling), &self.poses[link]);
             for unit in units() {
@@ -271,8 +271,7 @@ impl Posture {
                 columns.push(column);
             }
         }
-        let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
-        self.velocities().flat_map(row).collect()
+        columns
     }
 
     /// What each joint feels of actions from outside: L of all joints inboard of where they act, along Φ.

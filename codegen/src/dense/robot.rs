@@ -4,7 +4,7 @@ use super::{Approximate, Matrix};
 use crate::closure::Row;
 use crate::joint::Posture;
 use crate::list::{List, id};
-use crate::space::{CoordinateId, VelocityId};
+use crate::space::{CoordinateId, ParameterId, VelocityId};
 
 id! {
     /// The number of a body among those of a [`Robot`]: one for each link, and for what is held between them.
@@ -78,7 +78,7 @@ pub(crate) struct Robot {
     /// The bodies that joints move as links, in the order of their coordinates.
     pub(crate) links: Vec<BodyId>,
     /// The columns of the regressor that the base regressor has.
-    pub(crate) base_columns: Vec<usize>,
+    pub(crate) base_columns: Vec<ParameterId>,
     /// The bodies of each joint of whose drive the regressor has columns behind those of links.
     pub(crate) identified: Vec<Vec<BodyId>>,
     /// The loops.

@@ -9,7 +9,7 @@ use crate::expression::{Double, Expr, Graph, Term};
 use crate::joint::{Drive, Motion};
 use crate::list::List;
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
-use crate::space::VelocityId;
+use crate::space::{ParameterId, VelocityId};
 
 /// The bodies of a chain with their frames.
 #[derive(Clone, Debug)]
@@ -19,7 +19,7 @@ pub struct Bodies<'g> {
     /// J in frame 0 of what regrouping left to the base.
     pub base: Inertia<Term<'g>>,
     /// The columns of the regressor that the base regressor has.
-    pub base_columns: Vec<usize>,
+    pub base_columns: Vec<ParameterId>,
     /// Whether the regressor has columns of drives behind those of links.
     pub identifies_drives: bool,
     /// The frames asked for, and behind them A and B of each loop: the joint whose body carries it, and M

@@ -7,9 +7,9 @@ use crate::chain::{BodyId, Chain, Joint, Position};
 use crate::dense::Matrix;
 use crate::expression::{Double, Evaluation, Expr, Input};
 use crate::joint::Motion;
-use crate::list::{Id, List};
+use crate::list::{Id, List, id};
 use crate::random::Random;
-use crate::space::{CoordinateId, VelocityId};
+use crate::space::{CoordinateId, ParameterId, VelocityId};
 
 /// How many inertial parameters a link has.
 const PARAMETERS: usize = 10;
@@ -22,11 +22,16 @@ const DRIVE: usize = 3;
 const ORDER: [usize; PARAMETERS] = [5, 6, 8, 4, 7, 9, 1, 2, 3, 0];
 
 /// A parameter, and its column of the regressor.
-pub type Column = (usize, Vec<f64>);
+pub type Column = (ParameterId, Vec<f64>);
 
 /// Of how many joints on the way to a link columns are looked at, at most: half of them from the base outwards, half
 /// from the link inwards.
 const JOINTS: usize = 64;
+
+id! {
+    /// The number of a link that a joint moves: in every list that has an entry for each of [`Columns::links`].
+    LinkId
+}
 
 /// A link that a joint moves.
 pub struct Link {
@@ -35,7 +40,7 @@ pub struct Link {
     /// That and those that are between it and the link it hangs on, from the base outwards.
     own: Vec<BodyId>,
     /// The link that it hangs on, with nothing but bodies of its own joint between; none for the base.
-    pub parent: Option<usize>,
+    pub parent: Option<LinkId>,
     /// The joints whose forces are looked at: those that move it, from the base outwards, or all where some follow
     /// others.
     path: Vec<BodyId>,
@@ -46,7 +51,7 @@ pub struct Link {
 /// The links of a chain, and their matrices at some states.
 pub struct Columns {
     /// In the order of their joints.
-    pub links: Vec<Link>,
+    pub links: List<LinkId, Link>,
     /// Of each state, of each joint that is looked at there.
     states: Vec<List<BodyId, Option<At>>>,
     /// Of each state, the first and the second rates.
@@ -120,7 +125,7 @@ impl Columns {
     }
 
     /// What all is described as, in the order of the parameters.
-    pub fn described(&self) -> Vec<f64> {
+    pub fn described(&self) -> List<ParameterId, f64> {
         let links = self.links.iter().flat_map(|link| {
             let Matrix(j) = &self.inertias[link.joint];
             PLACES.map(|(row, column)| j[row][column])
@@ -131,7 +136,7 @@ impl Columns {
     }
 
     /// The columns of a link, and of what the joints feel that move it against the one it hangs on.
-    pub fn own(&self, link: usize) -> Vec<Column> {
+    pub fn own(&self, link: LinkId) -> Vec<Column> {
         let mut of_link: Vec<Option<Column>> =
             self.of_link(link, link).into_iter().map(Some).collect();
         let ordered = ORDER.iter().filter_map(|&k| of_link[k].take());
@@ -148,7 +153,7 @@ impl Columns {
     }
 
     /// Those of what a joint feels, in the rows of what a link is looked at by.
-    fn of_drive(&self, joint: BodyId, rows_of: usize) -> impl Iterator<Item = Column> {
+    fn of_drive(&self, joint: BodyId, rows_of: LinkId) -> impl Iterator<Item = Column> {
         let rows = self.rows(rows_of);
         let (velocity, factor) = self.velocities[joint];
         let mut columns: [Vec<f64>; DRIVE] = Default::default();
@@ -161,12 +166,13 @@ impl Columns {
                 }
             }
         }
+        // Those of drives are behind those of all links.
         let before = PARAMETERS * self.links.len() + DRIVE * joint.index();
-        (before..).zip(columns)
+        (before..).map(ParameterId::new).zip(columns)
     }
 
     /// The velocities that a link is looked at by.
-    fn rows(&self, link: usize) -> Vec<VelocityId> {
+    fn rows(&self, link: LinkId) -> Vec<VelocityId> {
         let path = self.links[link].path.iter();
         let mut rows: Vec<VelocityId> = path.map(|&joint| self.velocities[joint].0).collect();
         rows.sort_unstable();
@@ -175,7 +181,7 @@ impl Columns {
     }
 
     /// The columns of a link in the rows of what another one is looked at by.
-    pub fn of_link(&self, link: usize, rows_of: usize) -> Vec<Column> {
+    pub fn of_link(&self, link: LinkId, rows_of: LinkId) -> Vec<Column> {
         let states = self.links[rows_of].states;
         let joint = self.links[link].joint;
         let inwards = std::iter::successors(Some(joint), |&joint| self.parents[joint]);
@@ -202,7 +208,8 @@ impl Columns {
                 }
             }
         }
-        (PARAMETERS * link..).zip(columns).collect()
+        let before = PARAMETERS * link.index();
+        (before..).map(ParameterId::new).zip(columns).collect()
     }
 }
 
@@ -238,11 +245,11 @@ fn taken(joint: &Joint) -> bool {
     matches!(joint.position, Position::Taken)
 }
 
-fn links(chain: &Chain) -> Vec<Link> {
+fn links(chain: &Chain) -> List<LinkId, Link> {
     let inwards =
         |joint: BodyId| std::iter::successors(Some(joint), |&joint| chain.joints[joint].parent);
     let is_link = |joint: &BodyId| chain.joints[*joint].link.is_some();
-    let joints: Vec<BodyId> = chain.joints.ids().filter(is_link).collect();
+    let joints: List<LinkId, BodyId> = chain.joints.ids().filter(is_link).collect();
     let velocities = chain.spaces.velocities.len();
     let drive = if chain.identifies_drives { DRIVE } else { 0 };
     let links = joints.iter().map(|&joint| {
@@ -268,7 +275,7 @@ fn links(chain: &Chain) -> Vec<Link> {
         Link {
             joint,
             own,
-            parent: parent.and_then(|parent| joints.iter().position(|&other| other == parent)),
+            parent: parent.and_then(|parent| joints.find(|&other| other == parent)),
             path,
             states,
         }

@@ -127,7 +127,7 @@ fn hold(chain: &Chain) -> usize {
                 off <= 1e-12 * size.max(1e-6),
                 "{torque} is off by {off:e} of {size}"
             );
-            for (parameter, entry) in whole.iter().enumerate() {
+            for (parameter, entry) in spaces.parameters.ids().zip(whole) {
                 let of_groups = groups.iter().zip(part).map(|(group, column)| {
                     let member = group
                         .members
@@ -139,7 +139,7 @@ fn hold(chain: &Chain) -> usize {
                 let off = (of_groups.sum::<f64>() - entry).abs();
                 assert!(
                     off <= 1e-10 * size.max(1.0),
-                    "{parameter} is off by {off:e} of {size}"
+                    "{parameter:?} is off by {off:e} of {size}"
                 );
             }
         }
@@ -263,7 +263,8 @@ fn what_cannot_be_told_is_in_no_group() {
         link plate { mass: 3.0, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.2, 0.15] }",
     );
     let members: Vec<_> = (chain.base_parameters.groups.iter())
-        .map(|group| group.members.clone())
+        .map(|group| group.members.iter().map(|&(k, factor)| (k.index(), factor)))
+        .map(Vec::from_iter)
         .collect();
     // J_xx and J_yy.
     assert_eq!(members, [[(4, 1.0), (7, 1.0)]]);

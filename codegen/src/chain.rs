@@ -31,7 +31,7 @@ use crate::joint::drive::Part;
 use crate::joint::{Drive, Motion, Posture};
 use crate::list::{List, id};
 use crate::matrix::{Inertia, Pose, Vector};
-use crate::request::{Parameter, Request};
+use crate::request::{FieldId, Parameter, Request};
 use crate::space::{CoordinateId, Entry, Kind, Spaces, VelocityId};
 
 id! {
@@ -65,9 +65,9 @@ pub struct Chain {
     pub gravity: Vector<Expr>,
     /// What the description says of the numbers that struct fields stand for, in the order of the
     /// request's parameters.
-    pub nominal: Vec<Vec<f64>>,
+    pub nominal: List<FieldId, Vec<f64>>,
     /// The struct fields, in the order of the request.
-    pub parameters: Vec<Parameter>,
+    pub parameters: List<FieldId, Parameter>,
     /// What became of the description on the way.
     pub report: Report,
     /// Where the description came from.

@@ -18,6 +18,7 @@ pub(crate) use robot::{Body, BodyId, Closed, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
 use crate::list::{Id, List, Square};
+use crate::request::FieldId;
 use crate::space::{CoordinateId, ParameterId, Variable, VelocityId};
 use posture::{Posture, Rates};
 
@@ -30,18 +31,18 @@ pub(crate) struct State {
     pub(crate) tau: List<VelocityId, f64>,
     /// Of each action c and f.
     pub(crate) actions: Vec<f64>,
-    pub(crate) fields: Vec<Vec<f64>>,
+    pub(crate) fields: List<FieldId, Vec<f64>>,
 }
 
 impl State {
     pub(crate) fn get(&self, input: Input) -> Double {
         let (list, k) = match input {
-            Input::Variable(Variable::Q, k) => return self.q[CoordinateId::new(k.into())],
+            Input::Variable(Variable::Q, k) => return self.q[k.into()],
             Input::Variable(Variable::Qd, k) => (&*self.qd, k),
             Input::Variable(Variable::Qdd, k) => (&*self.qdd, k),
             Input::Variable(Variable::Tau, k) => (&*self.tau, k),
             Input::Variable(Variable::Actions, k) => (&*self.actions, k),
-            Input::Parameter(field, k) => (&*self.fields[usize::from(field)], k),
+            Input::Parameter(field, k) => (&*self.fields[field.into()], k),
         };
         list[usize::from(k)].into()
     }

@@ -45,6 +45,12 @@ macro_rules! id {
                 self.0
             }
         }
+
+        impl From<u16> for $name {
+            fn from(index: u16) -> Self {
+                Self(index.into())
+            }
+        }
     };
 }
 pub(crate) use id;

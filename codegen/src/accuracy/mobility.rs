@@ -58,9 +58,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     let numbers = evaluate(&graph, &numbers, |input| {
         let least = match input {
             // What a body adds to the energy is never negative, so that without it is the least.
-            Input::Parameter(field, _)
-                if chain.parameters[usize::from(field)].target.is_payload() =>
-            {
+            Input::Parameter(field, _) if chain.parameters[field.into()].target.is_payload() => {
                 Some(0.0)
             }
             Input::Parameter(..) => range.get(input).map(|[least, _]| least),

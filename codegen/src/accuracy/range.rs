@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 use crate::chain::Chain;
 use crate::expression::Input;
 use crate::list::{Id, List};
+use crate::request::FieldId;
 use crate::space::{CoordinateId, Entry, Kind, Spaces, Variable, VelocityId};
 
 /// The least and the greatest that each argument of a function can be.
@@ -24,7 +25,7 @@ pub struct Range {
     /// Where the quaternions of q begin.
     pub(super) quaternions: Vec<CoordinateId>,
     /// Of the entries of each struct field, in the units of what it stands for.
-    pub fields: Vec<Vec<[f64; 2]>>,
+    pub fields: List<FieldId, Vec<[f64; 2]>>,
 }
 
 /// How large an entry is of which no description tells: coordinates go π rad or 1 m to both sides, with
@@ -107,10 +108,9 @@ impl Range {
                 Variable::Tau => None,
                 Variable::Actions => at(&self.actions, k),
             },
-            Input::Parameter(field, k) => self
-                .fields
-                .get(usize::from(field))
-                .and_then(|field| at(field, k)),
+            Input::Parameter(field, k) => {
+                self.fields.get(field.into()).and_then(|field| at(field, k))
+            }
         }
     }
 }
@@ -118,7 +118,7 @@ impl Range {
 /// The range of some arguments, and of the fields that are read, in words:
 /// ``q and q̇ within their limits, |q̈| ≤ 10 rad/s², `payload` from 0 to 3 kg``.
 #[must_use]
-pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(usize) -> bool) -> String {
+pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> bool) -> String {
     let mut within_limits = Vec::new();
     let mut sizes = Vec::new();
     let spaces = chain.spaces();
@@ -148,9 +148,8 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(usize) -> boo
         [one] => Some(format!("{one} within its limits")),
         several => Some(format!("{} within their limits", several.join(" and "))),
     };
-    let fields = chain.parameters.iter().zip(&chain.nominal).enumerate();
-    let fields = fields.filter(|(field, _)| reads(*field));
-    let fields = fields.map(|(_, (field, nominal))| field.range_words(nominal));
+    let fields = chain.parameters.numbered().filter(|(k, _)| reads(*k));
+    let fields = fields.map(|(k, field)| field.range_words(&chain.nominal[k]));
     let words = within_limits.into_iter().chain(sizes);
     let words: Vec<String> = words.chain(fields).collect();
     words.join(", ")

@@ -15,9 +15,9 @@ use super::{BodyId, Chain, Frame, Mimicked, Position, Report, Snapped, angle, li
 use crate::description::{Axis, Description, Joint, JointId, Link, LinkId, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
 use crate::joint::{Along, Drive, Freedom, JointKind, Motion, Movement, Posture, entry};
-use crate::list::List;
+use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
-use crate::request::{Request, Target};
+use crate::request::{FieldId, Request, Target};
 use crate::space::{ACTION, CoordinateId, Entry, Spaces, VelocityId};
 
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
@@ -64,7 +64,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let mut reader = Reader {
         graph: &graph,
         request,
-        nominal: vec![Vec::new(); request.parameters.len()],
+        nominal: List::filled(Vec::new(), request.parameters.len()),
         report: Report::default(),
     };
     let name = |link: LinkId| description[link].name.text.clone();
@@ -94,7 +94,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     } = reader;
     Chain {
         nominal,
-        parameters: request.parameters.clone(),
+        parameters: request.parameters.clone().into(),
         joints,
         spaces,
         loops,
@@ -323,7 +323,7 @@ struct Reader<'g, 'r> {
     graph: &'g Graph,
     request: &'r Request,
     /// What is described where struct fields stand.
-    nominal: Vec<Vec<f64>>,
+    nominal: List<FieldId, Vec<f64>>,
     report: Report,
 }
 
@@ -343,13 +343,14 @@ impl<'g> Reader<'g, '_> {
         let Some(field) = parameters.position(|parameter| is(&parameter.target)) else {
             return described;
         };
+        let field = FieldId::new(field);
         self.nominal[field] = described
             .map(|term| term.value().map_or(0.0, Double::to_f64))
             .to_vec();
         let index = |k: usize| u16::try_from(k).expect("few struct fields");
         std::array::from_fn(|entry| {
             self.graph
-                .input(Input::Parameter(index(field), index(entry)))
+                .input(Input::Parameter(index(field.index()), index(entry)))
         })
     }
 

@@ -60,7 +60,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
                 }
             };
             Body {
-                parent: parent.map(|parent| BodyId::new(parent.into())),
+                parent: parent.map(BodyId::from),
                 placement: placement(&numbers[..PLACEMENT]),
                 moved,
                 freedoms,
@@ -69,7 +69,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         })
         .collect();
     for (drive, &(joint, velocity)) in drives.chunks(3).zip(&data.driven) {
-        bodies[BodyId::new(joint.into())].freedoms[usize::from(velocity)].drive = three(drive);
+        bodies[joint.into()].freedoms[usize::from(velocity)].drive = three(drive);
     }
     let mut frame =
         |(numbers, body): (&[Approximate], Option<u16>)| Some(bodies.push(fixed(body, numbers)));
@@ -125,7 +125,7 @@ pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approxima
 fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
     let nothing = [Approximate::exact(0.0); 3];
     Body {
-        parent: body.map(|body| BodyId::new(body.into())),
+        parent: body.map(BodyId::from),
         placement: placement(numbers),
         moved: Moved::Held([nothing; 2], 0.0),
         freedoms: Vec::new(),

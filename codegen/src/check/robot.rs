@@ -18,7 +18,7 @@ use crate::expression::{Arithmetic, Double};
 use crate::joint::drive::Part;
 use crate::joint::{self, Along, Movement, Posture};
 use crate::list::{Id, List};
-use crate::request::{Request, Target};
+use crate::request::{FieldId, Request, Target};
 use crate::space::{CoordinateId, Kind, Space, VelocityId};
 
 type Scalar = Approximate;
@@ -32,7 +32,7 @@ pub(super) fn robot(
     description: &Description,
     request: &Request,
     chain: &Chain,
-    fields: &[Vec<f64>],
+    fields: &List<FieldId, Vec<f64>>,
 ) -> Result<Robot, Contradiction> {
     let reader = Reader {
         description,
@@ -209,7 +209,7 @@ struct Reader<'d> {
     description: &'d Description,
     request: &'d Request,
     /// The values of the struct's fields.
-    fields: &'d [Vec<f64>],
+    fields: &'d List<FieldId, Vec<f64>>,
     /// What was taken for quarter turns or zero, by item and bits.
     snapped: HashMap<(&'d str, u64), i64>,
 }
@@ -452,7 +452,7 @@ impl<'d> Reader<'d> {
         let mut parameters = self.request.parameters.iter();
         let field = parameters.position(|parameter| is(&parameter.target))?;
         Some(std::array::from_fn(|k| {
-            Scalar::exact(self.fields[field][k])
+            Scalar::exact(self.fields[FieldId::new(field)][k])
         }))
     }
 

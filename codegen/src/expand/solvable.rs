@@ -13,6 +13,7 @@ use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
 use crate::layout::{Layout, arrange};
 use crate::list::{Id, List};
 use crate::model;
+use crate::request::FieldId;
 use crate::space::{Variable, VelocityId};
 use crate::wording::{list, quoted};
 
@@ -93,8 +94,8 @@ fn zero(chain: &Chain) -> Option<Complaint> {
 /// but zeros are.
 pub(super) fn field(chain: &Chain, input: Input) -> f64 {
     match input {
-        Input::Parameter(field, entry) if is_zero(&chain.nominal[usize::from(field)]) => {
-            chain.parameters[usize::from(field)].at_the_end(entry.into())
+        Input::Parameter(field, entry) if is_zero(&chain.nominal[field.into()]) => {
+            chain.parameters[field.into()].at_the_end(entry.into())
         }
         _ => described(chain, input),
     }
@@ -104,7 +105,7 @@ fn described(chain: &Chain, input: Input) -> f64 {
     let Input::Parameter(field, entry) = input else {
         return 0.0;
     };
-    let field = chain.nominal.get(usize::from(field));
+    let field = chain.nominal.get(field.into());
     let entry = field.and_then(|field| field.get(usize::from(entry)));
     entry.copied().unwrap_or(0.0)
 }
@@ -117,10 +118,10 @@ fn is_zero(nominal: &[f64]) -> bool {
 fn undescribed(chain: &Chain) -> Vec<String> {
     let graph = chain.graph.clone();
     let (needed, _) = graph.needed(&pivots(&graph, chain));
-    let entering: BTreeSet<usize> = needed
+    let entering: BTreeSet<FieldId> = needed
         .into_iter()
         .filter_map(|expr| match graph.node(expr) {
-            Node::Input(Input::Parameter(field, _)) => Some(usize::from(field)),
+            Node::Input(Input::Parameter(field, _)) => Some(field.into()),
             _ => None,
         })
         .collect();

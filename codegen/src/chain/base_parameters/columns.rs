@@ -303,7 +303,7 @@ impl Numbers {
     fn of(chain: &Chain) -> Self {
         let described = |input| match input {
             Input::Parameter(field, entry) => {
-                Double::from(chain.nominal[usize::from(field)][usize::from(entry)])
+                Double::from(chain.nominal[field.into()][usize::from(entry)])
             }
             Input::Variable(..) => unreachable!("a chain depends on no state"),
         };

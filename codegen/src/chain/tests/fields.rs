@@ -46,7 +46,7 @@ const ARM: &str = "struct Arm { strict } link base;
 fn a_payload_is_a_body_beside_what_is_described() {
     let chain = with_fields(ARM, vec![("load", Target::PayloadOn(named("flange")))]);
     let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
-    assert_eq!(chain.nominal, [[0.0; 10].to_vec()]);
+    assert_eq!(*chain.nominal, [[0.0; 10].to_vec()]);
     let inertia = chain.joints[BodyId(0)].inertia.entries();
     // By hand: of the rod second moments are (0.025, 0.015, 0.005), and 0.02 more at xx.
     let empty = at(&chain, &inertia, &[0.0; 10]);
@@ -121,7 +121,7 @@ fn a_payload_is_meant_to_be_what_a_body_can_have() {
 fn an_inertia_is_about_the_centre_of_mass_in_the_axes_of_the_inertial() {
     let chain = with_fields(ARM, vec![("tensor", Target::InertiaOf(named("rod")))]);
     let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
-    assert_eq!(chain.nominal, [[0.02, 0.0, 0.0, 0.03, 0.0, 0.04].to_vec()]);
+    assert_eq!(*chain.nominal, [[0.02, 0.0, 0.0, 0.03, 0.0, 0.04].to_vec()]);
     let inertia = chain.joints[BodyId(0)].inertia.entries();
     let tensor = [0.05, 0.001, 0.002, 0.06, 0.003, 0.07];
     let found = at(&chain, &inertia, &tensor);
@@ -205,7 +205,7 @@ fn the_base_stands_where_a_field_says() {
         let found = at(&chain, &frame.placement.translation.0, &[10.0, 20.0, 30.0]);
         close(&found, &[10.0, 20.0, z]);
     }
-    assert_eq!(chain.nominal, [[0.0; 3].to_vec()]);
+    assert_eq!(*chain.nominal, [[0.0; 3].to_vec()]);
     assert_eq!(
         refused(text, vec![("one", place()), ("two", place())]),
         "error: field `two` stands for the position of the base, as `one` does\n  hint: leave out one of them\n"
@@ -241,7 +241,7 @@ fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
     );
     // As it is described: about z, then about the new x.
     close(
-        &chain.nominal[0],
+        &chain.nominal[0_u16.into()],
         &[1.0, 2.0, 3.0, std::f64::consts::FRAC_PI_2, 0.0, 0.5],
     );
 
@@ -258,7 +258,7 @@ fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
     for (x, y) in found.iter().zip(expected) {
         assert!((x - y).abs() < 4e-15, "{found:?} for {expected:?}");
     }
-    assert_eq!(chain.nominal, [[0.0; 6].to_vec()]);
+    assert_eq!(*chain.nominal, [[0.0; 6].to_vec()]);
 }
 
 #[test]

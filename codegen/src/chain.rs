@@ -32,7 +32,7 @@ use crate::joint::{Drive, Motion, Posture};
 use crate::list::{List, id};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{FieldId, Parameter, Request};
-use crate::space::{CoordinateId, Entry, Kind, Spaces, VelocityId};
+use crate::space::{CoordinateId, Entry, FrameId, Kind, Spaces, VelocityId};
 
 id! {
     /// The number of a body among those of a [`Chain`], and of what moves it: in every list that has an entry for
@@ -54,7 +54,7 @@ pub struct Chain {
     /// Which velocities are driven, where loops move the others.
     pub actuated: List<VelocityId, bool>,
     /// The frames asked for: the tip first, where there is one.
-    pub frames: Vec<Frame>,
+    pub frames: List<FrameId, Frame>,
     /// The links on which something acts from outside.
     pub external: Vec<Frame>,
     /// Whether those actions are in frame 0, and not each in its link's.
@@ -267,7 +267,7 @@ impl Chain {
 
     /// How many joints move a frame.
     #[must_use]
-    pub fn joints_to(&self, frame: usize) -> usize {
+    pub fn joints_to(&self, frame: FrameId) -> usize {
         let mut at = self.frames.get(frame).and_then(|frame| frame.body);
         let mut count = 0;
         while let Some(joint) = at {

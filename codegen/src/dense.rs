@@ -19,7 +19,7 @@ pub(crate) use robot::{Body, BodyId, Closed, Freedom, Moved, Robot};
 use crate::expression::{Double, Input};
 use crate::list::{Id, List, Square};
 use crate::request::FieldId;
-use crate::space::{CoordinateId, ParameterId, Variable, VelocityId};
+use crate::space::{CoordinateId, FrameId, ParameterId, Variable, VelocityId};
 use posture::{Posture, Rates};
 
 /// What a program reads.
@@ -84,7 +84,7 @@ impl Dense {
     }
 
     /// M of a frame.
-    pub(crate) fn pose(&self, frame: usize) -> Matrix<Approximate> {
+    pub(crate) fn pose(&self, frame: FrameId) -> Matrix<Approximate> {
         self.posture.pose(frame)
     }
 
@@ -92,7 +92,7 @@ impl Dense {
     /// zeros for the others.
     pub(crate) fn columns(
         &self,
-        frame: usize,
+        frame: FrameId,
         seen: impl Fn(&Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
@@ -108,7 +108,7 @@ impl Dense {
     /// The same of their rates: what is made of L and of L̇ = W L − L W.
     pub(crate) fn column_rates(
         &self,
-        frame: usize,
+        frame: FrameId,
         seen: impl Fn(&Matrix<Approximate>, &Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
@@ -128,14 +128,14 @@ impl Dense {
     }
 
     /// The screws of the joints that move a frame, with their places in q̇.
-    fn moving(&self, frame: usize) -> Vec<&(VelocityId, Matrix<Approximate>)> {
+    fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Approximate>)> {
         self.posture.moving(frame)
     }
 
     /// W and H of a frame.
     pub(crate) fn motion(
         &self,
-        frame: usize,
+        frame: FrameId,
         motion: Motion,
     ) -> (Matrix<Approximate>, Matrix<Approximate>) {
         self.posture.motion(frame, &self.rates(motion))

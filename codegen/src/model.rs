@@ -41,20 +41,20 @@ use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::list::{self, List, Square};
 use crate::matrix::{Action, Screw, Vector};
-use crate::space::{ParameterId, Variable, VelocityId};
+use crate::space::{FrameId, ParameterId, Variable, VelocityId};
 
 /// What a function is built from: bodies with their frames, a state, and the way.
 pub struct Scene<'s, 'g> {
     graph: &'g Graph,
-    frame: usize,
+    frame: FrameId,
     pub(crate) bodies: &'s Bodies<'g>,
     pub(crate) way: Way,
     pub(crate) state: State<'g>,
 }
 
 impl<'s, 'g> Scene<'s, 'g> {
-    /// Of the frame of that index, where a function is of one.
-    pub(crate) fn new(graph: &'g Graph, bodies: &'s Bodies<'g>, frame: usize, way: Way) -> Self {
+    /// Of that frame, where a function is of one.
+    pub(crate) fn new(graph: &'g Graph, bodies: &'s Bodies<'g>, frame: FrameId, way: Way) -> Self {
         Self {
             graph,
             frame,
@@ -288,7 +288,7 @@ impl<'g> Scene<'_, 'g> {
 /// For each velocity the diagonal entry of the mass matrix and the pivot that its factors leave of it.
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, 0, Way::PLAIN);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, Way::PLAIN);
     forward_dynamics::pivots(&scene.mass_matrix(), &scene.parents())
 }
 
@@ -300,7 +300,7 @@ pub(crate) fn equation<'g>(
     way: Way,
     has_residual: bool,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, 0, way);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
     let mut terms = Vec::from(scene.mass_matrix());
     terms.extend(scene.driving(&scene.coasting()));
     if has_residual {
@@ -315,7 +315,7 @@ pub(crate) fn articulated_motion<'g>(
     bodies: &Bodies<'g>,
     way: Way,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, 0, way);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
     let outside = scene.outside(Frame::Link);
     articulated::motion(&scene.link_joints(), bodies.gravity, &scene.state, &outside)
 }
@@ -327,7 +327,7 @@ pub(crate) fn articulated_steps<'g>(
     way: Way,
     entries: &[Term<'g>; ARTICULATED_STEP],
 ) -> Vec<Vec<Term<'g>>> {
-    let joints = Scene::new(graph, bodies, 0, way).link_joints();
+    let joints = Scene::new(graph, bodies, FrameId::FIRST, way).link_joints();
     let steps = joints.iter().map(|joint| articulated::step(joint, entries));
     steps.collect()
 }

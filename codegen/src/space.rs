@@ -48,6 +48,17 @@ id! {
     ParameterId
 }
 
+id! {
+    /// The number of a frame that is asked for, the tip's first where there is one: in every list that begins with
+    /// such frames.
+    FrameId
+}
+
+impl FrameId {
+    /// That of the first; given where a function is of no frame.
+    pub const FIRST: Self = Self(0);
+}
+
 /// The entries of an action, and what each does: a couple turns, a force slides.
 pub const ACTION: [(&str, Kind); 6] = [
     ("cx", Kind::Turn),

@@ -13,8 +13,10 @@ use homogen_codegen::description::{self, Description, Number, inline};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::program_by;
 use homogen_codegen::layout::{Layout, Sliding};
+use homogen_codegen::list::Id;
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
+use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
 use homogen_tests::drives::driven;
@@ -84,7 +86,7 @@ fn agree_within(
         .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())
         .chain(OF_LOOPS.into_iter().filter(|_| !chain.loops.is_empty()))
         .collect();
-    let frame = chain.frames.len().saturating_sub(1);
+    let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
     let way = Way::PLAIN;
     let sources =
         LAYOUTS.map(|layout| link_frames::expressions(&chain, &functions, frame, layout, way));
@@ -103,7 +105,7 @@ fn agree_within(
             .map(|source| link_frames::evaluate_in(source, &state));
         let mut at = 0;
         for &function in &functions {
-            let expected = frame_0::evaluate(&robot, function, frame, &arguments);
+            let expected = frame_0::evaluate(&robot, function, frame.index(), &arguments);
             let these = at..at + expected.len();
             at = these.end;
             let size = metrics::largest(sizes[these.clone()].iter().copied());

@@ -8,7 +8,7 @@ use crate::expression::Arithmetic;
 use crate::joint::Posture;
 use crate::list::{Id, List};
 use crate::print::{ChainData, DataMotion, LoopsData};
-use crate::space::{CoordinateId, VelocityId};
+use crate::space::{CoordinateId, FrameId, VelocityId};
 
 /// How many numbers a joint has, and a frame.
 const JOINT: usize = 28;
@@ -74,12 +74,12 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
     let mut frame =
         |(numbers, body): (&[Approximate], Option<u16>)| Some(bodies.push(fixed(body, numbers)));
     let frames = frames.chunks(PLACEMENT).zip(&data.frames);
-    let frames: Vec<Option<BodyId>> = frames
+    let frames: List<FrameId, Option<BodyId>> = frames
         .map(|(numbers, (_, body))| frame((numbers, *body)))
         .collect();
     // Those that are acted on come last.
-    let external = &frames[frames.len() - data.external.0..];
-    let external = external.iter().copied().flatten().collect();
+    let external = frames.iter().skip(frames.len() - data.external.0);
+    let external = external.copied().flatten().collect();
     Robot {
         bodies,
         velocities: velocity.index(),
@@ -101,14 +101,14 @@ const LOOP: usize = 2 * PLACEMENT + 1;
 /// The same with its loops, whose numbers are given as well.
 pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approximate]) -> Robot {
     for (closed, numbers) in data.loops.iter().zip(numbers.chunks(LOOP)) {
-        let first = robot.frames.len();
         let (placements, size) = numbers.split_at(2 * PLACEMENT);
-        for ((_, body), numbers) in closed.frames.iter().zip(placements.chunks(PLACEMENT)) {
-            let body = robot.bodies.push(fixed(*body, numbers));
-            robot.frames.push(Some(body));
-        }
+        let ends = [0, 1].map(|end| {
+            let ((_, body), numbers) = (&closed.frames[end], &placements[end * PLACEMENT..]);
+            let body = robot.bodies.push(fixed(*body, &numbers[..PLACEMENT]));
+            robot.frames.push(Some(body))
+        });
         robot.loops.push(Closed {
-            frames: [first, first + 1],
+            frames: ends,
             rows: closed.rows.clone(),
             size: size[0],
         });

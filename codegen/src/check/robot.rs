@@ -19,7 +19,7 @@ use crate::joint::drive::Part;
 use crate::joint::{self, Along, Movement, Posture};
 use crate::list::{Id, List};
 use crate::request::{FieldId, Request, Target};
-use crate::space::{CoordinateId, Kind, Space, VelocityId};
+use crate::space::{CoordinateId, FrameId, Kind, Space, VelocityId};
 
 type Scalar = Approximate;
 
@@ -100,7 +100,7 @@ pub(super) fn robot(
         return Err(Contradiction("how many joints move".to_owned()));
     }
     let frames = chain.frames.iter().chain(&chain.external);
-    let mut frames: Vec<Option<BodyId>> = frames
+    let mut frames: List<FrameId, Option<BodyId>> = frames
         .map(|frame| seats.get(frame.name.as_str()).copied())
         .collect();
     let mut actuated = Vec::new();
@@ -325,7 +325,7 @@ impl<'d> Reader<'d> {
         chain: &Chain,
         seats: &HashMap<&str, BodyId>,
         bodies: &mut List<BodyId, Body>,
-        frames: &mut Vec<Option<BodyId>>,
+        frames: &mut List<FrameId, Option<BodyId>>,
     ) -> Result<Vec<Closed>, Contradiction> {
         let mut loops = Vec::new();
         for closed in &chain.loops {
@@ -338,7 +338,7 @@ impl<'d> Reader<'d> {
                 (&described.from, &described.at),
                 (&described.to, &described.to_at),
             ];
-            let first = frames.len();
+            let first = frames.next();
             let mut axes = Vec::new();
             for ((link, steps), axis) in ends.into_iter().zip(&described.axes) {
                 let mut placement = self.placement(name, steps)?;
@@ -357,7 +357,7 @@ impl<'d> Reader<'d> {
                 (None, _) => Scalar::literal(0.0),
             };
             loops.push(Closed {
-                frames: [first, first + 1],
+                frames: [first, first.plus(1)],
                 rows: closed.rows.clone(),
                 size,
             });
@@ -379,7 +379,7 @@ impl<'d> Reader<'d> {
             return Ok(bodies.push(held(parent, placement, nothing, 0.0)));
         }
         let velocities = joint.kind.velocities(&joint.name.text);
-        for (velocity, (own, freedom)) in velocities.enumerate() {
+        for (k, (own, freedom)) in velocities.enumerate() {
             let screw = self.screw(joint, freedom)?;
             let one = (Scalar::exact(1.0), Scalar::exact(0.0));
             let body = bodies.push(match motion {
@@ -396,7 +396,7 @@ impl<'d> Reader<'d> {
                 },
             });
             for freedom in &mut bodies[body].freedoms {
-                freedom.drive = self.drive(joint, velocity);
+                freedom.drive = self.drive(joint, k);
             }
             (parent, placement) = (Some(body), Matrix::identity());
         }
@@ -423,12 +423,12 @@ impl<'d> Reader<'d> {
         }
         let coordinates = joint.kind.coordinates(name);
         let mut freedoms = Vec::new();
-        for (velocity, (own, freedom)) in joint.kind.velocities(name).enumerate() {
+        for (k, (own, freedom)) in joint.kind.velocities(name).enumerate() {
             freedoms.push(Freedom {
                 screw: self.screw(joint, freedom)?,
                 velocity: place(places.velocities, &own)?,
                 factor: Scalar::exact(1.0),
-                drive: self.drive(joint, velocity),
+                drive: self.drive(joint, k),
             });
         }
         let body = bodies.push(Body {
@@ -456,11 +456,11 @@ impl<'d> Reader<'d> {
         }))
     }
 
-    /// Armature, damping and friction of the velocity of that index among those of a joint.
-    fn drive(&self, joint: &Joint, velocity: usize) -> [Scalar; 3] {
+    /// Armature, damping and friction of the velocity that has this place among those of a joint.
+    fn drive(&self, joint: &Joint, place: usize) -> [Scalar; 3] {
         let said = |part: Part| {
             let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
-            let number = numbers.get(if numbers.len() == 1 { 0 } else { velocity });
+            let number = numbers.get(if numbers.len() == 1 { 0 } else { place });
             number.map(|number| Scalar::literal(number.value))
         };
         let zero = Scalar::literal(0.0);

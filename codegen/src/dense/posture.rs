@@ -9,7 +9,7 @@ use super::{Approximate, BodyId, Closed, Freedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
 use crate::list::{self, Id, List, Square};
-use crate::space::{CoordinateId, ParameterId, VelocityId};
+use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
 
 type Scalar = Approximate;
 
@@ -112,12 +112,12 @@ impl Posture {
     }
 
     /// M of a frame.
-    pub(super) fn pose(&self, frame: usize) -> Matrix<Scalar> {
+    pub(super) fn pose(&self, frame: FrameId) -> Matrix<Scalar> {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
     }
 
     /// The screws of the joints that move a frame, with their places in q̇.
-    pub(super) fn moving(&self, frame: usize) -> Vec<&(VelocityId, Matrix<Scalar>)> {
+    pub(super) fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Scalar>)> {
         let mut moving = Vec::new();
         let mut at = self.robot.frames[frame];
         while let Some(body) = at {
@@ -130,7 +130,7 @@ impl Posture {
     /// The same, each with L̇ = W L − L W, where W is of the link that the joint carries.
     pub(super) fn moving_rates(
         &self,
-        frame: usize,
+        frame: FrameId,
         rates: &Rates,
     ) -> Vec<(VelocityId, &Matrix<Scalar>, Matrix<Scalar>)> {
         let motions = self.motions(rates);
@@ -170,7 +170,7 @@ impl Posture {
     }
 
     /// W and H of a frame.
-    pub(super) fn motion(&self, frame: usize, rates: &Rates) -> (Matrix<Scalar>, Matrix<Scalar>) {
+    pub(super) fn motion(&self, frame: FrameId, rates: &Rates) -> (Matrix<Scalar>, Matrix<Scalar>) {
         match self.robot.frames[frame] {
             Some(body) => self.motions(rates)[body].clone(),
             None => (Matrix::zero(), Matrix::zero()),

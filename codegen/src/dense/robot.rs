@@ -4,7 +4,7 @@ use super::{Approximate, Matrix};
 use crate::closure::Row;
 use crate::joint::Posture;
 use crate::list::{List, id};
-use crate::space::{CoordinateId, ParameterId, VelocityId};
+use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
 
 id! {
     /// The number of a body among those of a [`Robot`]: one for each link, and for what is held between them.
@@ -58,8 +58,8 @@ pub(crate) enum Moved {
 
 /// A joint that closes a loop.
 pub(crate) struct Closed {
-    /// The indices of the frames that it holds together, among those of the robot.
-    pub(crate) frames: [usize; 2],
+    /// The frames that it holds together, among those of the robot.
+    pub(crate) frames: [FrameId; 2],
     /// What it closes.
     pub(crate) rows: Vec<Row>,
     /// The length of a rod, or the cosine of the angle of two axes.
@@ -74,7 +74,7 @@ pub(crate) struct Robot {
     /// Acceleration of gravity in frame 0.
     pub(crate) gravity: [Approximate; 3],
     /// The bodies whose frames are asked for, and behind them those of loops; none for the base.
-    pub(crate) frames: Vec<Option<BodyId>>,
+    pub(crate) frames: List<FrameId, Option<BodyId>>,
     /// The bodies that joints move as links, in the order of their coordinates.
     pub(crate) links: Vec<BodyId>,
     /// The columns of the regressor that the base regressor has.

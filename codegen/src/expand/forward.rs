@@ -16,6 +16,7 @@ use crate::list::List;
 use crate::model::{Congruence, Way};
 use crate::real::Real;
 use crate::request::Request;
+use crate::space::FrameId;
 use crate::wording::list;
 
 /// The error that must not be exceeded, beside the largest result and in a thousand states \[u\].
@@ -279,7 +280,7 @@ fn least_error(
     let mut measure = Measure::of(chain, functions, worst.loss);
     let mut least = Off::INFINITE;
     for way in ways {
-        let program = program_by(chain, functions, 0, Layout::DESCRIBED, way);
+        let program = program_by(chain, functions, FrameId::FIRST, Layout::DESCRIBED, way);
         least = least.least(measure.error(&program, scalar));
         if least.worst <= ENOUGH {
             break;

@@ -42,7 +42,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let mut moment = scene.bodies.base.q;
     for (k, joint) in joints.numbered().rev() {
         let (q, mass) = (moments[k], masses[k]);
-        let (index, frame) = (k.number(), joint.frame);
+        let (index, frame) = (k.number(), joint.frame_number());
         q.label(|| format!("j_{index}_in_{frame}_"));
         let carried = joint.first_moment_inboard(q, mass);
         if let Some(parent) = joint.parent {

@@ -7,9 +7,9 @@ use crate::chain::{BodyId, Chain, Frame, Position};
 use crate::closure::Row;
 use crate::expression::{Double, Expr, Graph, Term};
 use crate::joint::{Drive, Motion};
-use crate::list::List;
+use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
-use crate::space::{ParameterId, VelocityId};
+use crate::space::{FrameId, ParameterId, VelocityId};
 
 /// The bodies of a chain with their frames.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ pub struct Bodies<'g> {
     pub identifies_drives: bool,
     /// The frames asked for, and behind them A and B of each loop: the joint whose body carries it, and M
     /// from that body to it.
-    pub frames: Vec<(Option<BodyId>, Pose<Term<'g>>)>,
+    pub frames: List<FrameId, (Option<BodyId>, Pose<Term<'g>>)>,
     /// The loops.
     pub loops: Vec<Closed<'g>>,
     /// Which velocities are driven, where loops move the others.
@@ -40,8 +40,8 @@ pub struct Bodies<'g> {
 /// A joint that closes a loop.
 #[derive(Clone, Debug)]
 pub struct Closed<'g> {
-    /// The indices of frames A and B.
-    pub frames: [usize; 2],
+    /// Frames A and B.
+    pub frames: [FrameId; 2],
     /// What it closes.
     pub rows: Vec<Row>,
     /// The length of a rod \[m\]; of a joint with two axes, the cosine of their angle.
@@ -160,9 +160,9 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     let of_loops = chain.loops.iter().flat_map(|closed| &closed.frames);
     let place = |frame: &Frame| (frame.body, seen_from(frame.body, frame.placement.map(term)));
     let loops = chain.loops.iter().enumerate().map(|(k, closed)| {
-        let first = chain.frames.len() + 2 * k;
+        let [a, b] = [0, 1].map(|end| chain.frames.next().plus(2 * k + end));
         Closed {
-            frames: [first, first + 1],
+            frames: [a, b],
             rows: closed.rows.clone(),
             size: term(closed.size),
         }

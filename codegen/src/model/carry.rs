@@ -18,6 +18,7 @@ use crate::joint::{Drive, Motion};
 use crate::layout::{Bodies, Body};
 use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
+use crate::space::FrameId;
 
 /// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it,
 /// or a posture; in frame 0 there is none, and the placement is the identity.
@@ -29,10 +30,8 @@ pub struct Joint<'g> {
     pub parent: Option<BodyId>,
     /// The motion it allows.
     pub motion: Motion,
-    /// The number of the frame in which its matrices are: that of its body, or 0.
-    pub frame: usize,
-    /// The number of the frame in which those of the body are that it hangs on.
-    pub outer_frame: usize,
+    /// Where its matrices are.
+    pub frame: Frame,
     /// Whether what is placed in frame 0 is seen from the body at the root, in the axes of frame 0.
     pub from_root: bool,
     /// M from the parent's frame to where the displacement starts.
@@ -95,8 +94,7 @@ impl<'g> Joint<'g> {
             body: k,
             parent: body.parent,
             motion: body.motion,
-            frame: k.number(),
-            outer_frame: body.parent.map_or(0, BodyId::number),
+            frame: Frame::Link,
             from_root: false,
             placement,
             angle,
@@ -126,8 +124,7 @@ impl<'g> Joint<'g> {
         let inertia = self.inertia.change_frame(pose);
         inertia.label(|| format!("j_{index}_in_0_"));
         Self {
-            frame: 0,
-            outer_frame: 0,
+            frame: Frame::Base,
             placement: Pose::identity(graph),
             angle: (zero, one),
             slide: zero,
@@ -169,6 +166,22 @@ impl<'g> Joint<'g> {
             joint.parent.filter(|_| joint.taken).map(|k| &joints[k])
         });
         own.any(|joint| joint.body == at)
+    }
+
+    /// The number of the frame in which its matrices are, as names have it: that of its body, or 0.
+    pub fn frame_number(&self) -> usize {
+        match self.frame {
+            Frame::Link => self.body.number(),
+            Frame::Base => 0,
+        }
+    }
+
+    /// The same of the body that it hangs on.
+    pub fn outer_frame_number(&self) -> usize {
+        match self.frame {
+            Frame::Link => self.parent.map_or(0, BodyId::number),
+            Frame::Base => 0,
+        }
     }
 
     /// The turn as a matrix.
@@ -339,17 +352,17 @@ impl<'g> Path<'g> {
     }
 }
 
-/// The way to the frame of that index.
-pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, way: Way) -> Path<'g> {
+/// The way to a frame.
+pub fn path<'g>(bodies: &Bodies<'g>, frame: FrameId, state: &State<'g>, way: Way) -> Path<'g> {
     path_beyond(bodies, None, frame, state, way)
 }
 
-/// The way to the frame of that index from a body that carries it, or from the base: its placement at the
+/// The way to a frame from a body that carries it, or from the base: its placement at the
 /// beginning is as seen from there.
 pub fn path_beyond<'g>(
     bodies: &Bodies<'g>,
     from: Option<BodyId>,
-    frame: usize,
+    frame: FrameId,
     state: &State<'g>,
     way: Way,
 ) -> Path<'g> {

@@ -13,7 +13,7 @@ pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId,
     let mut composites = joints.map(|joint| joint.inertia);
     let mut entries = Square::filled(state.zero(), joints.len());
     for column in joints.ids().rev() {
-        let (index, frame) = (column.number(), joints[column].frame);
+        let (index, frame) = (column.number(), joints[column].frame_number());
         composites[column].label(|| format!("j_{index}_in_{frame}_"));
         let mut action = Action::of_screw(joints[column].screw, composites[column]);
         let mut at = column;
@@ -29,7 +29,7 @@ pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId,
             action = action
                 .change_frame(joints[at].displacement())
                 .change_frame(joints[at].placement);
-            let frame = joints[at].outer_frame;
+            let frame = joints[at].outer_frame_number();
             action.label(|| format!("phi_{index}_in_{frame}_"));
             at = parent;
         }

@@ -219,7 +219,7 @@ impl<'g> Whole<'g> {
             .map(|(joint, own)| Flow::of_turn(multiple(own.h.omega), joint.inertia))
             .collect();
         for (k, joint) in joints.numbered().rev() {
-            let (index, frame) = (k.number(), joint.frame);
+            let (index, frame) = (k.number(), joint.frame_number());
             inertias[k].label(|| format!("j_{index}_in_{frame}_"));
             if let Some(parent) = joint.parent {
                 let [displacing, placing] = gains[k];

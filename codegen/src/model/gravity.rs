@@ -81,7 +81,7 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
             .parent
             .map_or(-gravity, |parent| accelerations[parent]);
         let a = joint.vector_outboard(outer);
-        let (index, frame) = (joint.body.number(), joint.frame);
+        let (index, frame) = (joint.body.number(), joint.frame_number());
         a.label(|| format!("h_0_{index}_in_{frame}_"));
         accelerations.push(a);
     }
@@ -90,7 +90,7 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
     let mut tau = List::filled(state.zero(), joints.len());
     for (k, joint) in joints.numbered().rev() {
         let a = accelerations[k];
-        let (index, frame) = (k.number(), joint.frame);
+        let (index, frame) = (k.number(), joint.frame_number());
         moments[k].label(|| format!("j_{index}_in_{frame}_"));
         let (screw, mass) = (joint.screw, masses[k]);
         let couple = screw.u.dot(moments[k].cross(a));

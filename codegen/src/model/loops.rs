@@ -15,7 +15,7 @@ use crate::expression::Term;
 use crate::layout::{Bodies, Closed};
 use crate::list::List;
 use crate::matrix::{Acceleration, Pose, Screw, Vector, Velocity};
-use crate::space::VelocityId;
+use crate::space::{FrameId, VelocityId};
 
 /// How frame B stands and moves, seen from frame A.
 struct Seen<'g> {
@@ -86,7 +86,7 @@ fn each<'g, T>(scene: &Scene<'_, 'g>, of: impl Fn(&Closed<'g>, Seen<'g>) -> Vec<
 
 /// Frame B of a loop, as seen from frame A: from A inwards to the body that carries both, and out to B.
 fn seen<'g>(bodies: &Bodies<'g>, closed: &Closed<'g>, state: &State<'g>, way: Way) -> Seen<'g> {
-    let inwards = |frame: usize| {
+    let inwards = |frame: FrameId| {
         let (last, _) = bodies.frames[frame];
         std::iter::successors(last, |&k| bodies.bodies[k].parent)
     };

@@ -36,7 +36,7 @@ impl<'s, 'g> MassCenter<'s, 'g> {
         let (_, mut moment) = own(base);
         for (k, joint) in joints.numbered().rev() {
             let (mass, q) = carried[k];
-            let (index, frame) = (joint.body.number(), joint.frame);
+            let (index, frame) = (joint.body.number(), joint.frame_number());
             q.label(|| format!("c_{index}_in_{frame}_"));
             let inboard = joint.first_moment_inboard(q, mass);
             if let Some(parent) = joint.parent {

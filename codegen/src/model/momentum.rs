@@ -34,7 +34,7 @@ pub fn bias<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
         let outer = joint.parent.map_or(rest, |parent| motions[parent]);
         let moving = beyond(outer, joint, state.qd(joint.body), state.zero());
         let h = moving.h;
-        let (index, frame) = (joint.body.number(), joint.frame);
+        let (index, frame) = (joint.body.number(), joint.frame_number());
         h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
         h.a.label(|| format!("h_0_{index}_in_{frame}_"));
@@ -61,7 +61,7 @@ pub fn columns<'g>(joints: &Joints<'g>, pole: Vector<Term<'g>>) -> List<BodyId, 
 fn composites<'g>(joints: &Joints<'g>) -> List<BodyId, Inertia<Term<'g>>> {
     let mut composites = joints.map(|joint| joint.inertia);
     for (k, joint) in joints.numbered().rev() {
-        let (index, frame) = (joint.body.number(), joint.frame);
+        let (index, frame) = (joint.body.number(), joint.frame_number());
         composites[k].label(|| format!("j_{index}_in_{frame}_"));
         if let Some(parent) = joint.parent {
             composites[parent] = composites[parent] + joint.inertia_inboard(composites[k]);

@@ -13,7 +13,7 @@ pub fn beyond<'g>(
     rate: Term<'g>,
 ) -> Velocity<Term<'g>> {
     let w = joint.motion_outboard(outer) + Velocity::of_screw(joint.screw, rate);
-    let (index, frame) = (joint.body.number(), joint.frame);
+    let (index, frame) = (joint.body.number(), joint.frame_number());
     w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
     w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
     w

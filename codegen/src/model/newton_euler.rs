@@ -45,7 +45,7 @@ pub fn motion<'g>(
         let outer = joint.parent.map_or(base, |parent| motions[parent]);
         let moving = beyond(outer, joint, state.qd(k), qdd[k]);
         let h = moving.h;
-        let (index, frame) = (k.number(), joint.frame);
+        let (index, frame) = (k.number(), joint.frame_number());
         h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
         h.a.label(|| format!("h_0_{index}_in_{frame}_"));
@@ -58,7 +58,7 @@ pub fn motion<'g>(
     let mut tau = List::filled(state.zero(), joints.len());
     for (k, joint) in joints.numbered().rev() {
         let action = actions[k];
-        let (index, frame, outer) = (k.number(), joint.frame, joint.outer_frame);
+        let (index, frame, outer) = (k.number(), joint.frame_number(), joint.outer_frame_number());
         action.label(|| format!("phi_{index}_in_{frame}_"));
         let drive = joint.drive;
         tau[k] =

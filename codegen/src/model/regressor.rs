@@ -32,7 +32,7 @@ pub fn regressor<'g>(
         let outer = joint.parent.map_or(base, |parent| all[parent]);
         let moving = beyond(outer, joint, state.qd(joint.body), state.qdd(joint.body));
         let h = moving.h;
-        let (index, frame) = (joint.body.number(), joint.frame);
+        let (index, frame) = (joint.body.number(), joint.frame_number());
         h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
         h.a.label(|| format!("h_0_{index}_in_{frame}_"));

@@ -20,7 +20,7 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
             let w = (own(joint) + w)
                 .change_frame(joint.displacement())
                 .change_frame(joint.placement);
-            let index = joint.outer_frame;
+            let index = joint.outer_frame_number();
             w.omega.label(|| format!("w_{index}_n_in_{index}_"));
             w.v.label(|| format!("w_{index}_n_in_{index}_v"));
             w

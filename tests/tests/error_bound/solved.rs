@@ -13,7 +13,7 @@ use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
-use homogen_codegen::space::Variable;
+use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
@@ -47,7 +47,9 @@ fn solved(asked: Asked, function: Function, scalar: Real) -> Option<(Program, Ve
 fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-    let results = function.build(&graph, &bodies, 0, Way::PLAIN).into_iter();
+    let results = function
+        .build(&graph, &bodies, FrameId::FIRST, Way::PLAIN)
+        .into_iter();
     let results: Vec<Expr> = results.map(Term::expr).collect();
     Evaluation::of(&graph, &results)
 }

@@ -13,7 +13,7 @@ use crate::function::Function;
 use crate::list::Id;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Program, run};
-use crate::space::{Space, Spaces, Variable};
+use crate::space::{FrameId, Space, Spaces, Variable};
 
 /// So many states that rows are more than columns.
 const STATES: u64 = 40;
@@ -30,7 +30,8 @@ fn shipped(name: &str) -> Chain {
 }
 
 fn program_of(chain: &Chain, function: Function) -> Program {
-    program(chain, &[function], 0, Real::F64).unwrap_or_else(|errors| panic!("{errors}"))
+    program(chain, &[function], FrameId::FIRST, Real::F64)
+        .unwrap_or_else(|errors| panic!("{errors}"))
 }
 
 /// The results of a program of a robot at a state of that number, the same of every program.
@@ -329,7 +330,12 @@ fn base_parameters_are_refused_where_fields_reveal_others() {
         let [all, some] = [Space::Parameters, Space::BaseParameters].map(|space| spaces.len(space));
         let rank = rank_elsewhere(&chain, Function::Regressor, all);
         assert_eq!(rank > some, reveals, "{target:?}: {rank} for {some}");
-        let base = program(&chain, &[Function::BaseRegressor], 0, Real::F64);
+        let base = program(
+            &chain,
+            &[Function::BaseRegressor],
+            FrameId::FIRST,
+            Real::F64,
+        );
         if reveals {
             let refusal = base.expect_err("it is wrong elsewhere").to_string();
             let expected = "error: torques can tell other base parameters where field `free` is not what is \

@@ -4,6 +4,7 @@ use super::*;
 use crate::description::Number;
 use crate::expression::{Double, Expr, Input, Node};
 use crate::joint::Motion;
+use crate::space::FrameId;
 
 /// The numbers of a body: second moments xx, yy, zz, xy, xz, yz, first moments, mass.
 fn inertia(chain: &Chain, joint: usize) -> Vec<f64> {
@@ -48,7 +49,7 @@ fn what_is_fixed_becomes_part_of_the_body_that_carries_it() {
     ];
     close(&inertia(&chain, 0), &expected);
     assert_eq!(chain.report.merged, [("tip".into(), "rod".into())]);
-    let tip = &chain.frames[0];
+    let tip = &chain.frames[FrameId::FIRST];
     assert_eq!((tip.name.as_str(), tip.body), ("tip", Some(BodyId(0))));
     let at = tip.placement.entries();
     let at: Vec<f64> = at.iter().map(|&entry| number(&chain, entry)).collect();

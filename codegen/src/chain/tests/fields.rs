@@ -197,7 +197,7 @@ fn the_base_stands_where_a_field_says() {
         &at(&chain, &joint, &[10.0, 20.0, 30.0]),
         &[11.0, 22.0, 33.0],
     );
-    let [_, eye, base] = &chain.frames[..] else {
+    let [_, eye, base] = &*chain.frames else {
         panic!("three frames");
     };
     for (frame, z) in [(eye, 30.5), (base, 30.0)] {

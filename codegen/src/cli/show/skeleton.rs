@@ -79,7 +79,7 @@ fn seats(description: &Description, request: &Request, chain: &Chain) -> Result<
     };
     let mut seats = chain::build(description, &request)?;
     let tip = usize::from(seats.has_tip);
-    seats.frames.drain(..tip);
+    seats.frames = seats.frames.into_iter().skip(tip).collect();
     Ok(seats)
 }
 

@@ -23,7 +23,7 @@ use crate::list::Id;
 use crate::model::Way;
 use crate::request::Request;
 use crate::schedule::{Program, run};
-use crate::space::Variable;
+use crate::space::{FrameId, Variable};
 
 /// Two arms on one trunk that turn and slide about axes in general directions, with a joint of each sort.
 const ARMS: &str = "
@@ -76,7 +76,13 @@ fn chain(text: &str) -> Result<Chain, String> {
 }
 
 fn plain(chain: &Chain, function: Function) -> Program {
-    program_by(chain, &[function], 0, Layout::DESCRIBED, Way::PLAIN)
+    program_by(
+        chain,
+        &[function],
+        FrameId::FIRST,
+        Layout::DESCRIBED,
+        Way::PLAIN,
+    )
 }
 
 /// What a program makes of q, q̇, q̈ and τ.

@@ -17,7 +17,7 @@ use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::Program;
-use crate::space::{Space, VelocityId};
+use crate::space::{FrameId, Space, VelocityId};
 
 #[test]
 fn accelerations_solve_the_equations_of_motion_with_their_multipliers() {
@@ -131,7 +131,14 @@ fn every_way_gives_the_same() {
             let expected = values(&plain(&chain, function), [&q, &qd, &tau, &tau]);
             for way in ways {
                 let processor = Processor::Portable;
-                let program = program_for(processor, way, &chain, &[function], 0, Real::F64);
+                let program = program_for(
+                    processor,
+                    way,
+                    &chain,
+                    &[function],
+                    FrameId::FIRST,
+                    Real::F64,
+                );
                 let program = program.unwrap_or_else(|errors| panic!("{errors}"));
                 let found = values(&program, [&q, &qd, &tau, &tau]);
                 for (found, expected) in found.iter().zip(&expected) {
@@ -159,8 +166,9 @@ fn every_kind_is_what_the_description_says_in_both_precisions() {
                     scalar,
                     ..Way::PLAIN
                 };
-                let program = program_by(&chain, &[function], 0, Layout::DESCRIBED, way);
-                let judged = check.judge(&[function], 0, &program, scalar);
+                let program =
+                    program_by(&chain, &[function], FrameId::FIRST, Layout::DESCRIBED, way);
+                let judged = check.judge(&[function], FrameId::FIRST, &program, scalar);
                 judged.unwrap_or_else(|errors| panic!("{kind} {scalar:?}: {errors}"));
             }
         }
@@ -186,10 +194,14 @@ fn more_residuals_than_passive_joints_are_held_against_the_description_as_well()
     let function = [Function::ActuatedInverseDynamics];
     let mut program = listing.functions[0].program.clone();
     check
-        .judge(&function, 0, &program, Real::F64)
+        .judge(&function, FrameId::FIRST, &program, Real::F64)
         .unwrap_or_else(|errors| panic!("{errors}"));
     program.results.swap(0, 1);
-    assert!(check.judge(&function, 0, &program, Real::F64).is_err());
+    assert!(
+        check
+            .judge(&function, FrameId::FIRST, &program, Real::F64)
+            .is_err()
+    );
 }
 
 #[test]

@@ -109,6 +109,7 @@ impl<I: Id, T> List<I, T> {
     }
 
     /// All entries, each with its number.
+    #[must_use]
     pub fn numbered(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + ExactSizeIterator {
         self.ids().zip(&self.entries)
     }
@@ -266,6 +267,7 @@ impl<I: Id, T: Copy> Square<I, T> {
     }
 
     /// The numbers of its rows, and of its columns.
+    #[must_use]
     pub fn ids(
         &self,
     ) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + Clone + use<I, T> {
@@ -283,6 +285,7 @@ impl<I: Id, T: Copy> Square<I, T> {
     ///
     /// # Panics
     /// Where there is none.
+    #[must_use]
     pub fn first(&self) -> T {
         self.entries[0]
     }

@@ -203,14 +203,8 @@ impl<'s, 'g> Scene<'s, 'g> {
     }
 
     /// A matrix row by row, of columns that have an entry for each velocity.
-    pub(crate) fn rows_of<'c>(
-        &self,
-        columns: impl Iterator<Item = &'c List<VelocityId, Term<'g>>> + Clone,
-    ) -> Vec<Term<'g>>
-    where
-        'g: 'c,
-    {
-        let row = |row: VelocityId| columns.clone().map(move |column| column[row]);
+    pub(crate) fn rows_of(&self, columns: &[&List<VelocityId, Term<'g>>]) -> Vec<Term<'g>> {
+        let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
         self.velocities().flat_map(row).collect()
     }
 

@@ -126,7 +126,7 @@ impl Dense {
         let some = |of: &List<VelocityId, Scalar>| -> Vec<Scalar> {
             passive.iter().map(|&k| of[k]).collect()
         };
-        let own: Vec<Vec<Scalar>> = rows.iter().map(|row| some(row)).collect();
+        let own: Vec<Vec<Scalar>> = rows.iter().map(&some).collect();
         let mut multipliers: Vec<Scalar> = own.iter().map(|row| dot(row, &some(&needed))).collect();
         let matrix = own
             .iter()

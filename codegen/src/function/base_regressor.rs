@@ -27,5 +27,5 @@ fn sentence(_: &str, _: &str) -> String {
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let all = scene.regressor();
     let columns = scene.bodies.base_columns.iter();
-    scene.rows_of(columns.map(|&column| &all[column]))
+    scene.rows_of(&columns.map(|&column| &all[column]).collect::<Vec<_>>())
 }

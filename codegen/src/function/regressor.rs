@@ -37,5 +37,6 @@ pub(super) fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.rows_of(scene.regressor().iter())
+    let columns = scene.regressor();
+    scene.rows_of(&columns.iter().collect::<Vec<_>>())
 }

@@ -70,7 +70,7 @@ pub fn driven<'g>(
     if left.is_empty() {
         return needed.clone();
     }
-    let rows: Vec<Vec<Term<'g>>> = loops.jacobian.iter().map(|row| passive(row)).collect();
+    let rows: Vec<Vec<Term<'g>>> = loops.jacobian.iter().map(passive).collect();
     let wanted: Vec<Term<'g>> = rows.iter().map(|row| dot(row, &left)).collect();
     let multipliers = multipliers(&rows, &rows, &wanted, loops);
     let torque = |k: VelocityId| {

@@ -80,7 +80,7 @@ fn agree_within(
     let chain = build(description, request);
     let spaces = chain.spaces();
     assert_eq!(robot.velocities(), spaces.velocities.len());
-    assert!(robot.quaternions().eq(spaces.quaternions()));
+    assert!(robot.quaternions().eq(spaces.quaternions().map(Id::index)));
     assert_eq!(robot.frames.len(), chain.frames.len());
     let functions: Vec<Function> = frame_0::told()
         .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())
@@ -94,11 +94,11 @@ fn agree_within(
     let mut random = Random::new(50);
     let mut worst: f64 = 0.0;
     for _ in 0..states {
-        let [coordinates, velocities] = [&spaces.coordinates, &spaces.velocities].map(Vec::len);
+        let (coordinates, velocities) = (spaces.coordinates.len(), spaces.velocities.len());
         let mut arguments = Arguments::of_lists(coordinates, velocities, &mut random);
         let actions = 0..chain.spaces().actions.len();
         arguments.actions = actions.map(|_| 4.0 * random.unit()).collect();
-        let state = State::of(&arguments, spaces.quaternions());
+        let state = State::of(&arguments, spaces.quaternions().map(Id::index));
         let sizes = metrics::sizes::<F64>(&sizes, &arguments);
         let found = sources
             .each_ref()

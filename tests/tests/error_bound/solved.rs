@@ -6,10 +6,11 @@
 use homogen_codegen::accuracy::mobility::mobility;
 use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{Accuracy, Bound};
-use homogen_codegen::chain::Chain;
+use homogen_codegen::chain::{BodyId, Chain};
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
+use homogen_codegen::list::Id;
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
@@ -117,7 +118,7 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
         .into_iter();
     let lost: Vec<f64> = (units.enumerate())
         .map(|(k, unit)| {
-            let joint = &chain.joints[k / count].name;
+            let joint = &chain.joints[BodyId::new(k / count)].name;
             let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == Some(joint);
             bounds.iter().find(of).map(number)
         })

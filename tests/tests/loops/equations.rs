@@ -7,6 +7,7 @@ use homogen_codegen::chain;
 use homogen_codegen::description::{Description, inline};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{program_for, understand};
+use homogen_codegen::list::Id;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::{FrameId, Space};
@@ -74,7 +75,7 @@ fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2]
         };
         let mut q = list(spaces.len(Space::Coordinates));
         for first in spaces.quaternions() {
-            q[first..first + 4].copy_from_slice(&[0.5, -0.5, 0.5, 0.5]);
+            q[first.index()..][..4].copy_from_slice(&[0.5, -0.5, 0.5, 0.5]);
         }
         let arguments = Arguments {
             q,

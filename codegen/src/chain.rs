@@ -29,9 +29,16 @@ use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
 use crate::joint::drive::Part;
 use crate::joint::{Drive, Motion, Posture};
+use crate::list::{List, id};
 use crate::matrix::{Inertia, Pose, Vector};
-use crate::request::{Parameter, Request};
-use crate::space::{Entry, Kind, Spaces};
+use crate::request::{FieldId, Parameter, Request};
+use crate::space::{CoordinateId, Entry, FrameId, Kind, Spaces, VelocityId};
+
+id! {
+    /// The number of a body among those of a [`Chain`], and of what moves it: in every list that has an entry for
+    /// each of [`Chain::joints`].
+    BodyId
+}
 
 /// The moving joints of a robot and the bodies they carry.
 #[derive(Clone, Debug)]
@@ -39,15 +46,15 @@ pub struct Chain {
     /// The scalars of all that follows: numbers, and the run-time parameters.
     pub graph: Graph,
     /// The freedoms of the joints, parents before children.
-    pub joints: Vec<Joint>,
+    pub joints: List<BodyId, Joint>,
     /// The lists that arguments and results are over.
     spaces: Spaces,
     /// The joints that close loops, in the order of the description.
     pub loops: Vec<Loop>,
     /// Which velocities are driven, where loops move the others.
-    pub actuated: Vec<bool>,
+    pub actuated: List<VelocityId, bool>,
     /// The frames asked for: the tip first, where there is one.
-    pub frames: Vec<Frame>,
+    pub frames: List<FrameId, Frame>,
     /// The links on which something acts from outside.
     pub external: Vec<Frame>,
     /// Whether those actions are in frame 0, and not each in its link's.
@@ -58,9 +65,9 @@ pub struct Chain {
     pub gravity: Vector<Expr>,
     /// What the description says of the numbers that struct fields stand for, in the order of the
     /// request's parameters.
-    pub nominal: Vec<Vec<f64>>,
+    pub nominal: List<FieldId, Vec<f64>>,
     /// The struct fields, in the order of the request.
-    pub parameters: Vec<Parameter>,
+    pub parameters: List<FieldId, Parameter>,
     /// What became of the description on the way.
     pub report: Report,
     /// Where the description came from.
@@ -82,7 +89,7 @@ pub struct Joint {
     /// Where that stands.
     pub place: Place,
     /// The joint that carries the body it hangs on; none for the fixed base.
-    pub parent: Option<usize>,
+    pub parent: Option<BodyId>,
     /// The motion it allows.
     pub motion: Motion,
     /// M from the parent body's frame to this body's at q = 0.
@@ -97,7 +104,7 @@ pub struct Joint {
     /// What its displacement is a function of.
     pub position: Position,
     /// Its place among the velocities.
-    pub velocity: usize,
+    pub velocity: VelocityId,
     /// What is modelled of its drive.
     pub drive: Drive<Expr>,
 }
@@ -109,12 +116,12 @@ pub enum Position {
     /// in another measure, and is that of its rates as well.
     Along {
         /// The entry.
-        coordinate: usize,
+        coordinate: CoordinateId,
         /// The factor, a number.
         factor: Expr,
     },
     /// The entries of q from here on, with all that come after it of its joint.
-    Posture(Posture, usize),
+    Posture(Posture, CoordinateId),
     /// Nothing: the first of its joint has taken it along. All of them have the same frame, and their
     /// velocities are seen in it.
     Taken,
@@ -126,7 +133,7 @@ pub struct Frame {
     /// The link whose frame it is.
     pub name: String,
     /// The joint that carries the body; none for the fixed base.
-    pub body: Option<usize>,
+    pub body: Option<BodyId>,
     /// M from the body's frame to this one.
     pub placement: Pose<Expr>,
 }
@@ -224,15 +231,10 @@ impl Chain {
 
     /// The first of `joints` that a velocity moves by itself: not one that follows it.
     #[must_use]
-    pub fn mover(&self, velocity: usize) -> usize {
-        let of = self
-            .spaces
-            .velocities
-            .get(velocity)
-            .map(|entry| &entry.name);
-        let mut joints = self.joints.iter();
-        let place = joints.position(|joint| Some(&joint.name) == of);
-        place.expect("each velocity has a joint that is called as it is")
+    pub fn mover(&self, velocity: VelocityId) -> BodyId {
+        let of = &self.spaces.velocities[velocity].name;
+        let mover = self.joints.find(|joint| joint.name == *of);
+        mover.expect("each velocity has a joint that is called as it is")
     }
 
     /// Whether every body has a velocity of its own, and none follows another.
@@ -265,7 +267,7 @@ impl Chain {
 
     /// How many joints move a frame.
     #[must_use]
-    pub fn joints_to(&self, frame: usize) -> usize {
+    pub fn joints_to(&self, frame: FrameId) -> usize {
         let mut at = self.frames.get(frame).and_then(|frame| frame.body);
         let mut count = 0;
         while let Some(joint) = at {
@@ -318,7 +320,7 @@ pub fn build(description: &Description, request: &Request) -> Result<Chain, Erro
     let chain = closure::check_merged(chain, request)?;
     let mut chain = physical::check(description, request, &tree, chain)?;
     let links = chain.joints.iter().filter_map(|joint| joint.link.as_ref());
-    let mut parameters: Vec<Entry> = links.flat_map(|(link, _)| parameters(link)).collect();
+    let mut parameters: List<_, Entry> = links.flat_map(|(link, _)| parameters(link)).collect();
     chain.identifies_drives =
         request.models_friction() || request.models_armature() || chain.is_driven();
     if chain.identifies_drives {

@@ -19,11 +19,12 @@ use crate::description::{Description, Source, freed};
 use crate::error::{Errors, Place};
 use crate::expression::{Arithmetic, Input};
 use crate::function::{Function, Given, Truth};
+use crate::list;
 use crate::print::{ChainData, Listing};
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
-use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
+use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
 use crate::wording::quoted;
 use robot::Contradiction;
 
@@ -73,7 +74,7 @@ impl Check {
         }
     }
 
-    /// Holds a program that computes some functions one after the other, of the frame of that index,
+    /// Holds a program that computes some functions one after the other, of that frame,
     /// against the description.
     ///
     /// # Errors
@@ -82,7 +83,7 @@ impl Check {
     pub fn judge(
         &self,
         functions: &[Function],
-        frame: usize,
+        frame: FrameId,
         program: &Program,
         scalar: Real,
     ) -> Result<(), Errors> {
@@ -157,13 +158,15 @@ impl Check {
             let robot = data::robot(data, &numbers(&data.program));
             let robot = data::mechanism(robot, &data.loops, &numbers(&data.loops.program));
             let same = Dense::of(robot, dense.state.clone());
-            let frames = (0..data.frames.len()).map(|frame| (Function::ForwardKinematics, frame));
+            let frames =
+                list::ids(data.frames.len()).map(|frame| (Function::ForwardKinematics, frame));
             let others = [
                 Function::InverseDynamics,
                 Function::Constraint,
                 Function::ConstraintJacobian,
             ];
-            for (function, frame) in frames.chain(others.map(|function| (function, 0))) {
+            for (function, frame) in frames.chain(others.map(|function| (function, FrameId::FIRST)))
+            {
                 let Truth::Value(value) = function.truth() else {
                     continue;
                 };
@@ -291,7 +294,7 @@ const UNBOUNDED: f64 = 1e-6;
 fn first_wrong(
     dense: &Dense,
     function: Function,
-    (frame, scalar): (usize, Real),
+    (frame, scalar): (FrameId, Real),
     found: &[Approximate],
 ) -> Option<Wrong> {
     let expected = match function.truth() {

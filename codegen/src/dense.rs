@@ -14,33 +14,35 @@ use std::cell::OnceCell;
 
 pub(crate) use approximate::Approximate;
 pub(crate) use matrix::Matrix;
-pub(crate) use robot::{Body, Closed, Freedom, Moved, Robot};
+pub(crate) use robot::{Body, BodyId, Closed, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
-use crate::space::Variable;
+use crate::list::{Id, List, Square};
+use crate::request::FieldId;
+use crate::space::{CoordinateId, FrameId, ParameterId, Variable, VelocityId};
 use posture::{Posture, Rates};
 
 /// What a program reads.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct State {
-    pub(crate) q: Vec<Double>,
-    pub(crate) qd: Vec<f64>,
-    pub(crate) qdd: Vec<f64>,
-    pub(crate) tau: Vec<f64>,
+    pub(crate) q: List<CoordinateId, Double>,
+    pub(crate) qd: List<VelocityId, f64>,
+    pub(crate) qdd: List<VelocityId, f64>,
+    pub(crate) tau: List<VelocityId, f64>,
     /// Of each action c and f.
     pub(crate) actions: Vec<f64>,
-    pub(crate) fields: Vec<Vec<f64>>,
+    pub(crate) fields: List<FieldId, Vec<f64>>,
 }
 
 impl State {
     pub(crate) fn get(&self, input: Input) -> Double {
         let (list, k) = match input {
-            Input::Variable(Variable::Q, k) => return self.q[usize::from(k)],
-            Input::Variable(Variable::Qd, k) => (&self.qd, k),
-            Input::Variable(Variable::Qdd, k) => (&self.qdd, k),
-            Input::Variable(Variable::Tau, k) => (&self.tau, k),
-            Input::Variable(Variable::Actions, k) => (&self.actions, k),
-            Input::Parameter(field, k) => (&self.fields[usize::from(field)], k),
+            Input::Variable(Variable::Q, k) => return self.q[k.into()],
+            Input::Variable(Variable::Qd, k) => (&*self.qd, k),
+            Input::Variable(Variable::Qdd, k) => (&*self.qdd, k),
+            Input::Variable(Variable::Tau, k) => (&*self.tau, k),
+            Input::Variable(Variable::Actions, k) => (&*self.actions, k),
+            Input::Parameter(field, k) => (&*self.fields[field.into()], k),
         };
         list[usize::from(k)].into()
     }
@@ -67,8 +69,8 @@ type Moving<'a> = (
 pub(crate) struct Dense {
     pub(crate) state: State,
     posture: Posture,
-    mass_matrix: OnceCell<Vec<Vec<Approximate>>>,
-    regressor: OnceCell<Vec<Approximate>>,
+    mass_matrix: OnceCell<Square<VelocityId, Approximate>>,
+    regressor: OnceCell<List<ParameterId, List<VelocityId, Approximate>>>,
 }
 
 impl Dense {
@@ -82,7 +84,7 @@ impl Dense {
     }
 
     /// M of a frame.
-    pub(crate) fn pose(&self, frame: usize) -> Matrix<Approximate> {
+    pub(crate) fn pose(&self, frame: FrameId) -> Matrix<Approximate> {
         self.posture.pose(frame)
     }
 
@@ -90,12 +92,12 @@ impl Dense {
     /// zeros for the others.
     pub(crate) fn columns(
         &self,
-        frame: usize,
+        frame: FrameId,
         seen: impl Fn(&Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
         for (k, screw) in self.posture.moving(frame) {
-            let column = &mut columns[6 * k..6 * k + 6];
+            let column = &mut columns[6 * k.index()..][..6];
             for (entry, own) in column.iter_mut().zip(seen(screw).vectors()) {
                 *entry = *entry + own;
             }
@@ -106,13 +108,13 @@ impl Dense {
     /// The same of their rates: what is made of L and of L̇ = W L − L W.
     pub(crate) fn column_rates(
         &self,
-        frame: usize,
+        frame: FrameId,
         seen: impl Fn(&Matrix<Approximate>, &Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
         let rates = self.rates(Motion::Coasting);
         for (k, screw, rate) in self.posture.moving_rates(frame, &rates) {
-            let column = &mut columns[6 * k..6 * k + 6];
+            let column = &mut columns[6 * k.index()..][..6];
             for (entry, own) in column.iter_mut().zip(seen(screw, &rate).vectors()) {
                 *entry = *entry + own;
             }
@@ -126,14 +128,14 @@ impl Dense {
     }
 
     /// The screws of the joints that move a frame, with their places in q̇.
-    fn moving(&self, frame: usize) -> Vec<&(usize, Matrix<Approximate>)> {
+    fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Approximate>)> {
         self.posture.moving(frame)
     }
 
     /// W and H of a frame.
     pub(crate) fn motion(
         &self,
-        frame: usize,
+        frame: FrameId,
         motion: Motion,
     ) -> (Matrix<Approximate>, Matrix<Approximate>) {
         self.posture.motion(frame, &self.rates(motion))
@@ -177,8 +179,7 @@ impl Dense {
 
     /// The same at a unit rate of each joint alone.
     pub(crate) fn unit_moments(&self) -> impl Iterator<Item = Matrix<Approximate>> {
-        let count = self.state.qd.len();
-        (0..count).map(move |k| {
+        self.state.qd.ids().map(move |k| {
             let mut rates = self.rates(Motion::Rest);
             rates.first[k] = Approximate::exact(1.0);
             self.moments_at(&rates)
@@ -228,87 +229,111 @@ impl Dense {
     }
 
     /// τ of a motion, against gravity.
-    pub(crate) fn torques(&self, motion: Motion) -> Vec<Approximate> {
+    pub(crate) fn torques(&self, motion: Motion) -> List<VelocityId, Approximate> {
         self.posture.torques(&self.rates(motion))
     }
 
     /// τ of the whole motion, under the actions from outside.
-    pub(crate) fn driving_torques(&self) -> Vec<Approximate> {
+    pub(crate) fn driving_torques(&self) -> List<VelocityId, Approximate> {
         self.less_outside(self.torques(Motion::Driven))
     }
 
     /// τ less what actions from outside do.
-    fn less_outside(&self, torques: Vec<Approximate>) -> Vec<Approximate> {
+    fn less_outside(
+        &self,
+        torques: List<VelocityId, Approximate>,
+    ) -> List<VelocityId, Approximate> {
         let outside = self.posture.outside(&self.state.actions);
         let both = torques.into_iter().zip(outside);
         both.map(|(torque, outside)| torque - outside).collect()
     }
 
     /// τ of accelerations that were found, under the actions from outside.
-    pub(crate) fn torques_of(&self, qdd: Vec<Approximate>) -> Vec<Approximate> {
-        let first = Approximate::exactly(&self.state.qd);
-        self.less_outside(self.posture.torques(&Rates { first, second: qdd }))
+    pub(crate) fn torques_of(
+        &self,
+        qdd: List<VelocityId, Approximate>,
+    ) -> List<VelocityId, Approximate> {
+        self.less_outside(self.posture.torques(&self.rates_with(qdd)))
     }
 
     /// Y of τ = Y π, row by row.
-    pub(crate) fn regressor(&self) -> &[Approximate] {
+    pub(crate) fn regressor(&self) -> Vec<Approximate> {
+        self.rows_of(&self.columns_of_regressor().iter().collect::<Vec<_>>())
+    }
+
+    fn columns_of_regressor(&self) -> &List<ParameterId, List<VelocityId, Approximate>> {
         let found = || self.posture.regressor(&self.rates(Motion::Driven));
         self.regressor.get_or_init(found)
     }
 
+    /// A matrix row by row, of its columns.
+    fn rows_of(&self, columns: &[&List<VelocityId, Approximate>]) -> Vec<Approximate> {
+        let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
+        self.state.qd.ids().flat_map(row).collect()
+    }
+
     /// Of those columns the ones that the base regressor has.
     pub(crate) fn base_regressor(&self) -> Vec<Approximate> {
-        let all = self.regressor();
-        let rows = all.chunks((all.len() / self.state.qd.len().max(1)).max(1));
-        let columns = self.posture.base_columns();
-        rows.flat_map(|row| columns.iter().map(|&column| row[column]))
-            .collect()
+        let all = self.columns_of_regressor();
+        let columns = self.posture.base_columns().iter();
+        self.rows_of(&columns.map(|&column| &all[column]).collect::<Vec<_>>())
     }
 
     /// τ of the motion without q̈, under the actions from outside.
-    pub(crate) fn coasting_torques(&self) -> Vec<Approximate> {
+    pub(crate) fn coasting_torques(&self) -> List<VelocityId, Approximate> {
         self.less_outside(self.torques(Motion::Coasting))
     }
 
-    /// ∂τ/∂q at rest, against gravity, row by row.
-    pub(crate) fn gravity_derivative(&self) -> Vec<Approximate> {
+    /// ∂τ/∂q at rest, against gravity.
+    pub(crate) fn gravity_derivative(&self) -> Square<VelocityId, Approximate> {
         let [by_coordinate, _] = self.posture.torque_derivatives(&self.rates(Motion::Rest));
         by_coordinate
     }
 
-    /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, under the actions from outside, each row by row.
-    pub(crate) fn torque_derivatives(&self) -> [Vec<Approximate>; 2] {
+    /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, under the actions from outside.
+    pub(crate) fn torque_derivatives(&self) -> [Square<VelocityId, Approximate>; 2] {
         self.derivatives_at(&self.rates(Motion::Driven))
     }
 
     /// The same of accelerations that were found.
-    pub(crate) fn torque_derivatives_of(&self, qdd: Vec<Approximate>) -> [Vec<Approximate>; 2] {
-        let first = Approximate::exactly(&self.state.qd);
-        self.derivatives_at(&Rates { first, second: qdd })
+    pub(crate) fn torque_derivatives_of(
+        &self,
+        qdd: List<VelocityId, Approximate>,
+    ) -> [Square<VelocityId, Approximate>; 2] {
+        self.derivatives_at(&self.rates_with(qdd))
     }
 
-    fn derivatives_at(&self, rates: &Rates) -> [Vec<Approximate>; 2] {
+    fn derivatives_at(&self, rates: &Rates) -> [Square<VelocityId, Approximate>; 2] {
         let [mut by_coordinate, by_rate] = self.posture.torque_derivatives(rates);
         let outside = self.posture.outside_derivative(&self.state.actions);
-        for (entry, outside) in by_coordinate.iter_mut().zip(outside) {
-            *entry = *entry - outside;
+        for place in by_coordinate.places() {
+            by_coordinate[place] = by_coordinate[place] - outside[place];
         }
         [by_coordinate, by_rate]
     }
 
-    /// C, row by row.
-    pub(crate) fn coriolis_matrix(&self) -> Vec<Approximate> {
+    /// C.
+    pub(crate) fn coriolis_matrix(&self) -> Square<VelocityId, Approximate> {
         self.posture.coriolis_matrix(&self.rates(Motion::Coasting))
     }
 
-    /// M, row by row.
-    pub(crate) fn mass_matrix(&self) -> &[Vec<Approximate>] {
+    /// M.
+    pub(crate) fn mass_matrix(&self) -> &Square<VelocityId, Approximate> {
         self.mass_matrix.get_or_init(|| self.posture.mass_matrix())
     }
 
+    /// q̇ with accelerations that were found.
+    fn rates_with(&self, second: List<VelocityId, Approximate>) -> Rates {
+        Rates {
+            second,
+            ..self.rates(Motion::Coasting)
+        }
+    }
+
     fn rates(&self, motion: Motion) -> Rates {
-        let nothing = || vec![Approximate::exact(0.0); self.state.qd.len()];
-        let [qd, qdd] = [&self.state.qd, &self.state.qdd].map(|of| Approximate::exactly(of));
+        let nothing = || self.state.qd.map(|_| Approximate::exact(0.0));
+        let [qd, qdd] =
+            [&self.state.qd, &self.state.qdd].map(|of| of.map(|&x| Approximate::exact(x)));
         let (first, second) = match motion {
             Motion::Rest => (nothing(), nothing()),
             Motion::Coasting => (qd, nothing()),

@@ -30,7 +30,8 @@ pub mod words;
 pub use self::file::{read_bytes, read_file, read_text};
 pub use self::item::Item;
 pub use self::robot::{
-    Axis, Description, Inertial, Joint, Limits, Link, Loop, Mimic, Name, Source, Step,
+    Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Name, Source,
+    Step,
 };
 pub use self::root::freed;
 pub use self::unmodelled::{Modelled, Unmodelled};

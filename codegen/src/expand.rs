@@ -27,10 +27,12 @@ use crate::description::{Description, freed};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
 use crate::function::{Function, Given};
+use crate::list;
 use crate::print::{About, LeftOut, Listed, Listing, Prepared};
 use crate::real::{Real, Trigonometry};
 use crate::request::Request;
 use crate::schedule::Price;
+use crate::space::FrameId;
 use about::about;
 use choice::{Found, cheapest};
 use data::data;
@@ -233,12 +235,12 @@ pub fn check_size(chain: &Chain) -> Result<(), Errors> {
 
 /// What becomes a Rust function: each item of the request for the tip, or for the robot as a
 /// whole, and again for each further frame.
-fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, usize)> {
+fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, FrameId)> {
     let mut wanted = Vec::new();
     for functions in request.items(!chain.loops.is_empty()) {
         let of_a_frame = functions.iter().all(|function| function.of_a_frame());
-        let frames = if of_a_frame { chain.frames.len() } else { 1 };
-        wanted.extend((0..frames).map(|frame| (functions.clone(), frame)));
+        let frames = list::ids(if of_a_frame { chain.frames.len() } else { 1 });
+        wanted.extend(frames.map(|frame| (functions.clone(), frame)));
     }
     wanted
 }
@@ -246,7 +248,7 @@ fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, usize)> {
 fn list(
     chain: &Chain,
     functions: Vec<Function>,
-    frame: usize,
+    frame: FrameId,
     request: &Request,
 ) -> Result<Listed, Errors> {
     let found = cheapest(
@@ -277,7 +279,7 @@ fn list(
         .beside_dense(mul, add)
         .on(request.processor, request.scalar);
     let of_a_frame = functions.iter().all(|function| function.of_a_frame());
-    let further = of_a_frame && (frame > 0 || !chain.has_tip);
+    let further = of_a_frame && (frame > FrameId::FIRST || !chain.has_tip);
     let frame = further.then(|| chain.frames[frame].name.clone());
     Ok(Listed {
         functions,
@@ -311,7 +313,9 @@ fn accuracy_of(
     functions: &[Function],
     means: Means,
 ) -> Vec<Accuracy> {
-    let parts = |functions: &[Function]| program_by(chain, functions, 0, found.layout, found.way);
+    let parts = |functions: &[Function]| {
+        program_by(chain, functions, FrameId::FIRST, found.layout, found.way)
+    };
     let solved = functions.iter().filter_map(|function| {
         let Some(given) = function.given() else {
             let unknown = if function.is_constrained() {

@@ -112,9 +112,9 @@ impl Layout {
 #[must_use]
 pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g> {
     let mut bodies = bodies::aligned(graph, chain);
-    let count = bodies.bodies.len();
+    let all = bodies.bodies.ids();
     if layout.normals {
-        for k in 0..count {
+        for k in all.clone() {
             let child = bodies
                 .first_child(k)
                 .filter(|_| bodies.bodies[k].has_own_axis());
@@ -124,7 +124,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
             }
         }
     }
-    for k in 0..count {
+    for k in all.clone() {
         if bodies.bodies[k].slides_alone() {
             let offset = match layout.sliding {
                 Sliding::AtParent => {
@@ -141,7 +141,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
             }
         }
     }
-    for k in (0..count).rev() {
+    for k in all.clone().rev() {
         let body = bodies.bodies[k];
         if layout.sliding == Sliding::AtMassCenter
             && body.slides_alone()
@@ -155,7 +155,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         }
     }
     if layout.turn_ends {
-        for k in 0..count {
+        for k in all.clone() {
             let body = bodies.bodies[k];
             let end = bodies.first_child(k).is_none();
             if end

@@ -72,6 +72,8 @@ pub mod joint;
 #[doc(hidden)]
 pub mod layout;
 #[doc(hidden)]
+pub mod list;
+#[doc(hidden)]
 pub mod matrix;
 #[doc(hidden)]
 pub mod model;

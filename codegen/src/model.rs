@@ -36,23 +36,25 @@ pub(crate) use self::mass_center::MassCenter;
 pub(crate) use self::state::State;
 pub use self::way::{Angles, Carried, Congruence, Forward, Frame, Way};
 
+use crate::chain::BodyId;
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
+use crate::list::{self, List, Square};
 use crate::matrix::{Action, Screw, Vector};
-use crate::space::Variable;
+use crate::space::{FrameId, ParameterId, Variable, VelocityId};
 
 /// What a function is built from: bodies with their frames, a state, and the way.
 pub struct Scene<'s, 'g> {
     graph: &'g Graph,
-    frame: usize,
+    frame: FrameId,
     pub(crate) bodies: &'s Bodies<'g>,
     pub(crate) way: Way,
     pub(crate) state: State<'g>,
 }
 
 impl<'s, 'g> Scene<'s, 'g> {
-    /// Of the frame of that index, where a function is of one.
-    pub(crate) fn new(graph: &'g Graph, bodies: &'s Bodies<'g>, frame: usize, way: Way) -> Self {
+    /// Of that frame, where a function is of one.
+    pub(crate) fn new(graph: &'g Graph, bodies: &'s Bodies<'g>, frame: FrameId, way: Way) -> Self {
         Self {
             graph,
             frame,
@@ -64,7 +66,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// For each velocity the one that it is eliminated into: that of the joint which carries the body it
     /// moves, or, where joints follow others, the nearest that any of its bodies has to do with.
-    pub(crate) fn parents(&self) -> Vec<Option<usize>> {
+    pub(crate) fn parents(&self) -> List<VelocityId, Option<VelocityId>> {
         velocities::parents(self.bodies)
     }
 
@@ -82,14 +84,14 @@ impl<'s, 'g> Scene<'s, 'g> {
     }
 
     /// The joints at work, in the frames of the links.
-    pub(crate) fn link_joints(&self) -> Vec<carry::Joint<'g>> {
+    pub(crate) fn link_joints(&self) -> carry::Joints<'g> {
         carry::joints(self.bodies, &self.state, self.way)
     }
 
     /// The same, but seen from the body at the root where that is one and carries all mass: for what is the same
     /// wherever the origin of frame 0 is. So nothing is lost of a robot that is far from there, and its way there is
     /// not computed.
-    pub(crate) fn joints_seen_from_root(&self) -> Vec<carry::Joint<'g>> {
+    pub(crate) fn joints_seen_from_root(&self) -> carry::Joints<'g> {
         if self.way.frame == Frame::Link && self.bodies.base.mass.is_zero() {
             carry::from_root(self.link_joints())
         } else {
@@ -98,27 +100,31 @@ impl<'s, 'g> Scene<'s, 'g> {
     }
 
     /// The joints at work, in the frame in which recursions run.
-    pub(crate) fn joints(&self) -> Vec<carry::Joint<'g>> {
+    pub(crate) fn joints(&self) -> carry::Joints<'g> {
         match self.way.frame {
             Frame::Link => self.link_joints(),
             Frame::Base => carry::in_frame_0(&self.link_joints()),
         }
     }
 
-    /// How many velocities there are.
-    pub(crate) fn velocities(&self) -> usize {
-        velocities::count(self.bodies)
+    /// The numbers of all velocities.
+    pub(crate) fn velocities(&self) -> impl ExactSizeIterator<Item = VelocityId> + use<> {
+        list::ids(velocities::count(self.bodies))
     }
 
     /// q̈, one entry a velocity.
-    pub(crate) fn qdd(&self) -> Vec<Term<'g>> {
-        let velocities = 0..self.velocities();
-        let entry = |k| self.state.entry(Variable::Qdd, k);
-        velocities.map(entry).collect()
+    pub(crate) fn qdd(&self) -> List<VelocityId, Term<'g>> {
+        let entry = |k| self.state.of_velocity(Variable::Qdd, k);
+        self.velocities().map(entry).collect()
+    }
+
+    /// The same where no velocity changes.
+    pub(crate) fn coasting(&self) -> List<VelocityId, Term<'g>> {
+        List::filled(self.state.zero(), self.velocities().len())
     }
 
     /// H of the frame without gravity, where `second` is the second rate of a body.
-    pub(crate) fn acceleration(&self, second: impl Fn(usize) -> Term<'g>) -> Vec<Term<'g>> {
+    pub(crate) fn acceleration(&self, second: impl Fn(BodyId) -> Term<'g>) -> Vec<Term<'g>> {
         match (self.way.frame, self.way.pose) {
             (Frame::Link, Carried::Outwards) => {
                 let (path, gravity) = (self.link_path(), self.bodies.gravity);
@@ -129,24 +135,24 @@ impl<'s, 'g> Scene<'s, 'g> {
     }
 
     /// τ of a motion with the given q̈, one entry a velocity each, less what the surroundings do: τ − Σ Jᵗ Φ.
-    pub(crate) fn driving(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
+    pub(crate) fn driving(&self, qdd: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         let outside = self.outside(self.way.frame);
         self.against(self.bodies.gravity, &self.state, qdd, &outside)
     }
 
     /// The actions of the surroundings on bodies, in the frames of the links or in frame 0.
-    pub(crate) fn outside(&self, frame: Frame) -> Vec<(usize, Action<Term<'g>>)> {
+    pub(crate) fn outside(&self, frame: Frame) -> Vec<(BodyId, Action<Term<'g>>)> {
         let way = Way { frame, ..self.way };
         outside::outside(self.bodies, &self.state, way)
     }
 
     /// τ of a motion with the given q̈, one entry a velocity each.
-    pub(crate) fn torques(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
+    pub(crate) fn torques(&self, qdd: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         self.against(self.bodies.gravity, &self.state, qdd, &[])
     }
 
     /// M q̈: τ at rest and without gravity.
-    pub(crate) fn inertial(&self, qdd: &[Term<'g>]) -> Vec<Term<'g>> {
+    pub(crate) fn inertial(&self, qdd: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         self.against(Vector::zero(self.graph), &self.state.at_rest(), qdd, &[])
     }
 
@@ -154,9 +160,9 @@ impl<'s, 'g> Scene<'s, 'g> {
         &self,
         gravity: Vector<Term<'g>>,
         state: &State<'g>,
-        qdd: &[Term<'g>],
-        outside: &[(usize, Action<Term<'g>>)],
-    ) -> Vec<Term<'g>> {
+        qdd: &List<VelocityId, Term<'g>>,
+        outside: &[(BodyId, Action<Term<'g>>)],
+    ) -> List<VelocityId, Term<'g>> {
         let qdd = velocities::shared(state, self.bodies, qdd);
         let joints = self.joints();
         let driving = newton_euler::inverse_dynamics(&joints, gravity, state, &qdd, outside);
@@ -164,46 +170,49 @@ impl<'s, 'g> Scene<'s, 'g> {
     }
 
     /// τ of what drives each body.
-    pub(crate) fn forces(&self, driving: &[Term<'g>]) -> Vec<Term<'g>> {
+    pub(crate) fn forces(&self, driving: &List<BodyId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         velocities::gathered(&self.state, self.bodies, driving)
     }
 
     /// The columns of a Jacobian, of those for each body.
-    pub(crate) fn columns(&self, screws: &[Screw<Term<'g>>]) -> Vec<Term<'g>> {
-        let entries: Vec<[Term<'g>; 6]> = screws.iter().map(|screw| screw.entries()).collect();
-        self.gathered(&entries)
+    pub(crate) fn columns(&self, screws: &List<BodyId, Screw<Term<'g>>>) -> Vec<Term<'g>> {
+        self.gathered(&screws.map(|screw| screw.entries()))
     }
 
     /// The columns of any matrix with a row for each of some entries, of those for each body.
-    pub(crate) fn gathered<const M: usize>(&self, entries: &[[Term<'g>; M]]) -> Vec<Term<'g>> {
-        let row = |entry: usize| -> Vec<Term<'g>> {
-            let row: Vec<Term<'g>> = entries.iter().map(|column| column[entry]).collect();
-            self.forces(&row)
-        };
-        let rows: [Vec<Term<'g>>; M] = std::array::from_fn(row);
-        let columns = 0..self.velocities();
-        columns
+    pub(crate) fn gathered<const M: usize>(
+        &self,
+        entries: &List<BodyId, [Term<'g>; M]>,
+    ) -> Vec<Term<'g>> {
+        let row = |entry: usize| self.forces(&entries.map(|column| column[entry]));
+        let rows: [List<VelocityId, Term<'g>>; M] = std::array::from_fn(row);
+        self.velocities()
             .flat_map(|k| rows.each_ref().map(|row| row[k]))
             .collect()
     }
 
-    /// Y of τ = Y π, row by row; in the frames of the links, whatever the way.
-    pub(crate) fn regressor(&self) -> Vec<Term<'g>> {
+    /// Y of τ = Y π by its columns; in the frames of the links, whatever the way.
+    pub(crate) fn regressor(&self) -> List<ParameterId, List<VelocityId, Term<'g>>> {
         let joints = carry::joints(self.bodies, &self.state, Way::PLAIN);
-        let links: Vec<_> = self.bodies.bodies.iter().map(|body| body.link).collect();
+        let links = self.bodies.bodies.map(|body| body.link);
         let columns = regressor::regressor(&joints, &links, self.bodies.gravity, &self.state);
         let drives = self.bodies.identifies_drives;
         let drives = drives.then(|| regressor::of_drives(&joints, &self.state));
-        let columns: Vec<Vec<Term<'g>>> = (columns.iter().chain(drives.iter().flatten()))
-            .map(|column| self.forces(column))
-            .collect();
-        let rows = 0..self.velocities();
-        rows.flat_map(|row| columns.iter().map(move |column| column[row]))
-            .collect()
+        let columns = columns.iter().chain(drives.iter().flatten());
+        columns.map(|column| self.forces(column)).collect()
+    }
+
+    /// A matrix row by row, of columns that have an entry for each velocity.
+    pub(crate) fn rows_of(&self, columns: &[&List<VelocityId, Term<'g>>]) -> Vec<Term<'g>> {
+        let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
+        self.velocities().flat_map(row).collect()
     }
 
     /// ∂τ/∂q and ∂τ/∂q̇ of a motion with the given q̈, under the actions from outside.
-    pub(crate) fn torque_derivatives(&self, qdd: &[Term<'g>]) -> [Vec<Term<'g>>; 2] {
+    pub(crate) fn torque_derivatives(
+        &self,
+        qdd: &List<VelocityId, Term<'g>>,
+    ) -> [Square<VelocityId, Term<'g>>; 2] {
         let qdd = velocities::shared(&self.state, self.bodies, qdd);
         let (joints, gravity) = (self.joints(), self.bodies.gravity);
         let outside = self.outside(self.way.frame);
@@ -219,23 +228,23 @@ impl<'s, 'g> Scene<'s, 'g> {
     }
 
     /// ∂τ/∂q at rest, row by row.
-    pub(crate) fn gravity_derivative(&self) -> Vec<Term<'g>> {
+    pub(crate) fn gravity_derivative(&self) -> Square<VelocityId, Term<'g>> {
         let gravity = self.bodies.gravity;
         self.by_velocities(gravity::derivative(&self.joints(), gravity, &self.state))
     }
 
     /// C, row by row.
-    pub(crate) fn coriolis_matrix(&self) -> Vec<Term<'g>> {
+    pub(crate) fn coriolis_matrix(&self) -> Square<VelocityId, Term<'g>> {
         self.by_velocities(derivatives::coriolis_matrix(&self.joints(), &self.state))
     }
 
     /// A matrix that has a row and a column for each velocity, of one that has them for each body.
-    fn by_velocities(&self, matrix: Vec<Term<'g>>) -> Vec<Term<'g>> {
+    fn by_velocities(&self, matrix: Square<BodyId, Term<'g>>) -> Square<VelocityId, Term<'g>> {
         velocities::gathered_by_both(&self.state, self.bodies, matrix)
     }
 
     /// M, row by row.
-    pub(crate) fn mass_matrix(&self) -> Vec<Term<'g>> {
+    pub(crate) fn mass_matrix(&self) -> Square<VelocityId, Term<'g>> {
         let matrix = composite::mass_matrix(&self.joints(), &self.state);
         velocities::gathered_twice(&self.state, self.bodies, matrix)
     }
@@ -244,10 +253,10 @@ impl<'s, 'g> Scene<'s, 'g> {
 impl<'g> Scene<'_, 'g> {
     /// q̈ that τ produces against gravity where loops are held together, and what holds them: λ.
     pub(crate) fn constrained(&self) -> [Vec<Term<'g>>; 2] {
-        let bias = self.torques(&vec![self.state.zero(); self.velocities()]);
-        let forces: Vec<Term<'g>> = (bias.into_iter().enumerate())
-            .map(|(k, bias)| self.state.entry(Variable::Tau, k) - bias)
-            .collect();
+        let bias = self.torques(&self.coasting());
+        let forces = bias.numbered();
+        let forces = forces.map(|(k, &bias)| self.state.of_velocity(Variable::Tau, k) - bias);
+        let forces: List<VelocityId, _> = forces.collect();
         let loops = constrained::Loops {
             jacobian: loops::jacobian(self),
             bias: loops::bias(self),
@@ -258,7 +267,7 @@ impl<'g> Scene<'_, 'g> {
     }
 
     /// τ of the joints that are driven in a motion which keeps loops closed.
-    pub(crate) fn driven(&self) -> Vec<Term<'g>> {
+    pub(crate) fn driven(&self) -> List<VelocityId, Term<'g>> {
         let loops = constrained::Loops {
             jacobian: loops::jacobian(self),
             bias: Vec::new(),
@@ -273,7 +282,7 @@ impl<'g> Scene<'_, 'g> {
 /// For each velocity the diagonal entry of the mass matrix and the pivot that its factors leave of it.
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, 0, Way::PLAIN);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, Way::PLAIN);
     forward_dynamics::pivots(&scene.mass_matrix(), &scene.parents())
 }
 
@@ -285,9 +294,9 @@ pub(crate) fn equation<'g>(
     way: Way,
     has_residual: bool,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, 0, way);
-    let mut terms = scene.mass_matrix();
-    terms.extend(scene.driving(&vec![scene.state.zero(); scene.velocities()]));
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
+    let mut terms = Vec::from(scene.mass_matrix());
+    terms.extend(scene.driving(&scene.coasting()));
     if has_residual {
         terms.extend(scene.driving(&scene.qdd()));
     }
@@ -300,7 +309,7 @@ pub(crate) fn articulated_motion<'g>(
     bodies: &Bodies<'g>,
     way: Way,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, 0, way);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
     let outside = scene.outside(Frame::Link);
     articulated::motion(&scene.link_joints(), bodies.gravity, &scene.state, &outside)
 }
@@ -312,7 +321,7 @@ pub(crate) fn articulated_steps<'g>(
     way: Way,
     entries: &[Term<'g>; ARTICULATED_STEP],
 ) -> Vec<Vec<Term<'g>>> {
-    let joints = Scene::new(graph, bodies, 0, way).link_joints();
+    let joints = Scene::new(graph, bodies, FrameId::FIRST, way).link_joints();
     let steps = joints.iter().map(|joint| articulated::step(joint, entries));
     steps.collect()
 }

@@ -16,8 +16,14 @@ use crate::error::{Complaint, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::joint::drive::{Part, Parts};
+use crate::list::id;
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
+
+id! {
+    /// The number of a struct field: in every list that has an entry for each of [`Request::parameters`].
+    FieldId
+}
 
 /// Everything that is asked for.
 #[derive(Clone, Debug, Default)]

@@ -11,6 +11,8 @@ mod variable;
 pub use quantity::{Entity, Outcome, Part, Quantity};
 pub use variable::Variable;
 
+use crate::list::{List, id};
+
 /// One of the lists that every robot has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
@@ -29,6 +31,32 @@ pub enum Space {
     BaseParameters,
     /// What is zero where its loops are closed; empty where it has none.
     Constraints,
+}
+
+id! {
+    /// The number of an entry of [`Space::Coordinates`].
+    CoordinateId
+}
+
+id! {
+    /// The number of an entry of [`Space::Velocities`].
+    VelocityId
+}
+
+id! {
+    /// The number of an entry of [`Space::Parameters`], and of the column of the regressor that it has.
+    ParameterId
+}
+
+id! {
+    /// The number of a frame that is asked for, the tip's first where there is one: in every list that begins with
+    /// such frames.
+    FrameId
+}
+
+impl FrameId {
+    /// That of the first; given where a function is of no frame.
+    pub const FIRST: Self = Self(0);
 }
 
 /// The entries of an action, and what each does: a couple turns, a force slides.
@@ -78,11 +106,11 @@ pub struct Entry {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spaces {
     /// Those of q.
-    pub coordinates: Vec<Entry>,
+    pub coordinates: List<CoordinateId, Entry>,
     /// Those of q̇, q̈ and τ.
-    pub velocities: Vec<Entry>,
+    pub velocities: List<VelocityId, Entry>,
     /// Those of inertial parameters.
-    pub parameters: Vec<Entry>,
+    pub parameters: List<ParameterId, Entry>,
     /// Those of base parameters.
     pub base_parameters: Vec<Entry>,
     /// Those of the residuals of its loops: lengths slide, products of axes turn.
@@ -117,11 +145,10 @@ impl Spaces {
     }
 
     /// Where the quaternions of q begin.
-    pub fn quaternions(&self) -> impl Iterator<Item = usize> {
-        let is_quaternion = |entry: &Entry| entry.kind == Kind::Quaternion;
-        let places =
-            (0..self.coordinates.len()).filter(move |&k| is_quaternion(&self.coordinates[k]));
-        places.step_by(4)
+    pub fn quaternions(&self) -> impl Iterator<Item = CoordinateId> {
+        let coordinates = self.coordinates.numbered();
+        let places = coordinates.filter(|(_, entry)| entry.kind == Kind::Quaternion);
+        places.map(|(k, _)| k).step_by(4)
     }
 
     /// How many entries one of them has.

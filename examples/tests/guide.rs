@@ -14,6 +14,7 @@ use homogen_codegen::expand::{program_as, understand};
 use homogen_codegen::formulation::{Angles, Formulation, Frame, Parameters};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
+use homogen_codegen::space::FrameId;
 use homogen_codegen::{Function, Real};
 use homogen_examples::listing;
 use homogen_examples::price::{self, Prices};
@@ -160,7 +161,13 @@ fn the_prices_of_formulations_are_those_of_today() {
         let chain = understand(&description, &request).expect("it has no mistakes");
         let mut row = format!("| {name}, `{}` |", function.name());
         for formulation in columns {
-            let program = program_as(formulation, &chain, &[function], 0, Real::Generic);
+            let program = program_as(
+                formulation,
+                &chain,
+                &[function],
+                FrameId::FIRST,
+                Real::Generic,
+            );
             let price = Price::of(&program.expect("it has forward dynamics"));
             // Writing to a string cannot fail.
             let _ = write!(row, " {}/{} |", price.mul, price.add);

@@ -18,7 +18,7 @@ use homogen_codegen::model::Way;
 use homogen_codegen::print::Listed;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
-use homogen_codegen::space::Variable;
+use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 
 use crate::states::Random;
@@ -210,7 +210,9 @@ pub fn any<T: Tested>([lo, hi]: [f64; 2], random: &mut Random) -> f64 {
 pub fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-    let results = function.build(&graph, &bodies, 0, Way::PLAIN).into_iter();
+    let results = function
+        .build(&graph, &bodies, FrameId::FIRST, Way::PLAIN)
+        .into_iter();
     let results: Vec<Expr> = results.map(Term::expr).collect();
     Evaluation::of(&graph, &results)
 }

@@ -55,7 +55,7 @@ fn nothing_moves_more_than_its_energy_allows() {
         let energy = exactly(&chain, Function::MassMatrix);
         let graph = chain.graph.clone();
         let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
-        let moving: Vec<Expr> = (0..chain.frames.len())
+        let moving: Vec<Expr> = (chain.frames.ids())
             .flat_map(|frame| {
                 let of = |function: Function| function.build(&graph, &bodies, frame, Way::PLAIN);
                 [of(Function::Velocity), of(Function::ForwardKinematics)].concat()
@@ -136,7 +136,7 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
                 .map(|&range| any::<T>(range, &mut random))
                 .collect()
         };
-        let [q, qd, qdd] = [&range.q, &range.qd, &range.qdd].map(|ranges| draw(ranges));
+        let [q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(|ranges| draw(ranges));
         let torques = |qdd: &[f64]| {
             needed.at(|input| {
                 Double::from(match input {

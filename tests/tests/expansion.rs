@@ -13,6 +13,7 @@ use homogen_codegen::formulation::{Formulation, Forward, Parameters, Products, S
 use homogen_codegen::print::rust::{self, Item, Source, World};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
+use homogen_codegen::space::FrameId;
 use homogen_codegen::{Builder, Function, Real, door};
 use homogen_tests::for_every_robot;
 use quote::{format_ident, quote};
@@ -105,7 +106,7 @@ fn a_pendulum_with_a_field() {
 
 /// What becomes a row of the table: the price of a function, without the dense products.
 fn price(chain: &Chain, function: Function) -> Price {
-    let program = program(chain, &[function], 0, Real::Generic);
+    let program = program(chain, &[function], FrameId::FIRST, Real::Generic);
     Price::of(&program.unwrap_or_else(|errors| panic!("{errors}")))
 }
 

@@ -13,7 +13,7 @@ use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Price, run};
-use homogen_codegen::space::Variable;
+use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 use homogen_tests::functions::{EveryFunction, evaluate};
 use homogen_tests::rounding::{DOUBLE, Worst};
@@ -150,7 +150,7 @@ fn interpreted(formulation: Formulation, state: &State<f64, 7>) -> Vec<f64> {
     };
     let chain = chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let functions = [Function::InverseDynamics];
-    let program = program_as(formulation, &chain, &functions, 0, Real::F64);
+    let program = program_as(formulation, &chain, &functions, FrameId::FIRST, Real::F64);
     let program = program.unwrap_or_else(|errors| panic!("{errors}"));
     run(&program, |input| match input {
         Input::Variable(Variable::Q, k) => state.q[usize::from(k)],
@@ -193,7 +193,7 @@ fn the_cheapest_form_is_taken_of_those_that_are_accurate_enough() {
             forward,
             ..Formulation::default()
         };
-        let program = program_as(formulation, chain, &[function], 0, Real::F64);
+        let program = program_as(formulation, chain, &[function], FrameId::FIRST, Real::F64);
         let price = Price::of(&program.unwrap_or_else(|errors| panic!("{errors}")));
         price.mul + price.add
     };

@@ -13,8 +13,10 @@ use homogen_codegen::description::{self, Description, Number, inline};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::program_by;
 use homogen_codegen::layout::{Layout, Sliding};
+use homogen_codegen::list::Id;
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
+use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
 use homogen_tests::drives::driven;
@@ -78,13 +80,13 @@ fn agree_within(
     let chain = build(description, request);
     let spaces = chain.spaces();
     assert_eq!(robot.velocities(), spaces.velocities.len());
-    assert!(robot.quaternions().eq(spaces.quaternions()));
+    assert!(robot.quaternions().eq(spaces.quaternions().map(Id::index)));
     assert_eq!(robot.frames.len(), chain.frames.len());
     let functions: Vec<Function> = frame_0::told()
         .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())
         .chain(OF_LOOPS.into_iter().filter(|_| !chain.loops.is_empty()))
         .collect();
-    let frame = chain.frames.len().saturating_sub(1);
+    let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
     let way = Way::PLAIN;
     let sources =
         LAYOUTS.map(|layout| link_frames::expressions(&chain, &functions, frame, layout, way));
@@ -92,18 +94,18 @@ fn agree_within(
     let mut random = Random::new(50);
     let mut worst: f64 = 0.0;
     for _ in 0..states {
-        let [coordinates, velocities] = [&spaces.coordinates, &spaces.velocities].map(Vec::len);
+        let (coordinates, velocities) = (spaces.coordinates.len(), spaces.velocities.len());
         let mut arguments = Arguments::of_lists(coordinates, velocities, &mut random);
         let actions = 0..chain.spaces().actions.len();
         arguments.actions = actions.map(|_| 4.0 * random.unit()).collect();
-        let state = State::of(&arguments, spaces.quaternions());
+        let state = State::of(&arguments, spaces.quaternions().map(Id::index));
         let sizes = metrics::sizes::<F64>(&sizes, &arguments);
         let found = sources
             .each_ref()
             .map(|source| link_frames::evaluate_in(source, &state));
         let mut at = 0;
         for &function in &functions {
-            let expected = frame_0::evaluate(&robot, function, frame, &arguments);
+            let expected = frame_0::evaluate(&robot, function, frame.index(), &arguments);
             let these = at..at + expected.len();
             at = these.end;
             let size = metrics::largest(sizes[these.clone()].iter().copied());

@@ -16,6 +16,7 @@ use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
+use homogen_codegen::space::FrameId;
 use homogen_codegen::{Function, Real};
 use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
@@ -100,9 +101,9 @@ fn hold(description: &Description, request: &Request) {
     let robot = Robot::of(description, request);
     for function in frame_0::told() {
         let functions = [function];
-        let chosen = program(&chain, &functions, 0, Real::F64)
+        let chosen = program(&chain, &functions, FrameId::FIRST, Real::F64)
             .and_then(|chosen| {
-                check.judge(&functions, 0, &chosen, Real::F64)?;
+                check.judge(&functions, FrameId::FIRST, &chosen, Real::F64)?;
                 Ok(chosen)
             })
             .unwrap_or_else(|errors| panic!("{errors}"));
@@ -121,7 +122,7 @@ fn hold(description: &Description, request: &Request) {
                     angles,
                     ..Way::PLAIN
                 };
-                let program = program_by(&chain, &functions, 0, layout, way);
+                let program = program_by(&chain, &functions, FrameId::FIRST, layout, way);
                 compare(&robot, function, &program);
             }
         }

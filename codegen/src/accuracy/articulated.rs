@@ -17,10 +17,11 @@ use super::promise::{Accuracy, Means, Worst, backward, computed, error, value};
 use super::solved::{DOUBTFUL, caused, stays, tried, underflow, widened};
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::range::Range;
-use crate::chain::Chain;
+use crate::chain::{BodyId, Chain};
 use crate::expression::{Expr, Graph, Input, Term};
 use crate::function::Given;
 use crate::layout::{Layout, arrange};
+use crate::list::List;
 use crate::model::{self, ARTICULATED_INERTIA, ARTICULATED_MOTION, Way};
 use crate::real::Real;
 use crate::schedule::bound::{self, Conditions, Value};
@@ -45,8 +46,8 @@ pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> 
     };
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
-    let links = bodies.bodies.iter().zip(&range.q);
-    let links: Option<Vec<Link>> = links.map(|(body, q)| Link::of(body, *q)).collect();
+    let links = bodies.bodies.iter().map(|body| Link::of(body, &range));
+    let links: Option<List<BodyId, Link>> = links.collect();
     let read = chain.nominal.iter().all(Vec::is_empty);
     let (Some(links), true) = (links, read) else {
         return Accuracy::Unknown(
@@ -61,7 +62,7 @@ pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> 
     let motion = compiled(&model::articulated_motion(&graph, &bodies, way));
     let entries = std::array::from_fn(|k| graph.input(entry(k)));
     let steps = model::articulated_steps(&graph, &bodies, way, &entries).into_iter();
-    let (inertias, actions): (Vec<Program>, Vec<Program>) = steps
+    let (inertias, actions): (List<BodyId, Program>, List<BodyId, Program>) = steps
         .map(|step| {
             let (inertia, action) = step.split_at(ARTICULATED_INERTIA);
             (compiled(inertia), compiled(action))
@@ -86,7 +87,8 @@ pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> 
         let attempt = |margin: f64| -> Worst {
             let wider = widened(&range, margin);
             let found = values(computed(&motion, &wider, means, scalar))?;
-            let motions: Vec<Moving> = found.chunks(ARTICULATED_MOTION).map(Moving::of).collect();
+            let motions = found.chunks(ARTICULATED_MOTION).map(Moving::of);
+            let motions: List<BodyId, Moving> = motions.collect();
             let size = size(&links, &outboard, &motions, &wider, &mobility);
             let vanishes = underflow(size, links.len(), scalar)?;
             let errors = torque_errors(
@@ -183,20 +185,20 @@ fn size(
 /// How far off the torque or force is that each joint feels, by all roundings; `step` computes what is
 /// passed on beside the inertia, with its errors.
 fn torque_errors(
-    links: &[Link],
-    outboard: &[Outboard],
-    motions: &[Moving],
+    links: &List<BodyId, Link>,
+    outboard: &List<BodyId, Outboard>,
+    motions: &List<BodyId, Moving>,
     range: &Range,
     (roundoff, vanishes): (f64, f64),
-    step: impl Fn(usize, &[Value]) -> Result<Vec<Value>, &'static str>,
+    step: impl Fn(BodyId, &[Value]) -> Result<Vec<Value>, &'static str>,
 ) -> Worst {
     // Of each body and all outboard of it, the moment and force that they take, and what of them is
     // lost; as far as known from the bodies that hang on it.
-    let mut forces = vec![Pair::default(); links.len()];
+    let mut forces = List::filled(Pair::default(), links.len());
     let mut lost = forces.clone();
     // What the joint alone feels besides.
-    let mut beside = vec![0.0; links.len()];
-    for (k, link) in links.iter().enumerate().rev() {
+    let mut beside = List::filled(0.0, links.len());
+    for (k, link) in links.numbered().rev() {
         let Moving {
             action: [action_size, action_lost],
             drift: [drift, drift_lost],
@@ -206,7 +208,7 @@ fn torque_errors(
             whole, children, ..
         } = outboard[k];
         let own = Pair::new(link.spread, link.mass).roots();
-        let [_, most] = range.qdd[k];
+        let [_, most] = range.qdd[link.velocity];
         let opposed = whole.dot(acceleration);
         let free = opposed + most * link.share(whole);
         // |y|/√D: an armature opposes the joint's own acceleration.
@@ -219,7 +221,7 @@ fn torque_errors(
         let roundings = if driven { 14.0 } else { 12.0 };
         let residual = roundings * roundoff * free + whole.dot(acceleration_lost);
         beside[k] = (link.share(whole) - link.along(whole)) * residual;
-        let resistance = link.resistance(range.qd[k]);
+        let resistance = link.resistance(range.qd[link.velocity]);
         if resistance > 0.0 {
             let given = link.along(forces[k]) + link.armature * most;
             beside[k] += roundoff * (3.0 * resistance + given) + vanishes;

@@ -7,10 +7,11 @@
 //! others do. A mass in a field is taken at its least: more of it only adds energy.
 
 use super::range::Range;
-use crate::chain::{Chain, Position};
+use crate::chain::{BodyId, Chain, Position};
 use crate::expression::{Double, Expr, Input, Term, evaluate};
 use crate::joint::Motion;
 use crate::layout::{Body, Layout, arrange};
+use crate::list::{Id, List};
 use crate::request::Target;
 
 /// Bounds of the squares of rates by twice the kinetic energy; infinite where a body has no inertia of
@@ -19,9 +20,9 @@ use crate::request::Target;
 pub struct Mobility {
     /// Of each joint's rate: bounds of the diagonal entries of M⁻¹ \[1/(kg m²), of joints that slide
     /// 1/kg\].
-    pub joints: Vec<f64>,
+    pub joints: List<BodyId, f64>,
     /// Of each body's ω \[1/(kg m²)\] and of the velocity of its frame's origin \[1/kg\].
-    pub bodies: Vec<[f64; 2]>,
+    pub bodies: List<BodyId, [f64; 2]>,
 }
 
 /// How much the joints and bodies of a chain can move.
@@ -57,9 +58,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     let numbers = evaluate(&graph, &numbers, |input| {
         let least = match input {
             // What a body adds to the energy is never negative, so that without it is the least.
-            Input::Parameter(field, _)
-                if chain.parameters[usize::from(field)].target.is_payload() =>
-            {
+            Input::Parameter(field, _) if chain.parameters[field.into()].target.is_payload() => {
                 Some(0.0)
             }
             Input::Parameter(..) => range.get(input).map(|[least, _]| least),
@@ -67,7 +66,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         };
         Double::from(least.unwrap_or(f64::NAN))
     });
-    let mut solids: Vec<Solid> = Vec::with_capacity(bodies.len());
+    let mut solids: List<BodyId, Solid> = List::new();
     for (body, numbers) in bodies.iter().zip(numbers.chunks(NUMBERS)) {
         if matches!(body.position, Position::Posture(..)) && body.parent.is_some() {
             return Err("joints with quaternions or in a plane are followed on the base alone");
@@ -79,12 +78,12 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         solids.push(solid.ok_or("an inertia is none that a body has, as far as its digits tell")?);
     }
     // The bodies before the last of a joint that takes it anywhere are nothing by themselves.
-    let last = |k: usize| {
-        let taken = bodies[k + 1..].iter();
+    let last = |k: BodyId| {
+        let taken = bodies.iter().skip(k.number());
         let taken = taken.take_while(|body| matches!(body.position, Position::Taken));
-        k + taken.count()
+        k.plus(taken.count())
     };
-    let whole: Vec<&Solid> = (0..bodies.len()).map(|k| &solids[last(k)]).collect();
+    let whole: Vec<&Solid> = bodies.ids().map(|k| &solids[last(k)]).collect();
     let joint = |(body, solid): (&Body<'_>, &&Solid)| match solid.parent {
         _ if solid.free => {
             let axis = AXES[body.axis];
@@ -165,7 +164,7 @@ enum Spin {
 
 /// A body as a mass with a rotational inertia about its centre, in the body's frame.
 struct Solid {
-    parent: Option<usize>,
+    parent: Option<BodyId>,
     slides: bool,
     screws: bool,
     /// Whether its joint takes it anywhere, or anywhere in a plane.

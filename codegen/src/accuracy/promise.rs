@@ -11,6 +11,7 @@ use crate::chain::Chain;
 use crate::expression::Input;
 use crate::function::{Function, Given};
 use crate::real::{Real, Trigonometry};
+use crate::request::FieldId;
 use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
 use crate::space::{Space, Variable};
@@ -170,10 +171,10 @@ impl Promise {
         programs: &[&Program],
         means: Means,
     ) -> Self {
-        let reads = |field: usize| {
+        let reads = |field: FieldId| {
             let mut operands = programs.iter().flat_map(|program| program.operands());
             operands.any(|operand| match operand {
-                Operand::Input(Input::Parameter(of, _)) => usize::from(of) == field,
+                Operand::Input(Input::Parameter(of, _)) => field == of.into(),
                 _ => false,
             })
         };

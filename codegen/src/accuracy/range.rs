@@ -7,23 +7,25 @@ use std::f64::consts::PI;
 
 use crate::chain::Chain;
 use crate::expression::Input;
-use crate::space::{Entry, Kind, Spaces, Variable};
+use crate::list::{Id, List};
+use crate::request::FieldId;
+use crate::space::{CoordinateId, Entry, Kind, Spaces, Variable, VelocityId};
 
 /// The least and the greatest that each argument of a function can be.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Range {
     /// Of each coordinate [rad or m].
-    pub q: Vec<[f64; 2]>,
+    pub q: List<CoordinateId, [f64; 2]>,
     /// Of each rate [rad/s or m/s].
-    pub qd: Vec<[f64; 2]>,
+    pub qd: List<VelocityId, [f64; 2]>,
     /// Of each second rate [rad/s² or m/s²].
-    pub qdd: Vec<[f64; 2]>,
+    pub qdd: List<VelocityId, [f64; 2]>,
     /// Of the entries of each action from outside \[N m, N\].
     pub actions: Vec<[f64; 2]>,
     /// Where the quaternions of q begin.
-    pub(super) quaternions: Vec<usize>,
+    pub(super) quaternions: Vec<CoordinateId>,
     /// Of the entries of each struct field, in the units of what it stands for.
-    pub fields: Vec<Vec<[f64; 2]>>,
+    pub fields: List<FieldId, Vec<[f64; 2]>>,
 }
 
 /// How large an entry is of which no description tells: coordinates go π rad or 1 m to both sides, with
@@ -48,7 +50,7 @@ const fn described(variable: Variable, entry: &Entry) -> Option<[f64; 2]> {
 }
 
 /// The range of each entry of a variable; of none where nothing is said.
-fn ranges(spaces: &Spaces, variable: Variable) -> Vec<[f64; 2]> {
+fn ranges<R: FromIterator<[f64; 2]>>(spaces: &Spaces, variable: Variable) -> R {
     let entries = spaces.entries(variable.space()).iter();
     let ranges = entries.filter_map(|entry| {
         let otherwise = || default(variable, entry.kind).map(|size| [-size, size]);
@@ -88,7 +90,7 @@ impl Range {
     /// ½ or −½, as their signs were.
     pub fn upright(&self, q: &mut [f64]) {
         for &first in &self.quaternions {
-            for entry in &mut q[first..first + 4] {
+            for entry in &mut q[first.index()..][..4] {
                 *entry = 0.5_f64.copysign(*entry);
             }
         }
@@ -106,10 +108,9 @@ impl Range {
                 Variable::Tau => None,
                 Variable::Actions => at(&self.actions, k),
             },
-            Input::Parameter(field, k) => self
-                .fields
-                .get(usize::from(field))
-                .and_then(|field| at(field, k)),
+            Input::Parameter(field, k) => {
+                self.fields.get(field.into()).and_then(|field| at(field, k))
+            }
         }
     }
 }
@@ -117,7 +118,7 @@ impl Range {
 /// The range of some arguments, and of the fields that are read, in words:
 /// ``q and q̇ within their limits, |q̈| ≤ 10 rad/s², `payload` from 0 to 3 kg``.
 #[must_use]
-pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(usize) -> bool) -> String {
+pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> bool) -> String {
     let mut within_limits = Vec::new();
     let mut sizes = Vec::new();
     let spaces = chain.spaces();
@@ -147,9 +148,8 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(usize) -> boo
         [one] => Some(format!("{one} within its limits")),
         several => Some(format!("{} within their limits", several.join(" and "))),
     };
-    let fields = chain.parameters.iter().zip(&chain.nominal).enumerate();
-    let fields = fields.filter(|(field, _)| reads(*field));
-    let fields = fields.map(|(_, (field, nominal))| field.range_words(nominal));
+    let fields = chain.parameters.numbered().filter(|(k, _)| reads(*k));
+    let fields = fields.map(|(k, field)| field.range_words(&chain.nominal[k]));
     let words = within_limits.into_iter().chain(sizes);
     let words: Vec<String> = words.chain(fields).collect();
     words.join(", ")

@@ -15,8 +15,10 @@ mod span;
 use std::collections::BTreeMap;
 
 use super::Chain;
+use crate::list::List;
 use crate::random::Random;
 use crate::request::Parameter;
+use crate::space::ParameterId;
 use columns::{Column, Columns};
 use span::Span;
 
@@ -29,7 +31,7 @@ pub struct BaseParameters {
 
 impl BaseParameters {
     /// The columns of the regressor that torques are made of by them.
-    pub fn columns(&self) -> impl Iterator<Item = usize> {
+    pub fn columns(&self) -> impl Iterator<Item = ParameterId> {
         self.groups.iter().map(Group::leader)
     }
 }
@@ -37,8 +39,8 @@ impl BaseParameters {
 /// Parameters that are told as one number: the first, and so much of each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// The parameters, by their place among [all](crate::space::Space::Parameters), with their factors; the first has 1.
-    pub members: Vec<(usize, f64)>,
+    /// The parameters with their factors; the first has 1.
+    pub members: Vec<(ParameterId, f64)>,
     /// What they are described as, together.
     pub value: f64,
 }
@@ -46,13 +48,13 @@ pub struct Group {
 impl Group {
     /// The parameter whose column of the regressor is that of the group.
     #[must_use]
-    pub fn leader(&self) -> usize {
+    pub fn leader(&self) -> ParameterId {
         self.members[0].0
     }
 }
 
 /// So much of each parameter, where there is any of it.
-type Form = BTreeMap<usize, f64>;
+type Form = BTreeMap<ParameterId, f64>;
 
 /// Of chains of more joints no function is generated, and nothing is looked for.
 const MOST: usize = 1000;
@@ -63,13 +65,12 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
         return BaseParameters::default();
     }
     let columns = Columns::of(chain);
-    let count = columns.links.len();
     let described = columns.described();
-    let unit = |parameter: usize| Form::from([(parameter, 1.0)]);
+    let unit = |parameter: ParameterId| Form::from([(parameter, 1.0)]);
     // What torques see in the place of each parameter: it, and what outboard links hand on.
-    let mut seen: Vec<Form> = (0..described.len()).map(unit).collect();
+    let mut seen: List<ParameterId, Form> = described.ids().map(unit).collect();
     if chain.all_lead() {
-        for link in (0..count).rev() {
+        for link in columns.links.ids().rev() {
             let own = columns.own(link);
             let parent = columns.links[link].parent;
             let inboard = parent.map(|parent| columns.of_link(parent, link));
@@ -82,11 +83,12 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
         }
     } else {
         // What one coordinate moves in several places may be told apart or not: all columns are looked at together.
-        let all: Vec<Column> = (0..count).flat_map(|link| columns.own(link)).collect();
+        let links = columns.links.ids();
+        let all: Vec<Column> = links.flat_map(|link| columns.own(link)).collect();
         let mut span = Span::among(all.iter().map(|(_, column)| column));
         hand_on(&all, &mut span, &mut seen);
     }
-    let kept = seen.iter().enumerate().filter(|(_, form)| !form.is_empty());
+    let kept = seen.numbered().filter(|(_, form)| !form.is_empty());
     let groups = kept.map(|(leader, form)| group(leader, form, &described));
     BaseParameters {
         groups: groups.collect(),
@@ -122,7 +124,7 @@ pub fn revealing(chain: &Chain) -> Vec<&Parameter> {
 }
 
 /// Takes columns; where one is a combination of others, its parameter is handed on to theirs.
-fn hand_on<'c>(own: &'c [Column], span: &mut Span<'c>, seen: &mut [Form]) {
+fn hand_on<'c>(own: &'c [Column], span: &mut Span<'c>, seen: &mut List<ParameterId, Form>) {
     for (parameter, column) in own {
         let Some(combination) = span.take(*parameter, column) else {
             continue;
@@ -140,10 +142,10 @@ fn add(sum: &mut Form, other: &Form, factor: f64) {
     }
 }
 
-fn group(leader: usize, form: &Form, described: &[f64]) -> Group {
+fn group(leader: ParameterId, form: &Form, described: &List<ParameterId, f64>) -> Group {
     let others = form.iter().map(|(&parameter, &factor)| (parameter, factor));
     let others = others.filter(|&(parameter, factor)| parameter != leader && factor != 0.0);
-    let members: Vec<(usize, f64)> = [(leader, 1.0)].into_iter().chain(others).collect();
+    let members: Vec<(ParameterId, f64)> = [(leader, 1.0)].into_iter().chain(others).collect();
     let value = members.iter().map(|&(k, factor)| factor * described[k]);
     Group {
         value: value.sum(),

@@ -11,8 +11,9 @@ use super::names::Names;
 use super::shape::{Joints, downstream, find_base};
 use super::tree::{Branch, Follow, Tree};
 use super::{drive, external, numbers};
-use crate::description::{Description, Name, Number};
+use crate::description::{Description, JointId, LinkId, Name, Number};
 use crate::error::Errors;
+use crate::list::List;
 use crate::request::{Request, Target};
 use crate::wording::quoted;
 
@@ -46,14 +47,14 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     };
 
     let mut find = |name: &Name| links.find(name, &mut errors);
-    let dropped: Vec<usize> = request.drop.iter().filter_map(&mut find).collect();
+    let dropped: Vec<LinkId> = request.drop.iter().filter_map(&mut find).collect();
     let tip = request.tip.as_ref().and_then(&mut find);
-    let frames: Vec<usize> = request.frames.iter().filter_map(&mut find).collect();
+    let frames: Vec<LinkId> = request.frames.iter().filter_map(&mut find).collect();
     let locks = locks(description, request, &joints, &mut errors);
     let branches: Vec<Branch> = downstream(&connected, base, &dropped)
         .into_iter()
         .map(|branch| {
-            let fixed = !description.joints[branch.joint].kind.moves();
+            let fixed = !description[branch.joint].kind.moves();
             let held = locks
                 .get(&branch.joint)
                 .copied()
@@ -80,7 +81,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     for name in &request.actuated {
         joints.find(name, &mut errors);
     }
-    let locked = |joint: usize| locks.contains_key(&joint);
+    let locked = |joint: JointId| locks.contains_key(&joint);
     let follows = mimic::follows(description, &tree.branches, locked, &joints, &mut errors);
     choose_tip(description, request, &follows, &mut tree, &mut errors);
     mimic::hold(&mut tree.branches, &follows);
@@ -100,33 +101,38 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
 }
 
 /// The links that are part of the tree, or that are not.
-fn modelled(description: &Description, base: usize, branches: &[Branch], are: bool) -> Vec<usize> {
-    let mut kept = vec![false; description.links.len()];
+fn modelled(
+    description: &Description,
+    base: LinkId,
+    branches: &[Branch],
+    are: bool,
+) -> Vec<LinkId> {
+    let mut kept = List::filled(false, description.links.len());
     kept[base] = true;
     for branch in branches {
         kept[branch.child] = true;
     }
-    (0..kept.len()).filter(|&link| kept[link] == are).collect()
+    kept.ids().filter(|&link| kept[link] == are).collect()
 }
 
 fn locks(
     description: &Description,
     request: &Request,
-    joints: &Names<'_>,
+    joints: &Names<'_, JointId>,
     errors: &mut Errors,
-) -> HashMap<usize, Number> {
+) -> HashMap<JointId, Number> {
     let mut locks = HashMap::new();
     for (name, value) in &request.lock {
         let Some(joint) = joints.find(name, errors) else {
             continue;
         };
         let called = quoted(&name.text);
-        if !description.joints[joint].kind.moves() {
+        if !description[joint].kind.moves() {
             errors.push(
                 name.place,
                 format!("joint {called} is fixed and cannot be locked"),
             );
-        } else if value.is_some() && description.joints[joint].kind.has_several() {
+        } else if value.is_some() && description[joint].kind.has_several() {
             errors.push_with_hint(
                 name.place,
                 format!("joint {called} has several coordinates and is locked at one value"),
@@ -140,7 +146,7 @@ fn locks(
 }
 
 /// Coordinates of a joint with several must not be called as another joint is.
-fn check_coordinates(description: &Description, joints: &Names<'_>, errors: &mut Errors) {
+fn check_coordinates(description: &Description, joints: &Names<'_, JointId>, errors: &mut Errors) {
     let several = description.joints.iter();
     let several = several.filter(|joint| joint.kind.has_several());
     for joint in several {
@@ -168,10 +174,10 @@ fn check_kept(
     description: &Description,
     request: &Request,
     tree: &Tree,
-    links: &Names<'_>,
+    links: &Names<'_, LinkId>,
     errors: &mut Errors,
 ) {
-    let base = quoted(&description.links[tree.base].name.text);
+    let base = quoted(&description[tree.base].name.text);
     for name in &request.drop {
         if links.get(name) == Some(tree.base) {
             errors.push(name.place, format!("the base {base} cannot be dropped"));
@@ -200,8 +206,8 @@ fn check_kept(
 fn check_targets(
     request: &Request,
     tree: &Tree,
-    links: &Names<'_>,
-    joints: &Names<'_>,
+    links: &Names<'_, LinkId>,
+    joints: &Names<'_, JointId>,
     errors: &mut Errors,
 ) {
     for parameter in &request.parameters {
@@ -239,10 +245,10 @@ fn check_moving(
     description: &Description,
     request: &Request,
     tree: &Tree,
-    links: &Names<'_>,
+    links: &Names<'_, LinkId>,
     errors: &mut Errors,
 ) {
-    let mut moves = vec![false; description.links.len()];
+    let mut moves = List::filled(false, description.links.len());
     for branch in &tree.branches {
         moves[branch.child] = moves[branch.parent] || branch.held.is_none();
     }
@@ -281,12 +287,12 @@ fn check_size(description: &Description, tree: &Tree, errors: &mut Errors) {
 fn choose_tip(
     description: &Description,
     request: &Request,
-    follows: &[Option<Follow>],
+    follows: &List<JointId, Option<Follow>>,
     tree: &mut Tree,
     errors: &mut Errors,
 ) {
     let mut ends = modelled(description, tree.base, &tree.branches, true);
-    let mut carries = vec![false; description.links.len()];
+    let mut carries = List::filled(false, description.links.len());
     for branch in &tree.branches {
         carries[branch.parent] = true;
     }
@@ -299,7 +305,7 @@ fn choose_tip(
         let shown = ends
             .iter()
             .take(SHOWN)
-            .map(|&end| quoted(&description.links[end].name.text));
+            .map(|&end| quoted(&description[end].name.text));
         let more = ends.len().saturating_sub(SHOWN);
         let more = (more > 0).then(|| format!("and {more} more"));
         shown.chain(more).collect::<Vec<_>>().join(", ")
@@ -326,8 +332,8 @@ fn choose_tip(
 }
 
 /// Holds every joint that does not move the tip, itself or through one that follows it.
-fn hold_off_path(tree: &mut Tree, follows: &[Option<Follow>], tip: usize) {
-    let mut moves = vec![false; follows.len()];
+fn hold_off_path(tree: &mut Tree, follows: &List<JointId, Option<Follow>>, tip: LinkId) {
+    let mut moves = follows.map(|_| false);
     let mut link = tip;
     // Children come after parents, so one walk backwards meets the path in order.
     for branch in tree.branches.iter().rev() {

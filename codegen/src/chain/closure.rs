@@ -6,15 +6,15 @@
 
 use super::names::Names;
 use super::{Chain, Loop};
-use crate::description::Description;
+use crate::description::{Description, LinkId};
 use crate::error::{Complaint, Errors};
 use crate::function::Function;
 use crate::request::Request;
-use crate::space::Entry;
+use crate::space::{Entry, VelocityId};
 use crate::wording::quoted;
 
 /// Refuses loops of links that are not there, or of one alone.
-pub fn check(description: &Description, links: &Names<'_>, errors: &mut Errors) {
+pub fn check(description: &Description, links: &Names<'_, LinkId>, errors: &mut Errors) {
     for described in &description.loops {
         let found = [&described.from, &described.to].map(|link| links.find(link, errors));
         if let [Some(from), Some(to)] = found
@@ -48,8 +48,8 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
             );
         }
     }
-    let joint = |velocity: usize| &chain.joints[chain.mover(velocity)].of;
-    let velocities = 0..chain.spaces.velocities.len();
+    let joint = |velocity: VelocityId| &chain.joints[chain.mover(velocity)].of;
+    let velocities = chain.spaces.velocities.ids();
     for name in &request.actuated {
         if velocities
             .clone()
@@ -59,7 +59,7 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
             errors.push_with_hint(name.place, message, "only what has velocities is driven");
         }
     }
-    let driven = |velocity: usize| {
+    let driven = |velocity: VelocityId| {
         let mut actuated = request.actuated.iter();
         actuated.any(|name| name.text == *joint(velocity))
     };

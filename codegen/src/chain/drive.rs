@@ -6,7 +6,7 @@
 
 use super::names::Names;
 use super::tree::Tree;
-use crate::description::{Description, Joint, Modelled, Name, Number};
+use crate::description::{Description, Joint, JointId, Modelled, Name, Number};
 use crate::error::{Complaint, Errors};
 use crate::joint::drive::Part;
 use crate::request::Request;
@@ -17,7 +17,7 @@ pub fn check(
     description: &Description,
     request: &Request,
     tree: &Tree,
-    joints: &Names<'_>,
+    joints: &Names<'_, JointId>,
     errors: &mut Errors,
 ) {
     for (k, (name, part, _)) in request.drives.iter().enumerate() {
@@ -34,7 +34,7 @@ pub fn check(
         }
     }
     for branch in tree.branches.iter().filter(|branch| branch.held.is_none()) {
-        check_numbers(&description.joints[branch.joint], request, errors);
+        check_numbers(&description[branch.joint], request, errors);
     }
 }
 
@@ -44,7 +44,7 @@ fn check_joint(
     part: Part,
     description: &Description,
     tree: &Tree,
-    joints: &Names<'_>,
+    joints: &Names<'_, JointId>,
     errors: &mut Errors,
 ) {
     let Some(joint) = joints.find(name, errors) else {
@@ -52,7 +52,7 @@ fn check_joint(
     };
     let (called, word) = (quoted(&name.text), part.word());
     let branch = tree.branches.iter().find(|branch| branch.joint == joint);
-    if !description.joints[joint].kind.moves() {
+    if !description[joint].kind.moves() {
         let message = format!("joint {called} is fixed and has no {word}");
         errors.push(name.place, message);
     } else if branch.is_none() {
@@ -125,9 +125,7 @@ pub fn doubts(description: &Description, request: &Request, tree: &Tree) -> Vec<
     };
     let mut doubts = description.unmodelled.doubts(&modelled);
     let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
-    let moving: Vec<&Joint> = moving
-        .map(|branch| &description.joints[branch.joint])
-        .collect();
+    let moving: Vec<&Joint> = moving.map(|branch| &description[branch.joint]).collect();
     let none = |is: fn(Part) -> bool| {
         let says = |joint: &&Joint| {
             let mut parts = Part::ALL.into_iter().filter(|part| is(*part));

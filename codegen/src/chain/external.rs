@@ -6,8 +6,9 @@
 
 use super::names::Names;
 use super::tree::Tree;
-use crate::description::Description;
+use crate::description::{Description, LinkId};
 use crate::error::Errors;
+use crate::list::List;
 use crate::request::Request;
 use crate::wording::quoted;
 
@@ -16,10 +17,10 @@ pub fn check(
     description: &Description,
     request: &Request,
     tree: &Tree,
-    links: &Names<'_>,
+    links: &Names<'_, LinkId>,
     errors: &mut Errors,
-) -> Vec<usize> {
-    let mut moves = vec![false; description.links.len()];
+) -> Vec<LinkId> {
+    let mut moves = List::filled(false, description.links.len());
     for branch in &tree.branches {
         moves[branch.child] = moves[branch.parent] || branch.held.is_none();
     }

@@ -27,7 +27,7 @@ pub fn rates(limits: Limits) -> Option<[f64; 2]> {
 /// What is left out.
 pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
     let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
-    let joints = moving.map(|branch| &description.joints[branch.joint]);
+    let joints = moving.map(|branch| &description[branch.joint]);
     let limited = joints.filter(|joint| joint.limits.is_some() && joint.kind.has_several());
     limited
         .map(|joint| Complaint {

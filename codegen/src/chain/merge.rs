@@ -11,13 +11,14 @@ use std::collections::HashMap;
 
 use super::tree::{Branch, Follow, Tree};
 use super::turn::roll_pitch_yaw;
-use super::{Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
-use crate::description::{Axis, Description, Joint, Link, Name, Number, Step};
+use super::{BodyId, Chain, Frame, Mimicked, Position, Report, Snapped, angle, limits};
+use crate::description::{Axis, Description, Joint, JointId, Link, LinkId, Name, Number, Step};
 use crate::expression::{Double, Graph, Input, Term};
 use crate::joint::{Along, Drive, Freedom, JointKind, Motion, Movement, Posture, entry};
+use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
-use crate::request::{Request, Target};
-use crate::space::{ACTION, Entry, Spaces};
+use crate::request::{FieldId, Request, Target};
+use crate::space::{ACTION, CoordinateId, Entry, Spaces, VelocityId};
 
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
@@ -25,20 +26,20 @@ const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 /// Where a link ended up: in which body, and where in it.
 #[derive(Clone, Copy)]
 struct Seat<'g> {
-    body: Option<usize>,
+    body: Option<BodyId>,
     pose: Pose<Term<'g>>,
 }
 
 /// A body beyond one freedom of a joint; only that beyond the last is a link.
 struct Body<'g> {
-    joint: usize,
+    joint: JointId,
     velocity: String,
-    parent: Option<usize>,
+    parent: Option<BodyId>,
     motion: Motion,
     placement: Pose<Term<'g>>,
     axis: Vector<Term<'g>>,
     /// The link that it is, and M from its frame to the link's.
-    link: Option<(usize, Pose<Term<'g>>)>,
+    link: Option<(LinkId, Pose<Term<'g>>)>,
     inertia: Inertia<Term<'g>>,
     moved: Moved<'g>,
     drive: Drive<Term<'g>>,
@@ -50,7 +51,7 @@ enum Moved<'g> {
     /// A coordinate of its own.
     Own,
     /// That of another joint, times a factor.
-    Follows { leader: usize, factor: Term<'g> },
+    Follows { leader: JointId, factor: Term<'g> },
     /// Coordinates that move it with all that come after it of its joint.
     Posture(Posture),
     /// The body before it.
@@ -63,12 +64,12 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let mut reader = Reader {
         graph: &graph,
         request,
-        nominal: vec![Vec::new(); request.parameters.len()],
+        nominal: List::filled(Vec::new(), request.parameters.len()),
         report: Report::default(),
     };
-    let name = |link: usize| description.links[link].name.text.clone();
+    let name = |link: LinkId| description[link].name.text.clone();
     let (seats, bodies) = seat(description, tree, &mut reader);
-    let frame = |link: usize| {
+    let frame = |link: LinkId| {
         let seat = seats[link]?;
         Some(Frame {
             name: name(link),
@@ -83,7 +84,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let loops = closure::closed(description, &seats, &mut reader);
     let gravity = reader.gravity().map(Term::expr);
     reader.report.base = name(tree.base);
-    let modelled = (0..seats.len()).filter(|&link| seats[link].is_some());
+    let modelled = seats.ids().filter(|&link| seats[link].is_some());
     reader.report.links = modelled.map(name).collect();
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
     let (joints, mut spaces) = listed(description, bodies, &graph);
@@ -93,11 +94,11 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     } = reader;
     Chain {
         nominal,
-        parameters: request.parameters.clone(),
+        parameters: request.parameters.clone().into(),
         joints,
         spaces,
         loops,
-        actuated: Vec::new(),
+        actuated: List::new(),
         frames,
         external,
         external_in_frame_0: request.external_in_frame_0,
@@ -126,16 +127,16 @@ fn actions(external: &[Frame]) -> Vec<Entry> {
 /// The bodies with their places in the lists of coordinates and velocities, and those lists.
 fn listed(
     description: &Description,
-    bodies: Vec<Body<'_>>,
+    bodies: List<BodyId, Body<'_>>,
     graph: &Graph,
-) -> (Vec<super::Joint>, Spaces) {
+) -> (List<BodyId, super::Joint>, Spaces) {
     let mut spaces = Spaces::default();
     // Of each joint with one coordinate, its places among coordinates and velocities.
     let mut leaders = HashMap::new();
     let mut places = Vec::with_capacity(bodies.len());
     for body in &bodies {
-        let described = &description.joints[body.joint];
-        let (coordinate, velocity) = (spaces.coordinates.len(), spaces.velocities.len());
+        let described = &description[body.joint];
+        let (coordinate, velocity) = (spaces.coordinates.next(), spaces.velocities.next());
         places.push((coordinate, velocity));
         // Which of several coordinates limits are of, no format says.
         let one = described.limits.filter(|_| !described.kind.has_several());
@@ -160,8 +161,8 @@ fn listed(
         spaces.velocities.push(entry(name, kind, range));
     }
     let one = graph.constant(1.0).expr();
-    let joint = |(body, (coordinate, velocity)): (Body<'_>, (usize, usize))| {
-        let described = &description.joints[body.joint];
+    let joint = |(body, (coordinate, velocity)): (Body<'_>, (CoordinateId, VelocityId))| {
+        let described = &description[body.joint];
         let (position, velocity) = match body.moved {
             Moved::Own => {
                 let factor = one;
@@ -184,7 +185,7 @@ fn listed(
             placement: body.placement.map(Term::expr),
             axis: body.axis.map(Term::expr),
             link: body.link.map(|(link, pose)| {
-                let name = description.links[link].name.text.clone();
+                let name = description[link].name.text.clone();
                 (name, pose.map(Term::expr))
             }),
             inertia: body.inertia.map(Term::expr),
@@ -202,16 +203,16 @@ fn seat<'g>(
     description: &Description,
     tree: &Tree,
     reader: &mut Reader<'g, '_>,
-) -> (Vec<Option<Seat<'g>>>, Vec<Body<'g>>) {
+) -> (List<LinkId, Option<Seat<'g>>>, List<BodyId, Body<'g>>) {
     let graph = reader.graph;
-    let mut bodies: Vec<Body<'g>> = Vec::new();
-    let mut seats: Vec<Option<Seat<'g>>> = vec![None; description.links.len()];
+    let mut bodies = List::new();
+    let mut seats = List::filled(None, description.links.len());
     seats[tree.base] = Some(Seat {
         body: None,
         pose: reader.base(),
     });
     for branch in &tree.branches {
-        let joint = &description.joints[branch.joint];
+        let joint = &description[branch.joint];
         let parent = seats[branch.parent].expect("parents come before children");
         let pose = parent.pose * reader.origin(description, branch);
         let axes = reader.axes(joint);
@@ -221,7 +222,7 @@ fn seat<'g>(
                 pose: pose * held_at(graph, joint.kind, axes, graph.constant(held.value)),
             }
         } else {
-            let link = moved(
+            let (last, link) = moved(
                 description,
                 branch,
                 (parent.body, pose),
@@ -229,7 +230,6 @@ fn seat<'g>(
                 &mut bodies,
                 reader,
             );
-            let last = bodies.len() - 1;
             bodies[last].link = Some((branch.child, link));
             Seat {
                 body: Some(last),
@@ -238,7 +238,7 @@ fn seat<'g>(
         };
         reader.note(description, branch);
         if let Some(body) = seat.body
-            && let Some(inertia) = reader.inertia(&description.links[branch.child])
+            && let Some(inertia) = reader.inertia(&description[branch.child])
         {
             bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
         }
@@ -247,16 +247,16 @@ fn seat<'g>(
     (seats, bodies)
 }
 
-/// Adds the bodies that a joint moves; where the link that it carries is in the last of them.
+/// Adds the bodies that a joint moves; the last of them, and where the link that it carries is in that.
 fn moved<'g>(
     description: &Description,
     branch: &Branch,
-    (mut parent, mut placement): (Option<usize>, Pose<Term<'g>>),
+    (mut parent, mut placement): (Option<BodyId>, Pose<Term<'g>>),
     axes: [Vector<Term<'g>>; 2],
-    bodies: &mut Vec<Body<'g>>,
+    bodies: &mut List<BodyId, Body<'g>>,
     reader: &mut Reader<'g, '_>,
-) -> Pose<Term<'g>> {
-    let (graph, joint) = (reader.graph, &description.joints[branch.joint]);
+) -> (BodyId, Pose<Term<'g>>) {
+    let (graph, joint) = (reader.graph, &description[branch.joint]);
     let (kind, name) = (joint.kind, &joint.name.text);
     let mut link = Pose::identity(graph);
     let mut moved = Moved::Own;
@@ -281,7 +281,7 @@ fn moved<'g>(
     }
     for (place, (velocity, freedom)) in kind.velocities(name).enumerate() {
         let axis = direction(graph, freedom, axes);
-        bodies.push(Body {
+        let body = bodies.push(Body {
             joint: branch.joint,
             velocity,
             parent,
@@ -293,12 +293,12 @@ fn moved<'g>(
             moved,
             drive: reader.drive(joint, place),
         });
-        (parent, placement) = (Some(bodies.len() - 1), Pose::identity(graph));
+        (parent, placement) = (Some(body), Pose::identity(graph));
         if kind.posture().is_some() {
             moved = Moved::Taken;
         }
     }
-    link
+    (parent.expect("joints that move have velocities"), link)
 }
 
 /// About or along which direction a freedom is, in the frame of the moved body.
@@ -323,7 +323,7 @@ struct Reader<'g, 'r> {
     graph: &'g Graph,
     request: &'r Request,
     /// What is described where struct fields stand.
-    nominal: Vec<Vec<f64>>,
+    nominal: List<FieldId, Vec<f64>>,
     report: Report,
 }
 
@@ -343,13 +343,14 @@ impl<'g> Reader<'g, '_> {
         let Some(field) = parameters.position(|parameter| is(&parameter.target)) else {
             return described;
         };
+        let field = FieldId::new(field);
         self.nominal[field] = described
             .map(|term| term.value().map_or(0.0, Double::to_f64))
             .to_vec();
         let index = |k: usize| u16::try_from(k).expect("few struct fields");
         std::array::from_fn(|entry| {
             self.graph
-                .input(Input::Parameter(index(field), index(entry)))
+                .input(Input::Parameter(index(field.index()), index(entry)))
         })
     }
 
@@ -399,7 +400,7 @@ impl<'g> Reader<'g, '_> {
 
     /// The placement of a joint, it or its translation taken from a struct field where one stands for it.
     fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
-        let joint = &description.joints[branch.joint];
+        let joint = &description[branch.joint];
         let mut placement = self.placement(&joint.name.text, &joint.origin);
         let is = |target: &Target| matches!(target, Target::OriginOf(name) if name.text == joint.name.text);
         placement.translation = Vector(self.free(is, placement.translation.0));
@@ -519,8 +520,8 @@ impl<'g> Reader<'g, '_> {
         })
     }
 
-    fn note_follower(&mut self, description: &Description, joint: usize, follow: Follow) {
-        let name = |joint: usize| description.joints[joint].name.text.clone();
+    fn note_follower(&mut self, description: &Description, joint: JointId, follow: Follow) {
+        let name = |joint: JointId| description[joint].name.text.clone();
         self.report.mimicked.push(Mimicked {
             joint: name(joint),
             leader: name(follow.leader),
@@ -531,9 +532,9 @@ impl<'g> Reader<'g, '_> {
 
     fn note(&mut self, description: &Description, branch: &Branch) {
         let Some(held) = branch.held else { return };
-        let joint = &description.joints[branch.joint];
+        let joint = &description[branch.joint];
         let [parent, child]: [String; 2] =
-            [branch.parent, branch.child].map(|link| description.links[link].name.text.clone());
+            [branch.parent, branch.child].map(|link| description[link].name.text.clone());
         if joint.kind.moves() {
             self.report
                 .locked

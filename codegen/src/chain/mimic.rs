@@ -6,9 +6,10 @@
 
 use super::names::Names;
 use super::tree::{Branch, Follow, Tree};
-use crate::description::{Description, Number};
+use crate::description::{Description, JointId, Number};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::Double;
+use crate::list::List;
 use crate::wording::quoted;
 
 /// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are locked
@@ -16,15 +17,15 @@ use crate::wording::quoted;
 pub fn follows(
     description: &Description,
     branches: &[Branch],
-    locked: impl Fn(usize) -> bool,
-    joints: &Names<'_>,
+    locked: impl Fn(JointId) -> bool,
+    joints: &Names<'_, JointId>,
     errors: &mut Errors,
-) -> Vec<Option<Follow>> {
-    let mut leaders: Vec<Option<usize>> = vec![None; description.joints.len()];
+) -> List<JointId, Option<Follow>> {
+    let mut leaders: List<JointId, Option<JointId>> = List::filled(None, description.joints.len());
     let there = branches.iter().filter(|branch| branch.held.is_none());
-    let mut waiting: Vec<usize> = there.map(|branch| branch.joint).collect();
+    let mut waiting: Vec<JointId> = there.map(|branch| branch.joint).collect();
     while let Some(follower) = waiting.pop() {
-        let joint = &description.joints[follower];
+        let joint = &description[follower];
         let Some(mimic) = joint.mimic.as_ref().filter(|_| joint.kind.moves()) else {
             continue;
         };
@@ -41,7 +42,7 @@ pub fn follows(
         };
         leaders[follower] = Some(leader);
         waiting.push(leader);
-        let mut both = [joint, &description.joints[leader]].into_iter();
+        let mut both = [joint, &description[leader]].into_iter();
         if let Some(several) = both.find(|joint| joint.kind.has_several()) {
             errors.push_with_hint(
                 mimic.place,
@@ -56,17 +57,16 @@ pub fn follows(
         }
     }
     let refused = refuse_cycles(description, &leaders, errors);
-    let follow = |joint: usize| {
+    let follow = |joint: JointId| {
         leaders[joint].filter(|_| !refused)?;
         let mut follow = Follow {
             leader: joint,
             multiplier: Double::from(1.0),
             offset: Double::from(0.0),
         };
-        while let (Some(next), Some(mimic)) = (
-            leaders[follow.leader],
-            &description.joints[follow.leader].mimic,
-        ) {
+        while let (Some(next), Some(mimic)) =
+            (leaders[follow.leader], &description[follow.leader].mimic)
+        {
             // An offset that is rounded once more would be another one.
             let offset = follow.multiplier * Double::from(mimic.offset.value);
             follow.offset = follow.offset + offset;
@@ -75,25 +75,25 @@ pub fn follows(
         }
         Some(follow)
     };
-    (0..leaders.len()).map(follow).collect()
+    leaders.ids().map(follow).collect()
 }
 
 /// Refuses joints that follow themselves, directly or through others; whether there are any.
 fn refuse_cycles(
     description: &Description,
-    leaders: &[Option<usize>],
+    leaders: &List<JointId, Option<JointId>>,
     errors: &mut Errors,
 ) -> bool {
     let mut refused = false;
-    // 0: not seen, otherwise the walk that saw it; each joint is walked over once.
-    let mut seen = vec![0; leaders.len()];
-    for start in 0..leaders.len() {
+    // The walk that saw it; each joint is walked over once.
+    let mut seen = leaders.map(|_| None);
+    for start in leaders.ids() {
         let mut at = start;
-        while seen[at] == 0 {
-            seen[at] = start + 1;
+        while seen[at].is_none() {
+            seen[at] = Some(start);
             let Some(next) = leaders[at] else { break };
-            if seen[next] == start + 1 {
-                let joint = &description.joints[next];
+            if seen[next] == Some(start) {
+                let joint = &description[next];
                 let name = quoted(&joint.name.text);
                 let message = if next == at {
                     format!("joint {name} follows itself")
@@ -115,8 +115,8 @@ fn refuse_cycles(
 
 /// Notes what each joint follows, and holds what follows a joint that is held or not there (a
 /// coordinate that is not there counts as zero), or follows it by nothing.
-pub fn hold(branches: &mut [Branch], follows: &[Option<Follow>]) {
-    let mut held: Vec<Option<f64>> = vec![Some(0.0); follows.len()];
+pub fn hold(branches: &mut [Branch], follows: &List<JointId, Option<Follow>>) {
+    let mut held: List<JointId, Option<f64>> = follows.map(|_| Some(0.0));
     for branch in branches.iter() {
         held[branch.joint] = branch.held.map(|held| held.value);
     }
@@ -138,13 +138,13 @@ pub fn hold(branches: &mut [Branch], follows: &[Option<Follow>]) {
 /// That a joint is held whose leader was left out, or never moves; that one has its own coordinate whose
 /// leader is nowhere.
 pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
-    let moves = |joint: usize| {
+    let moves = |joint: JointId| {
         let mut there = tree.branches.iter();
-        there.any(|branch| branch.joint == joint) && description.joints[joint].kind.moves()
+        there.any(|branch| branch.joint == joint) && description[joint].kind.moves()
     };
     let orphans = tree.branches.iter().filter(|branch| branch.held.is_none());
     let orphans = orphans.filter_map(|branch| {
-        let joint = &description.joints[branch.joint];
+        let joint = &description[branch.joint];
         let mimic = joint.mimic.as_ref().filter(|_| branch.follows.is_none())?;
         let [own, leader] = [&joint.name.text, &mimic.leader.text].map(|name| quoted(name));
         Some(Complaint {
@@ -159,10 +159,10 @@ pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
     let follows = tree.branches.iter().filter_map(follow);
     let alone = follows.filter(|(_, follow)| !moves(follow.leader));
     let alone = alone.map(|(joint, follow)| {
-        let name = |joint: usize| quoted(&description.joints[joint].name.text);
+        let name = |joint: JointId| quoted(&description[joint].name.text);
         let (own, leader) = (name(joint), name(follow.leader));
         Complaint {
-            place: description.joints[joint].place,
+            place: description[joint].place,
             message: format!(
                 "joint {own} follows joint {leader}, which has no coordinate here: held where \
                      zero would take it"

@@ -1,12 +1,13 @@
 //! Names of links or of joints, and what they refer to.
 //!
-//! In: the names in the order of the description. Out: an index by name, and a sentence with the
+//! In: the names in the order of the description. Out: numbers by name, and a sentence with the
 //! name that was probably meant for one that is not there.
 
 use std::collections::HashMap;
 
 use crate::description::Name;
 use crate::error::Errors;
+use crate::list::Id;
 use crate::wording::{nearest, quoted};
 
 /// How many names are searched for the one that was meant.
@@ -15,14 +16,14 @@ const SEARCHED: usize = 1000;
 /// For how many mistakes that is done.
 const HELPED: usize = 20;
 
-/// The indices of items by name.
-pub struct Names<'a> {
+/// The numbers of items by name.
+pub struct Names<'a, I> {
     what: &'static str,
     order: Vec<&'a str>,
-    index: HashMap<&'a str, usize>,
+    numbers: HashMap<&'a str, I>,
 }
 
-impl<'a> Names<'a> {
+impl<'a, I: Id> Names<'a, I> {
     /// Takes names in; two equal ones are a mistake.
     pub fn of(
         names: impl Iterator<Item = &'a Name>,
@@ -32,11 +33,12 @@ impl<'a> Names<'a> {
         let mut known = Self {
             what,
             order: Vec::new(),
-            index: HashMap::new(),
+            numbers: HashMap::new(),
         };
-        for (k, name) in names.enumerate() {
+        for name in names {
+            let number = I::new(known.order.len());
             known.order.push(&name.text);
-            if known.index.insert(&name.text, k).is_some() {
+            if known.numbers.insert(&name.text, number).is_some() {
                 let called = quoted(&name.text);
                 errors.push(name.place, format!("two {what}s are called {called}"));
             }
@@ -44,13 +46,13 @@ impl<'a> Names<'a> {
         known
     }
 
-    /// The index of a name.
-    pub fn get(&self, name: &Name) -> Option<usize> {
-        self.index.get(name.text.as_str()).copied()
+    /// The number of what has a name.
+    pub fn get(&self, name: &Name) -> Option<I> {
+        self.numbers.get(name.text.as_str()).copied()
     }
 
-    /// The index of a name; it is a mistake if there is none.
-    pub fn find(&self, name: &Name, errors: &mut Errors) -> Option<usize> {
+    /// The same; it is a mistake if there is none.
+    pub fn find(&self, name: &Name, errors: &mut Errors) -> Option<I> {
         let found = self.get(name);
         if found.is_none() {
             let message = format!("there is no {} {}", self.what, quoted(&name.text));

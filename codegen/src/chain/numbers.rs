@@ -33,7 +33,7 @@ pub fn check(description: &Description, request: &Request, tree: &Tree, errors: 
     }
     check_loops(description, errors);
     for branch in &tree.branches {
-        let joint = &description.joints[branch.joint];
+        let joint = &description[branch.joint];
         let what = format!("joint {}", quoted(&joint.name.text));
         let mut account = Account {
             place: joint.place,
@@ -55,7 +55,7 @@ pub fn check(description: &Description, request: &Request, tree: &Tree, errors: 
         if let Some(held) = &branch.held {
             account.angle(held);
         }
-        let link = &description.links[branch.child];
+        let link = &description[branch.child];
         if let Some(inertial) = &link.inertial {
             let mut account = Account {
                 place: inertial.place,

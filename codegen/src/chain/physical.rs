@@ -6,9 +6,10 @@
 
 use super::tree::Tree;
 use super::{Chain, drive, limits, mimic};
-use crate::description::{Description, Inertial, Link, Name};
+use crate::description::{Description, Inertial, Link, LinkId, Name};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Double, Term};
+use crate::list::List;
 use crate::matrix::Inertia;
 use crate::request::{Request, Target};
 use crate::wording::{list, quoted};
@@ -32,37 +33,33 @@ pub fn check(
     doubts.extend(limits::doubts(description, tree));
     doubts.extend(mimic::doubts(description, tree));
     // Whether the body that a link belongs to moves, and whether any of its links has a mass.
-    let mut body: Vec<Option<usize>> = vec![None; description.links.len()];
-    let mut massive: Vec<bool> = Vec::new();
-    let mut carried: Vec<usize> = Vec::new();
+    let mut body = List::filled(None, description.links.len());
+    let mut carried: Vec<(LinkId, bool)> = Vec::new();
     for branch in &tree.branches {
         if branch.held.is_some() {
             body[branch.child] = body[branch.parent];
         } else {
-            body[branch.child] = Some(massive.len());
-            massive.push(false);
-            carried.push(branch.child);
+            body[branch.child] = Some(carried.len());
+            carried.push((branch.child, false));
         }
         let Some(body) = body[branch.child] else {
             continue;
         };
-        let link = &description.links[branch.child];
-        massive[body] |= [Request::weighs, Request::spreads, Request::loads]
+        let link = &description[branch.child];
+        let (_, massive) = &mut carried[body];
+        *massive |= [Request::weighs, Request::spreads, Request::loads]
             .iter()
             .any(|is| is(request, &link.name));
         if let Some(inertial) = &link.inertial {
-            massive[body] = true;
+            *massive = true;
             if !request.spreads(&link.name) {
                 doubts.extend(doubt(&link.name.text, inertial));
             }
         }
         doubts.extend(part_of_nothing(link, request));
     }
-    let massless = carried.iter().zip(&massive);
-    let massless = massless.filter(|(_, massive)| !**massive);
-    let massless: Vec<&Name> = massless
-        .map(|(&link, _)| &description.links[link].name)
-        .collect();
+    let massless = carried.iter().filter(|(_, massive)| !massive);
+    let massless: Vec<&Name> = massless.map(|&(link, _)| &description[link].name).collect();
     doubts.extend(without_inertia(&massless).filter(|_| !request.is_of_frames_alone()));
     if request.strict && !doubts.is_empty() {
         let mut errors = description.source.errors();

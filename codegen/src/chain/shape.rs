@@ -5,17 +5,18 @@
 
 use super::names::Names;
 use super::tree::Branch;
-use crate::description::{Description, Name};
+use crate::description::{Description, JointId, LinkId, Name};
 use crate::error::Errors;
+use crate::list::List;
 use crate::request::Request;
 use crate::wording::quoted;
 
 /// How the joints connect the links.
 pub struct Joints {
     /// Parent and child of each joint.
-    ends: Vec<(usize, usize)>,
+    ends: List<JointId, (LinkId, LinkId)>,
     /// The joint that carries each link.
-    carrier: Vec<Option<usize>>,
+    carrier: List<LinkId, Option<JointId>>,
 }
 
 impl Joints {
@@ -23,10 +24,10 @@ impl Joints {
     /// on itself.
     pub fn connect(
         description: &Description,
-        links: &Names<'_>,
+        links: &Names<'_, LinkId>,
         errors: &mut Errors,
     ) -> Option<Self> {
-        let mut ends = Vec::with_capacity(description.joints.len());
+        let mut ends: List<JointId, (LinkId, LinkId)> = List::new();
         for joint in &description.joints {
             let parent = links.find(&joint.parent, errors);
             let child = links.find(&joint.child, errors);
@@ -35,13 +36,13 @@ impl Joints {
         if ends.len() < description.joints.len() {
             return None;
         }
-        let mut carrier = vec![None; description.links.len()];
-        for (joint, &(_, child)) in ends.iter().enumerate() {
+        let mut carrier = List::filled(None, description.links.len());
+        for (joint, &(_, child)) in ends.numbered() {
             if let Some(first) = carrier[child].replace(joint) {
                 let [first, second]: [&Name; 2] =
-                    [first, joint].map(|k| &description.joints[k].name);
+                    [first, joint].map(|joint| &description[joint].name);
                 let [link, one, other] =
-                    [&description.links[child].name, first, second].map(|name| quoted(&name.text));
+                    [&description[child].name, first, second].map(|name| quoted(&name.text));
                 errors.push_with_hint(
                     second.place,
                     format!("link {link} hangs on two joints, {one} and {other}"),
@@ -55,20 +56,20 @@ impl Joints {
     }
 
     fn check_cycles(&self, description: &Description, errors: &mut Errors) {
-        // 0: not seen, otherwise the walk that saw it; each link is walked over once.
-        let mut seen = vec![0; self.carrier.len()];
-        for start in 0..self.carrier.len() {
+        // The walk that saw it; each link is walked over once.
+        let mut seen = self.carrier.map(|_| None);
+        for start in self.carrier.ids() {
             let mut link = start;
-            while seen[link] == 0 {
-                seen[link] = start + 1;
+            while seen[link].is_none() {
+                seen[link] = Some(start);
                 let Some(joint) = self.carrier[link] else {
                     break;
                 };
                 link = self.ends[joint].0;
-                if seen[link] == start + 1 {
-                    let name = &description.joints[joint].name;
+                if seen[link] == Some(start) {
+                    let name = &description[joint].name;
                     let [joint, link] =
-                        [name, &description.links[link].name].map(|name| quoted(&name.text));
+                        [name, &description[link].name].map(|name| quoted(&name.text));
                     errors.push(
                         name.place,
                         format!("joint {joint} closes a cycle: link {link} hangs on itself"),
@@ -85,13 +86,16 @@ pub fn find_base(
     description: &Description,
     request: &Request,
     joints: &Joints,
-    links: &Names<'_>,
+    links: &Names<'_, LinkId>,
     errors: &mut Errors,
-) -> Option<usize> {
+) -> Option<LinkId> {
     if let Some(name) = &request.base {
         return links.find(name, errors);
     }
-    let mut roots = (0..joints.carrier.len()).filter(|&link| joints.carrier[link].is_none());
+    let mut roots = joints
+        .carrier
+        .ids()
+        .filter(|&link| joints.carrier[link].is_none());
     let robot = &description.name;
     match (roots.next(), roots.next()) {
         (Some(root), None) => Some(root),
@@ -100,9 +104,8 @@ pub fn find_base(
                 0 => String::new(),
                 more => format!(" and {more} more"),
             };
-            let second = &description.links[second].name;
-            let [first, other] =
-                [&description.links[first].name, second].map(|name| quoted(&name.text));
+            let second = &description[second].name;
+            let [first, other] = [&description[first].name, second].map(|name| quoted(&name.text));
             errors.push_with_hint(
                 second.place,
                 format!("links {first}, {other}{more} hang on nothing"),
@@ -123,9 +126,9 @@ pub fn find_base(
 }
 
 /// The joints that hang on the base, branch by branch, siblings in the order of the description.
-pub fn downstream(joints: &Joints, base: usize, dropped: &[usize]) -> Vec<Branch> {
-    let mut children: Vec<Vec<Branch>> = joints.carrier.iter().map(|_| Vec::new()).collect();
-    for (joint, &(parent, child)) in joints.ends.iter().enumerate() {
+pub fn downstream(joints: &Joints, base: LinkId, dropped: &[LinkId]) -> Vec<Branch> {
+    let mut children: List<LinkId, Vec<Branch>> = joints.carrier.map(|_| Vec::new());
+    for (joint, &(parent, child)) in joints.ends.numbered() {
         if !dropped.contains(&child) {
             children[parent].push(Branch {
                 joint,

@@ -11,10 +11,11 @@ mod joints;
 
 use std::path::Path;
 
-use super::{Chain, build};
+use super::{BodyId, Chain, build};
 use crate::description::{Description, Name, inline};
 use crate::error::Errors;
 use crate::request::{Parameter, Request, Target};
+use crate::space::FrameId;
 
 /// A description and a request in the grammar of `chain!`.
 pub(crate) fn read(text: &str) -> (Description, Request) {
@@ -295,7 +296,7 @@ fn several_ends_need_a_tip_where_it_matters() {
     let chain = fine(&fork("generate(inverse_dynamics)"));
     assert!(!chain.has_tip && chain.frames.is_empty());
     let chain = fine(&fork("generate(forward_kinematics), frames(fore)"));
-    assert!(!chain.has_tip && chain.frames[0].name == "fore");
+    assert!(!chain.has_tip && chain.frames[FrameId::FIRST].name == "fore");
 }
 
 #[test]

@@ -1,35 +1,35 @@
 //! How links hang on the base: what is left of a description's names once they refer to each other.
 
-use crate::description::Number;
+use crate::description::{JointId, LinkId, Number};
 use crate::expression::Double;
 
 /// The part of a description that is modelled.
 #[derive(Debug)]
 pub struct Tree {
-    /// Index of the link taken as fixed.
-    pub base: usize,
+    /// The link taken as fixed.
+    pub base: LinkId,
     /// Joints downstream of the base, parents before children and siblings as described, each with
     /// the links it connects.
     pub branches: Vec<Branch>,
     /// The link that poses and Jacobians are of.
-    pub tip: Option<usize>,
+    pub tip: Option<LinkId>,
     /// Further links whose frames are asked for.
-    pub frames: Vec<usize>,
+    pub frames: Vec<LinkId>,
     /// Links on which something acts from outside.
-    pub external: Vec<usize>,
+    pub external: Vec<LinkId>,
     /// Links that are not modelled.
-    pub dropped: Vec<usize>,
+    pub dropped: Vec<LinkId>,
 }
 
 /// A joint of the tree.
 #[derive(Debug)]
 pub struct Branch {
-    /// Index of the joint.
-    pub joint: usize,
-    /// Index of the link it hangs on.
-    pub parent: usize,
-    /// Index of the link it carries.
-    pub child: usize,
+    /// The joint.
+    pub joint: JointId,
+    /// The link it hangs on.
+    pub parent: LinkId,
+    /// The link it carries.
+    pub child: LinkId,
     /// Where it is held still [rad or m]; none where it moves.
     pub held: Option<Number>,
     /// What moves it, where it has no coordinate of its own.
@@ -39,8 +39,8 @@ pub struct Branch {
 /// What moves a joint that follows: multiplier · q + offset.
 #[derive(Clone, Copy, Debug)]
 pub struct Follow {
-    /// The joint that has the coordinate q, by its place in the description.
-    pub leader: usize,
+    /// The joint that has the coordinate q.
+    pub leader: JointId,
     /// What q is multiplied by.
     pub multiplier: Double,
     /// What is added [rad or m].

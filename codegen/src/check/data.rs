@@ -3,10 +3,12 @@
 //! In: the numbers that are printed for the generic recursions of the runtime. Out: a [`Robot`] of the
 //! moving joints alone, to be held against the one that was described.
 
-use crate::dense::{Approximate, Body, Closed, Freedom, Matrix, Moved, Robot};
+use crate::dense::{Approximate, Body, BodyId, Closed, Freedom, Matrix, Moved, Robot};
 use crate::expression::Arithmetic;
 use crate::joint::Posture;
+use crate::list::{Id, List};
 use crate::print::{ChainData, DataMotion, LoopsData};
+use crate::space::{CoordinateId, FrameId, VelocityId};
 
 /// How many numbers a joint has, and a frame.
 const JOINT: usize = 28;
@@ -17,17 +19,17 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
     let (joints, rest) = numbers.split_at(JOINT * data.parents.len());
     let (frames, rest) = rest.split_at(PLACEMENT * data.frames.len());
     let (gravity, drives) = rest.split_at(3);
-    let (mut coordinates, mut velocities) = (0, 0);
+    let (mut coordinate, mut velocity) = (CoordinateId::new(0), VelocityId::new(0));
     // Of each joint, where its coordinates and velocities begin.
     let mut places = Vec::new();
     for motion in &data.motions {
-        places.push((coordinates, velocities));
-        let (more_coordinates, more_velocities) = motion.counts();
-        coordinates += more_coordinates;
-        velocities += more_velocities;
+        places.push((coordinate, velocity));
+        let (coordinates, velocities) = motion.counts();
+        coordinate = coordinate.plus(coordinates);
+        velocity = velocity.plus(velocities);
     }
     let joints = joints.chunks(JOINT).zip(&data.parents).zip(&data.motions);
-    let mut bodies: Vec<Body> = (joints.enumerate())
+    let mut bodies: List<BodyId, Body> = (joints.enumerate())
         .map(|(k, ((numbers, parent), motion))| {
             let screw = [three(&numbers[12..15]), three(&numbers[15..18])];
             let along = |(coordinate, velocity), factor| {
@@ -58,7 +60,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
                 }
             };
             Body {
-                parent: parent.map(usize::from),
+                parent: parent.map(BodyId::from),
                 placement: placement(&numbers[..PLACEMENT]),
                 moved,
                 freedoms,
@@ -67,22 +69,20 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         })
         .collect();
     for (drive, &(joint, velocity)) in drives.chunks(3).zip(&data.driven) {
-        bodies[usize::from(joint)].freedoms[usize::from(velocity)].drive = three(drive);
+        bodies[joint.into()].freedoms[usize::from(velocity)].drive = three(drive);
     }
-    let mut frame = |(numbers, body): (&[Approximate], Option<u16>)| {
-        bodies.push(fixed(body, numbers));
-        Some(bodies.len() - 1)
-    };
+    let mut frame =
+        |(numbers, body): (&[Approximate], Option<u16>)| Some(bodies.push(fixed(body, numbers)));
     let frames = frames.chunks(PLACEMENT).zip(&data.frames);
-    let frames: Vec<Option<usize>> = frames
+    let frames: List<FrameId, Option<BodyId>> = frames
         .map(|(numbers, (_, body))| frame((numbers, *body)))
         .collect();
     // Those that are acted on come last.
-    let external = &frames[frames.len() - data.external.0..];
-    let external = external.iter().copied().flatten().collect();
+    let external = frames.iter().skip(frames.len() - data.external.0);
+    let external = external.copied().flatten().collect();
     Robot {
         bodies,
-        velocities,
+        velocities: velocity.index(),
         gravity: three(gravity),
         frames,
         // Which bodies are links is of the description alone.
@@ -101,14 +101,14 @@ const LOOP: usize = 2 * PLACEMENT + 1;
 /// The same with its loops, whose numbers are given as well.
 pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approximate]) -> Robot {
     for (closed, numbers) in data.loops.iter().zip(numbers.chunks(LOOP)) {
-        let first = robot.frames.len();
         let (placements, size) = numbers.split_at(2 * PLACEMENT);
-        for ((_, body), numbers) in closed.frames.iter().zip(placements.chunks(PLACEMENT)) {
-            robot.bodies.push(fixed(*body, numbers));
-            robot.frames.push(Some(robot.bodies.len() - 1));
-        }
+        let ends = [0, 1].map(|end| {
+            let ((_, body), numbers) = (&closed.frames[end], &placements[end * PLACEMENT..]);
+            let body = robot.bodies.push(fixed(*body, &numbers[..PLACEMENT]));
+            robot.frames.push(Some(body))
+        });
         robot.loops.push(Closed {
-            frames: [first, first + 1],
+            frames: ends,
             rows: closed.rows.clone(),
             size: size[0],
         });
@@ -116,7 +116,7 @@ pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approxima
     let driven = data.driven.iter().enumerate();
     robot.actuated = driven
         .filter(|(_, driven)| **driven)
-        .map(|(k, _)| k)
+        .map(|(k, _)| VelocityId::new(k))
         .collect();
     robot
 }
@@ -125,7 +125,7 @@ pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approxima
 fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
     let nothing = [Approximate::exact(0.0); 3];
     Body {
-        parent: body.map(usize::from),
+        parent: body.map(BodyId::from),
         placement: placement(numbers),
         moved: Moved::Held([nothing; 2], 0.0),
         freedoms: Vec::new(),
@@ -134,7 +134,7 @@ fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
 }
 
 /// How a body moves on that is in a posture: along the axes of its own frame.
-fn freedoms(posture: Posture, first: usize) -> Vec<Freedom> {
+fn freedoms(posture: Posture, first: VelocityId) -> Vec<Freedom> {
     let screws: &[usize] = match posture {
         Posture::Planar => &[3, 4, 2],
         Posture::Spherical => &[0, 1, 2],
@@ -147,7 +147,7 @@ fn freedoms(posture: Posture, first: usize) -> Vec<Freedom> {
             screw[entry / 3][entry % 3] = Approximate::exact(1.0);
             Freedom {
                 screw,
-                velocity: first + k,
+                velocity: first.plus(k),
                 factor: Approximate::exact(1.0),
                 drive: [Approximate::exact(0.0); 3],
             }

@@ -8,16 +8,18 @@
 
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_2;
-use std::ops::Range;
 
 use crate::chain::Chain;
-use crate::dense::{Approximate, Body, Closed, Freedom, Matrix, Moved, Robot};
-use crate::description::{Axis, Description, Inertial, Joint, Link, Mimic, Name, Number, Step};
+use crate::dense::{Approximate, Body, BodyId, Closed, Freedom, Matrix, Moved, Robot};
+use crate::description::{
+    Axis, Description, Inertial, Joint, Link, LinkId, Mimic, Name, Number, Step,
+};
 use crate::expression::{Arithmetic, Double};
 use crate::joint::drive::Part;
 use crate::joint::{self, Along, Movement, Posture};
-use crate::request::{Request, Target};
-use crate::space::{Kind, Space};
+use crate::list::{Id, List};
+use crate::request::{FieldId, Request, Target};
+use crate::space::{CoordinateId, FrameId, Kind, Space, VelocityId};
 
 type Scalar = Approximate;
 
@@ -30,7 +32,7 @@ pub(super) fn robot(
     description: &Description,
     request: &Request,
     chain: &Chain,
-    fields: &[Vec<f64>],
+    fields: &List<FieldId, Vec<f64>>,
 ) -> Result<Robot, Contradiction> {
     let reader = Reader {
         description,
@@ -43,7 +45,8 @@ pub(super) fn robot(
             })
             .collect(),
     };
-    let links = by_name(description.links.iter().map(|link| &link.name));
+    let links: HashMap<&str, LinkId> =
+        places(description.links.iter().map(|link| link.name.text.as_str()));
     let spaces = chain.spaces();
     let coordinates = places(spaces.names(Space::Coordinates));
     let velocities = places(spaces.names(Space::Velocities));
@@ -55,12 +58,11 @@ pub(super) fn robot(
     let tip = chain.frames.first().filter(|_| chain.has_tip);
     let path = reader.path(tip.map(|tip| tip.name.as_str()));
 
-    let mut bodies: Vec<Body> = Vec::new();
-    let mut seats: HashMap<&str, usize> = HashMap::new();
+    let mut bodies: List<BodyId, Body> = List::new();
+    let mut seats: HashMap<&str, BodyId> = HashMap::new();
     if let Some(placement) = reader.base() {
         let nothing = [[Scalar::literal(0.0); 3]; 2];
-        bodies.push(held(None, placement, nothing, 0.0));
-        seats.insert(base, 0);
+        seats.insert(base, bodies.push(held(None, placement, nothing, 0.0)));
     }
     let mut moving = 0;
     let places = Places {
@@ -68,9 +70,9 @@ pub(super) fn robot(
         velocities: &velocities,
     };
     // The bodies that a joint moves, by its link.
-    let mut moved: HashMap<&str, Range<usize>> = HashMap::new();
+    let mut moved: HashMap<&str, Vec<BodyId>> = HashMap::new();
     for &joint in &kept {
-        let first = bodies.len();
+        let before = bodies.len();
         let place = (
             seats.get(joint.parent.text.as_str()).copied(),
             reader.origin(joint)?,
@@ -84,22 +86,21 @@ pub(super) fn robot(
             return Err(Contradiction(format!("whether joint {name} moves")));
         }
         moving += if own { joint.kind.freedoms().len() } else { 0 };
-        match joint.kind.posture() {
+        // What the last motion moves is the link; what others move has no mass.
+        let link = match joint.kind.posture() {
             Some(posture) if own => reader.placed(joint, posture, place, &places, &mut bodies)?,
             _ => reader.in_series(joint, motion, place, &places, &mut bodies)?,
-        }
-        // What the last motion moves is the link; what others move has no mass.
-        let link = bodies.len() - 1;
+        };
         let child = joint.child.text.as_str();
-        bodies[link].inertia = reader.inertia(&description.links[links[child]])?;
+        bodies[link].inertia = reader.inertia(&description[links[child]])?;
         seats.insert(child, link);
-        moved.insert(child, first..bodies.len());
+        moved.insert(child, bodies.ids().skip(before).collect());
     }
     if moving != spaces.velocities.len() {
         return Err(Contradiction("how many joints move".to_owned()));
     }
     let frames = chain.frames.iter().chain(&chain.external);
-    let mut frames: Vec<Option<usize>> = frames
+    let mut frames: List<FrameId, Option<BodyId>> = frames
         .map(|frame| seats.get(frame.name.as_str()).copied())
         .collect();
     let mut actuated = Vec::new();
@@ -113,7 +114,7 @@ pub(super) fn robot(
     }
     let loops = reader.loops(chain, &seats, &mut bodies, &mut frames)?;
     let on = |name: &Name| seats.get(name.text.as_str()).copied();
-    let external: Option<Vec<usize>> = request.external.iter().map(on).collect();
+    let external: Option<Vec<BodyId>> = request.external.iter().map(on).collect();
     let external = external.ok_or_else(|| Contradiction("what is acted on".to_owned()))?;
     Ok(Robot {
         bodies,
@@ -134,18 +135,14 @@ pub(super) fn robot(
     })
 }
 
-fn by_name<'d>(names: impl Iterator<Item = &'d Name>) -> HashMap<&'d str, usize> {
-    places(names.map(|name| name.text.as_str()))
-}
-
-fn places<'n>(names: impl Iterator<Item = &'n str>) -> HashMap<&'n str, usize> {
-    names.enumerate().map(|(k, name)| (name, k)).collect()
+fn places<'n, I: Id>(names: impl Iterator<Item = &'n str>) -> HashMap<&'n str, I> {
+    names.zip((0..).map(I::new)).collect()
 }
 
 /// Where coordinates and velocities stand, by name.
 struct Places<'p> {
-    coordinates: &'p HashMap<&'p str, usize>,
-    velocities: &'p HashMap<&'p str, usize>,
+    coordinates: &'p HashMap<&'p str, CoordinateId>,
+    velocities: &'p HashMap<&'p str, VelocityId>,
 }
 
 impl Places<'_> {
@@ -176,14 +173,14 @@ impl Places<'_> {
     }
 }
 
-fn place(places: &HashMap<&str, usize>, name: &str) -> Result<usize, Contradiction> {
+fn place<I: Id>(places: &HashMap<&str, I>, name: &str) -> Result<I, Contradiction> {
     let place = places.get(name).copied();
     place.ok_or_else(|| Contradiction(format!("what is called {name}")))
 }
 
 /// A body that stays so far along a screw.
 fn held(
-    parent: Option<usize>,
+    parent: Option<BodyId>,
     placement: Matrix<Scalar>,
     screw: [[Scalar; 3]; 2],
     at: f64,
@@ -212,15 +209,15 @@ struct Reader<'d> {
     description: &'d Description,
     request: &'d Request,
     /// The values of the struct's fields.
-    fields: &'d [Vec<f64>],
+    fields: &'d List<FieldId, Vec<f64>>,
     /// What was taken for quarter turns or zero, by item and bits.
     snapped: HashMap<(&'d str, u64), i64>,
 }
 
 impl<'d> Reader<'d> {
     /// The joints that carry what is modelled, parents before children.
-    fn kept(&self, base: &'d str, links: &HashMap<&'d str, usize>) -> Vec<&'d Joint> {
-        let mut carried: Vec<Vec<&Joint>> = links.iter().map(|_| Vec::new()).collect();
+    fn kept(&self, base: &'d str, links: &HashMap<&'d str, LinkId>) -> Vec<&'d Joint> {
+        let mut carried: List<LinkId, Vec<&Joint>> = List::filled(Vec::new(), links.len());
         for joint in &self.description.joints {
             carried[links[joint.parent.text.as_str()]].push(joint);
         }
@@ -326,9 +323,9 @@ impl<'d> Reader<'d> {
     fn loops(
         &self,
         chain: &Chain,
-        seats: &HashMap<&str, usize>,
-        bodies: &mut Vec<Body>,
-        frames: &mut Vec<Option<usize>>,
+        seats: &HashMap<&str, BodyId>,
+        bodies: &mut List<BodyId, Body>,
+        frames: &mut List<FrameId, Option<BodyId>>,
     ) -> Result<Vec<Closed>, Contradiction> {
         let mut loops = Vec::new();
         for closed in &chain.loops {
@@ -341,7 +338,7 @@ impl<'d> Reader<'d> {
                 (&described.from, &described.at),
                 (&described.to, &described.to_at),
             ];
-            let first = frames.len();
+            let first = frames.next();
             let mut axes = Vec::new();
             for ((link, steps), axis) in ends.into_iter().zip(&described.axes) {
                 let mut placement = self.placement(name, steps)?;
@@ -352,8 +349,7 @@ impl<'d> Reader<'d> {
                 }
                 let nothing = [[Scalar::literal(0.0); 3]; 2];
                 let link = seats.get(link.text.as_str()).copied();
-                bodies.push(held(link, placement, nothing, 0.0));
-                frames.push(Some(bodies.len() - 1));
+                frames.push(Some(bodies.push(held(link, placement, nothing, 0.0))));
             }
             let size = match (described.closure.length(), &*axes) {
                 (Some(length), _) => Scalar::literal(length.value),
@@ -361,7 +357,7 @@ impl<'d> Reader<'d> {
                 (None, _) => Scalar::literal(0.0),
             };
             loops.push(Closed {
-                frames: [first, first + 1],
+                frames: [first, first.plus(1)],
                 rows: closed.rows.clone(),
                 size,
             });
@@ -369,25 +365,24 @@ impl<'d> Reader<'d> {
         Ok(loops)
     }
 
-    /// Adds the bodies of a joint whose motions come one after the other.
+    /// Adds the bodies of a joint whose motions come one after the other; the last of them.
     fn in_series(
         &self,
         joint: &Joint,
         motion: Motion<'_>,
-        (mut parent, mut placement): (Option<usize>, Matrix<Scalar>),
+        (mut parent, mut placement): (Option<BodyId>, Matrix<Scalar>),
         places: &Places<'_>,
-        bodies: &mut Vec<Body>,
-    ) -> Result<(), Contradiction> {
+        bodies: &mut List<BodyId, Body>,
+    ) -> Result<BodyId, Contradiction> {
         if !joint.kind.moves() {
             let nothing = [[Scalar::literal(0.0); 3]; 2];
-            bodies.push(held(parent, placement, nothing, 0.0));
-            return Ok(());
+            return Ok(bodies.push(held(parent, placement, nothing, 0.0)));
         }
         let velocities = joint.kind.velocities(&joint.name.text);
-        for (velocity, (own, freedom)) in velocities.enumerate() {
+        for (k, (own, freedom)) in velocities.enumerate() {
             let screw = self.screw(joint, freedom)?;
             let one = (Scalar::exact(1.0), Scalar::exact(0.0));
-            bodies.push(match motion {
+            let body = bodies.push(match motion {
                 Motion::Held(at) => held(parent, placement, screw, at),
                 Motion::Own => Body {
                     parent,
@@ -400,29 +395,24 @@ impl<'d> Reader<'d> {
                     ..places.along(leader, screw, (factor, offset))?
                 },
             });
-            for freedom in bodies
-                .iter_mut()
-                .last()
-                .into_iter()
-                .flat_map(|body| &mut body.freedoms)
-            {
-                freedom.drive = self.drive(joint, velocity);
+            for freedom in &mut bodies[body].freedoms {
+                freedom.drive = self.drive(joint, k);
             }
-            (parent, placement) = (Some(bodies.len() - 1), Matrix::identity());
+            (parent, placement) = (Some(body), Matrix::identity());
         }
-        Ok(())
+        Ok(parent.expect("joints that move have velocities"))
     }
 
     /// Adds the bodies of a joint whose coordinates are a posture: its own, and, where that is seen in other
-    /// axes than the link's, the link's.
+    /// axes than the link's, the link's; the last of them.
     fn placed(
         &self,
         joint: &Joint,
         posture: Posture,
-        (parent, mut placement): (Option<usize>, Matrix<Scalar>),
+        (parent, mut placement): (Option<BodyId>, Matrix<Scalar>),
         places: &Places<'_>,
-        bodies: &mut Vec<Body>,
-    ) -> Result<(), Contradiction> {
+        bodies: &mut List<BodyId, Body>,
+    ) -> Result<BodyId, Contradiction> {
         let name = &joint.name.text;
         let turn = match posture {
             Posture::Planar => Some(across(self.direction(joint, &joint.axis)?)),
@@ -433,26 +423,28 @@ impl<'d> Reader<'d> {
         }
         let coordinates = joint.kind.coordinates(name);
         let mut freedoms = Vec::new();
-        for (velocity, (own, freedom)) in joint.kind.velocities(name).enumerate() {
+        for (k, (own, freedom)) in joint.kind.velocities(name).enumerate() {
             freedoms.push(Freedom {
                 screw: self.screw(joint, freedom)?,
                 velocity: place(places.velocities, &own)?,
                 factor: Scalar::exact(1.0),
-                drive: self.drive(joint, velocity),
+                drive: self.drive(joint, k),
             });
         }
-        bodies.push(Body {
+        let body = bodies.push(Body {
             parent,
             placement,
             moved: Moved::Posture(posture, place(places.coordinates, &coordinates[0].0)?),
             freedoms,
             inertia: Matrix::zero(),
         });
-        if let Some(turn) = turn {
-            let nothing = [[Scalar::literal(0.0); 3]; 2];
-            bodies.push(held(Some(bodies.len() - 1), turn.inverse(), nothing, 0.0));
-        }
-        Ok(())
+        Ok(match turn {
+            Some(turn) => {
+                let nothing = [[Scalar::literal(0.0); 3]; 2];
+                bodies.push(held(Some(body), turn.inverse(), nothing, 0.0))
+            }
+            None => body,
+        })
     }
 
     /// The value of the field that stands for a target.
@@ -460,15 +452,15 @@ impl<'d> Reader<'d> {
         let mut parameters = self.request.parameters.iter();
         let field = parameters.position(|parameter| is(&parameter.target))?;
         Some(std::array::from_fn(|k| {
-            Scalar::exact(self.fields[field][k])
+            Scalar::exact(self.fields[FieldId::new(field)][k])
         }))
     }
 
-    /// Armature, damping and friction of the velocity of that index among those of a joint.
-    fn drive(&self, joint: &Joint, velocity: usize) -> [Scalar; 3] {
+    /// Armature, damping and friction of the velocity that has this place among those of a joint.
+    fn drive(&self, joint: &Joint, place: usize) -> [Scalar; 3] {
         let said = |part: Part| {
             let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
-            let number = numbers.get(if numbers.len() == 1 { 0 } else { velocity });
+            let number = numbers.get(if numbers.len() == 1 { 0 } else { place });
             number.map(|number| Scalar::literal(number.value))
         };
         let zero = Scalar::literal(0.0);

@@ -6,6 +6,7 @@
 use crate::chain::Chain;
 use crate::dense::State;
 use crate::expression::Double;
+use crate::list::Id;
 use crate::random::Random;
 use crate::request::Request;
 use crate::space::{Entry, Kind};
@@ -27,7 +28,8 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
         state.q.push(q.into());
     }
     for quaternion in spaces.quaternions() {
-        let entries = &mut state.q[quaternion..quaternion + 4];
+        let q: &mut [Double] = &mut state.q;
+        let entries = &mut q[quaternion.index()..][..4];
         let squares = entries.iter().map(|&entry| entry * entry);
         let length = squares
             .fold(Double::ZERO, |sum, square| sum + square)

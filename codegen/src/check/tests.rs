@@ -11,6 +11,7 @@ use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Produc
 use crate::function::{Function, Truth};
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Operand, Operation, Program, run};
+use crate::space::FrameId;
 
 fn described(name: &str) -> Description {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -66,11 +67,11 @@ fn robots() -> Vec<(Description, Request)> {
     ]
 }
 
-fn all_of(description: &Description, request: &Request) -> Vec<(Vec<Function>, usize, Program)> {
+fn all_of(description: &Description, request: &Request) -> Vec<(Vec<Function>, FrameId, Program)> {
     let listing = expand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
     let listed = listing.functions.into_iter();
     listed
-        .map(|listed| (listed.functions, 0, listed.program))
+        .map(|listed| (listed.functions, FrameId::FIRST, listed.program))
         .collect()
 }
 

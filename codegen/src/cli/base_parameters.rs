@@ -14,7 +14,8 @@ use super::{Answer, Said, json, options};
 use crate::chain::Chain;
 use crate::chain::base_parameters::Group;
 use crate::expand;
-use crate::space::{Entry, Kind};
+use crate::list::List;
+use crate::space::{Entry, Kind, ParameterId};
 use crate::wording::visible;
 
 /// Tell which sums of inertial parameters torques can tell, and their values
@@ -117,7 +118,7 @@ fn in_text(robot: &str, chain: &Chain) -> String {
 }
 
 /// A group as a sum.
-fn sum(group: &Group, parameters: &[Entry]) -> String {
+fn sum(group: &Group, parameters: &List<ParameterId, Entry>) -> String {
     let mut sum = String::new();
     for (k, &(parameter, factor)) in group.members.iter().enumerate() {
         let sign = match (k, factor < 0.0) {

@@ -13,9 +13,10 @@ use serde_json::{Value, json};
 use super::functions::Frames;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
-use crate::chain::Chain;
+use crate::chain::{BodyId, Chain};
 use crate::description::{Description, Joint, freed};
 use crate::expand;
+use crate::list::Id;
 use crate::space::Space;
 use crate::wording::visible;
 
@@ -58,8 +59,8 @@ fn described<'a>(
     chain: &'a Chain,
 ) -> impl Iterator<Item = (&'a Joint, f64)> {
     // Of a joint with several velocities, the last moves the body.
-    let last = |k: usize| chain.joints.get(k + 1).map(|next| next.of.as_str());
-    let bodies = chain.joints.iter().enumerate();
+    let last = |k: BodyId| chain.joints.get(k.plus(1)).map(|next| next.of.as_str());
+    let bodies = chain.joints.numbered();
     let bodies = bodies.filter(move |(k, body)| last(*k) != Some(&body.of));
     bodies.filter_map(|(_, body)| {
         let mass = chain.graph.value(body.inertia.mass)?.to_f64();

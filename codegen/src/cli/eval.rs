@@ -25,7 +25,7 @@ use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::schedule::{Arithmetic, Program, run};
-use crate::space::{Entity, Outcome, Quantity, Space, Spaces, Variable};
+use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces, Variable};
 use crate::wording::visible;
 
 /// Compute a function at given states, without a compiler
@@ -74,7 +74,7 @@ impl Eval {
         let states = states::read(&text, &file, &arguments, chain.spaces())?;
 
         // Further frames come after the tip's.
-        let frame = chain.frames.len().saturating_sub(1);
+        let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
         expand::check_size(&chain)?;
         let program = expand::program_for(
             request.processor,
@@ -149,7 +149,7 @@ impl Eval {
         errors.into_result(results)
     }
 
-    fn in_json(&self, chain: &Chain, frame: usize, results: &[Vec<f64>]) -> Value {
+    fn in_json(&self, chain: &Chain, frame: FrameId, results: &[Vec<f64>]) -> Value {
         let spaces = chain.spaces();
         let result = self.function.result();
         let names = |space| spaces.names(space).collect::<Value>();

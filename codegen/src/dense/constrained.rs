@@ -9,6 +9,8 @@
 use super::{Approximate, Dense, Matrix, Motion};
 use crate::closure::Row;
 use crate::expression::Arithmetic;
+use crate::list::List;
+use crate::space::VelocityId;
 
 type Scalar = Approximate;
 
@@ -34,13 +36,13 @@ impl Dense {
     }
 
     /// What each velocity changes each residual by, row by row.
-    pub(crate) fn residual_rates(&self) -> Vec<Scalar> {
+    pub(crate) fn residual_rates(&self) -> Vec<List<VelocityId, Scalar>> {
         let zero = Scalar::exact(0.0);
         let rows = self.loops().iter().flat_map(|closed| {
             let [a, b] = closed.frames.map(|frame| self.pose(frame));
             let back = a.inverse();
             let seen = back.times(&b);
-            let mut rates = vec![vec![zero; self.state.qd.len()]; closed.rows.len()];
+            let mut rates = vec![self.state.qd.map(|_| zero); closed.rows.len()];
             for (frame, sign) in [(closed.frames[0], -1.0), (closed.frames[1], 1.0)] {
                 for (k, screw) in self.moving(frame) {
                     let changed = back
@@ -52,7 +54,7 @@ impl Dense {
                     }
                 }
             }
-            rates.into_iter().flatten()
+            rates
         });
         rows.collect()
     }
@@ -90,13 +92,12 @@ impl Dense {
 
     /// q̈, and behind it λ, where that part ε of the whole is nothing.
     pub(crate) fn constrained(&self, vanishing: f64) -> Vec<Scalar> {
-        let count = self.state.qd.len();
-        let (jacobian, bias) = (self.residual_rates(), self.residual_bias());
-        let rows: Vec<&[Scalar]> = jacobian.chunks(count.max(1)).collect();
+        let (rows, bias) = (self.residual_rates(), self.residual_bias());
         let held = self.torques(Motion::Coasting).into_iter();
         let forces = held.zip(Scalar::exactly(&self.state.tau));
         let forces: Vec<Scalar> = forces.map(|(held, tau)| tau - held).collect();
-        let solved = |forces: &[Scalar]| solve(self.mass_matrix().to_vec(), forces.to_vec());
+        let matrix = || self.mass_matrix().rows().map(Vec::from).collect();
+        let solved = |forces: &[Scalar]| solve(matrix(), forces.to_vec());
         let free = solved(&forces);
         let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| solved(row)).collect();
         let matrix: Vec<Vec<Scalar>> = (rows.iter())
@@ -119,33 +120,34 @@ impl Dense {
     /// need: by the normal equations of that.
     pub(crate) fn driven(&self, vanishing: f64) -> Vec<Scalar> {
         let needed = self.torques(Motion::Driven);
-        let count = needed.len();
-        let driven = |k: usize| self.posture.actuated().contains(&k);
-        let passive: Vec<usize> = (0..count).filter(|&k| !driven(k)).collect();
-        let jacobian = self.residual_rates();
-        let rows: Vec<&[Scalar]> = jacobian.chunks(count.max(1)).collect();
-        let some = |of: &[Scalar]| -> Vec<Scalar> { passive.iter().map(|&k| of[k]).collect() };
-        let own: Vec<Vec<Scalar>> = rows.iter().map(|row| some(row)).collect();
+        let driven = |k: VelocityId| self.posture.actuated().contains(&k);
+        let passive: Vec<VelocityId> = needed.ids().filter(|&k| !driven(k)).collect();
+        let rows = self.residual_rates();
+        let some = |of: &List<VelocityId, Scalar>| -> Vec<Scalar> {
+            passive.iter().map(|&k| of[k]).collect()
+        };
+        let own: Vec<Vec<Scalar>> = rows.iter().map(&some).collect();
         let mut multipliers: Vec<Scalar> = own.iter().map(|row| dot(row, &some(&needed))).collect();
         let matrix = own
             .iter()
             .map(|row| own.iter().map(|other| dot(row, other)).collect());
         self.eliminate(matrix.collect(), &mut multipliers, vanishing);
-        let torque = |k: usize| {
+        let torque = |k: VelocityId| {
             let held = rows.iter().zip(&multipliers);
             held.fold(needed[k], |torque, (row, multiplier)| {
                 torque - row[k] * *multiplier
             })
         };
-        let all = 0..count;
-        all.map(|k| {
-            if driven(k) {
-                torque(k)
-            } else {
-                Scalar::exact(0.0)
-            }
-        })
-        .collect()
+        needed
+            .ids()
+            .map(|k| {
+                if driven(k) {
+                    torque(k)
+                } else {
+                    Scalar::exact(0.0)
+                }
+            })
+            .collect()
     }
 
     /// λ of S λ = y in the place of y, row after row.

@@ -5,33 +5,35 @@
 
 mod derivatives;
 
-use super::{Approximate, Closed, Freedom, Matrix, Moved, Robot};
+use super::{Approximate, BodyId, Closed, Freedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
+use crate::list::{self, Id, List, Square};
+use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
 
 type Scalar = Approximate;
 
 /// A robot in a posture: all matrices of its links, in frame 0.
 pub(super) struct Posture {
     robot: Robot,
-    poses: Vec<Matrix<Scalar>>,
+    poses: List<BodyId, Matrix<Scalar>>,
     /// Of the joint that carries each link, each L times its factor, with its velocity.
-    screws: Vec<Vec<(usize, Matrix<Scalar>)>>,
+    screws: List<BodyId, Vec<(VelocityId, Matrix<Scalar>)>>,
     /// J of each link.
-    inertias: Vec<Matrix<Scalar>>,
+    inertias: List<BodyId, Matrix<Scalar>>,
 }
 
 /// What the joints do: q̇ and q̈.
 pub(super) struct Rates {
-    pub(super) first: Vec<Scalar>,
-    pub(super) second: Vec<Scalar>,
+    pub(super) first: List<VelocityId, Scalar>,
+    pub(super) second: List<VelocityId, Scalar>,
 }
 
 impl Posture {
-    pub(super) fn of(robot: Robot, q: &[Double]) -> Self {
-        let q = |k: usize| Scalar::exact(q[k]);
-        let mut poses: Vec<Matrix<Scalar>> = Vec::new();
-        let (mut screws, mut inertias) = (Vec::new(), Vec::new());
+    pub(super) fn of(robot: Robot, q: &List<CoordinateId, Double>) -> Self {
+        let q = |k: CoordinateId| Scalar::exact(q[k]);
+        let mut poses: List<BodyId, Matrix<Scalar>> = List::new();
+        let (mut screws, mut inertias) = (List::new(), List::new());
         for body in &robot.bodies {
             let displacement = match body.moved {
                 Moved::By {
@@ -41,7 +43,7 @@ impl Posture {
                     offset,
                 } => displacement(screw, factor * q(coordinate) + offset),
                 Moved::Held(screw, at) => displacement(screw, Scalar::literal(at)),
-                Moved::Posture(posture, first) => placed(posture, |entry| q(first + entry)),
+                Moved::Posture(posture, first) => placed(posture, |entry| q(first.plus(entry))),
             };
             let mut pose = body.placement.times(&displacement);
             if let Some(parent) = body.parent {
@@ -70,8 +72,8 @@ impl Posture {
     }
 
     /// Whether a joint moves each link.
-    pub(super) fn moves(&self) -> Vec<bool> {
-        let mut moves: Vec<bool> = Vec::new();
+    pub(super) fn moves(&self) -> List<BodyId, bool> {
+        let mut moves: List<BodyId, bool> = List::new();
         for body in &self.robot.bodies {
             let carried = body.parent.is_some_and(|parent| moves[parent]);
             moves.push(carried || !body.freedoms.is_empty());
@@ -85,8 +87,13 @@ impl Posture {
     }
 
     /// The velocities that are driven.
-    pub(super) fn actuated(&self) -> &[usize] {
+    pub(super) fn actuated(&self) -> &[VelocityId] {
         &self.robot.actuated
+    }
+
+    /// The numbers of all velocities.
+    fn velocities(&self) -> impl Iterator<Item = VelocityId> + use<> {
+        list::ids(self.robot.velocities)
     }
 
     /// How all bodies move on.
@@ -100,17 +107,17 @@ impl Posture {
     }
 
     /// The columns of the regressor that the base regressor has.
-    pub(super) fn base_columns(&self) -> &[usize] {
+    pub(super) fn base_columns(&self) -> &[ParameterId] {
         &self.robot.base_columns
     }
 
     /// M of a frame.
-    pub(super) fn pose(&self, frame: usize) -> Matrix<Scalar> {
+    pub(super) fn pose(&self, frame: FrameId) -> Matrix<Scalar> {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
     }
 
     /// The screws of the joints that move a frame, with their places in q̇.
-    pub(super) fn moving(&self, frame: usize) -> Vec<&(usize, Matrix<Scalar>)> {
+    pub(super) fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Scalar>)> {
         let mut moving = Vec::new();
         let mut at = self.robot.frames[frame];
         while let Some(body) = at {
@@ -123,9 +130,9 @@ impl Posture {
     /// The same, each with L̇ = W L − L W, where W is of the link that the joint carries.
     pub(super) fn moving_rates(
         &self,
-        frame: usize,
+        frame: FrameId,
         rates: &Rates,
-    ) -> Vec<(usize, &Matrix<Scalar>, Matrix<Scalar>)> {
+    ) -> Vec<(VelocityId, &Matrix<Scalar>, Matrix<Scalar>)> {
         let motions = self.motions(rates);
         let mut moving = Vec::new();
         let mut at = self.robot.frames[frame];
@@ -140,14 +147,14 @@ impl Posture {
 
     /// W and H of each link: W + L q̇, and H + L q̈ + (L q̇)² + 2 W L q̇, where L q̇ is the sum of all that its
     /// joint does.
-    pub(super) fn motions(&self, rates: &Rates) -> Vec<(Matrix<Scalar>, Matrix<Scalar>)> {
-        let mut motions: Vec<(Matrix<Scalar>, Matrix<Scalar>)> = Vec::new();
+    pub(super) fn motions(&self, rates: &Rates) -> List<BodyId, (Matrix<Scalar>, Matrix<Scalar>)> {
+        let mut motions: List<BodyId, (Matrix<Scalar>, Matrix<Scalar>)> = List::new();
         for (body, screws) in self.robot.bodies.iter().zip(&self.screws) {
             let (w, h) = match body.parent {
                 Some(parent) => motions[parent].clone(),
                 None => (Matrix::zero(), Matrix::zero()),
             };
-            let sum = |of: &[Scalar]| {
+            let sum = |of: &List<VelocityId, Scalar>| {
                 let terms = screws.iter().map(|(k, screw)| screw.scaled(&of[*k]));
                 terms.reduce(|sum, term| sum.plus(&term))
             };
@@ -163,21 +170,25 @@ impl Posture {
     }
 
     /// W and H of a frame.
-    pub(super) fn motion(&self, frame: usize, rates: &Rates) -> (Matrix<Scalar>, Matrix<Scalar>) {
+    pub(super) fn motion(&self, frame: FrameId, rates: &Rates) -> (Matrix<Scalar>, Matrix<Scalar>) {
         match self.robot.frames[frame] {
-            Some(body) => self.motions(rates).swap_remove(body),
+            Some(body) => self.motions(rates)[body].clone(),
             None => (Matrix::zero(), Matrix::zero()),
         }
     }
 
     /// What every joint feels where each link has the given acceleration: Φ = skew(H J) of all links
     /// outboard, along L.
-    fn forces(&self, acceleration: impl Fn(usize) -> Option<Matrix<Scalar>>) -> Vec<Scalar> {
-        let mut forces = vec![Scalar::exact(0.0); self.robot.velocities];
-        let mut actions: Vec<Option<Matrix<Scalar>>> = (self.inertias.iter().enumerate())
+    fn forces(
+        &self,
+        acceleration: impl Fn(BodyId) -> Option<Matrix<Scalar>>,
+    ) -> List<VelocityId, Scalar> {
+        let mut forces = self.nothing();
+        let inertias = self.inertias.numbered();
+        let mut actions: List<BodyId, Option<Matrix<Scalar>>> = inertias
             .map(|(k, inertia)| Some(acceleration(k)?.times(inertia).skew()))
             .collect();
-        for (k, body) in self.robot.bodies.iter().enumerate().rev() {
+        for (k, body) in self.robot.bodies.numbered().rev() {
             let Some(action) = actions[k].take() else {
                 continue;
             };
@@ -194,6 +205,11 @@ impl Posture {
         forces
     }
 
+    /// Nothing of each velocity.
+    fn nothing(&self) -> List<VelocityId, Scalar> {
+        List::filled(Scalar::exact(0.0), self.robot.velocities)
+    }
+
     /// −H_g.
     fn falling(&self) -> Matrix<Scalar> {
         let mut falling = Matrix::zero();
@@ -202,7 +218,7 @@ impl Posture {
     }
 
     /// τ of a motion, against gravity.
-    pub(super) fn torques(&self, rates: &Rates) -> Vec<Scalar> {
+    pub(super) fn torques(&self, rates: &Rates) -> List<VelocityId, Scalar> {
         let falling = self.falling();
         let motions = self.motions(rates);
         let mut forces = self.forces(|k| Some(motions[k].1.plus(&falling)));
@@ -220,19 +236,19 @@ impl Posture {
         forces
     }
 
-    /// Y of τ = Y π, row by row: each column is τ of a link that alone has mass, of which one parameter is 1; or of a joint
+    /// Y of τ = Y π by its columns, each of which is τ of a link that alone has mass, of which one parameter is 1; or of a joint
     /// that alone has a drive, of which one number is 1.
-    pub(super) fn regressor(&self, rates: &Rates) -> Vec<Scalar> {
+    pub(super) fn regressor(&self, rates: &Rates) -> List<ParameterId, List<VelocityId, Scalar>> {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
         let motions = self.motions(rates);
-        let mut columns = Vec::new();
+        let mut columns = List::new();
         for &link in &self.robot.links {
             let (h, pose) = (motions[link].1.plus(&falling), &self.poses[link]);
             for unit in units() {
                 let inertia = pose.times(&unit).times(&pose.transposed());
                 let action = h.times(&inertia).skew();
-                let mut column = vec![Scalar::exact(0.0); self.robot.velocities];
+                let mut column = self.nothing();
                 let mut at = Some(link);
                 while let Some(body) = at {
                     for (velocity, screw) in &self.screws[body] {
@@ -243,25 +259,24 @@ impl Posture {
                 columns.push(column);
             }
         }
-        let identified = self.robot.identified.iter().cloned().flatten();
-        for freedom in identified.flat_map(|body| &self.robot.bodies[body].freedoms) {
+        let identified = self.robot.identified.iter().flatten();
+        for freedom in identified.flat_map(|&body| &self.robot.bodies[body].freedoms) {
             let Freedom {
                 velocity, factor, ..
             } = freedom;
             let [rate, second] = [&rates.first, &rates.second].map(|of| *factor * of[*velocity]);
             for felt in [second, rate, rate.sign()] {
-                let mut column = vec![Scalar::exact(0.0); self.robot.velocities];
+                let mut column = self.nothing();
                 column[*velocity] = *factor * felt;
                 columns.push(column);
             }
         }
-        let row = |row: usize| columns.iter().map(move |column| column[row]);
-        (0..self.robot.velocities).flat_map(row).collect()
+        columns
     }
 
     /// What each joint feels of actions from outside: L of all joints inboard of where they act, along Φ.
-    pub(super) fn outside(&self, actions: &[f64]) -> Vec<Scalar> {
-        let mut forces = vec![Scalar::exact(0.0); self.robot.velocities];
+    pub(super) fn outside(&self, actions: &[f64]) -> List<VelocityId, Scalar> {
+        let mut forces = self.nothing();
         for (link, action) in self.outside_actions(actions) {
             for body in self.inwards(link) {
                 for (velocity, screw) in &self.screws[body] {
@@ -273,7 +288,7 @@ impl Posture {
     }
 
     /// Actions from outside in frame 0, each with the body on which it is.
-    fn outside_actions(&self, actions: &[f64]) -> impl Iterator<Item = (usize, Matrix<Scalar>)> {
+    fn outside_actions(&self, actions: &[f64]) -> impl Iterator<Item = (BodyId, Matrix<Scalar>)> {
         let (bodies, in_frame_0) = &self.robot.external;
         bodies
             .iter()
@@ -293,16 +308,16 @@ impl Posture {
     }
 
     /// A body and those that it hangs on, from it inwards.
-    fn inwards(&self, body: usize) -> impl Iterator<Item = usize> {
-        let outer = |body: &usize| self.robot.bodies[*body].parent;
+    fn inwards(&self, body: BodyId) -> impl Iterator<Item = BodyId> {
+        let outer = |&body: &BodyId| self.robot.bodies[body].parent;
         std::iter::successors(Some(body), outer)
     }
 
-    /// M, row by row: column k is what the joints feel where H is the sum of the L that go with velocity k,
+    /// M: column k is what the joints feel where H is the sum of the L that go with velocity k,
     /// of all joints inboard of a link.
-    pub(super) fn mass_matrix(&self) -> Vec<Vec<Scalar>> {
-        let column = |velocity: usize| {
-            let mut accelerations: Vec<Option<Matrix<Scalar>>> = Vec::new();
+    pub(super) fn mass_matrix(&self) -> Square<VelocityId, Scalar> {
+        let column = |velocity: VelocityId| {
+            let mut accelerations: List<BodyId, Option<Matrix<Scalar>>> = List::new();
             for (body, screws) in self.robot.bodies.iter().zip(&self.screws) {
                 let outer = body.parent.and_then(|parent| accelerations[parent].clone());
                 let own = screws.iter().filter(|(of, _)| *of == velocity);
@@ -319,10 +334,7 @@ impl Posture {
             }
             forces
         };
-        let velocities = 0..self.robot.velocities;
-        let columns: Vec<Vec<Scalar>> = velocities.clone().map(column).collect();
-        let row = |row: usize| columns.iter().map(|column| column[row]).collect();
-        velocities.map(row).collect()
+        Square::of_columns(&self.velocities().map(column).collect())
     }
 }
 

@@ -1,5 +1,7 @@
 //! A robot as it was described: links, joints and where everything stands.
 
+use std::ops::Index;
+
 use proc_macro2::Span;
 
 use super::unmodelled::Unmodelled;
@@ -7,6 +9,7 @@ use crate::closure::Closure;
 use crate::error::{Complaint, Errors, Place};
 use crate::joint::JointKind;
 use crate::joint::drive::Parts;
+use crate::list::{Id, id};
 use crate::number::Number;
 
 /// A robot as it was described: links and joints in the order of the text.
@@ -26,6 +29,32 @@ pub struct Description {
     pub warnings: Vec<Complaint>,
     /// What is doubted unless it is asked for.
     pub unmodelled: Unmodelled,
+}
+
+id! {
+    /// The number of a link of a [`Description`].
+    LinkId
+}
+
+id! {
+    /// The number of a joint of a [`Description`].
+    JointId
+}
+
+impl Index<LinkId> for Description {
+    type Output = Link;
+
+    fn index(&self, link: LinkId) -> &Link {
+        &self.links[Id::index(link)]
+    }
+}
+
+impl Index<JointId> for Description {
+    type Output = Joint;
+
+    fn index(&self, joint: JointId) -> &Joint {
+        &self.joints[Id::index(joint)]
+    }
 }
 
 /// Where a description came from.

@@ -16,6 +16,7 @@ use crate::joint::Drive;
 use crate::layout::{Layout, arrange};
 use crate::model::Way;
 use crate::print::About;
+use crate::space::FrameId;
 use crate::wording::{code, list};
 
 /// What they say.
@@ -164,7 +165,7 @@ fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
             _ => entry,
         });
     }
-    let torques = Function::InverseDynamics.build(&graph, &bodies, 0, Way::PLAIN);
+    let torques = Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN);
     let torques: Vec<Expr> = torques.into_iter().map(Term::expr).collect();
     let (needed, _) = graph.needed(&torques);
     let is_read = |expr: &Expr| match graph.node(*expr) {

@@ -20,6 +20,7 @@ use crate::model::Way;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
+use crate::space::FrameId;
 use crate::wording::quoted;
 
 /// The cheapest program found for some functions together, of a frame of the chain.
@@ -34,7 +35,7 @@ use crate::wording::quoted;
 pub fn program(
     chain: &Chain,
     functions: &[Function],
-    frame: usize,
+    frame: FrameId,
     scalar: Real,
 ) -> Result<Program, Errors> {
     program_as(Formulation::default(), chain, functions, frame, scalar)
@@ -52,7 +53,7 @@ pub fn program_as(
     formulation: Formulation,
     chain: &Chain,
     functions: &[Function],
-    frame: usize,
+    frame: FrameId,
     scalar: Real,
 ) -> Result<Program, Errors> {
     let processor = Processor::Portable;
@@ -71,7 +72,7 @@ pub fn program_for(
     formulation: Formulation,
     chain: &Chain,
     functions: &[Function],
-    frame: usize,
+    frame: FrameId,
     scalar: Real,
 ) -> Result<Program, Errors> {
     let found = cheapest(processor, formulation, chain, functions, frame, scalar)?;
@@ -92,7 +93,7 @@ pub(super) fn cheapest(
     formulation: Formulation,
     chain: &Chain,
     functions: &[Function],
-    frame: usize,
+    frame: FrameId,
     scalar: Real,
 ) -> Result<Found, Errors> {
     if functions.iter().any(|function| function.is_of_mass()) {
@@ -204,7 +205,7 @@ struct Search<'a> {
     formulation: Formulation,
     chain: &'a Chain,
     functions: &'a [Function],
-    frame: usize,
+    frame: FrameId,
     scalar: Real,
     layouts: Vec<Layout>,
     ways: Vec<Way>,
@@ -216,7 +217,7 @@ impl<'a> Search<'a> {
         formulation: Formulation,
         chain: &'a Chain,
         functions: &'a [Function],
-        frame: usize,
+        frame: FrameId,
         scalar: Real,
     ) -> Self {
         let dynamic = functions.iter().any(|function| !function.of_a_frame());

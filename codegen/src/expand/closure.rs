@@ -11,7 +11,7 @@ use crate::expression::Double;
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::model::Way;
-use crate::space::Kind;
+use crate::space::{FrameId, Kind};
 use crate::wording::quoted;
 
 /// What digits that were rounded to make frames may leave of nothing [m, 1].
@@ -26,7 +26,8 @@ pub fn settled(mut chain: Chain) -> Result<Chain, Errors> {
         return Ok(chain);
     }
     let (layout, way) = (Layout::DESCRIBED, Way::PLAIN);
-    let (graph, results) = expressions_by(&chain, &[Function::Constraint], 0, layout, way);
+    let (graph, results) =
+        expressions_by(&chain, &[Function::Constraint], FrameId::FIRST, layout, way);
     let values = results.iter().map(|&result| graph.value(result));
     let values: Vec<Option<f64>> = values.map(|value| value.map(Double::to_f64)).collect();
     let mut errors = chain.source.errors();

@@ -3,24 +3,29 @@
 //! In: a chain. Out: the [`ChainData`] that the generic recursions of the runtime read. It never
 //! sees a function.
 
-use crate::chain::{Chain, Frame, Joint, Position};
+use crate::chain::{BodyId, Chain, Frame, Joint, Position};
 use crate::expression::{Double, Expr, Term};
+use crate::list::Id;
 use crate::print::{ChainData, DataMotion, LoopData, LoopsData};
 use crate::schedule::schedule;
 
 /// The chain as data: one joint of each with a posture, and of others one for each coordinate.
 pub(super) fn data(chain: &Chain) -> ChainData {
     let narrow = |k: usize| u16::try_from(k).expect("fewer than 65536 joints");
-    let mut joints: Vec<(&Joint, DataMotion)> = Vec::new();
     // Of each body, the place of the joint that it is of.
-    let mut places: Vec<u16> = Vec::with_capacity(chain.joints.len());
+    let mut count = 0;
+    let places = chain.joints.map(|joint| {
+        count += usize::from(!matches!(joint.position, Position::Taken));
+        narrow(count - 1)
+    });
+    let mut joints: Vec<(&Joint, DataMotion)> = Vec::new();
     let mut inertias = Vec::new();
-    for (k, joint) in chain.joints.iter().enumerate() {
+    for (k, joint) in chain.joints.numbered() {
         let leader = chain.mover(joint.velocity);
         let motion = match joint.position {
             Position::Along { .. } if leader == k => Some(DataMotion::Along),
             Position::Along { factor, .. } => Some(DataMotion::Follows {
-                leader: narrow(leader),
+                leader: places[leader],
                 multiplier: chain.graph.value(factor).map_or(1.0, Double::to_f64),
             }),
             Position::Posture(posture, _) => Some(DataMotion::Posture(posture)),
@@ -33,7 +38,6 @@ pub(super) fn data(chain: &Chain) -> ChainData {
                 inertias.push(joint.inertia);
             }
         }
-        places.push(narrow(joints.len() - 1));
     }
     let mut results: Vec<Expr> = Vec::new();
     for ((joint, _), inertia) in joints.iter().zip(&inertias) {
@@ -47,9 +51,12 @@ pub(super) fn data(chain: &Chain) -> ChainData {
     }
     results.extend(chain.gravity.0);
     let mut driven = Vec::new();
-    for (k, joint) in chain.joints.iter().enumerate() {
+    for (k, joint) in chain.joints.numbered() {
         let of_joint = places[k];
-        let before = places[..k].iter().filter(|&&place| place == of_joint);
+        let before = places
+            .iter()
+            .take(k.index())
+            .filter(|&&place| place == of_joint);
         let drive = joint.drive.entries();
         let is_zero = |entry: &Expr| chain.graph.term(*entry).is_zero();
         if !drive.iter().all(is_zero) {
@@ -57,24 +64,17 @@ pub(super) fn data(chain: &Chain) -> ChainData {
             driven.push((of_joint, narrow(before.count())));
         }
     }
-    let place = |body: usize| places[body];
+    let place = |body: BodyId| places[body];
     let name = |(joint, motion): &(&Joint, DataMotion)| match motion {
         DataMotion::Posture(_) => joint.of.clone(),
         DataMotion::Along | DataMotion::Follows { .. } => joint.name.clone(),
-    };
-    let motion = |(_, motion): &(&Joint, DataMotion)| match *motion {
-        DataMotion::Follows { leader, multiplier } => DataMotion::Follows {
-            leader: place(leader.into()),
-            multiplier,
-        },
-        motion => motion,
     };
     ChainData {
         names: joints.iter().map(name).collect(),
         parents: (joints.iter())
             .map(|(joint, _)| joint.parent.map(place))
             .collect(),
-        motions: joints.iter().map(motion).collect(),
+        motions: joints.iter().map(|(_, motion)| *motion).collect(),
         frames: frames()
             .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
@@ -86,7 +86,7 @@ pub(super) fn data(chain: &Chain) -> ChainData {
 }
 
 /// The joints that close loops; `place` is where a body is carried.
-fn loops(chain: &Chain, place: impl Fn(usize) -> u16) -> LoopsData {
+fn loops(chain: &Chain, place: impl Fn(BodyId) -> u16) -> LoopsData {
     let frame = |frame: &Frame| (frame.name.clone(), frame.body.map(&place));
     let loops = chain.loops.iter().map(|closed| LoopData {
         name: closed.name.clone(),
@@ -101,7 +101,7 @@ fn loops(chain: &Chain, place: impl Fn(usize) -> u16) -> LoopsData {
     let numbers: Vec<Expr> = numbers.collect();
     LoopsData {
         loops: loops.collect(),
-        driven: chain.actuated.clone(),
+        driven: chain.actuated.clone().into(),
         program: schedule(&chain.graph, &numbers),
     }
 }

@@ -7,14 +7,16 @@
 use super::measured::{Measure, Off, allowed};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
-use crate::chain::Chain;
+use crate::chain::{BodyId, Chain};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
+use crate::list::List;
 use crate::model::{Congruence, Way};
 use crate::real::Real;
 use crate::request::Request;
+use crate::space::FrameId;
 use crate::wording::list;
 
 /// The error that must not be exceeded, beside the largest result and in a thousand states \[u\].
@@ -139,7 +141,7 @@ pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
 
 /// The most joints that stand in a row.
 fn longest(chain: &Chain) -> usize {
-    let mut before: Vec<usize> = Vec::with_capacity(chain.joints.len());
+    let mut before: List<BodyId, usize> = List::new();
     for joint in &chain.joints {
         before.push(1 + joint.parent.map_or(0, |parent| before[parent]));
     }
@@ -278,7 +280,7 @@ fn least_error(
     let mut measure = Measure::of(chain, functions, worst.loss);
     let mut least = Off::INFINITE;
     for way in ways {
-        let program = program_by(chain, functions, 0, Layout::DESCRIBED, way);
+        let program = program_by(chain, functions, FrameId::FIRST, Layout::DESCRIBED, way);
         least = least.least(measure.error(&program, scalar));
         if least.worst <= ENOUGH {
             break;

@@ -16,7 +16,7 @@ use crate::layout::Layout;
 use crate::model::Way;
 use crate::real::Real;
 use crate::schedule::{Program, run};
-use crate::space::Variable;
+use crate::space::{FrameId, Variable};
 
 /// How many states are looked at.
 const STATES: u32 = 64;
@@ -129,7 +129,7 @@ impl<'c> Measure<'c> {
             end += function.result().size(chain.spaces());
             if function.solves() {
                 let (graph, results) =
-                    expressions_by(chain, &[function], 0, Layout::DESCRIBED, way);
+                    expressions_by(chain, &[function], FrameId::FIRST, Layout::DESCRIBED, way);
                 solved.push(Solved {
                     exactly: Evaluation::of(&graph, &results),
                     place: start..end,

@@ -7,13 +7,14 @@ use crate::layout::{Layout, arrange};
 use crate::model::{Way, equation};
 use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;
+use crate::space::FrameId;
 
 /// The program that a layout and a way give.
 #[must_use]
 pub fn program_by(
     chain: &Chain,
     functions: &[Function],
-    frame: usize,
+    frame: FrameId,
     layout: Layout,
     way: Way,
 ) -> Program {
@@ -37,7 +38,7 @@ pub(super) fn equation_by(chain: &Chain, layout: Layout, way: Way, has_residual:
 pub fn expressions_by(
     chain: &Chain,
     functions: &[Function],
-    frame: usize,
+    frame: FrameId,
     layout: Layout,
     way: Way,
 ) -> (Graph, Vec<Expr>) {

@@ -7,12 +7,14 @@
 use std::collections::BTreeSet;
 
 use crate::accuracy::range::Range;
-use crate::chain::{Chain, Joint, physical};
+use crate::chain::{BodyId, Chain, Joint, physical};
 use crate::error::{Complaint, Errors};
 use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
 use crate::layout::{Layout, arrange};
+use crate::list::{Id, List};
 use crate::model;
-use crate::space::Variable;
+use crate::request::FieldId;
+use crate::space::{Variable, VelocityId};
 use crate::wording::{list, quoted};
 
 /// How many postures are looked at.
@@ -27,17 +29,17 @@ pub(super) struct Worst {
     /// The largest ratio of a diagonal entry to its pivot.
     pub(super) loss: f64,
     /// The joint that they belong to.
-    pub(super) joint: usize,
+    pub(super) joint: BodyId,
     /// A joint that accelerates against its force in some posture.
-    against: Option<usize>,
+    against: Option<BodyId>,
 }
 
 /// What a chain has in place of a mass matrix that is positive definite.
 enum Lack {
     /// A joint that moves nothing, whatever the posture.
-    Inertia(usize),
+    Inertia(BodyId),
     /// A joint that accelerates against its force.
-    Sign(usize),
+    Sign(BodyId),
 }
 
 /// What the mass matrix loses, with fields at what they are described as, or at the end of their range
@@ -92,8 +94,8 @@ fn zero(chain: &Chain) -> Option<Complaint> {
 /// but zeros are.
 pub(super) fn field(chain: &Chain, input: Input) -> f64 {
     match input {
-        Input::Parameter(field, entry) if is_zero(&chain.nominal[usize::from(field)]) => {
-            chain.parameters[usize::from(field)].at_the_end(entry.into())
+        Input::Parameter(field, entry) if is_zero(&chain.nominal[field.into()]) => {
+            chain.parameters[field.into()].at_the_end(entry.into())
         }
         _ => described(chain, input),
     }
@@ -103,7 +105,7 @@ fn described(chain: &Chain, input: Input) -> f64 {
     let Input::Parameter(field, entry) = input else {
         return 0.0;
     };
-    let field = chain.nominal.get(usize::from(field));
+    let field = chain.nominal.get(field.into());
     let entry = field.and_then(|field| field.get(usize::from(entry)));
     entry.copied().unwrap_or(0.0)
 }
@@ -116,10 +118,10 @@ fn is_zero(nominal: &[f64]) -> bool {
 fn undescribed(chain: &Chain) -> Vec<String> {
     let graph = chain.graph.clone();
     let (needed, _) = graph.needed(&pivots(&graph, chain));
-    let entering: BTreeSet<usize> = needed
+    let entering: BTreeSet<FieldId> = needed
         .into_iter()
         .filter_map(|expr| match graph.node(expr) {
-            Node::Input(Input::Parameter(field, _)) => Some(usize::from(field)),
+            Node::Input(Input::Parameter(field, _)) => Some(field.into()),
             _ => None,
         })
         .collect();
@@ -160,15 +162,12 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     // be left.
     let pivots = Evaluation::of(&graph, &pivots(&graph, chain));
     let range = Range::of(chain);
-    let mut worst = Worst {
-        loss: 1.0,
-        joint: 0,
-        against: None,
-    };
-    let count = chain.spaces().velocities.len();
+    let velocities = &chain.spaces().velocities;
+    let mut worst = (1.0, VelocityId::new(0));
+    let mut against = None;
     // A joint that is singular in one posture may only be passing through it.
-    let mut least = vec![f64::INFINITY; count];
-    let mut always = vec![true; count];
+    let mut least = velocities.map(|_| f64::INFINITY);
+    let mut always = velocities.map(|_| true);
     for posture in 0..POSTURES {
         let coordinates = (0..).zip(range.turns_with_digits());
         let coordinates = coordinates.map(|(k, ends)| coordinate(ends, k, posture));
@@ -180,30 +179,26 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
                 _ => field(input),
             })
         });
-        for (joint, pair) in values.chunks(2).enumerate() {
+        for (velocity, pair) in velocities.ids().zip(values.chunks(2)) {
             let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());
             let loss = if pivot > 0.0 {
                 entry / pivot
             } else {
                 f64::INFINITY
             };
-            least[joint] = least[joint].min(loss);
+            least[velocity] = least[velocity].min(loss);
             let is_against = pivot * SINGULAR < -entry.abs();
-            always[joint] &= is_against;
+            always[velocity] &= is_against;
             if is_against {
-                worst.against = worst.against.max(Some(joint));
+                against = against.max(Some(velocity));
             }
-            if loss > worst.loss && loss.is_finite() {
-                worst = Worst {
-                    loss,
-                    joint,
-                    ..worst
-                };
+            if loss > worst.0 && loss.is_finite() {
+                worst = (loss, velocity);
             }
         }
     }
     // Outermost first: what is outboard spoils what is inboard of it.
-    for velocity in (0..count).rev() {
+    for velocity in velocities.ids().rev() {
         if always[velocity] {
             return Err(Lack::Sign(chain.mover(velocity)));
         }
@@ -211,10 +206,11 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
             return Err(Lack::Inertia(chain.mover(velocity)));
         }
     }
+    let (loss, velocity) = worst;
     Ok(Worst {
-        joint: chain.mover(worst.joint),
-        against: worst.against.map(|velocity| chain.mover(velocity)),
-        ..worst
+        loss,
+        joint: chain.mover(velocity),
+        against: against.map(|velocity| chain.mover(velocity)),
     })
 }
 
@@ -270,7 +266,7 @@ fn refusal(chain: &Chain, lack: &Lack) -> Errors {
 /// What is to be done about inertias that no body has.
 const CORRECT: &str = "correct the inertias; check tells which no body can have";
 
-fn against_force(chain: &Chain, joint: usize) -> String {
+fn against_force(chain: &Chain, joint: BodyId) -> String {
     let carries = cause(chain, joint).map_or_else(String::new, |carrier| {
         format!(
             "joint \"{}\" carries an inertia that no body has, and ",
@@ -285,11 +281,11 @@ fn against_force(chain: &Chain, joint: usize) -> String {
 }
 
 /// The first joint, from one outwards, that carries what no body is.
-fn cause(chain: &Chain, from: usize) -> Option<&Joint> {
-    let mut outboard = vec![false; chain.joints.len()];
-    for k in 0..chain.joints.len() {
-        let parent = chain.joints[k].parent;
-        outboard[k] = k == from || parent.is_some_and(|parent| outboard[parent]);
+fn cause(chain: &Chain, from: BodyId) -> Option<&Joint> {
+    let mut outboard = List::new();
+    for (k, joint) in chain.joints.numbered() {
+        let carried = joint.parent.is_some_and(|parent| outboard[parent]);
+        outboard.push(k == from || carried);
     }
     let carried = chain.joints.iter().zip(outboard);
     let mut carried = carried.filter_map(|(joint, outboard)| outboard.then_some(joint));

@@ -13,6 +13,7 @@ use crate::function::Function;
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::Price;
+use crate::space::FrameId;
 
 fn described(robot: &str) -> Description {
     let path = format!("{}/../{robot}", env!("CARGO_MANIFEST_DIR"));
@@ -31,7 +32,7 @@ fn what_is_asked_for_together_shares_its_work() {
     let chain = understand(&described("robots/panda_class.urdf"), &Request::default());
     let chain = chain.expect("an arm");
     let price = |functions: &[Function]| {
-        let program = program(&chain, functions, 0, Real::Generic).expect("it moves");
+        let program = program(&chain, functions, FrameId::FIRST, Real::Generic).expect("it moves");
         let Price { mul, add, .. } = Price::of(&program);
         (mul, add)
     };

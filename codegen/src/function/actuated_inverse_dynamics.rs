@@ -35,5 +35,5 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.driven()
+    scene.driven().into()
 }

@@ -26,8 +26,6 @@ fn sentence(_: &str, _: &str) -> String {
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let all = scene.regressor();
-    let rows = all.chunks((all.len() / scene.velocities().max(1)).max(1));
-    let columns = &scene.bodies.base_columns;
-    rows.flat_map(|row| columns.iter().map(|&column| row[column]))
-        .collect()
+    let columns = scene.bodies.base_columns.iter();
+    scene.rows_of(&columns.map(|&column| &all[column]).collect::<Vec<_>>())
 }

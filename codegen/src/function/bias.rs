@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::FORCES,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.torques(Motion::Coasting)),
+    truth: Truth::Value(|dense, _| dense.torques(Motion::Coasting).into()),
     ways: Definition::one_way,
     dense: tally::torques,
     build,
@@ -26,5 +26,5 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.torques(&vec![scene.state.zero(); scene.velocities()])
+    scene.torques(&scene.coasting()).into()
 }

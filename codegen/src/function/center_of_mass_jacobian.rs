@@ -38,8 +38,7 @@ fn dense(size: Size) -> Tally {
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let joints = scene.joints();
     let center = MassCenter::of(&joints, &scene.bodies.base);
-    let columns = center.columns(scene.way.pose).into_iter();
-    scene.gathered(&columns.map(|column| column.0).collect::<Vec<_>>())
+    scene.gathered(&center.columns(scene.way.pose).map(|column| column.0))
 }
 
 /// Each column is carried through the joints, or turned by the pose of its body.

@@ -4,7 +4,6 @@ use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
-use crate::matrix::Action;
 use crate::model::{MassCenter, Scene, momentum};
 use crate::space::Variable;
 
@@ -38,5 +37,5 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let joints = scene.joints_seen_from_root();
     let center = MassCenter::of(&joints, &scene.bodies.base).point();
     let columns = momentum::columns(&joints, center);
-    scene.gathered(&columns.map(Action::entries).collect::<Vec<_>>())
+    scene.gathered(&columns.map(|column| column.entries()))
 }

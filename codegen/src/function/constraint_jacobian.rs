@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::RESIDUAL_RATES,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.residual_rates()),
+    truth: Truth::Value(|dense, _| dense.residual_rates().into_iter().flatten().collect()),
     ways: Definition::one_way,
     dense,
     build,
@@ -33,5 +33,5 @@ pub(super) fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    loops::jacobian(scene).concat()
+    loops::jacobian(scene).into_iter().flatten().collect()
 }

@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::DAMPING,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.coriolis_matrix()),
+    truth: Truth::Value(|dense, _| dense.coriolis_matrix().into()),
     ways: Definition::one_way,
     dense,
     build,
@@ -34,5 +34,5 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.coriolis_matrix()
+    scene.coriolis_matrix().into()
 }

@@ -4,15 +4,15 @@ use super::tally::{Size, Tally};
 use crate::dense::{Approximate, Dense};
 use crate::expression::Term;
 use crate::model::{Scene, Way};
-use crate::space::{Outcome, Variable};
+use crate::space::{FrameId, Outcome, Variable};
 
 /// What the results of a function are held against, whatever way they were found.
 #[derive(Clone, Copy)]
 pub(crate) enum Truth {
     /// What dense matrices make of a state; of the frame of that index where it is of one.
-    Value(fn(&Dense, usize) -> Vec<Approximate>),
+    Value(fn(&Dense, FrameId) -> Vec<Approximate>),
     /// The same, of robots that have mass: without any there is no such thing.
-    OfMass(fn(&Dense, usize) -> Vec<Approximate>),
+    OfMass(fn(&Dense, FrameId) -> Vec<Approximate>),
     /// The same of what is solved for where loops hold joints together, and so small a part of the whole is
     /// nothing.
     Constrained(fn(&Dense, f64) -> Vec<Approximate>),

@@ -5,8 +5,9 @@ use super::tally::{self, Size, Tally};
 use super::{mass_matrix, quantities};
 use crate::expression::Term;
 use crate::formulation::Forward;
+use crate::list::List;
 use crate::model::{Frame, Scene, articulated, forward_dynamics};
-use crate::space::Variable;
+use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "forward_dynamics",
@@ -31,19 +32,24 @@ pub(super) fn dense(size: Size) -> Tally {
     parts.and(cubes + squares, cubes + squares)
 }
 
-pub(super) fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    accelerations(scene).into()
+}
+
+/// q̈; articulated bodies are taken where each has a velocity of its own.
+pub(super) fn accelerations<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<'g>> {
     match scene.way.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
             &scene.mass_matrix(),
             &scene.parents(),
-            |k| scene.state.entry(Variable::Tau, k),
+            |k| scene.state.of_velocity(Variable::Tau, k),
             |qdd| scene.driving(qdd),
             refinements,
         ),
         Forward::Articulated => {
             let (joints, outside) = (scene.link_joints(), scene.outside(Frame::Link));
             let gravity = scene.bodies.gravity;
-            articulated::forward_dynamics(&joints, gravity, &scene.state, &outside)
+            articulated::forward_dynamics(&joints, gravity, &scene.state, &outside).renumbered()
         }
     }
 }

@@ -6,8 +6,9 @@ use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_derivatives, mass_matrix_inverse, quantities};
 use crate::expression::Term;
 use crate::formulation::Forward;
+use crate::list::Square;
 use crate::model::{self, Scene};
-use crate::space::Variable;
+use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "forward_dynamics_derivatives",
@@ -35,27 +36,33 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let accelerations = forward_dynamics::build(scene);
-    let inverse = mass_matrix_inverse::build(scene);
+    let accelerations = forward_dynamics::accelerations(scene);
+    let inverse = mass_matrix_inverse::inverse(scene);
     let [dq, dqd] = scene.torque_derivatives(&accelerations).map(|needed| {
         let found = match scene.way.forward {
             Forward::UNREFINED => {
                 model::forward_dynamics::solved(&scene.mass_matrix(), &scene.parents(), &needed)
             }
-            _ => product(&inverse, &needed, scene.velocities()),
+            _ => product(&inverse, &needed),
         };
-        found.into_iter().map(|entry| -entry).collect::<Vec<_>>()
+        let entries = Vec::from(found).into_iter();
+        entries.map(|entry| -entry).collect::<Vec<_>>()
     });
-    [dq, dqd, inverse].concat()
+    [dq, dqd, inverse.into()].concat()
 }
 
-/// A B of square matrices, row by row.
-fn product<'g>(a: &[Term<'g>], b: &[Term<'g>], count: usize) -> Vec<Term<'g>> {
-    let entry = |k: usize| {
-        let (row, column) = (&a[k / count * count..], &b[k % count..]);
-        let terms = row.iter().zip(column.iter().step_by(count)).take(count);
-        let terms = terms.map(|(x, y)| *x * *y);
-        terms.reduce(|sum, term| sum + term)
-    };
-    (0..count * count).filter_map(entry).collect()
+/// A B.
+fn product<'g>(
+    a: &Square<VelocityId, Term<'g>>,
+    b: &Square<VelocityId, Term<'g>>,
+) -> Square<VelocityId, Term<'g>> {
+    let mut found = b.clone();
+    for row in a.ids() {
+        for column in b.ids() {
+            let terms = a.ids().map(|k| a[(row, k)] * b[(k, column)]);
+            let entry = terms.reduce(|sum, term| sum + term);
+            found[(row, column)] = entry.expect("as many terms as rows");
+        }
+    }
+    found
 }

@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::FORCES,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.torques(Motion::Rest)),
+    truth: Truth::Value(|dense, _| dense.torques(Motion::Rest).into()),
     ways: Definition::one_way,
     dense,
     build,
@@ -30,5 +30,5 @@ fn dense(size: Size) -> Tally {
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let driving = gravity::gravity(&scene.joints(), scene.bodies.gravity, &scene.state);
-    scene.forces(&driving)
+    scene.forces(&driving).into()
 }

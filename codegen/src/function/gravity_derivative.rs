@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::STIFFNESS,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.gravity_derivative()),
+    truth: Truth::Value(|dense, _| dense.gravity_derivative().into()),
     ways: Definition::one_way,
     dense,
     build,
@@ -34,5 +34,5 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.gravity_derivative()
+    scene.gravity_derivative().into()
 }

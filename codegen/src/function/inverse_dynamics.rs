@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCES,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.driving_torques()),
+    truth: Truth::Value(|dense, _| dense.driving_torques().into()),
     ways: Definition::one_way,
     dense: tally::torques,
     build,
@@ -24,5 +24,5 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.driving(&scene.qdd())
+    scene.driving(&scene.qdd()).into()
 }

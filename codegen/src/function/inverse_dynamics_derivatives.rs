@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCE_DERIVATIVES,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.torque_derivatives().concat()),
+    truth: Truth::Value(|dense, _| dense.torque_derivatives().map(Vec::from).concat()),
     ways: Definition::one_way,
     dense,
     build,
@@ -33,5 +33,6 @@ pub(super) fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.torque_derivatives(&scene.qdd()).concat()
+    let derivatives = scene.torque_derivatives(&scene.qdd());
+    derivatives.map(Vec::from).concat()
 }

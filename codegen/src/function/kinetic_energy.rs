@@ -4,8 +4,10 @@
 use super::definition::{Definition, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
+use crate::chain::BodyId;
 use crate::dense::{Approximate, Motion};
 use crate::expression::Term;
+use crate::list::List;
 use crate::matrix::{Action, Screw, Velocity};
 use crate::model::{Scene, moving};
 use crate::space::Variable;
@@ -36,12 +38,12 @@ fn dense(size: Size) -> Tally {
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let zero = scene.state.zero();
-    let mut velocities: Vec<Velocity<Term<'g>>> = Vec::new();
+    let mut velocities: List<BodyId, Velocity<Term<'g>>> = List::new();
     let mut twice = zero;
     for joint in scene.joints() {
         let at_rest = Velocity::zero(zero.graph());
         let outer = joint.parent.map_or(at_rest, |parent| velocities[parent]);
-        let rate = scene.state.qd(joint.index);
+        let rate = scene.state.qd(joint.body);
         let w = moving::beyond(outer, &joint, rate);
         // Tr(W J Wᵗ) = W ⊗ skew[W J].
         let twist = Screw { u: w.omega, b: w.v };

@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::INERTIAS,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.mass_matrix().concat()),
+    truth: Truth::Value(|dense, _| dense.mass_matrix().clone().into()),
     ways: Definition::one_way,
     dense,
     build,
@@ -32,5 +32,5 @@ pub(super) fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.mass_matrix()
+    scene.mass_matrix().into()
 }

@@ -6,8 +6,9 @@ use super::quantities;
 use super::tally::{Size, Tally};
 use crate::expression::Term;
 use crate::formulation::Forward;
+use crate::list::Square;
 use crate::model::{Scene, articulated, forward_dynamics};
-use crate::space::Variable;
+use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "mass_matrix_inverse",
@@ -30,7 +31,12 @@ fn dense(size: Size) -> Tally {
     mass_matrix::dense(size).and(cubes, cubes)
 }
 
-pub(super) fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    inverse(scene).into()
+}
+
+/// M⁻¹; articulated bodies are taken where each has a velocity of its own.
+pub(super) fn inverse<'g>(scene: &Scene<'_, 'g>) -> Square<VelocityId, Term<'g>> {
     match scene.way.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::mass_matrix_inverse(
             &scene.mass_matrix(),
@@ -39,7 +45,7 @@ pub(super) fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
             refinements,
         ),
         Forward::Articulated => {
-            articulated::mass_matrix_inverse(&scene.link_joints(), &scene.state)
+            articulated::mass_matrix_inverse(&scene.link_joints(), &scene.state).renumbered()
         }
     }
 }

@@ -6,6 +6,7 @@ use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::dense::{Approximate, Motion};
 use crate::expression::Term;
+use crate::list::Id;
 use crate::model::Scene;
 use crate::space::Variable;
 
@@ -35,13 +36,13 @@ fn dense(size: Size) -> Tally {
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let joints = scene.joints();
-    let mut masses: Vec<Term<'g>> = joints.iter().map(|joint| joint.inertia.mass).collect();
-    let mut moments: Vec<_> = joints.iter().map(|joint| joint.inertia.q).collect();
+    let mut masses = joints.map(|joint| joint.inertia.mass);
+    let mut moments = joints.map(|joint| joint.inertia.q);
     // What no joint moves, regrouping has left to the base.
     let mut moment = scene.bodies.base.q;
-    for (k, joint) in joints.iter().enumerate().rev() {
+    for (k, joint) in joints.numbered().rev() {
         let (q, mass) = (moments[k], masses[k]);
-        let (index, frame) = (k + 1, joint.frame);
+        let (index, frame) = (k.number(), joint.frame_number());
         q.label(|| format!("j_{index}_in_{frame}_"));
         let carried = joint.first_moment_inboard(q, mass);
         if let Some(parent) = joint.parent {

@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::REGRESSOR,
     of_a_frame: false,
-    truth: Truth::Value(|dense, _| dense.regressor().to_vec()),
+    truth: Truth::Value(|dense, _| dense.regressor()),
     ways: Definition::one_way,
     dense,
     build,
@@ -37,5 +37,6 @@ pub(super) fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.regressor()
+    let columns = scene.regressor();
+    scene.rows_of(&columns.iter().collect::<Vec<_>>())
 }

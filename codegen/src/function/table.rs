@@ -9,7 +9,7 @@ use super::tally::{Size, Tally};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::model::{Scene, Way};
-use crate::space::{Outcome, Space, Variable};
+use crate::space::{FrameId, Outcome, Space, Variable};
 
 macro_rules! definitions {
     (
@@ -169,13 +169,13 @@ impl Function {
         (mul, add)
     }
 
-    /// Its results in the order of its quantities; of the frame of that index where it is of one.
+    /// Its results in the order of its quantities; of that frame where it is of one.
     #[must_use]
     pub fn build<'g>(
         self,
         graph: &'g Graph,
         bodies: &Bodies<'g>,
-        frame: usize,
+        frame: FrameId,
         way: Way,
     ) -> Vec<Term<'g>> {
         (self.definition().build)(&Scene::new(graph, bodies, frame, way))

@@ -3,32 +3,34 @@
 //! In: a chain. Out: its bodies, each frame turned so that its joint's axis is z where the joint has one
 //! coordinate, and what replaces a frame by another one. It never chooses one.
 
-use crate::chain::{Chain, Frame, Position};
+use crate::chain::{BodyId, Chain, Frame, Position};
 use crate::closure::Row;
 use crate::expression::{Double, Expr, Graph, Term};
 use crate::joint::{Drive, Motion};
+use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
+use crate::space::{FrameId, ParameterId, VelocityId};
 
 /// The bodies of a chain with their frames.
 #[derive(Clone, Debug)]
 pub struct Bodies<'g> {
     /// Parents before children, as in the chain.
-    pub bodies: Vec<Body<'g>>,
+    pub bodies: List<BodyId, Body<'g>>,
     /// J in frame 0 of what regrouping left to the base.
     pub base: Inertia<Term<'g>>,
     /// The columns of the regressor that the base regressor has.
-    pub base_columns: Vec<usize>,
+    pub base_columns: Vec<ParameterId>,
     /// Whether the regressor has columns of drives behind those of links.
     pub identifies_drives: bool,
     /// The frames asked for, and behind them A and B of each loop: the joint whose body carries it, and M
     /// from that body to it.
-    pub frames: Vec<(Option<usize>, Pose<Term<'g>>)>,
+    pub frames: List<FrameId, (Option<BodyId>, Pose<Term<'g>>)>,
     /// The loops.
     pub loops: Vec<Closed<'g>>,
     /// Which velocities are driven, where loops move the others.
-    pub actuated: Vec<bool>,
+    pub actuated: List<VelocityId, bool>,
     /// The links on which something acts from outside, in the same way.
-    pub external: Vec<(Option<usize>, Pose<Term<'g>>)>,
+    pub external: Vec<(Option<BodyId>, Pose<Term<'g>>)>,
     /// Whether those actions are in frame 0.
     pub external_in_frame_0: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
@@ -38,8 +40,8 @@ pub struct Bodies<'g> {
 /// A joint that closes a loop.
 #[derive(Clone, Debug)]
 pub struct Closed<'g> {
-    /// The indices of frames A and B.
-    pub frames: [usize; 2],
+    /// Frames A and B.
+    pub frames: [FrameId; 2],
     /// What it closes.
     pub rows: Vec<Row>,
     /// The length of a rod \[m\]; of a joint with two axes, the cosine of their angle.
@@ -50,7 +52,7 @@ pub struct Closed<'g> {
 #[derive(Clone, Copy, Debug)]
 pub struct Body<'g> {
     /// The body it hangs on; none for the fixed base.
-    pub parent: Option<usize>,
+    pub parent: Option<BodyId>,
     /// What its joint lets it do.
     pub motion: Motion,
     /// About or along which axis of its frame: z, but where the joint has taken the frame anywhere.
@@ -58,7 +60,7 @@ pub struct Body<'g> {
     /// What its displacement is a function of.
     pub position: Position,
     /// Its place among the velocities.
-    pub velocity: usize,
+    pub velocity: VelocityId,
     /// M from the parent's frame to this one at q + offset = 0.
     pub placement: Pose<Term<'g>>,
     /// Sine and cosine of what is added to q to give the angle about z.
@@ -103,18 +105,18 @@ impl Body<'_> {
 
 impl<'g> Bodies<'g> {
     /// The first body that hangs on body `k`.
-    pub(super) fn first_child(&self, k: usize) -> Option<usize> {
-        (k + 1..self.bodies.len()).find(|&child| self.bodies[child].parent == Some(k))
+    pub(super) fn first_child(&self, k: BodyId) -> Option<BodyId> {
+        self.bodies.find(|child| child.parent == Some(k))
     }
 
     /// Replaces frame `k` by one seen from it at `to`, which the joint's motion must not move.
-    pub(super) fn move_frame(&mut self, k: usize, to: Pose<Term<'g>>) {
+    pub(super) fn move_frame(&mut self, k: BodyId, to: Pose<Term<'g>>) {
         let from = to.inverse();
         let body = &mut self.bodies[k];
         body.placement = body.placement * to;
         body.inertia = body.inertia.change_frame(from);
         body.link = body.link.map(|link| from * link);
-        for child in &mut self.bodies[k + 1..] {
+        for child in &mut self.bodies {
             if child.parent == Some(k) {
                 child.placement = from * child.placement;
             }
@@ -130,13 +132,11 @@ impl<'g> Bodies<'g> {
 /// The bodies as described, each frame turned so that its joint's axis is z.
 pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     let term = |expr| graph.term(expr);
-    let turns: Vec<Pose<Term<'g>>> = (chain.joints.iter())
-        .map(|joint| match joint.position {
-            Position::Along { .. } => Pose::rotation(Rotation::with_z(joint.axis.map(term))),
-            Position::Posture(..) | Position::Taken => Pose::identity(graph),
-        })
-        .collect();
-    let seen_from = |parent: Option<usize>, pose: Pose<Term<'g>>| match parent {
+    let turns = chain.joints.map(|joint| match joint.position {
+        Position::Along { .. } => Pose::rotation(Rotation::with_z(joint.axis.map(term))),
+        Position::Posture(..) | Position::Taken => Pose::identity(graph),
+    });
+    let seen_from = |parent: Option<BodyId>, pose: Pose<Term<'g>>| match parent {
         Some(parent) => turns[parent].inverse() * pose,
         None => pose,
     };
@@ -160,9 +160,9 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     let of_loops = chain.loops.iter().flat_map(|closed| &closed.frames);
     let place = |frame: &Frame| (frame.body, seen_from(frame.body, frame.placement.map(term)));
     let loops = chain.loops.iter().enumerate().map(|(k, closed)| {
-        let first = chain.frames.len() + 2 * k;
+        let [a, b] = [0, 1].map(|end| chain.frames.next().plus(2 * k + end));
         Closed {
-            frames: [first, first + 1],
+            frames: [a, b],
             rows: closed.rows.clone(),
             size: term(closed.size),
         }

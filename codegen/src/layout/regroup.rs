@@ -6,9 +6,10 @@
 //! that needs one takes the bodies as they were before.
 
 use super::Bodies;
+use crate::chain::BodyId;
 
 /// Moves inboard what the joint of body `k` lets pass; to be called from the last body to the first.
-pub fn pass_inboard(bodies: &mut Bodies<'_>, k: usize) {
+pub fn pass_inboard(bodies: &mut Bodies<'_>, k: BodyId) {
     let body = bodies.bodies[k];
     let passes = body.motion.invariant(body.inertia);
     bodies.bodies[k].inertia = body.inertia - passes;

@@ -13,7 +13,7 @@ use crate::function::Function;
 use crate::joint::Motion;
 use crate::model::Way;
 use crate::request::{Parameter, Request, Target};
-use crate::space::Variable;
+use crate::space::{FrameId, Variable};
 
 /// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
 const TOLERANCE: f64 = 1e-28;
@@ -34,7 +34,7 @@ fn state(input: Input) -> Double {
 fn results(chain: &Chain, function: Function, layout: Layout, way: Way) -> Vec<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
-    let terms = function.build(&graph, &bodies, 0, way);
+    let terms = function.build(&graph, &bodies, FrameId::FIRST, way);
     let results: Vec<Expr> = terms
         .into_iter()
         .map(crate::expression::Term::expr)
@@ -264,7 +264,7 @@ fn a_locked_joint_is_one_that_stands_still() {
                 state(input)
             }
         };
-        let terms = Function::InverseDynamics.build(&graph, &bodies, 0, way);
+        let terms = Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, way);
         let all: Vec<Expr> = terms
             .into_iter()
             .map(crate::expression::Term::expr)

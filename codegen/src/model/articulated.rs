@@ -5,21 +5,22 @@
 //! In: the joints and bodies with physical inertias, never regrouped ones. Out: q̈, or M⁻¹. No mass
 //! matrix is formed, and what its conditioning would take is lost only as far as masses differ.
 
-use super::carry::Joint;
+use super::carry::{Joint, Joints};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::Term;
 use crate::joint::Motion;
+use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
 
 /// q̈ of τ, one entry a joint.
 pub fn forward_dynamics<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    outside: &[(usize, Action<Term<'g>>)],
-) -> Vec<Term<'g>> {
-    let count = joints.len();
+    outside: &[(BodyId, Action<Term<'g>>)],
+) -> List<BodyId, Term<'g>> {
     let Drift {
         velocities,
         drifts,
@@ -28,13 +29,11 @@ pub fn forward_dynamics<'g>(
     for &(body, action) in outside {
         actions[body] = actions[body] - action;
     }
-    let mut articulated: Vec<Articulated<'g>> = (joints.iter())
-        .map(|joint| Articulated::of(joint.inertia))
-        .collect();
+    let mut articulated = joints.map(|joint| Articulated::of(joint.inertia));
 
-    let mut yields = Vec::with_capacity(count);
-    for k in (0..count).rev() {
-        let (joint, action) = (&joints[k], actions[k]);
+    let mut yields = Vec::with_capacity(joints.len());
+    for (k, joint) in joints.numbered().rev() {
+        let action = actions[k];
         let given = articulated[k].yielding(joint);
         let friction = joint.drive.resistance(state.qd(k));
         let lacking = state.tau(k) - friction - action.along(joint.screw);
@@ -53,8 +52,9 @@ pub fn forward_dynamics<'g>(
         yields.push((lacking, given));
     }
     yields.reverse();
+    let yields: List<BodyId, _> = yields.into();
 
-    let mut found = Vec::with_capacity(count);
+    let mut found = List::new();
     outwards(joints, gravity, state, &velocities, |k, carried| {
         let (lacking, given) = &yields[k];
         let opposed = carried.omega_dot.dot(given.action.c) + carried.a.dot(given.action.f);
@@ -69,14 +69,10 @@ pub fn forward_dynamics<'g>(
 /// force that joint k lacks, standing still, where joint j exerts a unit force (the innovations form
 /// of Rodriguez, Jain and Kreutz-Delgado, "A spatial operator algebra for manipulator modeling and
 /// control", 1991). Only joints inboard of j feel it.
-pub fn mass_matrix_inverse<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>> {
-    let count = joints.len();
-    let mut articulated: Vec<Articulated<'g>> = (joints.iter())
-        .map(|joint| Articulated::of(joint.inertia))
-        .collect();
-    let mut yields = Vec::with_capacity(count);
-    for k in (0..count).rev() {
-        let joint = &joints[k];
+pub fn mass_matrix_inverse<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId, Term<'g>> {
+    let mut articulated = joints.map(|joint| Articulated::of(joint.inertia));
+    let mut yields = Vec::with_capacity(joints.len());
+    for (k, joint) in joints.numbered().rev() {
         let given = articulated[k].yielding(joint);
         if let Some(parent) = joint.parent {
             articulated[parent] = articulated[parent] + given.left.passed_on(joint);
@@ -84,10 +80,11 @@ pub fn mass_matrix_inverse<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<T
         yields.push(given);
     }
     yields.reverse();
+    let yields: List<BodyId, _> = yields.into();
 
     // Of each joint, the joints inboard of it and itself, with Y, from itself inwards.
     let one = state.graph.constant(1.0);
-    let lacks = (0..count).map(|column| {
+    let lacks = joints.ids().map(|column| {
         let mut rows = vec![(column, one)];
         let mut action = yields[column].pushed(one, None, &joints[column]);
         let mut at = column;
@@ -102,10 +99,10 @@ pub fn mass_matrix_inverse<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<T
         rows.reverse();
         rows
     });
-    let lacks: Vec<Vec<(usize, Term<'g>)>> = lacks.collect();
-    let mut entries = vec![state.zero(); count * count];
-    for column in 0..count {
-        for row in 0..=column {
+    let lacks: List<BodyId, Vec<(BodyId, Term<'g>)>> = lacks.collect();
+    let mut entries = Square::filled(state.zero(), joints.len());
+    for column in joints.ids() {
+        for row in joints.ids().take(column.number()) {
             // What is inboard of both is where their rows begin, which go from the base outwards.
             let both = lacks[row].iter().zip(&lacks[column]);
             let both = both.take_while(|((k, _), (l, _))| k == l);
@@ -113,8 +110,7 @@ pub fn mass_matrix_inverse<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<T
                 both.map(|((k, of_row), (_, of_column))| *of_column * yields[*k].inverse * *of_row);
             let entry = products.reduce(|sum, product| sum + product);
             let entry = entry.unwrap_or_else(|| state.zero());
-            entries[row * count + column] = entry;
-            entries[column * count + row] = entry;
+            entries.set_both((row, column), entry);
         }
     }
     entries
@@ -126,16 +122,16 @@ pub const MOTION: usize = 18;
 
 /// What the recursion takes from a motion whose q̈ is given, without a division.
 pub fn motion<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    outside: &[(usize, Action<Term<'g>>)],
+    outside: &[(BodyId, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
     let mut drift = Drift::of(joints, state);
     for &(body, action) in outside {
         drift.actions[body] = drift.actions[body] - action;
     }
-    let given = |k: usize, _: Acceleration<Term<'g>>| state.qdd(k);
+    let given = |k: BodyId, _: Acceleration<Term<'g>>| state.qdd(k);
     let accelerations = outwards(joints, gravity, state, &drift.velocities, given);
     let all = drift.actions.iter().zip(&drift.drifts).zip(accelerations);
     all.flat_map(|((action, drift), acceleration)| {
@@ -188,21 +184,21 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
 /// What velocities alone do: those of the bodies, the accelerations that each joint adds to them, and
 /// the actions that they take.
 struct Drift<'g> {
-    velocities: Vec<Moving<'g>>,
-    drifts: Vec<Acceleration<Term<'g>>>,
-    actions: Vec<Action<Term<'g>>>,
+    velocities: List<BodyId, Moving<'g>>,
+    drifts: List<BodyId, Acceleration<Term<'g>>>,
+    actions: List<BodyId, Action<Term<'g>>>,
 }
 
 impl<'g> Drift<'g> {
-    fn of(joints: &[Joint<'g>], state: &State<'g>) -> Self {
+    fn of(joints: &Joints<'g>, state: &State<'g>) -> Self {
         let still = Acceleration::linear(Vector::zero(state.graph));
         let rest = Moving::still(still);
         let mut all = Self {
-            velocities: Vec::with_capacity(joints.len()),
-            drifts: Vec::with_capacity(joints.len()),
-            actions: Vec::with_capacity(joints.len()),
+            velocities: List::new(),
+            drifts: List::new(),
+            actions: List::new(),
         };
-        for (k, joint) in joints.iter().enumerate() {
+        for (k, joint) in joints.numbered() {
             let outer = joint.parent.map_or(rest, |parent| all.velocities[parent]);
             let drift = beyond(outer, joint, state.qd(k), state.zero());
             let velocity = Acceleration {
@@ -223,15 +219,15 @@ impl<'g> Drift<'g> {
 /// The accelerations of the bodies, the base's being that of gravity the other way; `of_joint` gives
 /// that of a joint from what its body has without it.
 fn outwards<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    velocities: &[Moving<'g>],
-    mut of_joint: impl FnMut(usize, Acceleration<Term<'g>>) -> Term<'g>,
-) -> Vec<Acceleration<Term<'g>>> {
+    velocities: &List<BodyId, Moving<'g>>,
+    mut of_joint: impl FnMut(BodyId, Acceleration<Term<'g>>) -> Term<'g>,
+) -> List<BodyId, Acceleration<Term<'g>>> {
     let base = Moving::still(Acceleration::linear(-gravity));
-    let mut accelerations: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(joints.len());
-    for (k, joint) in joints.iter().enumerate() {
+    let mut accelerations: List<BodyId, Acceleration<Term<'g>>> = List::new();
+    for (k, joint) in joints.numbered() {
         let outer = joint.parent.map_or(base, |parent| Moving {
             h: Acceleration {
                 omega: velocities[parent].h.omega,
@@ -338,7 +334,7 @@ impl<'g> Articulated<'g> {
     fn yielding(&self, joint: &Joint<'g>) -> Yielding<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
         let share = action.along(joint.screw) + joint.drive.armature;
-        share.label(|| format!("d_{}", joint.index + 1));
+        share.label(|| format!("d_{}", joint.body.number()));
         let inverse = share.graph().constant(1.0) / share;
         let (c, f) = (action.c, action.f);
         let (over_c, over_f) = (c * inverse, f * inverse);

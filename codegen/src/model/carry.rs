@@ -11,28 +11,27 @@ use std::iter::successors;
 use super::state::State;
 use super::turn::{self, Turn};
 use super::way::{Congruence, Way};
-use crate::chain::Position;
+use crate::chain::{BodyId, Position};
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::joint::{Drive, Motion};
 use crate::layout::{Bodies, Body};
+use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
-use crate::space::Variable;
+use crate::space::FrameId;
 
 /// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it,
 /// or a posture; in frame 0 there is none, and the placement is the identity.
 #[derive(Clone, Copy)]
 pub struct Joint<'g> {
-    /// Index of the body.
-    pub index: usize,
+    /// The body.
+    pub body: BodyId,
     /// The joint that carries the body it hangs on; none for the fixed base.
-    pub parent: Option<usize>,
+    pub parent: Option<BodyId>,
     /// The motion it allows.
     pub motion: Motion,
-    /// The number of the frame in which its matrices are: that of its body, or 0.
-    pub frame: usize,
-    /// The number of the frame in which those of the body are that it hangs on.
-    pub outer_frame: usize,
+    /// Where its matrices are.
+    pub frame: Frame,
     /// Whether what is placed in frame 0 is seen from the body at the root, in the axes of frame 0.
     pub from_root: bool,
     /// M from the parent's frame to where the displacement starts.
@@ -57,13 +56,16 @@ pub struct Joint<'g> {
     pub congruence: Congruence,
 }
 
+/// The joints of all bodies.
+pub type Joints<'g> = List<BodyId, Joint<'g>>;
+
 impl<'g> Joint<'g> {
     /// The joint of body `k`, where `left` is what each body's frame leaves of its turn.
     fn new(
         bodies: &Bodies<'g>,
-        k: usize,
+        k: BodyId,
         state: &State<'g>,
-        left: &[Option<Turn<'g>>],
+        left: &List<BodyId, Option<Turn<'g>>>,
         congruence: Congruence,
     ) -> Self {
         let body: &Body<'g> = &bodies.bodies[k];
@@ -77,7 +79,7 @@ impl<'g> Joint<'g> {
         let slide = body.motion.slide(|| state.q(k)).unwrap_or(zero);
         let posture = match body.position {
             Position::Posture(posture, first) => {
-                Some(posture.displacement(|entry| state.entry(Variable::Q, first + entry)))
+                Some(posture.displacement(|entry| state.coordinate(first.plus(entry))))
             }
             Position::Along { .. } | Position::Taken => None,
         };
@@ -89,11 +91,10 @@ impl<'g> Joint<'g> {
             placement.translation = turned * placement.translation;
         }
         Self {
-            index: k,
+            body: k,
             parent: body.parent,
             motion: body.motion,
-            frame: k + 1,
-            outer_frame: body.parent.map_or(0, |parent| parent + 1),
+            frame: Frame::Link,
             from_root: false,
             placement,
             angle,
@@ -116,15 +117,14 @@ impl<'g> Joint<'g> {
     fn in_frame_0(self, pose: Pose<Term<'g>>) -> Self {
         let graph = self.slide.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-        let index = self.index + 1;
+        let index = self.body.number();
         let screw = self.screw.change_frame(pose);
         screw.u.label(|| format!("l_{index}_in_0_u"));
         screw.b.label(|| format!("l_{index}_in_0_b"));
         let inertia = self.inertia.change_frame(pose);
         inertia.label(|| format!("j_{index}_in_0_"));
         Self {
-            frame: 0,
-            outer_frame: 0,
+            frame: Frame::Base,
             placement: Pose::identity(graph),
             angle: (zero, one),
             slide: zero,
@@ -138,7 +138,7 @@ impl<'g> Joint<'g> {
     /// M₀ of the body, where `outer` is that of the body it hangs on.
     fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
-        let index = self.index + 1;
+        let index = self.body.number();
         if !self.from_root {
             pose.translation.label(|| format!("m_0_{index}_t"));
         }
@@ -161,11 +161,27 @@ impl<'g> Joint<'g> {
 
     /// Whether its motion carries the screw of a joint `at` inboard of it: its own, and those of the joint with
     /// several velocities of which it is one.
-    pub fn carries_screw(&self, at: usize, joints: &[Self]) -> bool {
+    pub fn carries_screw(&self, at: BodyId, joints: &List<BodyId, Self>) -> bool {
         let mut own = successors(Some(self), |joint| {
             joint.parent.filter(|_| joint.taken).map(|k| &joints[k])
         });
-        own.any(|joint| joint.index == at)
+        own.any(|joint| joint.body == at)
+    }
+
+    /// The number of the frame in which its matrices are, as names have it: that of its body, or 0.
+    pub fn frame_number(&self) -> usize {
+        match self.frame {
+            Frame::Link => self.body.number(),
+            Frame::Base => 0,
+        }
+    }
+
+    /// The same of the body that it hangs on.
+    pub fn outer_frame_number(&self) -> usize {
+        match self.frame {
+            Frame::Link => self.parent.map_or(0, BodyId::number),
+            Frame::Base => 0,
+        }
     }
 
     /// The turn as a matrix.
@@ -241,7 +257,7 @@ impl<'g> Joint<'g> {
 pub(super) fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
     let mut found: Vec<(Joint<'g>, Pose<Term<'g>>)> = Vec::with_capacity(joints.len());
     for &joint in joints {
-        let outer = (found.iter().rev()).find(|(outer, _)| Some(outer.index) == joint.parent);
+        let outer = (found.iter().rev()).find(|(outer, _)| Some(outer.body) == joint.parent);
         let base = || Pose::identity(joint.slide.graph());
         let pose = joint.pose(outer.map_or_else(base, |&(_, pose)| pose));
         found.push((joint, pose));
@@ -249,14 +265,18 @@ pub(super) fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>
     found
 }
 
-/// Joints with all their matrices in frame 0.
-pub fn in_frame_0<'g>(joints: &[Joint<'g>]) -> Vec<Joint<'g>> {
+/// Joints with all their matrices in frame 0, of all bodies or of some.
+pub fn in_frame_0<'g, J: FromIterator<Joint<'g>>>(joints: &[Joint<'g>]) -> J {
     let placed = placed(joints).into_iter();
     placed.map(|(joint, pose)| joint.in_frame_0(pose)).collect()
 }
 
 /// What the frame of each body leaves of its turn, where all joints are at work.
-pub(super) fn left<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Option<Turn<'g>>> {
+pub(super) fn left<'g>(
+    bodies: &Bodies<'g>,
+    state: &State<'g>,
+    way: Way,
+) -> List<BodyId, Option<Turn<'g>>> {
     turn::left_to_carried(bodies, state, way.angles, |k| {
         let mut carried = bodies
             .bodies
@@ -268,15 +288,15 @@ pub(super) fn left<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<
 }
 
 /// All joints, in the order of the bodies.
-pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Vec<Joint<'g>> {
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Joints<'g> {
     let left = left(bodies, state, way);
-    (0..bodies.bodies.len())
-        .map(|k| Joint::new(bodies, k, state, &left, way.congruence))
+    let all = bodies.bodies.ids();
+    all.map(|k| Joint::new(bodies, k, state, &left, way.congruence))
         .collect()
 }
 
 /// The same joints, seen from the body at the root where that is one.
-pub fn from_root(mut joints: Vec<Joint<'_>>) -> Vec<Joint<'_>> {
+pub fn from_root(mut joints: Joints<'_>) -> Joints<'_> {
     let mut roots = joints.iter_mut().filter(|joint| joint.parent.is_none());
     if let (Some(root), None) = (roots.next(), roots.next()) {
         root.stay();
@@ -332,17 +352,17 @@ impl<'g> Path<'g> {
     }
 }
 
-/// The way to the frame of that index.
-pub fn path<'g>(bodies: &Bodies<'g>, frame: usize, state: &State<'g>, way: Way) -> Path<'g> {
+/// The way to a frame.
+pub fn path<'g>(bodies: &Bodies<'g>, frame: FrameId, state: &State<'g>, way: Way) -> Path<'g> {
     path_beyond(bodies, None, frame, state, way)
 }
 
-/// The way to the frame of that index from a body that carries it, or from the base: its placement at the
+/// The way to a frame from a body that carries it, or from the base: its placement at the
 /// beginning is as seen from there.
 pub fn path_beyond<'g>(
     bodies: &Bodies<'g>,
-    from: Option<usize>,
-    frame: usize,
+    from: Option<BodyId>,
+    frame: FrameId,
     state: &State<'g>,
     way: Way,
 ) -> Path<'g> {

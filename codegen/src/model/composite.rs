@@ -1,18 +1,19 @@
 //! The mass matrix from composite pseudo-inertias: column i is the action skew\[Lᵢ J\] of everything
 //! outboard of joint i, seen by the joints inboard of it.
 
-use super::carry::Joint;
+use super::carry::Joints;
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::{Id, Square};
 use crate::matrix::Action;
 
 /// The mass matrix, row by row.
-pub fn mass_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>> {
-    let count = joints.len();
-    let mut composites: Vec<_> = joints.iter().map(|joint| joint.inertia).collect();
-    let mut entries = vec![state.zero(); count * count];
-    for column in (0..count).rev() {
-        let (index, frame) = (column + 1, joints[column].frame);
+pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId, Term<'g>> {
+    let mut composites = joints.map(|joint| joint.inertia);
+    let mut entries = Square::filled(state.zero(), joints.len());
+    for column in joints.ids().rev() {
+        let (index, frame) = (column.number(), joints[column].frame_number());
         composites[column].label(|| format!("j_{index}_in_{frame}_"));
         let mut action = Action::of_screw(joints[column].screw, composites[column]);
         let mut at = column;
@@ -21,15 +22,14 @@ pub fn mass_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>>
             if at == column {
                 seen = seen + joints[at].drive.armature;
             }
-            entries[at * count + column] = seen;
-            entries[column * count + at] = seen;
+            entries.set_both((at, column), seen);
             let Some(parent) = joints[at].parent else {
                 break;
             };
             action = action
                 .change_frame(joints[at].displacement())
                 .change_frame(joints[at].placement);
-            let frame = joints[at].outer_frame;
+            let frame = joints[at].outer_frame_number();
             action.label(|| format!("phi_{index}_in_{frame}_"));
             at = parent;
         }

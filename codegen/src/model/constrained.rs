@@ -5,13 +5,17 @@
 //! and J q̈ + γ = 0, by way of the Schur complement S = J M⁻¹ Jᵗ; or the forces of those joints. A row that
 //! depends on those before it is left out: its λ is zero, and nothing is divided by what vanishes.
 
+use std::ops::Deref;
+
 use super::factor::factor;
 use crate::expression::Term;
+use crate::list::{List, Square};
+use crate::space::VelocityId;
 
 /// What is known of the loops.
 pub struct Loops<'g> {
     /// J, row by row.
-    pub jacobian: Vec<Vec<Term<'g>>>,
+    pub jacobian: Vec<List<VelocityId, Term<'g>>>,
     /// γ.
     pub bias: Vec<Term<'g>>,
     /// For each row, the first of those that it is measured with.
@@ -22,18 +26,19 @@ pub struct Loops<'g> {
 
 /// q̈ and λ; `forces` is f.
 pub fn accelerations<'g>(
-    matrix: &[Term<'g>],
-    parents: &[Option<usize>],
-    forces: &[Term<'g>],
+    matrix: &Square<VelocityId, Term<'g>>,
+    parents: &List<VelocityId, Option<VelocityId>>,
+    forces: &List<VelocityId, Term<'g>>,
     loops: &Loops<'g>,
 ) -> [Vec<Term<'g>>; 2] {
     let factors = factor(matrix, parents);
     // Of M⁻¹ = (L⁻ᵗ)ᵗ D⁻¹ L⁻ᵗ, one half of each: what is left for the joints, and of each row.
     let free = factors.half(forces);
-    let halves: Vec<Vec<Term<'g>>> = (loops.jacobian.iter())
+    let halves: Vec<List<VelocityId, Term<'g>>> = (loops.jacobian.iter())
         .map(|row| factors.half(row))
         .collect();
-    let weighed: Vec<Vec<Term<'g>>> = halves.iter().map(|half| factors.weighed(half)).collect();
+    let weighed: Vec<List<VelocityId, Term<'g>>> =
+        halves.iter().map(|half| factors.weighed(half)).collect();
     let wanted: Vec<Term<'g>> = (weighed.iter().zip(&loops.bias))
         .map(|(row, &bias)| -(dot(row, &free) + bias))
         .collect();
@@ -44,40 +49,47 @@ pub fn accelerations<'g>(
             *driven = *driven + half * multiplier;
         }
     }
-    [factors.other_half(&factors.weighed(&driven)), multipliers]
+    [
+        factors.other_half(&factors.weighed(&driven)).into(),
+        multipliers,
+    ]
 }
 
 /// τ of the velocities that are driven, where `needed` is what a motion needs of all of them: λ holds what the
 /// others need, to the least squares of what is left.
-pub fn driven<'g>(needed: &[Term<'g>], actuated: &[bool], loops: &Loops<'g>) -> Vec<Term<'g>> {
-    let passive = |of: &[Term<'g>]| -> Vec<Term<'g>> {
+pub fn driven<'g>(
+    needed: &List<VelocityId, Term<'g>>,
+    actuated: &List<VelocityId, bool>,
+    loops: &Loops<'g>,
+) -> List<VelocityId, Term<'g>> {
+    let passive = |of: &List<VelocityId, Term<'g>>| -> Vec<Term<'g>> {
         let entries = of.iter().zip(actuated).filter(|(_, actuated)| !**actuated);
         entries.map(|(&entry, _)| entry).collect()
     };
     let left = passive(needed);
     if left.is_empty() {
-        return needed.to_vec();
+        return needed.clone();
     }
-    let rows: Vec<Vec<Term<'g>>> = loops.jacobian.iter().map(|row| passive(row)).collect();
+    let rows: Vec<Vec<Term<'g>>> = loops.jacobian.iter().map(passive).collect();
     let wanted: Vec<Term<'g>> = rows.iter().map(|row| dot(row, &left)).collect();
     let multipliers = multipliers(&rows, &rows, &wanted, loops);
-    let torque = |k: usize| {
+    let torque = |k: VelocityId| {
         let held = loops.jacobian.iter().zip(&multipliers);
         held.fold(needed[k], |torque, (row, &multiplier)| {
             torque - row[k] * multiplier
         })
     };
-    let zero = needed[0].graph().constant(0.0);
-    let velocities = actuated.iter().enumerate();
+    let zero = left[0].graph().constant(0.0);
+    let velocities = actuated.numbered();
     velocities
         .map(|(k, &actuated)| if actuated { torque(k) } else { zero })
         .collect()
 }
 
 /// λ of S λ = y, where S is made of the halves of its rows: S = L D Lᵗ, row after row.
-fn multipliers<'g>(
-    halves: &[Vec<Term<'g>>],
-    weighed: &[Vec<Term<'g>>],
+fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
+    halves: &[R],
+    weighed: &[R],
     wanted: &[Term<'g>],
     loops: &Loops<'g>,
 ) -> Vec<Term<'g>> {

@@ -18,20 +18,22 @@
 //! Forces are the same for all who see the robot at a constant velocity: the matrices of each joint
 //! are those of one who moves with its pole, so that no velocity of an origin is carried from the base.
 
-use super::carry::Joint;
+use super::carry::{Joint, Joints};
 use super::newton_euler::{Moving, motion, seen};
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Flow, Inertia, Pose, Screw, Vector};
 
 /// ∂τ/∂q and ∂τ/∂q̇ at the given q̈, where actions from outside are on some bodies and turn with them.
 pub fn inverse_dynamics<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    qdd: &[Term<'g>],
-    outside: &[(usize, Action<Term<'g>>)],
-) -> [Vec<Term<'g>>; 2] {
+    qdd: &List<BodyId, Term<'g>>,
+    outside: &[(BodyId, Action<Term<'g>>)],
+) -> [Square<BodyId, Term<'g>>; 2] {
     let motion = motion(joints, gravity, state, qdd, outside);
     let rates = rates(joints, gravity, &motion.motions);
     let by_coordinate = rates.iter().zip(joints).zip(&motion.actions);
@@ -48,9 +50,9 @@ pub fn inverse_dynamics<'g>(
     // Each velocity enters with its double.
     let whole = Whole::of(joints, state, &motion.motions, |v| v + v);
     let changes = by_coordinate.zip(by_rate).map(|(q, qd)| [q, qd]);
-    let [by_coordinate, mut by_rate] = whole.felt(joints, state, &changes.collect::<Vec<_>>());
-    for (k, joint) in joints.iter().enumerate() {
-        let own = &mut by_rate[k * joints.len() + k];
+    let [by_coordinate, mut by_rate] = whole.felt(joints, state, &changes.collect());
+    for (k, joint) in joints.numbered() {
+        let own = &mut by_rate[(k, k)];
         *own = *own + joint.drive.damping;
     }
     [by_coordinate, by_rate]
@@ -59,19 +61,18 @@ pub fn inverse_dynamics<'g>(
 /// Adds to ∂τ/∂q what actions on bodies do that stay as they are in frame 0: −Σ (Lₘ Lᵢ − Lᵢ Lₘ) ⊗ Φ where joint
 /// m carries Lᵢ.
 pub fn add_standing<'g>(
-    matrix: &mut [Term<'g>],
-    joints: &[Joint<'g>],
-    outside: &[(usize, Action<Term<'g>>)],
+    matrix: &mut Square<BodyId, Term<'g>>,
+    joints: &Joints<'g>,
+    outside: &[(BodyId, Action<Term<'g>>)],
 ) {
-    let count = joints.len();
-    let mut carried: Vec<Option<Action<Term<'g>>>> = vec![None; count];
+    let mut carried: List<BodyId, Option<Action<Term<'g>>>> = List::filled(None, joints.len());
     let sum = |sum: &mut Option<Action<Term<'g>>>, action| {
         *sum = Some(sum.map_or(action, |sum| sum + action));
     };
     for &(body, action) in outside {
         sum(&mut carried[body], action);
     }
-    for (k, joint) in joints.iter().enumerate().rev() {
+    for (k, joint) in joints.numbered().rev() {
         let Some(action) = carried[k] else {
             continue;
         };
@@ -84,10 +85,10 @@ pub fn add_standing<'g>(
         while let Some(parent) = joints[at].parent {
             (turned, at) = (inboard(turned, &joints[at]), parent);
             let power = turned.along(joints[at].screw);
-            let entry = &mut matrix[k * count + at];
+            let entry = &mut matrix[(k, at)];
             *entry = *entry - power;
             if joint.carries_screw(at, joints) {
-                let entry = &mut matrix[at * count + k];
+                let entry = &mut matrix[(at, k)];
                 *entry = *entry + power;
             }
         }
@@ -98,9 +99,9 @@ pub fn add_standing<'g>(
 }
 
 /// C of M q̈ + C q̇ + gravity, with Ṁ = C + Cᵗ.
-pub fn coriolis_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<'g>> {
+pub fn coriolis_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId, Term<'g>> {
     let nothing = Vector::zero(state.graph);
-    let at_rest = vec![state.zero(); joints.len()];
+    let at_rest = List::filled(state.zero(), joints.len());
     let motion = motion(joints, nothing, state, &at_rest, &[]);
     let rates = rates(joints, nothing, &motion.motions);
     let changes = rates.iter().zip(joints).map(|(rates, joint)| {
@@ -111,7 +112,7 @@ pub fn coriolis_matrix<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Term<
         }]
     });
     let whole = Whole::of(joints, state, &motion.motions, |v| v);
-    let [matrix] = whole.felt(joints, state, &changes.collect::<Vec<_>>());
+    let [matrix] = whole.felt(joints, state, &changes.collect());
     matrix
 }
 
@@ -126,14 +127,14 @@ struct Rates<'g> {
 }
 
 fn rates<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
-    motions: &[Moving<'g>],
-) -> Vec<Rates<'g>> {
+    motions: &List<BodyId, Moving<'g>>,
+) -> List<BodyId, Rates<'g>> {
     let base = Acceleration::linear(-gravity);
     // What each joint hangs on, as a whole, and the last body that it moves.
-    let mut outer: Vec<Acceleration<Term<'g>>> = Vec::with_capacity(joints.len());
-    let mut last: Vec<usize> = (0..joints.len()).collect();
+    let mut outer: List<BodyId, Acceleration<Term<'g>>> = List::new();
+    let mut last: List<BodyId, BodyId> = joints.ids().collect();
     for joint in joints {
         outer.push(match joint.parent {
             Some(parent) if joint.taken => outer[parent],
@@ -143,12 +144,12 @@ fn rates<'g>(
             }
         });
     }
-    for (k, joint) in joints.iter().enumerate().rev() {
+    for (k, joint) in joints.numbered().rev() {
         if let (true, Some(parent)) = (joint.taken, joint.parent) {
             last[parent] = last[k];
         }
     }
-    let each = joints.iter().enumerate().map(|(k, joint)| {
+    let each = joints.numbered().map(|(k, joint)| {
         let Screw { u, b } = joint.screw;
         let (outer, own, last) = (outer[k], &motions[k], &motions[last[k]]);
         // How much faster than the pole the bodies are there.
@@ -187,39 +188,38 @@ struct Change<'g> {
 
 /// All that each joint carries: J, and some multiple of Y seen by one who moves with the joint's pole.
 struct Whole<'g> {
-    inertias: Vec<Inertia<Term<'g>>>,
-    flows: Vec<Flow<Term<'g>>>,
+    inertias: List<BodyId, Inertia<Term<'g>>>,
+    flows: List<BodyId, Flow<Term<'g>>>,
     /// How much faster the pole of each joint is than that of the body that it hangs on, by the same
     /// multiple: by its displacement, and by its placement.
-    gains: Vec<[Vector<Term<'g>>; 2]>,
+    gains: List<BodyId, [Vector<Term<'g>>; 2]>,
 }
 
 impl<'g> Whole<'g> {
     fn of(
-        joints: &[Joint<'g>],
+        joints: &Joints<'g>,
         state: &State<'g>,
-        motions: &[Moving<'g>],
+        motions: &List<BodyId, Moving<'g>>,
         multiple: impl Fn(Vector<Term<'g>>) -> Vector<Term<'g>>,
     ) -> Self {
-        let gains = joints.iter().map(|joint| {
+        let gains = joints.map(|joint| {
             let Joint { placement, .. } = joint;
             let at_rest = Vector::zero(state.graph);
             let omega = joint.parent.map_or(at_rest, |k| motions[k].h.omega);
-            let sliding = joint.turn() * joint.screw.b * state.qd(joint.index);
+            let sliding = joint.turn() * joint.screw.b * state.qd(joint.body);
             let turned = placement.rotation.transposed() * omega;
             [
                 multiple(turned.cross(joint.offset()) + sliding),
                 multiple(omega.cross(placement.translation)),
             ]
         });
-        let gains: Vec<_> = gains.collect();
-        let mut inertias: Vec<_> = joints.iter().map(|joint| joint.inertia).collect();
+        let mut inertias = joints.map(|joint| joint.inertia);
         let flows = joints.iter().zip(motions);
-        let mut flows: Vec<_> = flows
+        let mut flows: List<BodyId, _> = flows
             .map(|(joint, own)| Flow::of_turn(multiple(own.h.omega), joint.inertia))
             .collect();
-        for (k, joint) in joints.iter().enumerate().rev() {
-            let (index, frame) = (k + 1, joint.frame);
+        for (k, joint) in joints.numbered().rev() {
+            let (index, frame) = (k.number(), joint.frame_number());
             inertias[k].label(|| format!("j_{index}_in_{frame}_"));
             if let Some(parent) = joint.parent {
                 let [displacing, placing] = gains[k];
@@ -253,13 +253,12 @@ impl<'g> Whole<'g> {
     /// What the joints feel of some changes of each joint, in as many matrices.
     fn felt<const K: usize>(
         &self,
-        joints: &[Joint<'g>],
+        joints: &Joints<'g>,
         state: &State<'g>,
-        changes: &[[Change<'g>; K]],
-    ) -> [Vec<Term<'g>>; K] {
-        let count = joints.len();
-        let mut matrices = std::array::from_fn(|_| vec![state.zero(); count * count]);
-        for (k, joint) in joints.iter().enumerate() {
+        changes: &List<BodyId, [Change<'g>; K]>,
+    ) -> [Square<BodyId, Term<'g>>; K] {
+        let mut matrices = std::array::from_fn(|_| Square::filled(state.zero(), joints.len()));
+        for (k, joint) in joints.numbered() {
             let (inertia, flow) = (self.inertias[k], self.flows[k]);
             // skew[L J] and skew[L Yᵗ] turn what a joint feels of a change into a scalar product with it.
             let mut own = Action::of_screw(joint.screw, inertia);
@@ -270,11 +269,11 @@ impl<'g> Whole<'g> {
             let mut at = k;
             loop {
                 for (matrix, felt) in matrices.iter_mut().zip(felt) {
-                    matrix[at * count + k] = felt.along(joints[at].screw);
+                    matrix[(at, k)] = felt.along(joints[at].screw);
                 }
                 if at != k {
                     for (matrix, change) in matrices.iter_mut().zip(&changes[at]) {
-                        matrix[k * count + at] = own.along(change.x) + against.dot(change.turn);
+                        matrix[(k, at)] = own.along(change.x) + against.dot(change.turn);
                     }
                 }
                 let Some(parent) = joints[at].parent else {

@@ -5,41 +5,43 @@
 //! never pivots: M is positive definite, or the chain has been refused.
 
 use crate::expression::Term;
+use crate::list::{Id, List, Square};
+use crate::space::VelocityId;
 
 /// L (unit lower triangular) and D⁻¹.
 pub struct Factors<'g> {
-    /// For each joint, the joints inboard of it, nearest first, with the entry of L.
-    rows: Vec<Vec<(usize, Term<'g>)>>,
+    /// For each velocity, those that it is eliminated into, nearest first, with the entry of L.
+    rows: List<VelocityId, Vec<(VelocityId, Term<'g>)>>,
     /// D.
-    pub pivots: Vec<Term<'g>>,
+    pub pivots: List<VelocityId, Term<'g>>,
     /// The reciprocals of D.
-    inverse: Vec<Term<'g>>,
+    inverse: List<VelocityId, Term<'g>>,
 }
 
-/// Factors a mass matrix given row by row; `parents` are the joints' parents.
-pub fn factor<'g>(matrix: &[Term<'g>], parents: &[Option<usize>]) -> Factors<'g> {
-    let count = parents.len();
-    let mut entries = matrix.to_vec();
-    let inboard: Vec<Vec<usize>> = (0..count)
-        .map(|k| std::iter::successors(parents[k], |&at| parents[at]).collect())
-        .collect();
-    let one = matrix[0].graph().constant(1.0);
-    let mut pivots = vec![one; count];
-    let mut inverse = vec![one; count];
-    let mut rows = vec![Vec::new(); count];
-    for k in (0..count).rev() {
-        let pivot = entries[k * count + k];
-        pivot.label(|| format!("d_{}", k + 1));
+/// Factors a mass matrix; `parents` is for each velocity the one that it is eliminated into.
+pub fn factor<'g>(
+    matrix: &Square<VelocityId, Term<'g>>,
+    parents: &List<VelocityId, Option<VelocityId>>,
+) -> Factors<'g> {
+    let mut entries = matrix.clone();
+    let inboard: List<VelocityId, Vec<VelocityId>> =
+        parents.map(|&parent| std::iter::successors(parent, |&at| parents[at]).collect());
+    let one = matrix.first().graph().constant(1.0);
+    let mut pivots = List::filled(one, parents.len());
+    let mut inverse = pivots.clone();
+    let mut rows = List::filled(Vec::new(), parents.len());
+    for k in parents.ids().rev() {
+        let pivot = entries[(k, k)];
+        pivot.label(|| format!("d_{}", k.number()));
         pivots[k] = pivot;
         inverse[k] = one / pivot;
         for (nearest, &i) in inboard[k].iter().enumerate() {
-            let entry = entries[k * count + i];
+            let entry = entries[(k, i)];
             let l = entry * inverse[k];
-            l.label(|| format!("l_{}_{}", k + 1, i + 1));
+            l.label(|| format!("l_{}_{}", k.number(), i.number()));
             for &j in &inboard[k][nearest..] {
-                let changed = entries[i * count + j] - l * entries[k * count + j];
-                entries[i * count + j] = changed;
-                entries[j * count + i] = changed;
+                let changed = entries[(i, j)] - l * entries[(k, j)];
+                entries.set_both((i, j), changed);
             }
             rows[k].push((i, l));
         }
@@ -53,10 +55,10 @@ pub fn factor<'g>(matrix: &[Term<'g>], parents: &[Option<usize>]) -> Factors<'g>
 
 impl<'g> Factors<'g> {
     /// x of Lᵗ D L x = b.
-    pub fn solve(&self, b: &[Term<'g>]) -> Vec<Term<'g>> {
+    pub fn solve(&self, b: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         let mut x = self.half(b);
-        for (k, &inverse) in self.inverse.iter().enumerate() {
-            x[k] = x[k] * inverse;
+        for k in b.ids() {
+            x[k] = x[k] * self.inverse[k];
             for &(i, l) in &self.rows[k] {
                 x[k] = x[k] - l * x[i];
             }
@@ -65,9 +67,9 @@ impl<'g> Factors<'g> {
     }
 
     /// x of Lᵗ x = b.
-    pub fn half(&self, b: &[Term<'g>]) -> Vec<Term<'g>> {
-        let mut x = b.to_vec();
-        for k in (0..x.len()).rev() {
+    pub fn half(&self, b: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
+        let mut x = b.clone();
+        for k in b.ids().rev() {
             for &(i, l) in &self.rows[k] {
                 x[i] = x[i] - l * x[k];
             }
@@ -76,15 +78,15 @@ impl<'g> Factors<'g> {
     }
 
     /// D⁻¹ x.
-    pub fn weighed(&self, x: &[Term<'g>]) -> Vec<Term<'g>> {
+    pub fn weighed(&self, x: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         let entries = x.iter().zip(&self.inverse);
         entries.map(|(&entry, &inverse)| entry * inverse).collect()
     }
 
     /// x of L x = b.
-    pub fn other_half(&self, b: &[Term<'g>]) -> Vec<Term<'g>> {
-        let mut x = b.to_vec();
-        for k in 0..x.len() {
+    pub fn other_half(&self, b: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
+        let mut x = b.clone();
+        for k in b.ids() {
             for &(i, l) in &self.rows[k] {
                 x[k] = x[k] - l * x[i];
             }

@@ -7,25 +7,26 @@
 
 use super::factor::factor;
 use crate::expression::Term;
+use crate::list::{Id, List, Square};
+use crate::space::VelocityId;
 
 /// q̈ of τ, one entry a joint; `needed` is the inverse dynamics: τ of q̈.
 ///
 /// τ is asked for only when it is needed, because what is older comes first in a sum.
 pub fn forward_dynamics<'g>(
-    matrix: &[Term<'g>],
-    parents: &[Option<usize>],
-    tau: impl Fn(usize) -> Term<'g>,
-    needed: impl Fn(&[Term<'g>]) -> Vec<Term<'g>>,
+    matrix: &Square<VelocityId, Term<'g>>,
+    parents: &List<VelocityId, Option<VelocityId>>,
+    tau: impl Fn(VelocityId) -> Term<'g>,
+    needed: impl Fn(&List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>>,
     refinements: usize,
-) -> Vec<Term<'g>> {
+) -> List<VelocityId, Term<'g>> {
     let factors = factor(matrix, parents);
-    let zero = matrix[0].graph().constant(0.0);
-    let mut accelerations = vec![zero; parents.len()];
+    let zero = matrix.first().graph().constant(0.0);
+    let mut accelerations = List::filled(zero, parents.len());
     for _ in 0..=refinements {
         let needed = needed(&accelerations);
-        let needed = needed.into_iter().enumerate();
-        let lacking: Vec<Term<'g>> = needed.map(|(k, needed)| tau(k) - needed).collect();
-        let more = factors.solve(&lacking);
+        let lacking = needed.numbered().map(|(k, &needed)| tau(k) - needed);
+        let more = factors.solve(&lacking.collect());
         for (acceleration, more) in accelerations.iter_mut().zip(more) {
             *acceleration = *acceleration + more;
         }
@@ -33,63 +34,61 @@ pub fn forward_dynamics<'g>(
     accelerations
 }
 
-/// The inverse of the mass matrix, row by row; `needed` is the inverse dynamics at rest without
+/// The inverse of the mass matrix; `needed` is the inverse dynamics at rest without
 /// gravity: M q̈ of q̈.
 pub fn mass_matrix_inverse<'g>(
-    matrix: &[Term<'g>],
-    parents: &[Option<usize>],
-    needed: impl Fn(&[Term<'g>]) -> Vec<Term<'g>>,
+    matrix: &Square<VelocityId, Term<'g>>,
+    parents: &List<VelocityId, Option<VelocityId>>,
+    needed: impl Fn(&List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>>,
     refinements: usize,
-) -> Vec<Term<'g>> {
-    let count = parents.len();
+) -> Square<VelocityId, Term<'g>> {
     let factors = factor(matrix, parents);
-    let graph = matrix[0].graph();
+    let graph = matrix.first().graph();
     let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-    let mut entries = vec![zero; count * count];
+    let mut entries = Square::filled(zero, parents.len());
     for _ in 0..=refinements {
         let before = entries.clone();
-        for column in 0..count {
+        for column in parents.ids() {
             // The inverse is symmetric: what one column has, the others need not compute.
-            let found = &before[column * count..][..count];
-            let needed = needed(found).into_iter().enumerate();
-            let unit = |row: usize| if row == column { one } else { zero };
-            let lacking: Vec<Term<'g>> = needed.map(|(k, needed)| unit(k) - needed).collect();
-            let more = factors.solve(&lacking);
-            for row in 0..=column {
-                let entry = found[row] + more[row];
-                entries[row * count + column] = entry;
-                entries[column * count + row] = entry;
+            let found = before.column(column);
+            let needed = needed(&found);
+            let unit = |row: VelocityId| if row == column { one } else { zero };
+            let lacking = needed.numbered().map(|(k, &needed)| unit(k) - needed);
+            let more = factors.solve(&lacking.collect());
+            for row in parents.ids().take(column.number()) {
+                entries.set_both((row, column), found[row] + more[row]);
             }
         }
     }
     entries
 }
 
-/// M⁻¹ of a square matrix, row by row, column by column from the factors: on a tree they have zeros that
+/// M⁻¹ of a square matrix, column by column from the factors: on a tree they have zeros that
 /// the inverse has not.
 pub fn solved<'g>(
-    matrix: &[Term<'g>],
-    parents: &[Option<usize>],
-    of: &[Term<'g>],
-) -> Vec<Term<'g>> {
-    let count = parents.len();
+    matrix: &Square<VelocityId, Term<'g>>,
+    parents: &List<VelocityId, Option<VelocityId>>,
+    of: &Square<VelocityId, Term<'g>>,
+) -> Square<VelocityId, Term<'g>> {
     let factors = factor(matrix, parents);
-    let mut found = of.to_vec();
-    for column in 0..count {
-        let given: Vec<Term<'g>> = (0..count).map(|row| of[row * count + column]).collect();
-        for (row, entry) in factors.solve(&given).into_iter().enumerate() {
-            found[row * count + column] = entry;
+    let mut found = of.clone();
+    for column in of.ids() {
+        for (row, &entry) in factors.solve(&of.column(column)).numbered() {
+            found[(row, column)] = entry;
         }
     }
     found
 }
 
 /// For each joint the diagonal entry of the mass matrix and the pivot left of it.
-pub fn pivots<'g>(matrix: &[Term<'g>], parents: &[Option<usize>]) -> Vec<Term<'g>> {
+pub fn pivots<'g>(
+    matrix: &Square<VelocityId, Term<'g>>,
+    parents: &List<VelocityId, Option<VelocityId>>,
+) -> Vec<Term<'g>> {
     let factors = factor(matrix, parents);
-    let diagonal = matrix.iter().step_by(parents.len() + 1);
+    let diagonal = matrix.diagonal();
     diagonal
         .zip(factors.pivots)
-        .flat_map(|(&entry, pivot)| [entry, pivot])
+        .flat_map(|(entry, pivot)| [entry, pivot])
         .collect()
 }

@@ -1,17 +1,19 @@
 //! Joint forces and torques that hold a robot at rest: the moment of the composite first moments
 //! about each axis. Only masses and first moments enter, and no force has to be carried.
 
-use super::carry::Joint;
+use super::carry::Joints;
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::{Id, List, Square};
 use crate::matrix::{Screw, Vector};
 
 /// τ at rest, one entry a joint.
 pub fn gravity<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-) -> Vec<Term<'g>> {
+) -> List<BodyId, Term<'g>> {
     rest(joints, gravity, state).tau
 }
 
@@ -20,20 +22,19 @@ pub fn gravity<'g>(
 /// inner joint's axis makes of the acceleration that has the effect of gravity. It is symmetric, but for
 /// velocities of one joint, each of which carries the screws of all.
 pub fn derivative<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-) -> Vec<Term<'g>> {
-    let count = joints.len();
+) -> Square<BodyId, Term<'g>> {
     let rest = rest(joints, gravity, state);
-    let mut entries = vec![state.zero(); count * count];
-    for k in 0..count {
+    let mut entries = Square::filled(state.zero(), joints.len());
+    for k in joints.ids() {
         let mut force = rest.force(joints, k);
         let mut at = k;
         loop {
             let entry = rest.falling(joints, at).dot(force);
-            entries[k * count + at] = entry;
-            entries[at * count + k] = if joints[k].carries_screw(at, joints) {
+            entries[(k, at)] = entry;
+            entries[(at, k)] = if joints[k].carries_screw(at, joints) {
                 rest.falling(joints, k).dot(rest.force(joints, at))
             } else {
                 entry
@@ -51,46 +52,45 @@ pub fn derivative<'g>(
 /// A robot at rest, each vector in the frame of its joint's matrices.
 struct Rest<'g> {
     /// The acceleration of the base that has the effect of gravity.
-    accelerations: Vec<Vector<Term<'g>>>,
+    accelerations: List<BodyId, Vector<Term<'g>>>,
     /// The mass of all that each joint carries.
-    masses: Vec<Term<'g>>,
+    masses: List<BodyId, Term<'g>>,
     /// Its first moments.
-    moments: Vec<Vector<Term<'g>>>,
+    moments: List<BodyId, Vector<Term<'g>>>,
     /// τ of each joint.
-    tau: Vec<Term<'g>>,
+    tau: List<BodyId, Term<'g>>,
 }
 
 impl<'g> Rest<'g> {
     /// The force that accelerates all that a joint carries along its screw.
-    fn force(&self, joints: &[Joint<'g>], k: usize) -> Vector<Term<'g>> {
+    fn force(&self, joints: &Joints<'g>, k: BodyId) -> Vector<Term<'g>> {
         let Screw { u, b } = joints[k].screw;
         u.cross(self.moments[k]) + b * self.masses[k]
     }
 
     /// What a turn about the axis of a joint makes of the acceleration that has the effect of gravity.
-    fn falling(&self, joints: &[Joint<'g>], k: usize) -> Vector<Term<'g>> {
+    fn falling(&self, joints: &Joints<'g>, k: BodyId) -> Vector<Term<'g>> {
         self.accelerations[k].cross(joints[k].screw.u)
     }
 }
 
-fn rest<'g>(joints: &[Joint<'g>], gravity: Vector<Term<'g>>, state: &State<'g>) -> Rest<'g> {
-    let count = joints.len();
-    let mut accelerations = Vec::with_capacity(count);
+fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -> Rest<'g> {
+    let mut accelerations = List::new();
     for joint in joints {
         let outer = joint
             .parent
             .map_or(-gravity, |parent| accelerations[parent]);
         let a = joint.vector_outboard(outer);
-        let (index, frame) = (joint.index + 1, joint.frame);
+        let (index, frame) = (joint.body.number(), joint.frame_number());
         a.label(|| format!("h_0_{index}_in_{frame}_"));
         accelerations.push(a);
     }
-    let mut masses: Vec<_> = joints.iter().map(|joint| joint.inertia.mass).collect();
-    let mut moments: Vec<_> = joints.iter().map(|joint| joint.inertia.q).collect();
-    let mut tau = vec![state.zero(); count];
-    for k in (0..count).rev() {
-        let (joint, a) = (&joints[k], accelerations[k]);
-        let (index, frame) = (k + 1, joint.frame);
+    let mut masses = joints.map(|joint| joint.inertia.mass);
+    let mut moments = joints.map(|joint| joint.inertia.q);
+    let mut tau = List::filled(state.zero(), joints.len());
+    for (k, joint) in joints.numbered().rev() {
+        let a = accelerations[k];
+        let (index, frame) = (k.number(), joint.frame_number());
         moments[k].label(|| format!("j_{index}_in_{frame}_"));
         let (screw, mass) = (joint.screw, masses[k]);
         let couple = screw.u.dot(moments[k].cross(a));

@@ -1,20 +1,22 @@
 //! The Jacobians: columns L₁ … L_N, one screw a body, in three frames.
 
 use super::carry::Path;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::List;
 use crate::matrix::{Pose, Screw, Vector};
 
 /// Columns in frame 0, pole at its origin.
-pub fn spatial<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
+pub fn spatial<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let seen = path.outwards().into_iter();
     columns(
         path,
-        seen.map(|(joint, pose)| (joint.index, joint.screw.change_frame(pose))),
+        seen.map(|(joint, pose)| (joint.body, joint.screw.change_frame(pose))),
     )
 }
 
 /// Columns in the axes of frame 0, pole at the origin of the frame at the end.
-pub fn geometric<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
+pub fn geometric<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let steps = path.outwards();
     let tip = path.pose().translation;
     let seen = steps.into_iter().map(|(joint, pose)| {
@@ -22,18 +24,18 @@ pub fn geometric<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
             translation: pose.translation - tip,
             ..pose
         };
-        (joint.index, joint.screw.change_frame(from_tip))
+        (joint.body, joint.screw.change_frame(from_tip))
     });
     columns(path, seen)
 }
 
 /// Columns in the frame at the end, pole at its origin.
-pub fn body<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
+pub fn body<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
     // M from the end to each body, inwards.
     let mut pose = path.end.inverse();
     let mut found = Vec::new();
     for joint in path.joints.iter().rev() {
-        found.push((joint.index, joint.screw.change_frame(pose)));
+        found.push((joint.body, joint.screw.change_frame(pose)));
         pose = pose * joint.displacement().inverse() * joint.placement.inverse();
     }
     columns(path, found.into_iter())
@@ -42,14 +44,14 @@ pub fn body<'g>(path: &Path<'g>) -> Vec<Screw<Term<'g>>> {
 /// All columns, one for each body; those of bodies off the path are null.
 pub(super) fn columns<'g>(
     path: &Path<'g>,
-    found: impl Iterator<Item = (usize, Screw<Term<'g>>)>,
-) -> Vec<Screw<Term<'g>>> {
+    found: impl Iterator<Item = (BodyId, Screw<Term<'g>>)>,
+) -> List<BodyId, Screw<Term<'g>>> {
     let graph = path.end.translation.x().graph();
     let null = Screw {
         u: Vector::zero(graph),
         b: Vector::zero(graph),
     };
-    let mut columns = vec![null; path.count];
+    let mut columns = List::filled(null, path.count);
     for (k, screw) in found {
         columns[k] = screw;
     }

@@ -9,11 +9,13 @@ use super::jacobian::columns;
 use super::moving::velocities;
 use super::state::State;
 use super::way::Carried;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::List;
 use crate::matrix::{Pose, Screw, Vector, Velocity};
 
 /// Columns in frame 0, pole at its origin.
-pub fn spatial<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
+pub fn spatial<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let mut w = Velocity::zero(state.graph);
     let mut found = Vec::new();
     for together in path.outwards().chunk_by(|_, (next, _)| next.taken) {
@@ -27,7 +29,11 @@ pub fn spatial<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
 }
 
 /// Columns in the axes of frame 0, pole at the origin of the frame at the end, which moves.
-pub fn geometric<'g>(path: &Path<'g>, state: &State<'g>, carried: Carried) -> Vec<Screw<Term<'g>>> {
+pub fn geometric<'g>(
+    path: &Path<'g>,
+    state: &State<'g>,
+    carried: Carried,
+) -> List<BodyId, Screw<Term<'g>>> {
     match carried {
         Carried::Inwards { .. } => geometric_in_links(path, state),
         Carried::Outwards => geometric_in_frame_0(path, state),
@@ -35,7 +41,7 @@ pub fn geometric<'g>(path: &Path<'g>, state: &State<'g>, carried: Carried) -> Ve
 }
 
 /// Where each body sees the pole, and how that moves against it.
-fn geometric_in_links<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
+fn geometric_in_links<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let (mut tip, mut rate) = (path.end.translation, Vector::zero(state.graph));
     let mut poles = Vec::with_capacity(path.joints.len());
     for together in path.joints.chunk_by(|_, next| next.taken).rev() {
@@ -58,13 +64,13 @@ fn geometric_in_links<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<
             u: pose.rotation * w.omega.cross(u),
             b: pose.rotation * (w.omega.cross(at_tip) + u.cross(rate)),
         };
-        (joint.index, turned)
+        (joint.body, turned)
     });
     columns(path, rates)
 }
 
 /// Where all matrices are in frame 0, about the tip.
-fn geometric_in_frame_0<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
+fn geometric_in_frame_0<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let tip = path.pose().translation;
     let mut omega = Vector::zero(state.graph);
     let mut outwards = Vec::new();
@@ -93,13 +99,13 @@ fn geometric_in_frame_0<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Ter
 
 /// Columns in the frame at the end, pole at its origin: of each body the velocity is that against the frame,
 /// which the joints beyond it move.
-pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
+pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let mut w = Velocity::zero(state.graph);
     let mut found = Vec::new();
     for together in path.inwards().chunk_by(|(joint, _), _| joint.taken) {
         let rates = together.iter().map(|(joint, pose)| {
             let rate = w.rate_of(joint.screw).change_frame(*pose);
-            (joint.index, rate)
+            (joint.body, rate)
         });
         found.extend(rates);
         let joints: Vec<Joint<'g>> = together.iter().rev().map(|&(joint, _)| joint).collect();
@@ -114,21 +120,21 @@ pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Screw<Term<'g>>> {
 fn seen<'g>(
     bodies: &[(Joint<'g>, Pose<Term<'g>>)],
     from: impl Fn(Pose<Term<'g>>) -> Pose<Term<'g>>,
-) -> Vec<(usize, Screw<Term<'g>>)> {
+) -> Vec<(BodyId, Screw<Term<'g>>)> {
     let bodies = bodies.iter();
     bodies
-        .map(|(joint, pose)| (joint.index, joint.screw.change_frame(from(*pose))))
+        .map(|(joint, pose)| (joint.body, joint.screw.change_frame(from(*pose))))
         .collect()
 }
 
 /// The same in the frames of the bodies.
-fn local<'g>(bodies: &[Joint<'g>]) -> Vec<(usize, Screw<Term<'g>>)> {
+fn local<'g>(bodies: &[Joint<'g>]) -> Vec<(BodyId, Screw<Term<'g>>)> {
     let bodies = bodies.iter();
-    bodies.map(|joint| (joint.index, joint.screw)).collect()
+    bodies.map(|joint| (joint.body, joint.screw)).collect()
 }
 
 /// W of a joint by itself.
-fn own<'g>(screws: &[(usize, Screw<Term<'g>>)], state: &State<'g>) -> Velocity<Term<'g>> {
+fn own<'g>(screws: &[(BodyId, Screw<Term<'g>>)], state: &State<'g>) -> Velocity<Term<'g>> {
     let each = screws.iter();
     let each = each.map(|&(k, screw)| Velocity::of_screw(screw, state.qd(k)));
     each.reduce(|sum, w| sum + w).expect("a joint moves")

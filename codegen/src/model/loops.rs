@@ -9,18 +9,21 @@
 use super::carry::{self, Joint};
 use super::state::State;
 use super::{Scene, Way};
+use crate::chain::BodyId;
 use crate::closure::Row;
 use crate::expression::Term;
 use crate::layout::{Bodies, Closed};
+use crate::list::List;
 use crate::matrix::{Acceleration, Pose, Screw, Vector, Velocity};
+use crate::space::{FrameId, VelocityId};
 
 /// How frame B stands and moves, seen from frame A.
 struct Seen<'g> {
     /// M of B.
     pose: Pose<Term<'g>>,
-    /// The joints between A and B, in the order of the way, those of one joint together: the index of each
+    /// The joints between A and B, in the order of the way, those of one joint together: each
     /// body, and what its rate moves B by.
-    joints: Vec<Vec<(usize, Screw<Term<'g>>)>>,
+    joints: Vec<Vec<(BodyId, Screw<Term<'g>>)>>,
 }
 
 /// The residuals of all rows.
@@ -33,11 +36,11 @@ pub(crate) fn residuals<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
 }
 
 /// For each row, what each velocity changes it by.
-pub(crate) fn jacobian<'g>(scene: &Scene<'_, 'g>) -> Vec<Vec<Term<'g>>> {
+pub(crate) fn jacobian<'g>(scene: &Scene<'_, 'g>) -> Vec<List<VelocityId, Term<'g>>> {
     each(scene, |closed, seen| {
         let rows = closed.rows.iter();
         rows.map(|&row| {
-            let mut entries = vec![scene.state.zero(); scene.bodies.bodies.len()];
+            let mut entries = List::filled(scene.state.zero(), scene.bodies.bodies.len());
             for &(body, screw) in seen.joints.iter().flatten() {
                 entries[body] = rate(row, closed.size, seen.pose, screw);
             }
@@ -83,7 +86,7 @@ fn each<'g, T>(scene: &Scene<'_, 'g>, of: impl Fn(&Closed<'g>, Seen<'g>) -> Vec<
 
 /// Frame B of a loop, as seen from frame A: from A inwards to the body that carries both, and out to B.
 fn seen<'g>(bodies: &Bodies<'g>, closed: &Closed<'g>, state: &State<'g>, way: Way) -> Seen<'g> {
-    let inwards = |frame: usize| {
+    let inwards = |frame: FrameId| {
         let (last, _) = bodies.frames[frame];
         std::iter::successors(last, |&k| bodies.bodies[k].parent)
     };
@@ -104,7 +107,7 @@ fn seen<'g>(bodies: &Bodies<'g>, closed: &Closed<'g>, state: &State<'g>, way: Wa
                     b: -screw.b,
                 }
             };
-            (joint.index, screw)
+            (joint.body, screw)
         });
         joints.push(seen.collect());
     };

@@ -4,18 +4,20 @@
 //! In: the joints and bodies, and what regrouping has left to the base, which is mass that joints move like any
 //! other. Out: the centre of mass in frame 0, its velocity, and what each joint adds to that.
 
-use super::carry::{self, Joint};
+use super::carry::{self, Joints};
 use super::state::State;
 use super::way::Carried;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::{Id, List};
 use crate::matrix::{Inertia, Vector};
 
 /// The masses and first moments of bodies and of all that they carry.
 pub struct MassCenter<'s, 'g> {
-    joints: &'s [Joint<'g>],
+    joints: &'s Joints<'g>,
     /// Of what hangs on each joint, where the matrices of the joint are: the share of the mass, and the first
     /// moment by unit of it.
-    carried: Vec<(Term<'g>, Vector<Term<'g>>)>,
+    carried: List<BodyId, (Term<'g>, Vector<Term<'g>>)>,
     /// The first moment of all in frame 0, by the same unit.
     moment: Vector<Term<'g>>,
     /// What moments are still to be divided by: the mass, where it is an input; where it is a number, they
@@ -24,17 +26,17 @@ pub struct MassCenter<'s, 'g> {
 }
 
 impl<'s, 'g> MassCenter<'s, 'g> {
-    pub fn of(joints: &'s [Joint<'g>], base: &Inertia<Term<'g>>) -> Self {
+    pub fn of(joints: &'s Joints<'g>, base: &Inertia<Term<'g>>) -> Self {
         let masses = joints.iter().map(|joint| joint.inertia.mass);
         let total = masses.fold(base.mass, |sum, mass| sum + mass);
         let known = total.value().is_some();
         let share = |part: Term<'g>| if known { part / total } else { part };
         let own = |inertia: &Inertia<Term<'g>>| (share(inertia.mass), inertia.q.map(share));
-        let mut carried: Vec<_> = joints.iter().map(|joint| own(&joint.inertia)).collect();
+        let mut carried = joints.map(|joint| own(&joint.inertia));
         let (_, mut moment) = own(base);
-        for (k, joint) in joints.iter().enumerate().rev() {
+        for (k, joint) in joints.numbered().rev() {
             let (mass, q) = carried[k];
-            let (index, frame) = (joint.index + 1, joint.frame);
+            let (index, frame) = (joint.body.number(), joint.frame_number());
             q.label(|| format!("c_{index}_in_{frame}_"));
             let inboard = joint.first_moment_inboard(q, mass);
             if let Some(parent) = joint.parent {
@@ -60,10 +62,10 @@ impl<'s, 'g> MassCenter<'s, 'g> {
     /// Its velocity: the rates of the moments as seen from each body, carried inwards with what the joint adds.
     pub fn velocity(&self, state: &State<'g>) -> Vector<Term<'g>> {
         let still = Vector::zero(state.graph);
-        let mut rates = vec![still; self.joints.len()];
+        let mut rates = List::filled(still, self.joints.len());
         let mut rate = still;
-        for (k, joint) in self.joints.iter().enumerate().rev() {
-            let own = self.moved_by(k) * state.qd(joint.index);
+        for (k, joint) in self.joints.numbered().rev() {
+            let own = self.moved_by(k) * state.qd(joint.body);
             let inboard = joint.vector_inboard(rates[k] + own);
             match joint.parent {
                 Some(parent) => rates[parent] = rates[parent] + inboard,
@@ -74,31 +76,28 @@ impl<'s, 'g> MassCenter<'s, 'g> {
     }
 
     /// What a unit rate of each body adds to the velocity, one after the other.
-    pub fn columns(&self, carried: Carried) -> Vec<Vector<Term<'g>>> {
-        let columns = match carried {
+    pub fn columns(&self, carried: Carried) -> List<BodyId, Vector<Term<'g>>> {
+        let columns: List<BodyId, _> = match carried {
             Carried::Outwards => {
-                let placed = carry::placed(self.joints).into_iter().enumerate();
-                let turned = placed.map(|(k, (_, pose))| pose.rotation * self.moved_by(k));
-                turned.collect::<Vec<_>>()
+                let placed = carry::placed(self.joints).into_iter();
+                let turned = placed.map(|(joint, pose)| pose.rotation * self.moved_by(joint.body));
+                turned.collect()
             }
             Carried::Inwards { .. } => {
-                let inwards = |k: usize| {
+                let inwards = |k: BodyId| {
                     let up = std::iter::successors(Some(k), |&k| self.joints[k].parent);
                     up.fold(self.moved_by(k), |column, at| {
                         self.joints[at].vector_inboard(column)
                     })
                 };
-                (0..self.joints.len()).map(inwards).collect()
+                self.joints.ids().map(inwards).collect()
             }
         };
-        columns
-            .into_iter()
-            .map(|column| self.divided(column))
-            .collect()
+        columns.map(|&column| self.divided(column))
     }
 
     /// What a unit rate of a joint does to the first moment that it carries: u × q + b m.
-    fn moved_by(&self, k: usize) -> Vector<Term<'g>> {
+    fn moved_by(&self, k: BodyId) -> Vector<Term<'g>> {
         let (screw, (mass, q)) = (self.joints[k].screw, self.carried[k]);
         screw.u.cross(q) + screw.b * mass
     }

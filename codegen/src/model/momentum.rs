@@ -3,18 +3,20 @@
 //! In: the joints and bodies, and the rates. Out: the sum in frame 0. Γ has the blocks of Φ (γ in the place of c, ρ
 //! in that of f) and the same change of frame, so that one type stands for both.
 
-use super::carry::{self, Joint};
+use super::carry::{self, Joints};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::{Id, List};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Vector};
 
 /// Γ of all bodies, pole at the origin of frame 0: skew\[L J\] q̇ of all that each joint carries.
-pub fn momentum<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Action<Term<'g>> {
+pub fn momentum<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
     let moving = joints.iter().zip(composites(joints));
     let each = moving.map(|(joint, composite)| {
         let Action { c, f } = Action::of_screw(joint.screw, composite);
-        let rate = state.qd(joint.index);
+        let rate = state.qd(joint.body);
         Action {
             c: c * rate,
             f: f * rate,
@@ -24,15 +26,15 @@ pub fn momentum<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Action<Term<'g>>
 }
 
 /// What changes Γ at q̈ = 0: Φ = skew\[H J\] of all bodies without gravity, pole at the origin of frame 0.
-pub fn bias<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Action<Term<'g>> {
+pub fn bias<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
     let rest = Moving::still(Acceleration::linear(Vector::zero(state.graph)));
-    let mut motions: Vec<Moving<'g>> = Vec::with_capacity(joints.len());
-    let mut each = Vec::with_capacity(joints.len());
+    let mut motions: List<BodyId, Moving<'g>> = List::new();
+    let mut each = List::new();
     for joint in joints {
         let outer = joint.parent.map_or(rest, |parent| motions[parent]);
-        let moving = beyond(outer, joint, state.qd(joint.index), state.zero());
+        let moving = beyond(outer, joint, state.qd(joint.body), state.zero());
         let h = moving.h;
-        let (index, frame) = (joint.index + 1, joint.frame);
+        let (index, frame) = (joint.body.number(), joint.frame_number());
         h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
         h.a.label(|| format!("h_0_{index}_in_{frame}_"));
@@ -43,25 +45,23 @@ pub fn bias<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Action<Term<'g>> {
 }
 
 /// Γ of a unit rate of each body, skew\[L J\] of all that it carries, pole at a point of frame 0.
-pub fn columns<'g>(
-    joints: &[Joint<'g>],
-    pole: Vector<Term<'g>>,
-) -> impl Iterator<Item = Action<Term<'g>>> {
+pub fn columns<'g>(joints: &Joints<'g>, pole: Vector<Term<'g>>) -> List<BodyId, Action<Term<'g>>> {
     let placed = carry::placed(joints).into_iter().zip(composites(joints));
-    placed.map(move |((joint, pose), composite)| {
+    let columns = placed.map(|((joint, pose), composite)| {
         let from_pole = Pose {
             translation: pose.translation - pole,
             ..pose
         };
         Action::of_screw(joint.screw, composite).change_frame(from_pole)
-    })
+    });
+    columns.collect()
 }
 
 /// J of each body and of all that it carries.
-fn composites<'g>(joints: &[Joint<'g>]) -> Vec<Inertia<Term<'g>>> {
-    let mut composites: Vec<_> = joints.iter().map(|joint| joint.inertia).collect();
-    for (k, joint) in joints.iter().enumerate().rev() {
-        let (index, frame) = (joint.index + 1, joint.frame);
+fn composites<'g>(joints: &Joints<'g>) -> List<BodyId, Inertia<Term<'g>>> {
+    let mut composites = joints.map(|joint| joint.inertia);
+    for (k, joint) in joints.numbered().rev() {
+        let (index, frame) = (joint.body.number(), joint.frame_number());
         composites[k].label(|| format!("j_{index}_in_{frame}_"));
         if let Some(parent) = joint.parent {
             composites[parent] = composites[parent] + joint.inertia_inboard(composites[k]);
@@ -72,8 +72,8 @@ fn composites<'g>(joints: &[Joint<'g>]) -> Vec<Inertia<Term<'g>>> {
 
 /// What is each body's, carried to the base and summed.
 fn sum<'g>(
-    joints: &[Joint<'g>],
-    mut each: Vec<Action<Term<'g>>>,
+    joints: &Joints<'g>,
+    mut each: List<BodyId, Action<Term<'g>>>,
     state: &State<'g>,
 ) -> Action<Term<'g>> {
     let nothing = Vector::zero(state.graph);
@@ -81,7 +81,7 @@ fn sum<'g>(
         c: nothing,
         f: nothing,
     };
-    for (k, joint) in joints.iter().enumerate().rev() {
+    for (k, joint) in joints.numbered().rev() {
         let carried = each[k]
             .change_frame(joint.displacement())
             .change_frame(joint.placement);

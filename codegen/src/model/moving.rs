@@ -3,6 +3,7 @@
 use super::carry::Joint;
 use super::state::State;
 use crate::expression::Term;
+use crate::list::Id;
 use crate::matrix::Velocity;
 
 /// W of the body beyond a joint: Wᵢₖ = Wᵢⱼ + Wⱼₖ (eq. 10).
@@ -12,7 +13,7 @@ pub fn beyond<'g>(
     rate: Term<'g>,
 ) -> Velocity<Term<'g>> {
     let w = joint.motion_outboard(outer) + Velocity::of_screw(joint.screw, rate);
-    let (index, frame) = (joint.index + 1, joint.frame);
+    let (index, frame) = (joint.body.number(), joint.frame_number());
     w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
     w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
     w
@@ -22,7 +23,7 @@ pub fn beyond<'g>(
 pub fn velocities<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Velocity<Term<'g>>> {
     let mut w = Velocity::zero(state.graph);
     let joints = joints.iter().map(|joint| {
-        w = beyond(w, joint, state.qd(joint.index));
+        w = beyond(w, joint, state.qd(joint.body));
         w
     });
     joints.collect()

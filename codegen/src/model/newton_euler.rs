@@ -1,50 +1,51 @@
 //! Inverse dynamics by Newton and Euler: accelerations H outwards, actions Φ = skew\[H J\] inwards,
 //! each in the frame of its joint's matrices.
 
-use super::carry::Joint;
+use super::carry::{Joint, Joints};
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::{Id, List};
 use crate::matrix::{Acceleration, Action, Vector};
 
 /// What drives each body in a motion with the given second rates, where actions from outside are on some.
 pub fn inverse_dynamics<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    qdd: &[Term<'g>],
-    outside: &[(usize, Action<Term<'g>>)],
-) -> Vec<Term<'g>> {
+    qdd: &List<BodyId, Term<'g>>,
+    outside: &[(BodyId, Action<Term<'g>>)],
+) -> List<BodyId, Term<'g>> {
     motion(joints, gravity, state, qdd, outside).tau
 }
 
 /// A motion and what it takes, each in the frame of its joint's matrices.
 pub struct Motion<'g> {
     /// Of each body.
-    pub motions: Vec<Moving<'g>>,
+    pub motions: List<BodyId, Moving<'g>>,
     /// Φ of all that each joint carries, less the actions from outside.
-    pub actions: Vec<Action<Term<'g>>>,
+    pub actions: List<BodyId, Action<Term<'g>>>,
     /// What drives each body.
-    pub tau: Vec<Term<'g>>,
+    pub tau: List<BodyId, Term<'g>>,
 }
 
 /// The motion with the given second rates, where actions from outside are on some bodies.
 pub fn motion<'g>(
-    joints: &[Joint<'g>],
+    joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    qdd: &[Term<'g>],
-    outside: &[(usize, Action<Term<'g>>)],
+    qdd: &List<BodyId, Term<'g>>,
+    outside: &[(BodyId, Action<Term<'g>>)],
 ) -> Motion<'g> {
-    let count = joints.len();
     // Gravity is an acceleration of the base the other way.
     let base = Moving::still(Acceleration::linear(-gravity));
-    let mut motions: Vec<Moving<'g>> = Vec::with_capacity(count);
-    let mut actions: Vec<Action<Term<'g>>> = Vec::with_capacity(count);
-    for (k, joint) in joints.iter().enumerate() {
+    let mut motions: List<BodyId, Moving<'g>> = List::new();
+    let mut actions: List<BodyId, Action<Term<'g>>> = List::new();
+    for (k, joint) in joints.numbered() {
         let outer = joint.parent.map_or(base, |parent| motions[parent]);
         let moving = beyond(outer, joint, state.qd(k), qdd[k]);
         let h = moving.h;
-        let (index, frame) = (k + 1, joint.frame);
+        let (index, frame) = (k.number(), joint.frame_number());
         h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
         h.a.label(|| format!("h_0_{index}_in_{frame}_"));
@@ -54,10 +55,10 @@ pub fn motion<'g>(
     for &(body, action) in outside {
         actions[body] = actions[body] - action;
     }
-    let mut tau = vec![state.zero(); count];
-    for k in (0..count).rev() {
-        let (joint, action) = (&joints[k], actions[k]);
-        let (index, frame, outer) = (k + 1, joint.frame, joint.outer_frame);
+    let mut tau = List::filled(state.zero(), joints.len());
+    for (k, joint) in joints.numbered().rev() {
+        let action = actions[k];
+        let (index, frame, outer) = (k.number(), joint.frame_number(), joint.outer_frame_number());
         action.label(|| format!("phi_{index}_in_{frame}_"));
         let drive = joint.drive;
         tau[k] =

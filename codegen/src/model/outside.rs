@@ -8,9 +8,11 @@ use std::iter::successors;
 use super::carry::{joints, left, placed};
 use super::state::State;
 use super::way::Way;
+use crate::chain::BodyId;
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::layout::Bodies;
+use crate::list::List;
 use crate::matrix::{Action, Pose, Rotation};
 
 /// The actions from outside, each on a body, where the matrices of its joint are.
@@ -18,7 +20,7 @@ pub fn outside<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
     way: Way,
-) -> Vec<(usize, Action<Term<'g>>)> {
+) -> Vec<(BodyId, Action<Term<'g>>)> {
     if bodies.external.is_empty() {
         return Vec::new();
     }
@@ -32,8 +34,8 @@ pub fn outside<'g>(
             let action = match (bodies.external_in_frame_0, way.frame) {
                 (true, Frame::Base) => action,
                 (true, Frame::Link) => {
-                    let inwards = |&body: &usize| joints[body].parent;
-                    let mut outwards: Vec<usize> = successors(Some(body), inwards).collect();
+                    let inwards = |&body: &BodyId| joints[body].parent;
+                    let mut outwards: Vec<BodyId> = successors(Some(body), inwards).collect();
                     outwards.reverse();
                     outwards.iter().fold(action, |action, &k| {
                         let placed = action.seen_from(joints[k].placement);
@@ -51,7 +53,10 @@ pub fn outside<'g>(
                     let seen = action.change_frame(turned);
                     match way.frame {
                         Frame::Link => seen,
-                        Frame::Base => seen.change_frame(placed(&joints)[body].1),
+                        Frame::Base => {
+                            let poses: List<BodyId, _> = placed(&joints).into();
+                            seen.change_frame(poses[body].1)
+                        }
                     }
                 }
             };

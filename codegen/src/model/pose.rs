@@ -27,7 +27,7 @@ fn inwards<'g>(path: &Path<'g>, by_product: Option<usize>) -> Pose<Term<'g>> {
             }
         }
         origin = joint.point_inboard(origin);
-        label(joint.outer_frame, columns, origin, by_product);
+        label(joint.outer_frame_number(), columns, origin, by_product);
     }
     if let Some(k) = by_product {
         columns[k] = columns[(k + 1) % 3].cross(columns[(k + 2) % 3]);

@@ -4,10 +4,12 @@
 //! power of each of its parts along L is found in the frame of the link: L is carried outwards, one screw a joint,
 //! instead of ten actions inwards.
 
-use super::carry::Joint;
+use super::carry::Joints;
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::Term;
+use crate::list::{Id, List};
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 
 /// How many inertial parameters a link has.
@@ -16,21 +18,21 @@ pub const PARAMETERS: usize = 10;
 /// The columns of Y, one after the other: ten for each body that is a link, whose frame is seen from the body's at a pose;
 /// of what drives each body.
 pub fn regressor<'g>(
-    joints: &[Joint<'g>],
-    links: &[Option<Pose<Term<'g>>>],
+    joints: &Joints<'g>,
+    links: &List<BodyId, Option<Pose<Term<'g>>>>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-) -> Vec<Vec<Term<'g>>> {
+) -> Vec<List<BodyId, Term<'g>>> {
     let mut columns = Vec::new();
     let base = Moving::still(Acceleration::linear(-gravity));
-    let mut all: Vec<Moving<'g>> = Vec::with_capacity(joints.len());
+    let mut all: List<BodyId, Moving<'g>> = List::new();
     // The motion that a unit rate of each joint inboard of a body gives it, in its frame.
-    let mut motions: Vec<Vec<(usize, Velocity<Term<'g>>)>> = Vec::with_capacity(joints.len());
-    for (k, joint) in joints.iter().enumerate() {
+    let mut motions: List<BodyId, Vec<(BodyId, Velocity<Term<'g>>)>> = List::new();
+    for (k, joint) in joints.numbered() {
         let outer = joint.parent.map_or(base, |parent| all[parent]);
-        let moving = beyond(outer, joint, state.qd(joint.index), state.qdd(joint.index));
+        let moving = beyond(outer, joint, state.qd(joint.body), state.qdd(joint.body));
         let h = moving.h;
-        let (index, frame) = (joint.index + 1, joint.frame);
+        let (index, frame) = (joint.body.number(), joint.frame_number());
         h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
         h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
         h.a.label(|| format!("h_0_{index}_in_{frame}_"));
@@ -49,7 +51,7 @@ pub fn regressor<'g>(
             let h = h
                 .move_pole(link.translation)
                 .rotate(link.rotation.transposed());
-            let mut own = vec![vec![state.zero(); joints.len()]; PARAMETERS];
+            let mut own = vec![List::filled(state.zero(), joints.len()); PARAMETERS];
             for &(row, motion) in &moved {
                 let seen = motion
                     .move_pole(link.translation)
@@ -66,11 +68,11 @@ pub fn regressor<'g>(
 }
 
 /// Those of what joints feel of their drives, three for each: q̈, q̇ and its sign.
-pub fn of_drives<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Vec<Term<'g>>> {
-    let of_each = joints.iter().enumerate().flat_map(|(k, joint)| {
-        let rate = state.qd(joint.index);
-        [state.qdd(joint.index), rate, rate.sign()].map(|felt| {
-            let mut column = vec![state.zero(); joints.len()];
+pub fn of_drives<'g>(joints: &Joints<'g>, state: &State<'g>) -> Vec<List<BodyId, Term<'g>>> {
+    let of_each = joints.ids().flat_map(|k| {
+        let rate = state.qd(k);
+        [state.qdd(k), rate, rate.sign()].map(|felt| {
+            let mut column = List::filled(state.zero(), joints.len());
             column[k] = felt;
             column
         })

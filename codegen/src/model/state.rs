@@ -1,10 +1,11 @@
 //! The arguments of the generated functions, as expressions: what they are for each body.
 
-use crate::chain::Position;
+use crate::chain::{BodyId, Position};
 use crate::expression::{Expr, Graph, Input, Term};
 use crate::layout::Bodies;
+use crate::list::{Id, List};
 use crate::matrix::{Action, Vector};
-use crate::space::{ACTION, Variable};
+use crate::space::{ACTION, CoordinateId, Variable, VelocityId};
 
 /// The arguments of the generated functions.
 pub(crate) struct State<'g> {
@@ -12,21 +13,19 @@ pub(crate) struct State<'g> {
     /// Whether all rates are zero, whatever the arguments.
     pub(super) rest: bool,
     /// Of each body, its place among the velocities, and what its own rate is times that velocity.
-    rates: Vec<(usize, Option<Expr>)>,
+    rates: List<BodyId, (VelocityId, Option<Expr>)>,
     /// Of each body, what its displacement is a function of.
-    positions: Vec<Position>,
+    positions: List<BodyId, Position>,
 }
 
 impl<'g> State<'g> {
     pub(super) fn of(graph: &'g Graph, bodies: &Bodies<'g>) -> Self {
-        let bodies = bodies.bodies.iter();
+        let bodies = &bodies.bodies;
         Self {
             graph,
             rest: false,
-            rates: (bodies.clone())
-                .map(|body| (body.velocity, body.factor()))
-                .collect(),
-            positions: bodies.map(|body| body.position).collect(),
+            rates: bodies.map(|body| (body.velocity, body.factor())),
+            positions: bodies.map(|body| body.position),
         }
     }
 
@@ -41,29 +40,39 @@ impl<'g> State<'g> {
     }
 
     /// Entry `k` of an argument.
-    pub(crate) fn entry(&self, variable: Variable, k: usize) -> Term<'g> {
+    fn entry(&self, variable: Variable, k: usize) -> Term<'g> {
         let k = u16::try_from(k).expect("fewer than 65536 joints");
         self.graph.input(Input::Variable(variable, k))
     }
 
+    /// An entry of q.
+    pub(super) fn coordinate(&self, k: CoordinateId) -> Term<'g> {
+        self.entry(Variable::Q, k.index())
+    }
+
+    /// What an argument holds of a velocity.
+    pub(crate) fn of_velocity(&self, variable: Variable, k: VelocityId) -> Term<'g> {
+        self.entry(variable, k.index())
+    }
+
     /// How far body `k` is moved along its own axis; nothing where it has none.
-    pub(super) fn q(&self, k: usize) -> Term<'g> {
+    pub(super) fn q(&self, k: BodyId) -> Term<'g> {
         match self.positions[k] {
             Position::Along { coordinate, factor } => {
-                self.entry(Variable::Q, coordinate) * self.graph.term(factor)
+                self.coordinate(coordinate) * self.graph.term(factor)
             }
             Position::Posture(..) | Position::Taken => self.zero(),
         }
     }
 
     /// What body `k` has of a variable that has an entry for each velocity.
-    fn own(&self, variable: Variable, k: usize) -> Term<'g> {
+    fn own(&self, variable: Variable, k: BodyId) -> Term<'g> {
         let (velocity, _) = self.rates[k];
-        self.times_factor(k, self.entry(variable, velocity))
+        self.times_factor(k, self.of_velocity(variable, velocity))
     }
 
     /// An entry for the velocity of body `k`, times what the body makes of it.
-    pub(super) fn times_factor(&self, k: usize, entry: Term<'g>) -> Term<'g> {
+    pub(super) fn times_factor(&self, k: BodyId, entry: Term<'g>) -> Term<'g> {
         match self.rates[k].1 {
             Some(factor) => entry * self.graph.term(factor),
             None => entry,
@@ -71,12 +80,12 @@ impl<'g> State<'g> {
     }
 
     /// The place of body `k` among the velocities.
-    pub(super) fn velocity(&self, k: usize) -> usize {
+    pub(super) fn velocity(&self, k: BodyId) -> VelocityId {
         self.rates[k].0
     }
 
     /// The rate of body `k`.
-    pub(crate) fn qd(&self, k: usize) -> Term<'g> {
+    pub(crate) fn qd(&self, k: BodyId) -> Term<'g> {
         if self.rest {
             self.zero()
         } else {
@@ -85,12 +94,12 @@ impl<'g> State<'g> {
     }
 
     /// Its second rate.
-    pub(crate) fn qdd(&self, k: usize) -> Term<'g> {
+    pub(crate) fn qdd(&self, k: BodyId) -> Term<'g> {
         self.own(Variable::Qdd, k)
     }
 
     /// What drives it, where no other body has its velocity.
-    pub(crate) fn tau(&self, k: usize) -> Term<'g> {
+    pub(crate) fn tau(&self, k: BodyId) -> Term<'g> {
         self.own(Variable::Tau, k)
     }
 

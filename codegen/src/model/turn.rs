@@ -6,9 +6,11 @@
 //! which a product of rotations is not: it is made only where that is asked for.
 
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::{Graph, Term};
 use crate::formulation::Angles;
 use crate::layout::{Bodies, Body};
+use crate::list::List;
 
 /// A turn about z.
 #[derive(Clone, Copy, Default)]
@@ -65,7 +67,7 @@ impl<'g> Turn<'g> {
 /// How far body `k` has turned, beyond the frame of the body it hangs on where that left a turn.
 pub fn of_body<'g>(
     body: &Body<'g>,
-    k: usize,
+    k: BodyId,
     state: &State<'g>,
     outer: Option<Turn<'g>>,
 ) -> Turn<'g> {
@@ -90,12 +92,12 @@ pub fn left_to_carried<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
     angles: Angles,
-    leaves: impl Fn(usize) -> bool,
-) -> Vec<Option<Turn<'g>>> {
-    let mut left = vec![None; bodies.bodies.len()];
+    leaves: impl Fn(BodyId) -> bool,
+) -> List<BodyId, Option<Turn<'g>>> {
+    let mut left = List::filled(None, bodies.bodies.len());
     if angles == Angles::Merged {
-        let leaves = |&(k, body): &(usize, &Body<'g>)| body.has_own_axis() && leaves(k);
-        for (k, body) in bodies.bodies.iter().enumerate().filter(leaves) {
+        let leaves = |&(k, body): &(BodyId, &Body<'g>)| body.has_own_axis() && leaves(k);
+        for (k, body) in bodies.bodies.numbered().filter(leaves) {
             let outer = body.parent.and_then(|parent| left[parent]);
             left[k] = Some(of_body(body, k, state, outer));
         }

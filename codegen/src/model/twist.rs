@@ -5,13 +5,14 @@
 use super::carry::{Joint, Path};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
+use crate::chain::BodyId;
 use crate::expression::Term;
 use crate::formulation::Frame;
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 
 /// W of the frame at the end of a path: ω, v₀.
 pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
-    let own = |joint: &Joint<'g>| Velocity::of_screw(joint.screw, state.qd(joint.index));
+    let own = |joint: &Joint<'g>| Velocity::of_screw(joint.screw, state.qd(joint.body));
     let (rest, joints) = (Velocity::zero(state.graph), path.joints.iter());
     let w = match path.frame {
         Frame::Base => joints.fold(rest, |w, joint| w + own(joint)),
@@ -19,7 +20,7 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
             let w = (own(joint) + w)
                 .change_frame(joint.displacement())
                 .change_frame(joint.placement);
-            let index = joint.outer_frame;
+            let index = joint.outer_frame_number();
             w.omega.label(|| format!("w_{index}_n_in_{index}_"));
             w.v.label(|| format!("w_{index}_n_in_{index}_v"));
             w
@@ -32,7 +33,7 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
 pub fn acceleration<'g>(
     path: &Path<'g>,
     state: &State<'g>,
-    second: impl Fn(usize) -> Term<'g>,
+    second: impl Fn(BodyId) -> Term<'g>,
 ) -> Vec<Term<'g>> {
     let rest = Acceleration::linear(Vector::zero(state.graph));
     let h = match path.frame {
@@ -41,7 +42,7 @@ pub fn acceleration<'g>(
                 .joints
                 .iter()
                 .fold(Moving::still(rest), |outer, joint| {
-                    beyond(outer, joint, state.qd(joint.index), second(joint.index))
+                    beyond(outer, joint, state.qd(joint.body), second(joint.body))
                 });
             motion.h
         }
@@ -56,11 +57,11 @@ pub fn acceleration_with_dynamics<'g>(
     path: &Path<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    second: impl Fn(usize) -> Term<'g>,
+    second: impl Fn(BodyId) -> Term<'g>,
 ) -> Vec<Term<'g>> {
     let base = Moving::still(Acceleration::linear(-gravity));
     let motion = path.joints.iter().fold(base, |outer, joint| {
-        beyond(outer, joint, state.qd(joint.index), second(joint.index))
+        beyond(outer, joint, state.qd(joint.body), second(joint.body))
     });
     let identity = || Pose::identity(state.graph);
     let pose = path
@@ -76,14 +77,14 @@ pub fn acceleration_with_dynamics<'g>(
 fn inwards<'g>(
     path: &Path<'g>,
     state: &State<'g>,
-    second: impl Fn(usize) -> Term<'g>,
+    second: impl Fn(BodyId) -> Term<'g>,
     rest: Acceleration<Term<'g>>,
 ) -> Acceleration<Term<'g>> {
     let (mut w, mut h) = (Velocity::zero(state.graph), rest);
     // All bodies of a joint with several velocities have the frame of the last: its own W is their sum.
     for together in path.joints.chunk_by(|_, next| next.taken).rev() {
         let mut own = together.iter().map(|joint| {
-            let (rate, second) = (state.qd(joint.index), second(joint.index));
+            let (rate, second) = (state.qd(joint.body), second(joint.body));
             let (u, b) = (joint.screw.u * second, joint.screw.b * second);
             (Velocity::of_screw(joint.screw, rate), u, b)
         });

@@ -17,7 +17,7 @@ use homogen_codegen::expand::{program, understand};
 use homogen_codegen::expression::Input;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
-use homogen_codegen::space::Variable;
+use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 
 /// Equal steps from posture to posture.
@@ -73,7 +73,7 @@ impl Arm {
             return Err(errors);
         };
         let chain = understand(&description, &Request::default())?;
-        let of = |function| program(&chain, &[function], 0, Real::F64);
+        let of = |function| program(&chain, &[function], FrameId::FIRST, Real::F64);
         Ok(Self {
             kinematics: of(Function::ForwardKinematics)?,
             dynamics: of(Function::InverseDynamics)?,

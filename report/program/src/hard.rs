@@ -12,6 +12,7 @@ use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Program, run};
+use homogen_codegen::space::FrameId;
 use homogen_codegen::{Function, Real};
 use homogen_plot::heat::Map;
 use homogen_random::Random;
@@ -148,7 +149,7 @@ fn row(case: &Case, formulations: &[(&str, Formulation, Real)]) -> Vec<Option<f6
         if formulation.forward.is_some() && !solves {
             return None;
         }
-        let program = program_as(*formulation, &chain, &[case.function], 0, *scalar).ok()?;
+        let program = program_as(*formulation, &chain, &[case.function], FrameId::FIRST, *scalar).ok()?;
         Some(match scalar {
             Real::F32 => worst::<f32>(&program, &states, &truth) / 2_f64.powi(-24),
             _ => worst::<f64>(&program, &states, &truth) / 2_f64.powi(-53),
@@ -183,7 +184,7 @@ fn single(number: f64) -> f64 {
 fn truth(chain: &Chain, function: Function, states: &[Vec<f64>]) -> Vec<Vec<[f64; 3]>> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-    let results = function.build(&graph, &bodies, 0, Way::PLAIN);
+    let results = function.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN);
     let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
     let evaluation: Evaluation<Exact> = Evaluation::of(&graph, &results);
     let states = states.iter();

@@ -4,6 +4,7 @@
 //! after the other. Their numbers are exact in single precision, so that both types see the same; but
 //! for quaternions, which have unit length in the type that sees them. It never looks at a function.
 
+use homogen_codegen::list::Id;
 use homogen_codegen::space::{Space, Spaces};
 use homogen_random::Random;
 
@@ -53,7 +54,7 @@ pub fn states(spaces: &Spaces, range: Range) -> Vec<f64> {
             }));
         }
         for place in spaces.quaternions() {
-            let quaternion = &mut states[start + place..][..4];
+            let quaternion = &mut states[start + place.index()..][..4];
             let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
             for entry in quaternion {
                 *entry /= length;

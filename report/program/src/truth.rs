@@ -15,7 +15,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
-use homogen_codegen::space::{Space, Variable};
+use homogen_codegen::space::{FrameId, Space, Variable};
 use homogen_magnitude::{Magnitude, Measure};
 
 use crate::scene::Scene;
@@ -67,7 +67,7 @@ fn write_of(scene: &Scene, chain: &Chain, states: &[f64], folder: &Path) -> io::
         let mut numbers = Vec::new();
         let graph = chain.graph.clone();
         let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-        let results = function.build(&graph, &bodies, 0, Way::PLAIN);
+        let results = function.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN);
         let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
         let evaluation = Evaluation::of(&graph, &results);
         for state in states.chunks_exact(coordinates + 3 * velocities) {

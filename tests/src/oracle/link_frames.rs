@@ -9,6 +9,7 @@ use homogen_codegen::expand::expressions_by;
 use homogen_codegen::expression::Evaluation;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
+use homogen_codegen::space::FrameId;
 
 use super::state::State;
 use crate::arguments::Arguments;
@@ -20,7 +21,7 @@ use crate::big::Big;
 pub fn expressions(
     chain: &Chain,
     functions: &[Function],
-    frame: usize,
+    frame: FrameId,
     layout: Layout,
     way: Way,
 ) -> Evaluation<Big> {
@@ -30,7 +31,7 @@ pub fn expressions(
 
 /// A function in the frames of the description: the plainest of the ways that give the same.
 #[must_use]
-pub fn truth(chain: &Chain, function: Function, frame: usize) -> Evaluation<Big> {
+pub fn truth(chain: &Chain, function: Function, frame: FrameId) -> Evaluation<Big> {
     expressions(chain, &[function], frame, Layout::DESCRIBED, Way::PLAIN)
 }
 

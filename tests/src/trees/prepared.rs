@@ -12,8 +12,9 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{program, program_as, program_by, understand};
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Formulation;
+use homogen_codegen::list::Id;
 use homogen_codegen::schedule::{Program, run};
-use homogen_codegen::space::{Space, Variable};
+use homogen_codegen::space::{FrameId, Space, Variable};
 use homogen_codegen::{Function, Real};
 
 use crate::arguments::Arguments;
@@ -115,7 +116,7 @@ impl<'r> Prepared<'r> {
         if case.function.of_a_frame() && frames == 0 {
             return Ok(Outcome::Nothing);
         }
-        let frame = case.frame % frames.max(1);
+        let frame = FrameId::new(case.frame % frames.max(1));
         let Some(program) = guarded(|| self.program(case, frame))?? else {
             return Ok(Outcome::Refused);
         };
@@ -148,9 +149,11 @@ impl<'r> Prepared<'r> {
     /// # Errors
     /// Where they are refused.
     pub fn together(&self, functions: &[Function]) -> Result<f64, String> {
-        let program = guarded(|| program(&self.chain, functions, 0, Real::F64))?;
+        let program = guarded(|| program(&self.chain, functions, FrameId::FIRST, Real::F64))?;
         let program = program.map_err(|errors| format!("refused: {errors}"))?;
-        let judged = self.check.judge(functions, 0, &program, Real::F64);
+        let judged = self
+            .check
+            .judge(functions, FrameId::FIRST, &program, Real::F64);
         judged.map_err(|errors| format!("refused: {errors}"))?;
         let mut worst: f64 = 0.0;
         for arguments in &self.states {
@@ -164,14 +167,14 @@ impl<'r> Prepared<'r> {
                     frame: 0,
                     choice: Choice::Default,
                 };
-                worst = worst.max(self.error(case, 0, these, arguments));
+                worst = worst.max(self.error(case, FrameId::FIRST, these, arguments));
             }
         }
         Ok(worst)
     }
 
     /// The program of a case; none where it is refused by name, and may be.
-    fn program(&self, case: Case, frame: usize) -> Result<Option<Program>, String> {
+    fn program(&self, case: Case, frame: FrameId) -> Result<Option<Program>, String> {
         let functions = [case.function];
         let singular = |state: usize| case.function.solves() && self.is_singular(state);
         let program = match case.choice {
@@ -218,7 +221,7 @@ impl<'r> Prepared<'r> {
         &self,
         formulation: Formulation,
         function: Function,
-        frame: usize,
+        frame: FrameId,
     ) -> Result<Program, Errors> {
         let functions = [function];
         let program = program_as(formulation, &self.chain, &functions, frame, Real::F64)?;
@@ -326,7 +329,7 @@ impl<'r> Prepared<'r> {
     }
 
     /// The largest error of a result, in units of what it is made of.
-    fn error(&self, case: Case, frame: usize, found: &[f64], arguments: &Arguments) -> f64 {
+    fn error(&self, case: Case, frame: FrameId, found: &[f64], arguments: &Arguments) -> f64 {
         let link = self.chain.frames.get(frame).map(|frame| id(&frame.name));
         let measure = Measure::of(&self.dense, link, case.in_frame_0());
         let found = self.in_order(case.function, found);

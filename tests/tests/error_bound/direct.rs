@@ -11,6 +11,7 @@ use homogen_codegen::expression::{Double, Evaluation, Expr, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Operand, Program, run};
+use homogen_codegen::space::FrameId;
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
 
@@ -64,13 +65,19 @@ pub fn check<T: Tested>(asked: Asked) {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
     let exact: Vec<Expr> = (FUNCTIONS.iter())
-        .flat_map(|&function| function.build(&graph, &bodies, 0, Way::PLAIN))
+        .flat_map(|&function| function.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN))
         .map(Term::expr)
         .collect();
     let exact = Evaluation::of(&graph, &exact);
     let programs = FUNCTIONS.map(|function| {
-        program_as(asked.formulation, &chain, &[function], 0, T::REAL)
-            .unwrap_or_else(|errors| panic!("{errors}"))
+        program_as(
+            asked.formulation,
+            &chain,
+            &[function],
+            FrameId::FIRST,
+            T::REAL,
+        )
+        .unwrap_or_else(|errors| panic!("{errors}"))
     });
     let mut measured = measure::<T>(&programs, &exact, &Range::of(&chain));
     // A number that the type has is bounded as if it had to be rounded.

@@ -6,14 +6,15 @@
 use homogen_codegen::accuracy::mobility::mobility;
 use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{Accuracy, Bound};
-use homogen_codegen::chain::Chain;
+use homogen_codegen::chain::{BodyId, Chain};
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
+use homogen_codegen::list::Id;
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
-use homogen_codegen::space::Variable;
+use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
@@ -47,7 +48,9 @@ fn solved(asked: Asked, function: Function, scalar: Real) -> Option<(Program, Ve
 fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-    let results = function.build(&graph, &bodies, 0, Way::PLAIN).into_iter();
+    let results = function
+        .build(&graph, &bodies, FrameId::FIRST, Way::PLAIN)
+        .into_iter();
     let results: Vec<Expr> = results.map(Term::expr).collect();
     Evaluation::of(&graph, &results)
 }
@@ -115,7 +118,7 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
         .into_iter();
     let lost: Vec<f64> = (units.enumerate())
         .map(|(k, unit)| {
-            let joint = &chain.joints[k / count].name;
+            let joint = &chain.joints[BodyId::new(k / count)].name;
             let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == Some(joint);
             bounds.iter().find(of).map(number)
         })

@@ -6,6 +6,7 @@ use homogen_codegen::formulation::Angles;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Operand, Program};
+use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
 use homogen_tests::metrics;
@@ -108,7 +109,13 @@ fn merged_angle() {
                 angles,
                 ..Way::PLAIN
             };
-            program_by(&chain, &[ForwardKinematics], 0, Layout::DESCRIBED, way)
+            program_by(
+                &chain,
+                &[ForwardKinematics],
+                FrameId::FIRST,
+                Layout::DESCRIBED,
+                way,
+            )
         };
         let (merged, products) = (made(Angles::Merged), made(Angles::Apart));
         // One turns by sums, the other by coordinates alone.
@@ -117,7 +124,7 @@ fn merged_angle() {
             program.angles.iter().filter(sums).count()
         };
         assert_eq!((sums(&merged), sums(&products)), (parallel - 1, 0));
-        let truth = link_frames::truth(&chain, ForwardKinematics, 0);
+        let truth = link_frames::truth(&chain, ForwardKinematics, FrameId::FIRST);
         let mut worst = [[0.0_f64; 2]; 5];
         let mut random = Random::new(24);
         for k in 0..1200 {

@@ -6,6 +6,7 @@ use homogen_codegen::expand::program_by;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::Program;
+use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::metrics;
 use homogen_tests::states::Random;
@@ -89,7 +90,13 @@ fn coriolis_cancel() {
         ("floating_panda_class/0", 7),
     ] {
         judge(&[&CANCEL], label, |chain| {
-            let bias = program_by(chain, &[Bias], 0, Layout::DESCRIBED, Way::PLAIN);
+            let bias = program_by(
+                chain,
+                &[Bias],
+                FrameId::FIRST,
+                Layout::DESCRIBED,
+                Way::PLAIN,
+            );
             states(336, joints, |arguments, random| {
                 let of = 1 + random.below(joints - 1);
                 if let Some(root) = root(&bias, arguments, of) {
@@ -122,7 +129,13 @@ fn root(bias: &Program, arguments: &Arguments, of: usize) -> Option<f64> {
 
 /// The construction does what it says: most such torques lose five digits of S.
 fn some_torque_is_cancelled(chain: &Chain) {
-    let bias = program_by(chain, &[Bias], 0, Layout::DESCRIBED, Way::PLAIN);
+    let bias = program_by(
+        chain,
+        &[Bias],
+        FrameId::FIRST,
+        Layout::DESCRIBED,
+        Way::PLAIN,
+    );
     let mut random = Random::new(27);
     let mut cancelled = 0;
     for _ in 0..100 {

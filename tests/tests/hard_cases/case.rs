@@ -10,6 +10,7 @@ use homogen_codegen::formulation::Forward;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 use homogen_codegen::schedule::Program;
+use homogen_codegen::space::FrameId;
 use homogen_codegen::{Function, Real};
 use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
@@ -136,9 +137,9 @@ impl Case {
             forward,
             ..Way::PLAIN
         };
-        let by = |layout, way| program_by(chain, &functions, 0, layout, way);
+        let by = |layout, way| program_by(chain, &functions, FrameId::FIRST, layout, way);
         match self.form {
-            Form::Generated => program(chain, &functions, 0, scalar)
+            Form::Generated => program(chain, &functions, FrameId::FIRST, scalar)
                 .unwrap_or_else(|errors| panic!("{}: {errors}", self.name)),
             Form::Laid(layout) => by(layout, Way::PLAIN),
             Form::Refined(refinements) => {
@@ -174,13 +175,19 @@ impl Bench {
         let chain = subject.chain();
         let torques = || {
             let torques = Function::InverseDynamics;
-            let sizes = program_by(&chain, &[torques], 0, Layout::DESCRIBED, Way::PLAIN);
-            (link_frames::truth(&chain, torques, 0), sizes)
+            let sizes = program_by(
+                &chain,
+                &[torques],
+                FrameId::FIRST,
+                Layout::DESCRIBED,
+                Way::PLAIN,
+            );
+            (link_frames::truth(&chain, torques, FrameId::FIRST), sizes)
         };
         Self {
             label: label.to_owned(),
             robot: Robot::of(&subject.description, &subject.request),
-            truth: link_frames::truth(&chain, function, 0),
+            truth: link_frames::truth(&chain, function, FrameId::FIRST),
             torques: (function == Function::ForwardDynamics).then(torques),
             chain,
             function,

@@ -8,6 +8,7 @@ use homogen_codegen::Function::{ForwardDynamics, InverseDynamics, MassMatrixInve
 use homogen_codegen::Real;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expand::program;
+use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::subjects::subject;
 
@@ -202,7 +203,7 @@ fn straight(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
 fn assert_refused(label: &str, scalar: Real, reason: &str) {
     let chain = subject(label).chain();
     for function in [ForwardDynamics, MassMatrixInverse] {
-        let refusal = program(&chain, &[function], 0, scalar).expect_err("hopeless");
+        let refusal = program(&chain, &[function], FrameId::FIRST, scalar).expect_err("hopeless");
         let refusal = refusal.to_string();
         let named = chain
             .joints

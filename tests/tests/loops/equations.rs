@@ -7,9 +7,10 @@ use homogen_codegen::chain;
 use homogen_codegen::description::{Description, inline};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{program_for, understand};
+use homogen_codegen::list::Id;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
-use homogen_codegen::space::Space;
+use homogen_codegen::space::{FrameId, Space};
 use homogen_codegen::{Formulation, Function, Processor, Real};
 use homogen_random::Random;
 use homogen_tests::arguments::Arguments;
@@ -61,7 +62,7 @@ fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2]
         .collect();
     let function = Function::ConstrainedForwardDynamics;
     let (processor, way) = (Processor::Portable, Formulation::default());
-    let program = program_for(processor, way, &chain, &[function], 0, scalar);
+    let program = program_for(processor, way, &chain, &[function], FrameId::FIRST, scalar);
     let program = program.unwrap_or_else(|errors| panic!("{errors}"));
     let mut random = Random::new(7);
     let mut worst = [0.0_f64; 2];
@@ -74,7 +75,7 @@ fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2]
         };
         let mut q = list(spaces.len(Space::Coordinates));
         for first in spaces.quaternions() {
-            q[first..first + 4].copy_from_slice(&[0.5, -0.5, 0.5, 0.5]);
+            q[first.index()..][..4].copy_from_slice(&[0.5, -0.5, 0.5, 0.5]);
         }
         let arguments = Arguments {
             q,

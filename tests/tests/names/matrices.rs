@@ -10,6 +10,7 @@ use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::{Term, evaluate};
 use homogen_codegen::joint::Motion;
 use homogen_codegen::layout::{Body, Layout, arrange};
+use homogen_codegen::list::Id;
 use homogen_codegen::matrix;
 use homogen_tests::arguments::Arguments;
 
@@ -62,7 +63,9 @@ impl Matrices {
         let bodies = arrange(&graph, chain, layout);
         let gravity = numbers(bodies.gravity.0);
         let mut all = Self {
-            parents: bodies.bodies.iter().map(|body| body.parent).collect(),
+            parents: (bodies.bodies.iter())
+                .map(|body| body.parent.map(Id::index))
+                .collect(),
             m: Vec::new(),
             end: (None, Pose::identity()),
             l: Vec::new(),
@@ -72,20 +75,17 @@ impl Matrices {
             mass: inertia(&bodies.base).mass(),
         };
         for (k, body) in bodies.bodies.iter().enumerate() {
-            let l = screw(body);
+            let (l, carrier) = (screw(body), body.parent.map(Id::index));
             let offset = body.offset.map_or([0.0, 1.0], |(s, c)| numbers([s, c]));
             let angle = offset[0].atan2(offset[1]);
             let turned = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]).exp(angle);
             let step = turned.to_relative_pose() * l.exp(state.q[k]).to_relative_pose();
-            let outer = all.of_body(body.parent);
+            let outer = all.of_body(carrier);
             let m = outer * pose(&body.placement) * step;
             let (l, j) = (m.change_frame(&l), m.change_frame(&inertia(&body.inertia)));
-            let parent = |list: &Vec<Acceleration<f64>>, base| {
-                body.parent.map_or(base, |parent| list[parent])
-            };
-            let w_outer = body
-                .parent
-                .map_or_else(Velocity::zero, |parent| all.w[parent]);
+            let parent =
+                |list: &Vec<Acceleration<f64>>, base| carrier.map_or(base, |parent| list[parent]);
+            let w_outer = carrier.map_or_else(Velocity::zero, |parent| all.w[parent]);
             let own = (
                 l.velocity(state.qd[k]),
                 l.acceleration(state.qd[k], state.qdd[k]),
@@ -104,7 +104,8 @@ impl Matrices {
             all.h.iter_mut().zip(h).for_each(|(list, h)| list.push(h));
         }
         if let Some((body, end)) = bodies.frames.first() {
-            all.end = (*body, all.of_body(*body) * pose(end));
+            let body = body.map(Id::index);
+            all.end = (body, all.of_body(body) * pose(end));
         }
         all
     }

@@ -16,6 +16,7 @@ use homogen_codegen::layout::Layout;
 use homogen_codegen::model::{Carried, Way};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Operand, Program, run};
+use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::robots::PandaClass;
 use homogen_tests::states::Random;
@@ -47,7 +48,13 @@ fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Vec<Argument
         | Function::ForwardDynamics => state.qdd = rest,
         Function::ForwardDynamicsDerivatives => {
             let solved = [Function::ForwardDynamics];
-            let program = program_by(chain, &solved, 0, Layout::DESCRIBED, Way::PLAIN);
+            let program = program_by(
+                chain,
+                &solved,
+                FrameId::FIRST,
+                Layout::DESCRIBED,
+                Way::PLAIN,
+            );
             let found = run(&program, |input| state.at(input));
             let seen = [rest, found].map(|qdd| Arguments {
                 qdd,
@@ -149,7 +156,7 @@ fn names_are_those_of_appendix_b() {
             ] {
                 for layout in [Layout::DESCRIBED, normals, regrouped] {
                     let what = format!("{label}, {}, frames {form}, {layout:?}", function.name());
-                    let program = program_by(&chain, &[function], 0, layout, way);
+                    let program = program_by(&chain, &[function], FrameId::FIRST, layout, way);
                     let seen = seen_by(function, &chain, &state).into_iter();
                     let matrices: Vec<_> = seen
                         .map(|seen| Matrices::at(&chain, layout, &seen))

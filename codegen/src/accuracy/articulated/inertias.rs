@@ -10,6 +10,8 @@ use std::{cmp, ops};
 use super::sizes::{Link, Pair};
 use crate::accuracy::mobility::Mobility;
 use crate::accuracy::solved::DOUBTFUL;
+use crate::chain::BodyId;
+use crate::list::List;
 use crate::model::ARTICULATED_INERTIA;
 use crate::real::Real;
 use crate::schedule::bound::{self, Value};
@@ -98,17 +100,17 @@ pub(super) struct Outboard {
 /// that they are taken to have; `step` computes one of them in the frame of the carrying body, with
 /// its errors.
 pub(super) fn outboard(
-    links: &[Link],
+    links: &List<BodyId, Link>,
     mobility: &Mobility,
     scalar: Real,
-    step: impl Fn(usize, &[Value]) -> Result<Vec<Value>, &'static str>,
-) -> Result<Vec<Outboard>, &'static str> {
-    let mut all = vec![Outboard::default(); links.len()];
-    let mut squares = vec![Pair::default(); links.len()];
+    step: impl Fn(BodyId, &[Value]) -> Result<Vec<Value>, &'static str>,
+) -> Result<List<BodyId, Outboard>, &'static str> {
+    let mut all = List::filled(Outboard::default(), links.len());
+    let mut squares = List::filled(Pair::default(), links.len());
     // Of what the bodies that hang on it have passed on.
-    let mut received = vec![Blocks::default(); links.len()];
+    let mut received = List::filled(Blocks::default(), links.len());
     let mut spoilt = 0.0;
-    for (k, link) in links.iter().enumerate().rev() {
+    for (k, link) in links.numbered().rev() {
         let whole = squares[k].plus(Pair::new(link.spread, link.mass)).roots();
         all[k].whole = whole;
         let children = all[k].children;

@@ -3,14 +3,18 @@
 //! In: the bodies of a chain. Out: a [`Link`] of each, and the arithmetic of [`Pair`]. It never looks at
 //! a posture.
 
+use crate::accuracy::range::Range;
+use crate::chain::{BodyId, Position};
 use crate::expression::{Double, Term};
 use crate::joint::Motion;
 use crate::layout::Body;
 use crate::schedule::bound;
+use crate::space::VelocityId;
 
 /// A body and its joint.
 pub(super) struct Link {
-    pub(super) parent: Option<usize>,
+    pub(super) parent: Option<BodyId>,
+    pub(super) velocity: VelocityId,
     slides: bool,
     /// How far its origin can be from that of the body it hangs on.
     pub(super) reach: f64,
@@ -24,8 +28,12 @@ pub(super) struct Link {
 }
 
 impl Link {
-    /// None where it is no body, or moves on a screw.
-    pub(super) fn of(body: &Body<'_>, [lo, hi]: [f64; 2]) -> Option<Self> {
+    /// None where it is no body, moves on a screw, or not by one coordinate.
+    pub(super) fn of(body: &Body<'_>, range: &Range) -> Option<Self> {
+        let Position::Along { coordinate, .. } = body.position else {
+            return None;
+        };
+        let [lo, hi] = range.q[coordinate];
         let number = |term: Term<'_>| term.value().map(Double::to_f64);
         let slide = match body.motion {
             Motion::Revolute => 0.0,
@@ -37,6 +45,7 @@ impl Link {
         let [armature, damping, friction] = body.drive.map(number).entries();
         Some(Self {
             parent: body.parent,
+            velocity: body.velocity,
             slides: body.motion.slides(),
             reach: slide + bound::root([x?, y?, z?]),
             spread: spread([xx?, yy?, zz?])?,

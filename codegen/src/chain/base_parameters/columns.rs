@@ -3,12 +3,13 @@
 //! In: a chain, whose fields are what is described in their place. Out: columns of a link as some joints see
 //! them. It decides nothing.
 
-use crate::chain::{Chain, Joint, Position};
+use crate::chain::{BodyId, Chain, Joint, Position};
 use crate::dense::Matrix;
 use crate::expression::{Double, Evaluation, Expr, Input};
 use crate::joint::Motion;
+use crate::list::{Id, List, id};
 use crate::random::Random;
-use crate::space::Space;
+use crate::space::{CoordinateId, ParameterId, VelocityId};
 
 /// How many inertial parameters a link has.
 const PARAMETERS: usize = 10;
@@ -21,23 +22,28 @@ const DRIVE: usize = 3;
 const ORDER: [usize; PARAMETERS] = [5, 6, 8, 4, 7, 9, 1, 2, 3, 0];
 
 /// A parameter, and its column of the regressor.
-pub type Column = (usize, Vec<f64>);
+pub type Column = (ParameterId, Vec<f64>);
 
 /// Of how many joints on the way to a link columns are looked at, at most: half of them from the base outwards, half
 /// from the link inwards.
 const JOINTS: usize = 64;
 
+id! {
+    /// The number of a link that a joint moves: in every list that has an entry for each of [`Columns::links`].
+    LinkId
+}
+
 /// A link that a joint moves.
 pub struct Link {
     /// Which of the chain's joints does.
-    joint: usize,
+    joint: BodyId,
     /// That and those that are between it and the link it hangs on, from the base outwards.
-    own: Vec<usize>,
+    own: Vec<BodyId>,
     /// The link that it hangs on, with nothing but bodies of its own joint between; none for the base.
-    pub parent: Option<usize>,
+    pub parent: Option<LinkId>,
     /// The joints whose forces are looked at: those that move it, from the base outwards, or all where some follow
     /// others.
-    path: Vec<usize>,
+    path: Vec<BodyId>,
     /// At how many states it is looked at.
     states: usize,
 }
@@ -45,18 +51,18 @@ pub struct Link {
 /// The links of a chain, and their matrices at some states.
 pub struct Columns {
     /// In the order of their joints.
-    pub links: Vec<Link>,
+    pub links: List<LinkId, Link>,
     /// Of each state, of each joint that is looked at there.
-    states: Vec<Vec<Option<At>>>,
+    states: Vec<List<BodyId, Option<At>>>,
     /// Of each state, the first and the second rates.
-    rates: Vec<[Vec<f64>; 2]>,
+    rates: Vec<[List<VelocityId, f64>; 2]>,
     /// The velocity of each joint, and what its rate is times that.
-    velocities: Vec<(usize, f64)>,
+    velocities: List<BodyId, (VelocityId, f64)>,
     /// Of each joint; none where drives are not identified.
-    drives: Option<Vec<[f64; DRIVE]>>,
+    drives: Option<List<BodyId, [f64; DRIVE]>>,
     /// For each joint the one that carries the body it hangs on.
-    parents: Vec<Option<usize>>,
-    inertias: Vec<Matrix<f64>>,
+    parents: List<BodyId, Option<BodyId>>,
+    inertias: List<BodyId, Matrix<f64>>,
 }
 
 /// What a body is at a state.
@@ -76,7 +82,7 @@ impl Columns {
         let links = links(chain);
         let numbers = Numbers::of(chain);
         // A joint is looked at as often as any link that it moves.
-        let mut often = vec![0; chain.joints.len()];
+        let mut often = chain.joints.map(|_| 0);
         for link in &links {
             for &joint in link.path.iter().chain([&link.joint]) {
                 often[joint] = link.states.max(often[joint]);
@@ -85,27 +91,23 @@ impl Columns {
         let most = often.iter().copied().max().unwrap_or(0);
         // The same for all robots: what is found must not change with a comment in a file.
         let mut random = Random(0);
-        // Between −3 and 3.
-        let mut list = |space: Space| -> Vec<f64> {
-            let entries = 0..chain.spaces.len(space);
-            entries.map(|_| 6.0 * random.unit() - 3.0).collect()
-        };
+        let mut between = || 6.0 * random.unit() - 3.0;
         let mut rates = Vec::new();
         let states = (0..most).map(|state| {
-            let [q, first, second] =
-                [Space::Coordinates, Space::Velocities, Space::Velocities].map(&mut list);
-            let mut bodies: Vec<Option<At>> = Vec::new();
+            let q = chain.spaces.coordinates.map(|_| between());
+            let both = [(); 2].map(|()| chain.spaces.velocities.map(|_| between()));
+            let mut bodies: List<BodyId, Option<At>> = List::new();
             for together in chain.joints.chunk_by(|_, next| taken(next)) {
-                let k = bodies.len();
+                let k = bodies.next();
                 let parent = together[0].parent.map(|parent| bodies[parent].as_ref());
-                if (k..k + together.len()).all(|k| often[k] <= state) {
+                if (0..together.len()).all(|place| often[k.plus(place)] <= state) {
                     bodies.extend(together.iter().map(|_| None));
                 } else {
-                    let found = numbers.joint(together, k, parent.flatten(), [&q, &first, &second]);
+                    let found = numbers.joint(together, k, parent.flatten(), &q, &both);
                     bodies.extend(found.into_iter().map(Some));
                 }
             }
-            rates.push([first, second]);
+            rates.push(both);
             bodies
         });
         let states = states.collect();
@@ -123,7 +125,7 @@ impl Columns {
     }
 
     /// What all is described as, in the order of the parameters.
-    pub fn described(&self) -> Vec<f64> {
+    pub fn described(&self) -> List<ParameterId, f64> {
         let links = self.links.iter().flat_map(|link| {
             let Matrix(j) = &self.inertias[link.joint];
             PLACES.map(|(row, column)| j[row][column])
@@ -134,7 +136,7 @@ impl Columns {
     }
 
     /// The columns of a link, and of what the joints feel that move it against the one it hangs on.
-    pub fn own(&self, link: usize) -> Vec<Column> {
+    pub fn own(&self, link: LinkId) -> Vec<Column> {
         let mut of_link: Vec<Option<Column>> =
             self.of_link(link, link).into_iter().map(Some).collect();
         let ordered = ORDER.iter().filter_map(|&k| of_link[k].take());
@@ -151,7 +153,7 @@ impl Columns {
     }
 
     /// Those of what a joint feels, in the rows of what a link is looked at by.
-    fn of_drive(&self, joint: usize, rows_of: usize) -> impl Iterator<Item = Column> {
+    fn of_drive(&self, joint: BodyId, rows_of: LinkId) -> impl Iterator<Item = Column> {
         let rows = self.rows(rows_of);
         let (velocity, factor) = self.velocities[joint];
         let mut columns: [Vec<f64>; DRIVE] = Default::default();
@@ -164,21 +166,22 @@ impl Columns {
                 }
             }
         }
-        let before = PARAMETERS * self.links.len() + DRIVE * joint;
-        (before..).zip(columns)
+        // Those of drives are behind those of all links.
+        let before = PARAMETERS * self.links.len() + DRIVE * joint.index();
+        (before..).map(ParameterId::new).zip(columns)
     }
 
     /// The velocities that a link is looked at by.
-    fn rows(&self, link: usize) -> Vec<usize> {
+    fn rows(&self, link: LinkId) -> Vec<VelocityId> {
         let path = self.links[link].path.iter();
-        let mut rows: Vec<usize> = path.map(|&joint| self.velocities[joint].0).collect();
+        let mut rows: Vec<VelocityId> = path.map(|&joint| self.velocities[joint].0).collect();
         rows.sort_unstable();
         rows.dedup();
         rows
     }
 
     /// The columns of a link in the rows of what another one is looked at by.
-    pub fn of_link(&self, link: usize, rows_of: usize) -> Vec<Column> {
+    pub fn of_link(&self, link: LinkId, rows_of: LinkId) -> Vec<Column> {
         let states = self.links[rows_of].states;
         let joint = self.links[link].joint;
         let inwards = std::iter::successors(Some(joint), |&joint| self.parents[joint]);
@@ -205,7 +208,8 @@ impl Columns {
                 }
             }
         }
-        (PARAMETERS * link..).zip(columns).collect()
+        let before = PARAMETERS * link.index();
+        (before..).map(ParameterId::new).zip(columns).collect()
     }
 }
 
@@ -241,22 +245,22 @@ fn taken(joint: &Joint) -> bool {
     matches!(joint.position, Position::Taken)
 }
 
-fn links(chain: &Chain) -> Vec<Link> {
+fn links(chain: &Chain) -> List<LinkId, Link> {
     let inwards =
-        |joint: usize| std::iter::successors(Some(joint), |&joint| chain.joints[joint].parent);
-    let is_link = |joint: &usize| chain.joints[*joint].link.is_some();
-    let joints: Vec<usize> = (0..chain.joints.len()).filter(is_link).collect();
-    let velocities = chain.spaces.len(Space::Velocities);
+        |joint: BodyId| std::iter::successors(Some(joint), |&joint| chain.joints[joint].parent);
+    let is_link = |joint: &BodyId| chain.joints[*joint].link.is_some();
+    let joints: List<LinkId, BodyId> = chain.joints.ids().filter(is_link).collect();
+    let velocities = chain.spaces.velocities.len();
     let drive = if chain.identifies_drives { DRIVE } else { 0 };
     let links = joints.iter().map(|&joint| {
         let parent = inwards(joint).skip(1).find(is_link);
-        let mut own: Vec<usize> = inwards(joint)
+        let mut own: Vec<BodyId> = inwards(joint)
             .take_while(|&other| Some(other) != parent)
             .collect();
         own.reverse();
         // Twice as many numbers as there are columns.
         let (path, states) = if chain.all_lead() {
-            let mut path: Vec<usize> = inwards(joint).collect();
+            let mut path: Vec<BodyId> = inwards(joint).collect();
             path.reverse();
             if path.len() > JOINTS {
                 path.drain(JOINTS / 2..path.len() - JOINTS / 2);
@@ -266,12 +270,12 @@ fn links(chain: &Chain) -> Vec<Link> {
             (path, states)
         } else {
             let rows = 2 * (PARAMETERS * joints.len() + drive * chain.joints.len());
-            ((0..chain.joints.len()).collect(), rows.div_ceil(velocities))
+            (chain.joints.ids().collect(), rows.div_ceil(velocities))
         };
         Link {
             joint,
             own,
-            parent: parent.and_then(|parent| joints.iter().position(|&other| other == parent)),
+            parent: parent.and_then(|parent| joints.find(|&other| other == parent)),
             path,
             states,
         }
@@ -282,15 +286,15 @@ fn links(chain: &Chain) -> Vec<Link> {
 /// The numbers of a chain.
 struct Numbers {
     /// Of each joint.
-    placements: Vec<Matrix<f64>>,
+    placements: List<BodyId, Matrix<f64>>,
     /// u and b, and what its rate is times that of its velocity.
-    screws: Vec<([f64; 3], [f64; 3], f64)>,
+    screws: List<BodyId, ([f64; 3], [f64; 3], f64)>,
     /// M of the link that it is, from the body's frame.
-    links: Vec<Matrix<f64>>,
+    links: List<BodyId, Matrix<f64>>,
     /// J in the link's frame.
-    inertias: Vec<Matrix<f64>>,
+    inertias: List<BodyId, Matrix<f64>>,
     /// What is felt beside that.
-    drives: Vec<[f64; DRIVE]>,
+    drives: List<BodyId, [f64; DRIVE]>,
     /// H of the base that has the effect of gravity.
     falling: Matrix<f64>,
 }
@@ -299,7 +303,7 @@ impl Numbers {
     fn of(chain: &Chain) -> Self {
         let described = |input| match input {
             Input::Parameter(field, entry) => {
-                Double::from(chain.nominal[usize::from(field)][usize::from(entry)])
+                Double::from(chain.nominal[field.into()][usize::from(entry)])
             }
             Input::Variable(..) => unreachable!("a chain depends on no state"),
         };
@@ -359,16 +363,17 @@ impl Numbers {
     fn joint(
         &self,
         together: &[Joint],
-        k: usize,
+        k: BodyId,
         outer: Option<&At>,
-        [q, first, second]: [&[f64]; 3],
+        q: &List<CoordinateId, f64>,
+        [first, second]: &[List<VelocityId, f64>; 2],
     ) -> Vec<At> {
         let mut pose = self.placements[k].clone();
         for (place, joint) in together.iter().enumerate() {
-            let (u, b, factor) = self.screws[k + place];
+            let (u, b, factor) = self.screws[k.plus(place)];
             let at = match (together[0].position, joint.position) {
                 (_, Position::Along { coordinate, .. }) => factor * q[coordinate],
-                (Position::Posture(_, first), _) => q[first + place],
+                (Position::Posture(_, first), _) => q[first.plus(place)],
                 (_, _) => 0.0,
             };
             pose = pose.times(&displacement(u, b, at));
@@ -382,11 +387,11 @@ impl Numbers {
             None => (&still, &self.falling),
         };
         let screws = (0..together.len()).map(|place| {
-            let (u, b, factor) = self.screws[k + place];
+            let (u, b, factor) = self.screws[k.plus(place)];
             pose.carries(&Matrix::screw(u, b)).scaled(&factor)
         });
         let screws: Vec<Matrix<f64>> = screws.collect();
-        let sum = |rates: &[f64]| {
+        let sum = |rates: &List<VelocityId, f64>| {
             let each = together.iter().zip(&screws);
             each.fold(Matrix::zero(), |sum, (joint, screw)| {
                 sum.plus(&screw.scaled(&rates[joint.velocity]))
@@ -397,7 +402,7 @@ impl Numbers {
         let w = w_outer.plus(&own);
         let h = h_outer.plus(&sum(second)).plus(&drift);
         let bodies = screws.into_iter().enumerate().map(|(place, screw)| At {
-            link: pose.times(&self.links[k + place]),
+            link: pose.times(&self.links[k.plus(place)]),
             pose: pose.clone(),
             screw,
             w: w.clone(),

@@ -1,7 +1,9 @@
 //! What a row of columns spans.
 //!
-//! In: columns, one after the other. Out: of each that adds nothing, the combination of earlier ones that it is. It
-//! never knows what the columns are.
+//! In: columns of parameters, one after the other. Out: of each that adds nothing, the combination of earlier ones that
+//! it is. It never knows what is in them.
+
+use crate::space::ParameterId;
 
 /// A column is a combination of others where no more than this part of it is left.
 const NOTHING: f64 = 1e-9;
@@ -11,7 +13,7 @@ const ROUNDED: f64 = 1e-11;
 
 /// Columns that do not depend on each other.
 pub struct Span<'c> {
-    columns: Vec<(usize, &'c [f64])>,
+    columns: Vec<(ParameterId, &'c [f64])>,
     /// Perpendicular directions of length 1, each with its factors of the columns.
     directions: Vec<(Vec<f64>, Vec<f64>)>,
     /// The length of the longest column of those to come.
@@ -30,7 +32,11 @@ impl<'c> Span<'c> {
     }
 
     /// Adds a column; or, where it depends on those that are there, says how: so much of each.
-    pub fn take(&mut self, name: usize, column: &'c [f64]) -> Option<Vec<(usize, f64)>> {
+    pub fn take(
+        &mut self,
+        name: ParameterId,
+        column: &'c [f64],
+    ) -> Option<Vec<(ParameterId, f64)>> {
         let whole = length(column);
         let mut left = column.to_vec();
         let mut factors = vec![0.0; self.columns.len()];

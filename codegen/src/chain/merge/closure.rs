@@ -23,9 +23,9 @@ pub(super) fn closed<'g>(
         .filter_map(|described| {
             let links = [&described.from, &described.to];
             let seats = links.map(|end| {
-                let mut links = description.links.iter();
-                let link = links.position(|link| link.name.text == end.text);
-                link.and_then(|link| seats[link])
+                let mut links = description.links.iter().zip(seats);
+                let link = links.find(|(link, _)| link.name.text == end.text);
+                link.and_then(|(_, seat)| *seat)
             });
             if let Some(missing) = (0..2).find(|&k| seats[k].is_none()) {
                 let [name, link] = [&described.name, links[missing]].map(|name| quoted(&name.text));

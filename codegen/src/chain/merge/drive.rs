@@ -12,13 +12,13 @@ use crate::joint::drive::Part;
 use crate::request::Target;
 
 impl<'g> Reader<'g, '_> {
-    /// The drive of the velocity of that index among those of a joint.
-    pub(super) fn drive(&mut self, joint: &Joint, velocity: usize) -> Drive<Term<'g>> {
+    /// The drive of the velocity that has this place among those of a joint.
+    pub(super) fn drive(&mut self, joint: &Joint, place: usize) -> Drive<Term<'g>> {
         let said = |part: Part| {
             let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
             let number = match numbers {
                 [all] => Some(all),
-                each => each.get(velocity),
+                each => each.get(place),
             };
             number.map(|number| self.number(number))
         };

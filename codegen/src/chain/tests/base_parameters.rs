@@ -10,9 +10,10 @@ use crate::error::Errors;
 use crate::expand::program;
 use crate::expression::{Double, Input};
 use crate::function::Function;
+use crate::list::Id;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Program, run};
-use crate::space::{Space, Spaces, Variable};
+use crate::space::{FrameId, Space, Spaces, Variable};
 
 /// So many states that rows are more than columns.
 const STATES: u64 = 40;
@@ -29,7 +30,8 @@ fn shipped(name: &str) -> Chain {
 }
 
 fn program_of(chain: &Chain, function: Function) -> Program {
-    program(chain, &[function], 0, Real::F64).unwrap_or_else(|errors| panic!("{errors}"))
+    program(chain, &[function], FrameId::FIRST, Real::F64)
+        .unwrap_or_else(|errors| panic!("{errors}"))
 }
 
 /// The results of a program of a robot at a state of that number, the same of every program.
@@ -41,7 +43,7 @@ fn at(program: &Program, spaces: &Spaces, state: u64) -> Vec<f64> {
             unreachable!("there are no fields");
         };
         let of_quaternion = spaces.quaternions().find_map(|first| {
-            let place = usize::from(k).checked_sub(first);
+            let place = usize::from(k).checked_sub(first.index());
             place.filter(|&place| place < 4 && variable == Variable::Q)
         });
         if let Some(place) = of_quaternion {
@@ -126,7 +128,7 @@ fn hold(chain: &Chain) -> usize {
                 off <= 1e-12 * size.max(1e-6),
                 "{torque} is off by {off:e} of {size}"
             );
-            for (parameter, entry) in whole.iter().enumerate() {
+            for (parameter, entry) in spaces.parameters.ids().zip(whole) {
                 let of_groups = groups.iter().zip(part).map(|(group, column)| {
                     let member = group
                         .members
@@ -138,7 +140,7 @@ fn hold(chain: &Chain) -> usize {
                 let off = (of_groups.sum::<f64>() - entry).abs();
                 assert!(
                     off <= 1e-10 * size.max(1.0),
-                    "{parameter} is off by {off:e} of {size}"
+                    "{parameter:?} is off by {off:e} of {size}"
                 );
             }
         }
@@ -262,7 +264,8 @@ fn what_cannot_be_told_is_in_no_group() {
         link plate { mass: 3.0, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.2, 0.15] }",
     );
     let members: Vec<_> = (chain.base_parameters.groups.iter())
-        .map(|group| group.members.clone())
+        .map(|group| group.members.iter().map(|&(k, factor)| (k.index(), factor)))
+        .map(Vec::from_iter)
         .collect();
     // J_xx and J_yy.
     assert_eq!(members, [[(4, 1.0), (7, 1.0)]]);
@@ -327,7 +330,12 @@ fn base_parameters_are_refused_where_fields_reveal_others() {
         let [all, some] = [Space::Parameters, Space::BaseParameters].map(|space| spaces.len(space));
         let rank = rank_elsewhere(&chain, Function::Regressor, all);
         assert_eq!(rank > some, reveals, "{target:?}: {rank} for {some}");
-        let base = program(&chain, &[Function::BaseRegressor], 0, Real::F64);
+        let base = program(
+            &chain,
+            &[Function::BaseRegressor],
+            FrameId::FIRST,
+            Real::F64,
+        );
         if reveals {
             let refusal = base.expect_err("it is wrong elsewhere").to_string();
             let expected = "error: torques can tell other base parameters where field `free` is not what is \

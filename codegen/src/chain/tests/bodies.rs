@@ -4,10 +4,11 @@ use super::*;
 use crate::description::Number;
 use crate::expression::{Double, Expr, Input, Node};
 use crate::joint::Motion;
+use crate::space::FrameId;
 
 /// The numbers of a body: second moments xx, yy, zz, xy, xz, yz, first moments, mass.
 fn inertia(chain: &Chain, joint: usize) -> Vec<f64> {
-    let entries = chain.joints[joint].inertia.entries();
+    let entries = chain.joints[BodyId(joint)].inertia.entries();
     entries.iter().map(|&entry| number(chain, entry)).collect()
 }
 
@@ -48,8 +49,8 @@ fn what_is_fixed_becomes_part_of_the_body_that_carries_it() {
     ];
     close(&inertia(&chain, 0), &expected);
     assert_eq!(chain.report.merged, [("tip".into(), "rod".into())]);
-    let tip = &chain.frames[0];
-    assert_eq!((tip.name.as_str(), tip.body), ("tip", Some(0)));
+    let tip = &chain.frames[FrameId::FIRST];
+    assert_eq!((tip.name.as_str(), tip.body), ("tip", Some(BodyId(0))));
     let at = tip.placement.entries();
     let at: Vec<f64> = at.iter().map(|&entry| number(&chain, entry)).collect();
     close(
@@ -67,8 +68,8 @@ fn what_is_fixed_to_the_base_is_felt_by_no_joint() {
         joint weld: fixed {{ from: plate, to: tip }}"
     ));
     close(&inertia(&chain, 0)[9..], &[2.0]);
-    assert_eq!(chain.joints[0].parent, None);
-    let at = chain.joints[0].placement.translation.0;
+    assert_eq!(chain.joints[BodyId(0)].parent, None);
+    let at = chain.joints[BodyId(0)].placement.translation.0;
     close(&at.map(|entry| number(&chain, entry)), &[0.1, 0.0, 0.3]);
 }
 
@@ -85,8 +86,8 @@ fn joints_come_parents_first_and_siblings_as_written() {
     );
     assert_eq!(names(&chain), ["right", "left", "late"]);
     let parents: Vec<_> = chain.joints.iter().map(|joint| joint.parent).collect();
-    assert_eq!(parents, [None, None, Some(1)]);
-    assert!(matches!(chain.joints[1].motion, Motion::Prismatic));
+    assert_eq!(parents, [None, None, Some(BodyId(1))]);
+    assert!(matches!(chain.joints[BodyId(1)].motion, Motion::Prismatic));
     assert_eq!(chain.report.base, "b");
     assert_eq!(chain.report.links, ["b", "left", "leaf", "rightmost"]);
     assert_eq!(chain.report.dropped, ["root", "other"]);
@@ -126,7 +127,7 @@ fn right_angles_are_exact_and_told_unless_they_are_wanted_as_written() {
         ))
     };
     let snapped = arm("");
-    let rotation = snapped.joints[0].placement.rotation.0;
+    let rotation = snapped.joints[BodyId(0)].placement.rotation.0;
     assert_eq!(number(&snapped, rotation[2][2]), 0.0);
     let told = snapped.report.snapped.iter();
     let told: Vec<_> = told
@@ -135,7 +136,7 @@ fn right_angles_are_exact_and_told_unless_they_are_wanted_as_written() {
     assert_eq!(told, [("hinge", -4.7124, -3), ("hinge", 10.99557, 7)]);
 
     let written = arm("exact");
-    let rotation = written.joints[0].placement.rotation.0;
+    let rotation = written.joints[BodyId(0)].placement.rotation.0;
     assert_eq!(number(&written, rotation[2][2]), (-4.7124_f64).cos());
     assert!(written.report.snapped.is_empty());
 }
@@ -151,7 +152,7 @@ fn residues_are_zero_and_told_unless_they_are_wanted_as_written() {
         ))
     };
     let meant = arm("");
-    let [hinge] = &meant.joints[..] else {
+    let [hinge] = &*meant.joints else {
         panic!("one joint")
     };
     assert_eq!(number(&meant, hinge.placement.translation.y()), 0.0);
@@ -161,7 +162,7 @@ fn residues_are_zero_and_told_unless_they_are_wanted_as_written() {
     assert_eq!(meant.report.right_angles_and_residues(), (0, 3));
 
     let written = arm("exact");
-    let [hinge] = &written.joints[..] else {
+    let [hinge] = &*written.joints else {
         panic!("one joint")
     };
     assert_eq!(number(&written, hinge.placement.translation.y()), -3e-17);
@@ -227,7 +228,7 @@ fn a_chain_of_thousands_of_which_one_joint_moves_is_a_chain() {
         "struct Snake {{ tip: l1, path_only }} link l0; {joints}"
     ));
     assert_eq!(names(&chain), ["j1"]);
-    assert_eq!(number(&chain, chain.joints[0].axis.y()), 1.0);
+    assert_eq!(number(&chain, chain.joints[BodyId(0)].axis.y()), 1.0);
 }
 
 /// The chain of an arm with a field for a target.
@@ -255,15 +256,28 @@ fn fields_are_inputs_from_here_on() {
     assert_eq!(input(&chain, chain.gravity.0[2]), expected(2));
 
     let chain = with_field(&arm, Target::OriginOf(named("hinge")));
-    let placement = chain.joints[0].placement;
+    let placement = chain.joints[BodyId(0)].placement;
     assert_eq!(input(&chain, placement.translation.0[1]), expected(1));
     assert_eq!(number(&chain, placement.rotation.0[2][1]), 0.3_f64.sin());
 
     let chain = with_field(&arm, Target::MassOf(named("rod")));
-    assert!(chain.graph.value(chain.joints[0].inertia.mass).is_none());
+    assert!(
+        chain
+            .graph
+            .value(chain.joints[BodyId(0)].inertia.mass)
+            .is_none()
+    );
     let chain = with_field(&arm, Target::CenterOfMassOf(named("rod")));
-    close(&[number(&chain, chain.joints[0].inertia.mass)], &[3.0]);
-    assert!(chain.graph.value(chain.joints[0].inertia.q.0[0]).is_none());
+    close(
+        &[number(&chain, chain.joints[BodyId(0)].inertia.mass)],
+        &[3.0],
+    );
+    assert!(
+        chain
+            .graph
+            .value(chain.joints[BodyId(0)].inertia.q.0[0])
+            .is_none()
+    );
 }
 
 #[test]
@@ -279,7 +293,7 @@ fn a_payload_on_a_link_that_weighs_nothing_is_a_point() {
     );
 
     let chain = with_field(arm, Target::MassOf(named("flange")));
-    let inertia = chain.joints[0].inertia;
+    let inertia = chain.joints[BodyId(0)].inertia;
     assert_eq!(
         chain.graph.node(inertia.mass),
         Node::Input(Input::Parameter(0, 0))

@@ -46,8 +46,8 @@ const ARM: &str = "struct Arm { strict } link base;
 fn a_payload_is_a_body_beside_what_is_described() {
     let chain = with_fields(ARM, vec![("load", Target::PayloadOn(named("flange")))]);
     let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
-    assert_eq!(chain.nominal, [[0.0; 10].to_vec()]);
-    let inertia = chain.joints[0].inertia.entries();
+    assert_eq!(*chain.nominal, [[0.0; 10].to_vec()]);
+    let inertia = chain.joints[BodyId(0)].inertia.entries();
     // By hand: of the rod second moments are (0.025, 0.015, 0.005), and 0.02 more at xx.
     let empty = at(&chain, &inertia, &[0.0; 10]);
     close(
@@ -121,8 +121,8 @@ fn a_payload_is_meant_to_be_what_a_body_can_have() {
 fn an_inertia_is_about_the_centre_of_mass_in_the_axes_of_the_inertial() {
     let chain = with_fields(ARM, vec![("tensor", Target::InertiaOf(named("rod")))]);
     let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
-    assert_eq!(chain.nominal, [[0.02, 0.0, 0.0, 0.03, 0.0, 0.04].to_vec()]);
-    let inertia = chain.joints[0].inertia.entries();
+    assert_eq!(*chain.nominal, [[0.02, 0.0, 0.0, 0.03, 0.0, 0.04].to_vec()]);
+    let inertia = chain.joints[BodyId(0)].inertia.entries();
     let tensor = [0.05, 0.001, 0.002, 0.06, 0.003, 0.07];
     let found = at(&chain, &inertia, &tensor);
     // ½ Tr(I) − I, and of a mass of 2 at x = 0.1 0.02 more at xx.
@@ -145,7 +145,7 @@ fn an_inertia_is_about_the_centre_of_mass_in_the_axes_of_the_inertial() {
         ..Request::default()
     };
     let chain = build(&description.expect("it can be read"), &request).expect("no mistakes");
-    let inertia = chain.joints[0].inertia.entries();
+    let inertia = chain.joints[BodyId(0)].inertia.entries();
     let found = at(&chain, &inertia, &[4.0, 0.0, 0.0, 5.0, 0.0, 6.0]);
     close(&found[..3], &[3.5, 1.5, 2.5]);
 }
@@ -192,12 +192,12 @@ fn the_base_stands_where_a_field_says() {
         vec![("at", place())],
     );
     let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
-    let joint = chain.joints[0].placement.translation.0;
+    let joint = chain.joints[BodyId(0)].placement.translation.0;
     close(
         &at(&chain, &joint, &[10.0, 20.0, 30.0]),
         &[11.0, 22.0, 33.0],
     );
-    let [_, eye, base] = &chain.frames[..] else {
+    let [_, eye, base] = &*chain.frames else {
         panic!("three frames");
     };
     for (frame, z) in [(eye, 30.5), (base, 30.0)] {
@@ -205,7 +205,7 @@ fn the_base_stands_where_a_field_says() {
         let found = at(&chain, &frame.placement.translation.0, &[10.0, 20.0, 30.0]);
         close(&found, &[10.0, 20.0, z]);
     }
-    assert_eq!(chain.nominal, [[0.0; 3].to_vec()]);
+    assert_eq!(*chain.nominal, [[0.0; 3].to_vec()]);
     assert_eq!(
         refused(text, vec![("one", place()), ("two", place())]),
         "error: field `two` stands for the position of the base, as `one` does\n  hint: leave out one of them\n"
@@ -233,7 +233,7 @@ fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
     ];
     let chain = with_fields(text, vec![("at", Target::PlacementOf(named("hinge")))]);
     let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
-    let placement = chain.joints[0].placement;
+    let placement = chain.joints[BodyId(0)].placement;
     close(&at(&chain, &placement.rotation.0.concat(), &place), &turn);
     close(
         &at(&chain, &placement.translation.0, &place),
@@ -241,13 +241,13 @@ fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
     );
     // As it is described: about z, then about the new x.
     close(
-        &chain.nominal[0],
+        &chain.nominal[0_u16.into()],
         &[1.0, 2.0, 3.0, std::f64::consts::FRAC_PI_2, 0.0, 0.5],
     );
 
     let chain = with_fields(text, vec![("at", Target::BasePlacement)]);
     let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
-    let origin = chain.joints[0].placement.translation.0;
+    let origin = chain.joints[BodyId(0)].placement.translation.0;
     let expected: [f64; 3] = std::array::from_fn(|row| {
         let turned = (0..3)
             .zip([1.0, 2.0, 3.0])
@@ -258,7 +258,7 @@ fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
     for (x, y) in found.iter().zip(expected) {
         assert!((x - y).abs() < 4e-15, "{found:?} for {expected:?}");
     }
-    assert_eq!(chain.nominal, [[0.0; 6].to_vec()]);
+    assert_eq!(*chain.nominal, [[0.0; 6].to_vec()]);
 }
 
 #[test]

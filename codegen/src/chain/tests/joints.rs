@@ -1,13 +1,14 @@
 //! Joints with several coordinates, joints that follow others, and a free base: which entries they have,
 //! and what is said of those that cannot be.
 
-use super::{fine, lines, read, said};
+use super::{BodyId, fine, lines, read, said};
 use crate::builder::Builder;
 use crate::chain::{Chain, Mimicked, Position, build};
 use crate::description::read_text;
 use crate::error::Errors;
 use crate::expand::expand;
 use crate::function::Function;
+use crate::list::Id;
 use crate::request::Request;
 use crate::space::Space;
 
@@ -154,10 +155,11 @@ fn a_follower_has_no_entries_and_tells_what_moves_it() {
         offset: 0.1,
     };
     assert_eq!(chain.report.mimicked, [mimicked]);
-    let Position::Along { coordinate, factor } = chain.joints[2].position else {
-        panic!("{:?}", chain.joints[2]);
+    let Position::Along { coordinate, factor } = chain.joints[BodyId(2)].position else {
+        panic!("{:?}", chain.joints[BodyId(2)]);
     };
-    assert_eq!((coordinate, chain.joints[2].velocity), (1, 1));
+    let velocity = chain.joints[BodyId(2)].velocity;
+    assert_eq!((coordinate.index(), velocity.index()), (1, 1));
     assert_eq!(
         chain.graph.value(factor).unwrap().to_f64().to_bits(),
         (-2.0_f64).to_bits()

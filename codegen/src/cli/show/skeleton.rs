@@ -6,13 +6,14 @@
 
 use serde_json::{Value, json};
 
-use crate::chain::{self, Chain, Joint, Position};
+use crate::chain::{self, BodyId, Chain, Joint, Position};
 use crate::closure::Row;
 use crate::description::{Axis, Description, Inertial, Name, Step};
 use crate::error::{Errors, Place};
 use crate::expression::{Double, Expr, Graph, Term};
 use crate::joint::{Motion, Posture};
 use crate::layout::{Layout, arrange};
+use crate::list::{Id, List};
 use crate::matrix::{Pose, Rotation};
 use crate::print::Listing;
 use crate::request::Request;
@@ -32,7 +33,7 @@ pub(super) fn skeleton(
         let inertial = link.and_then(|link| link.inertial.as_ref());
         json!({
             "name": seat.name,
-            "body": seat.body,
+            "body": seat.body.map(Id::index),
             "place": place(&seats.graph, seat.placement),
             "parent": carrier.map(|joint| &joint.parent.text),
             "joint": carrier.map(|joint| &joint.name.text),
@@ -43,7 +44,7 @@ pub(super) fn skeleton(
     let loops = chain.loops.iter().map(|closed| {
         let ends = closed.frames.iter();
         let ends = ends
-            .map(|end| json!({ "body": end.body, "place": place(&chain.graph, end.placement) }));
+            .map(|end| json!({ "body": end.body.map(Id::index), "place": place(&chain.graph, end.placement) }));
         let rows = closed.rows.iter().map(|row| match *row {
             Row::Along(k) => json!(["along", k]),
             Row::Product(i, j) => json!(["product", i, j]),
@@ -78,7 +79,7 @@ fn seats(description: &Description, request: &Request, chain: &Chain) -> Result<
     };
     let mut seats = chain::build(description, &request)?;
     let tip = usize::from(seats.has_tip);
-    seats.frames.drain(..tip);
+    seats.frames = seats.frames.into_iter().skip(tip).collect();
     Ok(seats)
 }
 
@@ -87,7 +88,7 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
     let number = |expr: Expr| number(&chain.graph, expr);
     let by = match joint.position {
         Position::Along { coordinate, factor } => {
-            json!({ "coordinate": coordinate, "factor": number(factor) })
+            json!({ "coordinate": coordinate.index(), "factor": number(factor) })
         }
         Position::Posture(posture, coordinate) => {
             let posture = match posture {
@@ -95,7 +96,7 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
                 Posture::Spherical => "spherical",
                 Posture::Floating => "floating",
             };
-            json!({ "coordinate": coordinate, "posture": posture })
+            json!({ "coordinate": coordinate.index(), "posture": posture })
         }
         Position::Taken => Value::Null,
     };
@@ -108,13 +109,13 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
         "name": joint.name,
         "joint": joint.of,
         "link": joint.link.as_ref().map(|(link, _)| link),
-        "parent": joint.parent,
+        "parent": joint.parent.map(Id::index),
         "place": place(&chain.graph, joint.placement),
         "axis": joint.axis.0.map(number),
         "turns": turns,
         "slides": slides,
         "by": by,
-        "velocity": joint.velocity,
+        "velocity": joint.velocity.index(),
     })
 }
 
@@ -168,8 +169,8 @@ pub(super) fn layouts(chain: &Chain, listing: &Listing) -> Layouts {
 fn chosen(chain: &Chain, layout: Layout) -> Value {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
-    let mut own: Vec<Pose<Term<'_>>> = Vec::new();
-    let mut laid: Vec<Pose<Term<'_>>> = Vec::new();
+    let mut own: List<BodyId, Pose<Term<'_>>> = List::new();
+    let mut laid: List<BodyId, Pose<Term<'_>>> = List::new();
     for (joint, body) in chain.joints.iter().zip(&bodies.bodies) {
         let turn = match body.offset {
             Some(offset) => Pose::rotation(Rotation::about_z(offset)),

@@ -6,7 +6,9 @@
 //! a derivative.
 
 use super::{Posture, Rates, Scalar};
-use crate::dense::Matrix;
+use crate::dense::{BodyId, Matrix};
+use crate::list::{List, Square};
+use crate::space::VelocityId;
 
 /// With respect to what.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -25,25 +27,31 @@ struct Change {
 
 impl Posture {
     /// ∂τ/∂q and ∂τ/∂q̇ of a motion, against gravity.
-    pub(in crate::dense) fn torque_derivatives(&self, rates: &Rates) -> [Vec<Scalar>; 2] {
+    pub(in crate::dense) fn torque_derivatives(
+        &self,
+        rates: &Rates,
+    ) -> [Square<VelocityId, Scalar>; 2] {
         let [by_coordinate, mut by_rate] = [Of::Coordinates, Of::Rates]
             .map(|of| self.by_columns(|joint, screw| self.change(rates, joint, screw, of)));
         // Of drives only viscous friction changes; the sign of a rate does not, but where it steps.
         for freedom in self.freedoms() {
             let [_, damping, _] = freedom.drive;
-            let own = &mut by_rate[freedom.velocity * (self.robot.velocities + 1)];
+            let own = &mut by_rate[(freedom.velocity, freedom.velocity)];
             *own = *own + freedom.factor * freedom.factor * damping;
         }
         [by_coordinate, by_rate]
     }
 
-    /// ∂(Σ Jᵗ Φ)/∂q of actions from outside, row by row: Φ of a link turns with it, Φ in frame 0 stays.
-    pub(in crate::dense) fn outside_derivative(&self, actions: &[f64]) -> Vec<Scalar> {
+    /// ∂(Σ Jᵗ Φ)/∂q of actions from outside: Φ of a link turns with it, Φ in frame 0 stays.
+    pub(in crate::dense) fn outside_derivative(
+        &self,
+        actions: &[f64],
+    ) -> Square<VelocityId, Scalar> {
         let turns = !self.robot.external.1;
         let actions: Vec<_> = self.outside_actions(actions).collect();
         self.by_columns(|joint, along| {
             let carried = self.carried(joint);
-            let mut felt = vec![Scalar::exact(0.0); self.robot.velocities];
+            let mut felt = self.nothing();
             for (link, action) in &actions {
                 let turned = along.times(action);
                 let turned = turned.plus(&action.times(&along.transposed()));
@@ -65,7 +73,7 @@ impl Posture {
     }
 
     /// C of M q̈ + C q̇, by what H at q̈ = 0 is linear in: Σ (L̇ₘ + Lₘ W) q̇ₘ.
-    pub(in crate::dense) fn coriolis_matrix(&self, rates: &Rates) -> Vec<Scalar> {
+    pub(in crate::dense) fn coriolis_matrix(&self, rates: &Rates) -> Square<VelocityId, Scalar> {
         let motions = self.motions(rates);
         self.by_columns(|joint, screw| {
             let (rate, carried) = (motions[joint].0.commutator(screw), self.carried(joint));
@@ -75,13 +83,15 @@ impl Posture {
 
     /// A matrix by its columns, each the sum of those of all screws that go with a velocity, each with the body
     /// whose joint has it.
-    fn by_columns(&self, column: impl Fn(usize, &Matrix<Scalar>) -> Vec<Scalar>) -> Vec<Scalar> {
-        let count = self.robot.velocities;
-        let mut matrix = vec![Scalar::exact(0.0); count * count];
-        for (joint, screws) in self.screws.iter().enumerate() {
+    fn by_columns(
+        &self,
+        column: impl Fn(BodyId, &Matrix<Scalar>) -> List<VelocityId, Scalar>,
+    ) -> Square<VelocityId, Scalar> {
+        let mut matrix = Square::filled(Scalar::exact(0.0), self.robot.velocities);
+        for (joint, screws) in self.screws.numbered() {
             for (velocity, screw) in screws {
-                let entries = matrix.iter_mut().skip(*velocity).step_by(count);
-                for (entry, own) in entries.zip(column(joint, screw)) {
+                for (row, &own) in column(joint, screw).numbered() {
+                    let entry = &mut matrix[(row, *velocity)];
                     *entry = *entry + own;
                 }
             }
@@ -90,24 +100,30 @@ impl Posture {
     }
 
     /// Which bodies the joint of a body carries, with it.
-    fn carried(&self, joint: usize) -> Vec<bool> {
-        let mut carried = vec![false; self.robot.bodies.len()];
-        carried[joint] = true;
-        for (link, body) in self.robot.bodies.iter().enumerate() {
-            carried[link] |= body.parent.is_some_and(|parent| carried[parent]);
+    fn carried(&self, joint: BodyId) -> List<BodyId, bool> {
+        let mut carried = List::new();
+        for (link, body) in self.robot.bodies.numbered() {
+            let outer = body.parent.is_some_and(|parent| carried[parent]);
+            carried.push(link == joint || outer);
         }
         carried
     }
 
     /// What the torques change by, for each unit that the joint of a body moves farther along a screw, or
     /// faster.
-    fn change(&self, rates: &Rates, joint: usize, along: &Matrix<Scalar>, of: Of) -> Vec<Scalar> {
+    fn change(
+        &self,
+        rates: &Rates,
+        joint: BodyId,
+        along: &Matrix<Scalar>,
+        of: Of,
+    ) -> List<VelocityId, Scalar> {
         let carried = self.carried(joint);
         let motions = self.motions(rates);
         let falling = self.falling();
-        let mut changes: Vec<Change> = Vec::new();
-        let mut actions: Vec<[Matrix<Scalar>; 2]> = Vec::new();
-        for (link, body) in self.robot.bodies.iter().enumerate() {
+        let mut changes: List<BodyId, Change> = List::new();
+        let mut actions: List<BodyId, [Matrix<Scalar>; 2]> = List::new();
+        for (link, body) in self.robot.bodies.numbered() {
             let inertia = &self.inertias[link];
             let h = motions[link].1.plus(&falling);
             let action = h.times(inertia).skew();
@@ -154,8 +170,8 @@ impl Posture {
                 screws,
             });
         }
-        let mut felt = vec![Scalar::exact(0.0); self.robot.velocities];
-        for (link, body) in self.robot.bodies.iter().enumerate().rev() {
+        let mut felt = self.nothing();
+        for (link, body) in self.robot.bodies.numbered().rev() {
             let [action, action_change] = actions[link].clone();
             for ((k, screw), change) in self.screws[link].iter().zip(&changes[link].screws) {
                 let own = super::along(screw, &action_change) + super::along(change, &action);

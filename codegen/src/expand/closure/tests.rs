@@ -19,10 +19,11 @@ use crate::expand::{program_by, understand};
 use crate::expression::Input;
 use crate::function::Function;
 use crate::layout::Layout;
+use crate::list::Id;
 use crate::model::Way;
 use crate::request::Request;
 use crate::schedule::{Program, run};
-use crate::space::Variable;
+use crate::space::{FrameId, Variable};
 
 /// Two arms on one trunk that turn and slide about axes in general directions, with a joint of each sort.
 const ARMS: &str = "
@@ -75,7 +76,13 @@ fn chain(text: &str) -> Result<Chain, String> {
 }
 
 fn plain(chain: &Chain, function: Function) -> Program {
-    program_by(chain, &[function], 0, Layout::DESCRIBED, Way::PLAIN)
+    program_by(
+        chain,
+        &[function],
+        FrameId::FIRST,
+        Layout::DESCRIBED,
+        Way::PLAIN,
+    )
 }
 
 /// What a program makes of q, q̇, q̈ and τ.
@@ -103,7 +110,7 @@ fn upright(chain: &Chain, seed: usize) -> Vec<f64> {
     let spaces = chain.spaces();
     let mut q = numbers(spaces.coordinates.len(), seed);
     for first in spaces.quaternions() {
-        let entries = &mut q[first..first + 4];
+        let entries = &mut q[first.index()..][..4];
         let length = entries.iter().map(|x| x * x).sum::<f64>().sqrt();
         for entry in entries {
             *entry /= length;

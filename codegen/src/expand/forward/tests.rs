@@ -17,7 +17,7 @@ use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::run;
-use crate::space::Variable;
+use crate::space::{FrameId, Variable};
 
 const SOLVED: [Function; 2] = [ForwardDynamics, MassMatrixInverse];
 
@@ -64,7 +64,14 @@ fn heavy_tip(mass: f64) -> [End; 4] {
 /// The form of a function that is chosen in a type.
 fn choose(chain: &Chain, function: Function, scalar: Real) -> Result<Forward, Errors> {
     let (processor, formulation) = (Processor::Portable, Formulation::default());
-    let found = cheapest(processor, formulation, chain, &[function], 0, scalar)?;
+    let found = cheapest(
+        processor,
+        formulation,
+        chain,
+        &[function],
+        FrameId::FIRST,
+        scalar,
+    )?;
     Ok(found.way.forward)
 }
 
@@ -177,7 +184,13 @@ fn error(chain: &Chain, refinements: usize) -> f64 {
         forward,
         ..Way::PLAIN
     };
-    let program = program_by(chain, &[ForwardDynamics], 0, Layout::DESCRIBED, way);
+    let program = program_by(
+        chain,
+        &[ForwardDynamics],
+        FrameId::FIRST,
+        Layout::DESCRIBED,
+        way,
+    );
     let state = |input| match input {
         Input::Variable(Variable::Q, _) => 1e-4,
         Input::Variable(Variable::Qd, _) => 0.3,
@@ -210,7 +223,7 @@ fn every_form_of_the_inverse_inverts_the_mass_matrix() {
             forward,
             ..Way::PLAIN
         };
-        let program = program_by(&arm, &[function], 0, Layout::DESCRIBED, way);
+        let program = program_by(&arm, &[function], FrameId::FIRST, Layout::DESCRIBED, way);
         run::<Double>(&program, |_| Double::from(0.7))
     };
     let mass = at(Function::MassMatrix, Forward::UNREFINED);

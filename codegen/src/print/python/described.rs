@@ -7,6 +7,7 @@ use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
 use super::names::unscoped;
+use crate::list::Id;
 use crate::print::rust::names::{ident, of_methods, type_name};
 use crate::print::rust::{Item, under};
 use crate::print::{Listed, Listing, documentation};
@@ -119,11 +120,11 @@ impl<'l> Class<'l> {
     /// The coordinates at which nothing is turned or shifted.
     pub fn neutral(&self) -> Vec<f64> {
         let spaces = &self.listing.spaces;
-        let mut q = vec![0.0; spaces.len(Space::Coordinates)];
+        let mut q = spaces.coordinates.map(|_| 0.0);
         for first in spaces.quaternions() {
-            q[first + 3] = 1.0;
+            q[first.plus(3)] = 1.0;
         }
-        q
+        q.into()
     }
 
     /// What is said of a method.

@@ -99,9 +99,9 @@ pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
     let entries: Vec<Entry> = names.into_iter().map(entry).collect();
     Spaces {
         actions: Vec::new(),
-        coordinates: entries.clone(),
+        coordinates: entries.clone().into(),
         constraints: Vec::new(),
-        velocities: entries,
+        velocities: entries.into(),
         ..Spaces::default()
     }
 }

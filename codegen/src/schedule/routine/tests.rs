@@ -43,9 +43,9 @@ fn routine(names: Names) -> Routine {
     };
     let spaces = Spaces {
         actions: Vec::new(),
-        coordinates: ["hip", "knee", "toe"].map(entry).to_vec(),
+        coordinates: ["hip", "knee", "toe"].into_iter().map(entry).collect(),
         constraints: Vec::new(),
-        velocities: vec![entry("hip")],
+        velocities: vec![entry("hip")].into(),
         ..Spaces::default()
     };
     let fields = [vec!["load"], vec!["t_1", "qd"]];

@@ -11,12 +11,13 @@ use crate::expand::{expand, program_by, program_for, understand};
 use crate::formulation::{Angles, Formulation, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
+use crate::list::Id;
 use crate::model::Way;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::Program;
-use crate::space::Space;
+use crate::space::{FrameId, Space, VelocityId};
 
 #[test]
 fn accelerations_solve_the_equations_of_motion_with_their_multipliers() {
@@ -118,7 +119,7 @@ fn every_way_gives_the_same() {
         four_bar,
     ] {
         let mut chain = chain(&text).expect("a robot");
-        chain.actuated[0] = true;
+        chain.actuated[VelocityId::new(0)] = true;
         let spaces = chain.spaces();
         let velocities = spaces.velocities.len();
         let (q, qd, tau) = (
@@ -130,7 +131,14 @@ fn every_way_gives_the_same() {
             let expected = values(&plain(&chain, function), [&q, &qd, &tau, &tau]);
             for way in ways {
                 let processor = Processor::Portable;
-                let program = program_for(processor, way, &chain, &[function], 0, Real::F64);
+                let program = program_for(
+                    processor,
+                    way,
+                    &chain,
+                    &[function],
+                    FrameId::FIRST,
+                    Real::F64,
+                );
                 let program = program.unwrap_or_else(|errors| panic!("{errors}"));
                 let found = values(&program, [&q, &qd, &tau, &tau]);
                 for (found, expected) in found.iter().zip(&expected) {
@@ -158,8 +166,9 @@ fn every_kind_is_what_the_description_says_in_both_precisions() {
                     scalar,
                     ..Way::PLAIN
                 };
-                let program = program_by(&chain, &[function], 0, Layout::DESCRIBED, way);
-                let judged = check.judge(&[function], 0, &program, scalar);
+                let program =
+                    program_by(&chain, &[function], FrameId::FIRST, Layout::DESCRIBED, way);
+                let judged = check.judge(&[function], FrameId::FIRST, &program, scalar);
                 judged.unwrap_or_else(|errors| panic!("{kind} {scalar:?}: {errors}"));
             }
         }
@@ -185,10 +194,14 @@ fn more_residuals_than_passive_joints_are_held_against_the_description_as_well()
     let function = [Function::ActuatedInverseDynamics];
     let mut program = listing.functions[0].program.clone();
     check
-        .judge(&function, 0, &program, Real::F64)
+        .judge(&function, FrameId::FIRST, &program, Real::F64)
         .unwrap_or_else(|errors| panic!("{errors}"));
     program.results.swap(0, 1);
-    assert!(check.judge(&function, 0, &program, Real::F64).is_err());
+    assert!(
+        check
+            .judge(&function, FrameId::FIRST, &program, Real::F64)
+            .is_err()
+    );
 }
 
 #[test]

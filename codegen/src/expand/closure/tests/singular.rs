@@ -10,7 +10,7 @@ use crate::layout::Layout;
 use crate::model::Way;
 use crate::real::Real;
 use crate::schedule::run;
-use crate::space::{Space, Variable};
+use crate::space::{FrameId, Space, Variable};
 
 #[test]
 fn what_is_closed_in_every_posture_is_left_out_and_told() {
@@ -108,7 +108,13 @@ loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.2, 0, 0), to_at: xy
             scalar: Real::F32,
             ..Way::PLAIN
         };
-        let program = program_by(&chain, &[function], 0, Layout::DESCRIBED, narrow);
+        let program = program_by(
+            &chain,
+            &[function],
+            FrameId::FIRST,
+            Layout::DESCRIBED,
+            narrow,
+        );
         let found = run(&program, |input| match input {
             Input::Variable(Variable::Qd, 0 | 2) => {
                 #[expect(clippy::cast_possible_truncation, reason = "a small whole number")]

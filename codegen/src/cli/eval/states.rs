@@ -276,7 +276,7 @@ pub(super) fn without_parquet(path: &Path) -> Errors {
     errors.push_with_hint(
         Place::Unknown,
         message,
-        "build it with --features cli,parquet, or use .npy",
+        "build it with --features parquet, or use .npy",
     );
     errors
 }

@@ -602,7 +602,7 @@ fn without_parquet_it_says_how_to_get_it() {
         ["--states", "x.parquet", "-o", "x.npy"],
         ["--states", &q, "-o", "x.parquet"],
     ] {
-        let expected = "error: this binary knows no Parquet, and so not x.parquet\n  hint: build it with --features cli,parquet, or use .npy\n";
+        let expected = "error: this binary knows no Parquet, and so not x.parquet\n  hint: build it with --features parquet, or use .npy\n";
         assert_eq!(
             refused(&folder, &[&["--function", "gravity"], &words[..]].concat()),
             expected

@@ -21,11 +21,11 @@ os.environ.setdefault("RAYON_NUM_THREADS", "1")
 os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
 
 
-def states(arm, seed, chunk, count):
-    """The random states of a chunk."""
+def states(arm, seed, first, count):
+    """The random states of a chunk, which has numbers of its own."""
     import numpy as np
 
-    random = np.random.default_rng([seed, chunk])
+    random = np.random.default_rng([seed, first, count])
     low, high = np.clip(arm.coordinate_limits.T, -np.pi, np.pi)
     fastest = np.clip(arm.velocity_limits[:, 1], 0, 10)
     q = random.uniform(low, high, (count, arm.NQ))
@@ -40,13 +40,15 @@ def label(chunk, options):
     import pyarrow.parquet as pq
 
     folder = pathlib.Path(options["folder"])
-    path = folder / f"chunk-{chunk:06}.parquet"
+    first = chunk * options["chunk"]
+    count = min(options["chunk"], options["states"] - first)
+    # All that its bytes depend on.
+    path = folder / f"{options['module']}-{options['seed']}-{first:012}-{count}.parquet"
     began, computing = time.process_time(), 0.0
     if not path.exists():
         module = importlib.import_module(options["module"])
         arm = getattr(module, module.__all__[0])()
-        count = min(options["chunk"], options["states"] - chunk * options["chunk"])
-        arguments = states(arm, options["seed"], chunk, count)
+        arguments = states(arm, options["seed"], first, count)
         computing = -time.process_time()
         tau = arm.inverse_dynamics(*arguments)
         computing += time.process_time()
@@ -147,7 +149,7 @@ if __name__ == "__main__":
         digests[chunk] = digest
         all_of_it, computing = all_of_it + times[0], computing + times[1]
     wall = time.perf_counter() - began
-    for left in [*folder.glob(".chunk-*"), *folder.glob(".lost-*")]:
+    for left in [*folder.glob(".*.parquet.*"), *folder.glob(".lost-*")]:
         left.unlink()
     count = options["states"]
     whole = hashlib.sha256("".join(digests[chunk] for chunk in chunks).encode()).hexdigest()

@@ -34,7 +34,7 @@ label() { # folder, options
 }
 bytes() { (cd "$folder/$1" && sha256sum ./* | sha256sum); }
 whole() { # all chunks and nothing else, hidden files included
-    [ "$(find "$folder/$1" -type f | wc -l)" = 9 ] && [ "$(find "$folder/$1" -name 'chunk-*.parquet' | wc -l)" = 9 ]
+    [ "$(find "$folder/$1" -type f | wc -l)" = 9 ] && [ "$(find "$folder/$1" -name 'panda_py-1-*.parquet' | wc -l)" = 9 ]
 }
 
 expected=$(label alone)
@@ -54,9 +54,14 @@ done
 # Killed in the middle of a file without anybody to begin it again: what is there is whole, and the rest is made later.
 label again --lose 5 >"$folder/killed" || true
 check "no digest of a part" [ ! -s "$folder/killed" ]
-check "five chunks" [ "$(find "$folder/again" -name 'chunk-*.parquet' | wc -l)" = 5 ]
+check "five chunks" [ "$(find "$folder/again" -name 'panda_py-1-*.parquet' | wc -l)" = 5 ]
 check "the digest after all" [ "$(label again)" = "$expected" ]
 check "nothing is left" whole again
+
+# Other states have other names, so that what is there is never taken for them.
+check "another seed" [ "$(label again --seed 2)" != "$expected" ]
+check "another size" [ "$(label again --chunk 40000)" != "$expected" ]
+check "the first ones are there" [ "$(label again)" = "$expected" ]
 
 # A disk that is full: a limit on the size of files stands for it.
 if (ulimit -f 1000 && label full) >"$folder/refused"; then
@@ -66,9 +71,9 @@ check "no file of a part" [ "$(find "$folder/full" -type f | wc -l)" = 0 ]
 check "the reason is told" grep -q "File too large" "$folder/full.log"
 
 "$homogen" eval robots/panda_class.urdf --tip link8 --function inverse_dynamics \
-    --states "$folder/alone/chunk-000008.parquet" -o "$folder/tau.npy"
+    --states "$folder/alone/panda_py-1-000000240000-20000.parquet" -o "$folder/tau.npy"
 "$homogen" eval robots/panda_class.urdf --tip link8 --function inverse_dynamics \
-    --states "$folder/alone/chunk-000008.parquet" -o "$folder/tau.parquet"
+    --states "$folder/alone/panda_py-1-000000240000-20000.parquet" -o "$folder/tau.parquet"
 check "the bits of eval" "$python" - "$folder" <<'PYTHON'
 import pathlib, sys
 import numpy as np
@@ -76,7 +81,7 @@ import pyarrow.parquet as pq
 
 folder = pathlib.Path(sys.argv[1])
 numbers = lambda path, name: np.concatenate([part.flatten().to_numpy() for part in pq.read_table(path)[name].chunks])
-made = numbers(folder / "alone" / "chunk-000008.parquet", "tau").reshape(-1, 7)
+made = numbers(folder / "alone" / "panda_py-1-000000240000-20000.parquet", "tau").reshape(-1, 7)
 assert len(made) == 20000
 assert np.load(folder / "tau.npy").tobytes() == made.tobytes(), "NumPy's file"
 assert numbers(folder / "tau.parquet", "inverse_dynamics").tobytes() == made.tobytes(), "Parquet"

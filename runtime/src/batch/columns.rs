@@ -150,7 +150,7 @@ macro_rules! batch {
                 /// The states of a call, or some of them.
                 struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
                     robot: &'a R,
-                    states: usize,
+                    count: usize,
                     $($argument: columns_of!($argument, &'a [T]),)*
                     results: Vec<&'a mut [T]>,
                     rounding: PhantomData<M>,
@@ -174,12 +174,12 @@ macro_rules! batch {
                     {
                         let mut results = self.results;
                         let mut first = 0;
-                        while first < self.states {
-                            let count = K::LANES.min(self.states - first);
-                            $(let $argument = gather::<T, K, _>(&self.$argument, first, count);)*
+                        while first < self.count {
+                            let lanes = K::LANES.min(self.count - first);
+                            $(let $argument = gather::<T, K, _>(&self.$argument, first, lanes);)*
                             let packed = self.robot.$method($(&$argument),*);
-                            packed.write(&mut results, first..first + count);
-                            first += count;
+                            packed.write(&mut results, first..first + lanes);
+                            first += lanes;
                         }
                     }
                 }
@@ -194,18 +194,18 @@ macro_rules! batch {
                 {
                     #[cfg(feature = "rayon")]
                     fn states(&self) -> usize {
-                        self.states
+                        self.count
                     }
 
                     #[cfg(feature = "rayon")]
                     fn split(self, at: usize) -> (Self, Self) {
-                        let Self { robot, states, rounding, .. } = self;
+                        let Self { robot, count, rounding, .. } = self;
                         let results = self.results.into_iter().map(|column| column.split_at_mut(at));
                         let results: (Vec<_>, Vec<_>) = results.unzip();
                         $(let $argument = (self.$argument.map(|column| &column[..at]), self.$argument.map(|column| &column[at..]));)*
                         (
-                            Self { robot, states: at, $($argument: $argument.0,)* results: results.0, rounding },
-                            Self { robot, states: states - at, $($argument: $argument.1,)* results: results.1, rounding },
+                            Self { robot, count: at, $($argument: $argument.0,)* results: results.0, rounding },
+                            Self { robot, count: count - at, $($argument: $argument.1,)* results: results.1, rounding },
                         )
                     }
 
@@ -225,7 +225,7 @@ macro_rules! batch {
                     }
                 }
 
-                let states = check(&[
+                let count = check(&[
                     $((stringify!($argument), &$argument.map(<[T]>::len)),)*
                     ("results", &results.iter().map(|column| column.len()).collect::<Vec<_>>()),
                 ])?;
@@ -235,7 +235,7 @@ macro_rules! batch {
                 }
                 let work = States::<R, M, T, $($size),*> {
                     robot: self.robot,
-                    states,
+                    count,
                     $($argument,)*
                     results: results.iter_mut().map(|column| &mut **column).collect(),
                     rounding: PhantomData,

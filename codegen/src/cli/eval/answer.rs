@@ -26,9 +26,6 @@ pub(super) struct Layout<'c> {
 
 /// One of the results of a function.
 pub(super) struct Shaped {
-    /// What a column is called that holds it.
-    #[cfg(feature = "parquet")]
-    pub(super) name: &'static str,
     /// The lengths of the arrays within arrays that a state has of it, the outermost first.
     pub(super) lengths: Vec<usize>,
     quantity: Quantity,
@@ -37,9 +34,7 @@ pub(super) struct Shaped {
 impl<'c> Layout<'c> {
     pub(super) fn of(chain: &'c Chain, function: Function, frame: usize, scalar: Scalar) -> Self {
         let results = function.result().parts();
-        let results = results.map(|(_part, quantity)| Shaped {
-            #[cfg(feature = "parquet")]
-            name: _part.unwrap_or(function.name()),
+        let results = results.map(|(_, quantity)| Shaped {
             lengths: dimensions(&quantity, chain.spaces()),
             quantity,
         });
@@ -50,6 +45,13 @@ impl<'c> Layout<'c> {
             scalar,
             results: results.collect(),
         }
+    }
+
+    /// What columns are called that hold the results.
+    #[cfg(feature = "parquet")]
+    pub(super) fn names(&self) -> impl Iterator<Item = &'static str> {
+        let parts = self.function.result().parts();
+        parts.map(|(part, _)| part.unwrap_or(self.function.name()))
     }
 
     /// How many numbers a program has for a state.

@@ -255,11 +255,11 @@ impl Writer {
             Scalar::F32 => "float",
             Scalar::F64 => "double",
         };
-        let columns = layout.results.iter().map(|result| match &*result.lengths {
-            [] => format!("required {kind} {};", result.name),
+        let columns = layout.names().zip(&layout.results);
+        let columns = columns.map(|(name, result)| match &*result.lengths {
+            [] => format!("required {kind} {name};"),
             _ => format!(
-                "required group {} (LIST) {{ repeated group list {{ required {kind} element; }} }}",
-                result.name
+                "required group {name} (LIST) {{ repeated group list {{ required {kind} element; }} }}"
             ),
         });
         let schema = format!("message states {{ {} }}", columns.collect::<String>());

@@ -82,15 +82,11 @@ fn each(files: &[Named], names: &[&str]) -> Result<Vec<PathBuf>, Errors> {
 fn several(names: &[&str]) -> Errors {
     let mut errors = Errors::new();
     let message = "an .npy file holds one result, and each result is in one file";
-    let hint = match names {
+    let names = names.iter();
+    let each: Vec<String> = names.map(|name| format!("--output {name}=FILE")).collect();
+    let hint = match &*each {
         [] => "--output FILE".to_owned(),
-        _ => {
-            let each: Vec<String> = names
-                .iter()
-                .map(|name| format!("--output {name}=FILE"))
-                .collect();
-            each.join(" ")
-        }
+        each => each.join(" "),
     };
     errors.push_with_hint(Place::Unknown, message, hint);
     errors

@@ -238,16 +238,13 @@ fn each<'f>(
     let mut found = Vec::new();
     for &argument in arguments {
         let name = argument.name();
-        match files.iter().find(|file| file.name.as_deref() == Some(name)) {
-            Some(file) => found.push((argument, file.path.as_path())),
-            None => {
-                let hint = format!("--states {name}=FILE");
-                errors.push_with_hint(
-                    Place::Unknown,
-                    format!("there is no {name} among the states"),
-                    hint,
-                );
-            }
+        let file = files.iter().find(|file| file.name.as_deref() == Some(name));
+        if let Some(file) = file {
+            found.push((argument, file.path.as_path()));
+        } else {
+            let hint = format!("--states {name}=FILE");
+            let message = format!("there is no {name} among the states");
+            errors.push_with_hint(Place::Unknown, message, hint);
         }
     }
     errors.into_result(found)

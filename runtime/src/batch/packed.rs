@@ -88,8 +88,15 @@ impl<T: Lane, const L: usize> Packs<T::Bare> for Pack<T, L> {
 
     #[inline(always)]
     fn gather(numbers: &[T::Bare]) -> Self {
-        let last = numbers.last().copied().unwrap_or_default();
-        let mut pack = Self([T::of(last); L]);
+        let padded;
+        let numbers = if let Some(numbers) = numbers.first_chunk::<L>() {
+            numbers
+        } else {
+            let (states, _) = numbers.as_chunks::<1>();
+            padded = filled_up(states).map(|[number]| number);
+            &padded
+        };
+        let mut pack = Self([T::of(numbers[0]); L]);
         for (lane, number) in pack.0.iter_mut().zip(numbers) {
             *lane = T::of(*number);
         }
@@ -158,8 +165,14 @@ impl<T: Lane, const L: usize> Packed for Pack<T, L> {
     #[inline(always)]
     fn write(&self, columns: &mut [&mut [T::Bare]], states: Range<usize>) {
         let numbers = &mut columns[0][states];
-        for (number, lane) in numbers.iter_mut().zip(&self.0) {
-            *number = lane.bare();
+        if let Some(numbers) = numbers.first_chunk_mut::<L>() {
+            for (number, lane) in numbers.iter_mut().zip(&self.0) {
+                *number = lane.bare();
+            }
+        } else {
+            for (number, lane) in numbers.iter_mut().zip(&self.0) {
+                *number = lane.bare();
+            }
         }
     }
 }

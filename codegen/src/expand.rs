@@ -25,14 +25,13 @@ use crate::accuracy::{self, Accuracy, Means};
 use crate::chain::{self, Chain};
 use crate::check::Check;
 use crate::description::{Description, freed};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
 use crate::function::{Function, Given};
-use crate::print::{LeftOut, Listed, Listing, Prepared};
+use crate::print::{About, LeftOut, Listed, Listing, Prepared};
 use crate::real::{Real, Trigonometry};
 use crate::request::Request;
 use crate::schedule::Price;
-use crate::wording;
 use about::about;
 use choice::{Found, cheapest};
 use data::data;
@@ -80,32 +79,15 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     {
         errors.append(refusal);
     }
-    let mut about = about(description, &chain, request.formulation);
-    if request.batch {
-        let missing = batches::missing(&functions, chain.spaces().actions() > 0);
-        if all {
-            left_out.extend(missing);
-        } else if request.strict {
-            for LeftOut {
-                functions,
-                reason,
-                hint,
-            } in missing
-            {
-                let message = format!("{} (refused: strict)", without(&functions, &reason));
-                errors.record(Complaint {
-                    place: Place::Unknown,
-                    message,
-                    hint,
-                });
-            }
-        } else {
-            let missing = missing.iter();
-            let missing = missing.map(|each| without(&each.functions, &each.reason));
-            about.warnings.extend(missing);
-        }
+    let mut about = About {
+        left_out,
+        ..about(description, &chain, request.formulation)
+    };
+    if request.batch
+        && let Err(refusal) = batches::tell(&functions, &chain, request, &mut about)
+    {
+        errors.append(refusal);
     }
-    about.left_out = left_out;
     let listing = Listing {
         about,
         spaces: chain.spaces().clone(),
@@ -134,12 +116,6 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
         errors.append(fault);
     }
     errors.into_result(listing)
-}
-
-/// That there is no such batch, in a sentence.
-fn without(functions: &[String], reason: &str) -> String {
-    let functions = wording::list(functions.iter().map(String::as_str));
-    format!("there is no {functions}: {reason}")
 }
 
 /// The functions that a robot cannot have whose frames nobody asks for.

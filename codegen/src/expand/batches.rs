@@ -1,13 +1,55 @@
 //! Which functions have no batches, though batches are asked for.
 //!
-//! In: the functions of a listing. Out: the names that their batches would have, with the reason. It never decides
-//! which functions there are.
+//! In: the functions of a listing. Out: the names that their batches would have, with the reason: a doubt where the
+//! functions were named, a mistake where the request is strict, and left out where all that there are were meant. It
+//! never decides which functions there are.
 
+use crate::chain::Chain;
+use crate::error::{Complaint, Errors, Place};
 use crate::function::Function;
-use crate::print::{LeftOut, Listed};
+use crate::print::{About, LeftOut, Listed};
+use crate::request::Request;
+use crate::wording::list;
+
+/// Tells of missing batches.
+///
+/// # Errors
+/// Where functions were named and the request is strict.
+pub(super) fn tell(
+    functions: &[Listed],
+    chain: &Chain,
+    request: &Request,
+    about: &mut About,
+) -> Result<(), Errors> {
+    let missing = missing(functions, chain.spaces().actions() > 0);
+    if request.functions.is_empty() {
+        about.left_out.extend(missing);
+        return Ok(());
+    }
+    let mut errors = Errors::new();
+    for LeftOut {
+        functions,
+        reason,
+        hint,
+    } in missing
+    {
+        let functions = list(functions.iter().map(String::as_str));
+        let message = format!("there is no {functions}: {reason}");
+        if request.strict {
+            errors.record(Complaint {
+                place: Place::Unknown,
+                message: format!("{message} (refused: strict)"),
+                hint,
+            });
+        } else {
+            about.warnings.push(message);
+        }
+    }
+    errors.into_result(())
+}
 
 /// The batches that are missing, those for the same reason together; `acted` where actions from outside enter.
-pub(super) fn missing(functions: &[Listed], acted: bool) -> Vec<LeftOut> {
+fn missing(functions: &[Listed], acted: bool) -> Vec<LeftOut> {
     let mut missing: Vec<LeftOut> = Vec::new();
     for listed in functions {
         let Some((reason, hint)) = reason(listed, acted) else {

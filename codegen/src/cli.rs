@@ -2,13 +2,14 @@
 //!
 //! In: arguments and standard input. Out: an [`Answer`], complete before anything of it is
 //! printed, so that a mistake leaves nothing on standard output. One file a command; none of them
-//! does a stage's work. Only `report`, which runs for minutes, shows what it does meanwhile.
+//! does a stage's work. Only `report` and `eval`, which may run for minutes, show how far they are.
 
 mod arithmetic;
 mod base_parameters;
 mod check;
 mod count;
 mod eval;
+mod fresh;
 mod functions;
 mod generate;
 mod inspect;
@@ -18,7 +19,6 @@ mod progress;
 mod python;
 mod report;
 mod show;
-mod states;
 
 use std::ffi::OsString;
 use std::io::{ErrorKind, Read, Write};
@@ -37,9 +37,10 @@ pub fn run(
     remarks: &mut dyn Write,
 ) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
-    // The report shows its own.
-    let other = arguments.get(1).is_none_or(|command| command != "report");
-    let progress = other.then(Progress::start);
+    // These show their own.
+    let own = ["eval", "report"];
+    let own = (arguments.get(1)).is_some_and(|command| own.iter().any(|name| command == name));
+    let progress = (!own).then(Progress::start);
     let answer = answer(arguments, input);
     drop(progress);
     // Nobody is left to be told if this fails.

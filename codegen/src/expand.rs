@@ -5,6 +5,7 @@
 //! what has been `measured`.
 
 mod about;
+mod batches;
 mod choice;
 mod closure;
 mod data;
@@ -80,10 +81,15 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     {
         errors.append(refusal);
     }
-    let about = About {
+    let mut about = About {
         left_out,
         ..about(description, &chain, request.formulation)
     };
+    if request.batch
+        && let Err(refusal) = batches::tell(&functions, &chain, request, &mut about)
+    {
+        errors.append(refusal);
+    }
     let listing = Listing {
         about,
         spaces: chain.spaces().clone(),

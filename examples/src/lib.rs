@@ -49,6 +49,8 @@ mod guide {
     struct InverseKinematics;
     #[doc = include_str!("../../guide/src/batches.md")]
     struct Batches;
+    #[doc = include_str!("../../guide/src/cluster.md")]
+    struct Cluster;
     #[doc = include_str!("../../guide/src/embedded.md")]
     struct Embedded;
     #[doc = include_str!("../../guide/src/generated-code.md")]

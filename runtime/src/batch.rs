@@ -24,15 +24,20 @@
 //! # Ok::<(), homogen::batch::BatchError>(())
 //! ```
 //!
+//! Where a coordinate's numbers stand side by side, as in tables and in Fortran's arrays, [`Columns`] takes a slice
+//! for each of them.
+//!
 //! A robot that is derived with the word `batch` has these as methods of its own,
 //! `arm.gravity_batch(&q, &mut tau)`, and is compiled once for each kind of vector; without the word its
 //! functions stay what the target makes of them.
 
+mod columns;
 mod error;
 mod packed;
 mod run;
 
-pub use error::BatchError;
+pub use columns::Columns;
+pub use error::{BatchError, ColumnsError};
 pub use packed::{AsAlone, AsFused, Number, Packed, Packs, Rounding};
 pub use run::Vectors;
 
@@ -80,13 +85,20 @@ impl<'a, R: ?Sized> Batch<'a, R, AsFused> {
     }
 }
 
-impl<R: ?Sized, M> Batch<'_, R, M> {
+impl<'a, R: ?Sized, M> Batch<'a, R, M> {
     /// The same on no longer vectors than these, where longer ones would slow a processor's clock.
     #[inline]
     #[must_use]
     pub const fn at_most(mut self, most: Vectors) -> Self {
         self.most = most;
         self
+    }
+
+    /// The same for states whose numbers stand coordinate by coordinate.
+    #[inline]
+    #[must_use]
+    pub const fn columns(self) -> Columns<'a, R, M> {
+        Columns::of(self.robot, self.most)
     }
 }
 

@@ -2,12 +2,16 @@
 //! batches of every size; and some of a robot with more coordinates than velocities.
 //!
 //! In: robots that are derived with the word `batch`, and random states, one without numbers and one with
-//! angles beyond any turn among them. What is fused is held against one state of fused numbers.
+//! angles beyond any turn among them. What is fused is held against one state of fused numbers, and columns against
+//! the same numbers in other places.
 
 use std::fmt::Debug;
 
-use homogen::batch::{Batch, BatchError, Packed, Vectors};
-use homogen::{Fused, Pack, Robot, chain};
+use homogen::batch::{Batch, BatchError, ColumnsError, Packed, Vectors};
+use homogen::{
+    Acceleration, Action, ForwardDynamicsDerivatives, Fused, InverseDynamicsDerivatives, Momentum,
+    Pack, Point, Pose, Robot, Screw, Velocity, chain,
+};
 use homogen_random::Random;
 
 /// The two-link arm, with a field.
@@ -77,6 +81,50 @@ fn fused<T: Copy, const N: usize>(state: &[T; N]) -> [Pack<Fused<T>, 1>; N] {
     state.map(|entry| Pack([Fused(entry)]))
 }
 
+/// The numbers of a result one by one, in the order of the columns.
+trait Numbers {
+    fn numbers(&self) -> Vec<f64>;
+}
+
+impl Numbers for f64 {
+    fn numbers(&self) -> Vec<f64> {
+        vec![*self]
+    }
+}
+
+impl<X: Numbers, const K: usize> Numbers for [X; K] {
+    fn numbers(&self) -> Vec<f64> {
+        self.iter().flat_map(Numbers::numbers).collect()
+    }
+}
+
+macro_rules! numbers {
+    ($($kind:ty: $result:ident => $($part:expr),*;)*) => {$(
+        impl Numbers for $kind {
+            fn numbers(&self) -> Vec<f64> {
+                let $result = self;
+                [$($part.numbers()),*].concat()
+            }
+        }
+    )*};
+}
+numbers! {
+    Pose<f64>: m => m.rotation(), m.translation();
+    Screw<f64>: l => l.u(), l.b();
+    Velocity<f64>: w => w.omega(), w.v();
+    Acceleration<f64>: h => h.g(), h.a();
+    Momentum<f64>: gamma => gamma.gamma(), gamma.rho();
+    Action<f64>: phi => phi.c(), phi.f();
+    Point<f64>: p => p.0;
+    InverseDynamicsDerivatives<N, f64>: d => d.dq, d.dqd;
+    ForwardDynamicsDerivatives<N, f64>: d => d.dq, d.dqd, d.dtau;
+}
+
+/// The first entries of all states, then the second ones, and so on.
+fn columns_of<T: Copy, const K: usize>(states: &[[T; K]]) -> [Vec<T>; K] {
+    std::array::from_fn(|k| states.iter().map(|state| state[k]).collect())
+}
+
 /// All digits count, and the sign of a zero; not a number is not a number.
 fn same(what: &str, found: &[impl Debug], expected: &[impl Debug]) {
     let size = expected.len();
@@ -116,6 +164,40 @@ macro_rules! compare {
                     batch.$method($(&states.$argument[..size],)* &mut results).expect("as long");
                     let expected = if fuses(vectors) { &all_fused } else { &alone };
                     same(&format!("fused {what}"), &results, &expected[..size]);
+                }
+                $(let $argument = columns_of(&states.$argument);)*
+                let wanted: Vec<Vec<f64>> = alone.iter().map(Numbers::numbers).collect();
+                let wide: Vec<Vec<f64>> = all_fused.iter().map(Numbers::numbers).collect();
+                let count = wanted[0].len();
+                for (size, vectors) in SIZES.iter().flat_map(|size| VECTORS.map(|most| (*size, most))) {
+                    for (is_fused, expected) in [(false, &wanted), (true, if fuses(vectors) { &wide } else { &wanted })] {
+                        let mut results = vec![vec![0.5; size]; count];
+                        let mut columns: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
+                        let done = if is_fused {
+                            let batch = Batch::fused(robot).at_most(vectors).columns();
+                            batch.$method($($argument.each_ref().map(|column| &column[..size]),)* &mut columns)
+                        } else {
+                            let batch = Batch::of(robot).at_most(vectors).columns();
+                            batch.$method($($argument.each_ref().map(|column| &column[..size]),)* &mut columns)
+                        };
+                        assert_eq!(done, Ok(()));
+                        let found = (0..size).map(|state| results.iter().map(|column| column[state]).collect());
+                        let found: Vec<Vec<f64>> = found.collect();
+                        same(&format!("columns of {} on {vectors:?}", stringify!($method)), &found, &expected[..size]);
+                    }
+                }
+                for (columns, length) in [(count + 1, COUNT), (count - 1, COUNT), (count, COUNT - 1)] {
+                    let mut results = vec![vec![0.5; length]; columns];
+                    let mut results: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
+                    let arguments = Batch::of(robot).columns();
+                    let refusal = arguments.$method($($argument.each_ref().map(Vec::as_slice),)* &mut results);
+                    let expected = if columns == count {
+                        ColumnsError::Length { argument: "results", column: 0, length, expected: COUNT }
+                    } else {
+                        ColumnsError::Count { columns, expected: count }
+                    };
+                    assert_eq!(refusal, Err(expected));
+                    assert!(results.iter().all(|column| column.iter().all(|number| *number == 0.5)));
                 }
                 let arguments = [$(stringify!($argument),)* "results"];
                 for wrong in arguments {
@@ -180,6 +262,35 @@ fn a_robot_has_batches_of_its_own_on_all_cores() {
         .map(|i| Puppet.inverse_dynamics(&q[i], &qd[i], &qdd[i]))
         .collect();
     same("inverse dynamics", &tau, &alone);
+    let columns = [columns_of(&qd), columns_of(&qdd)];
+    let [qd, qdd] = columns
+        .each_ref()
+        .map(|columns| columns.each_ref().map(Vec::as_slice));
+    let q_columns = columns_of(&q);
+    let q_columns = q_columns.each_ref().map(Vec::as_slice);
+    // An array of Fortran, of shape (5003, 4).
+    let mut results = vec![0.0; 4 * 5003];
+    let mut results: Vec<&mut [f64]> = results.chunks_mut(5003).collect();
+    let batch = Batch::of(&Puppet).columns();
+    assert_eq!(
+        batch.inverse_dynamics(q_columns, qd, qdd, &mut results),
+        Ok(())
+    );
+    let found: Vec<[f64; 4]> = (0..5003)
+        .map(|i| std::array::from_fn(|k| results[k][i]))
+        .collect();
+    same("inverse dynamics of columns", &found, &alone);
+    let shorter = [qd[0], qd[1], &qd[2][1..], qd[3]];
+    let refusal = batch.inverse_dynamics(q_columns, shorter, qdd, &mut results);
+    assert_eq!(
+        refusal.map_err(|error| error.to_string()),
+        Err("column 2 of `qd` has a length of 5002, and the first of `q` of 5003".to_owned())
+    );
+    let refusal = batch.inverse_dynamics(q_columns, qd, qdd, &mut results[1..]);
+    assert_eq!(
+        refusal.map_err(|error| error.to_string()),
+        Err("the result has 4 numbers, and `results` 3 columns".to_owned())
+    );
     assert_eq!(
         Puppet
             .gravity_batch(&q, &mut tau[1..])

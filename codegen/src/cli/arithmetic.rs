@@ -4,7 +4,6 @@
 //! wherever its sines are precise; beyond, the platform's. It is no arithmetic of the engine's own: what is printed
 //! never depends on it.
 
-use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::expression::Arithmetic;
@@ -78,9 +77,9 @@ macro_rules! arithmetic {
             }
         }
 
-        impl fmt::Display for Own<$float> {
-            fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-                self.0.fmt(out)
+        impl From<Own<$float>> for f64 {
+            fn from(number: Own<$float>) -> Self {
+                number.0.into()
             }
         }
     };

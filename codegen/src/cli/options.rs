@@ -4,7 +4,7 @@
 //! what the description says.
 
 use std::fmt::Write;
-use std::io::Read;
+use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -114,6 +114,16 @@ pub(super) enum Scalar {
     F64,
 }
 
+impl Scalar {
+    /// How many bytes a number has.
+    pub(super) const fn bytes(self) -> usize {
+        match self {
+            Self::F32 => size_of::<f32>(),
+            Self::F64 => size_of::<f64>(),
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Gravity([f64; 3]);
 
@@ -221,6 +231,15 @@ pub(super) fn read(input: &mut dyn Read) -> Result<Vec<u8>, Errors> {
         ))),
         Err(reason) => Err(mistake(format!("cannot read {STANDARD_INPUT}: {reason}"))),
     }
+}
+
+/// That a file of states cannot be read.
+pub(super) fn unreadable(path: &Path, reason: &io::Error) -> Errors {
+    let what = match reason.kind() {
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        _ => reason.to_string(),
+    };
+    mistake(format!("cannot read {}: {what}", path.display()))
 }
 
 /// One mistake without a place.

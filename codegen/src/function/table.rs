@@ -78,6 +78,12 @@ impl Function {
         )
     }
 
+    /// Whether the runtime has batches of it: of none of closed loops, nor of any that actions from outside enter.
+    #[must_use]
+    pub fn has_batches(self, acted: bool) -> bool {
+        Self::ALL.contains(&self) && !(acted && self.takes_actions())
+    }
+
     /// What it is a function of, where actions from outside are among the lists of a robot or not.
     #[must_use]
     pub fn arguments_with(self, actions: bool) -> Vec<Variable> {

@@ -61,7 +61,8 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
         let body = method::computation((listed, fields), &listing.spaces, &dialect);
         let own = |body: &_| method(listing, item, listed, &name, (body, &dialect));
         let acted = listing.spaces.actions() > 0;
-        let batched = |function| listing.batch && batch::exists(function, acted);
+        let batched =
+            |function: crate::function::Function| listing.batch && function.has_batches(acted);
         match (&*listed.functions, &listed.frame, &dialect.world) {
             ([function], None, World::Runtime(runtime)) if batched(*function) => {
                 let batch = batch::Batched::new(listing, item, *function, runtime, &dialect);

@@ -71,8 +71,19 @@ fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
             .inverse_dynamics(&q[..FEW], &qd[..FEW], &qdd[..FEW], tau);
         done.expect("as long");
     };
+    let columns = [&q, &qd, &qdd].map(|states| columns(&states[..FEW]));
+    let [q_columns, qd_columns, qdd_columns] =
+        (columns.each_ref()).map(|columns| columns.each_ref().map(Vec::as_slice));
+    let tau_columns = RefCell::new(columns[0].clone());
+    let by_columns = |most: Vectors| {
+        let mut tau = tau_columns.borrow_mut();
+        let mut tau = tau.each_mut().map(Vec::as_mut_slice);
+        let batch = Batch::of(&Panda).at_most(most).columns();
+        let done = batch.inverse_dynamics(q_columns, qd_columns, qdd_columns, &mut tau);
+        done.expect("as long");
+    };
     let all_cores = || alone(Vectors::Bits512, MANY);
-    let programs: [(&str, usize, &dyn Fn()); 7] = [
+    let programs: [(&str, usize, &dyn Fn()); 9] = [
         ("one state at a time", FEW, &one_by_one),
         ("batch, vectors of the target", FEW, &|| {
             alone(Vectors::OfTarget, FEW);
@@ -89,6 +100,12 @@ fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
         ("batch, up to 512 bits, fused", FEW, &|| {
             fused(Vectors::Bits512);
         }),
+        ("columns, up to 256 bits", FEW, &|| {
+            by_columns(Vectors::Bits256);
+        }),
+        ("columns, up to 512 bits", FEW, &|| {
+            by_columns(Vectors::Bits512);
+        }),
         ("batch on all cores", MANY, &all_cores),
     ];
     let batches = programs.map(|(_, _, program)| program);
@@ -103,6 +120,11 @@ fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
         );
     }
     println!();
+}
+
+/// A column for each entry of some states.
+fn columns<T: Copy>(states: &[[T; 7]]) -> [Vec<T>; 7] {
+    std::array::from_fn(|k| states.iter().map(|state| state[k]).collect())
 }
 
 fn f64_of(count: usize) -> f64 {

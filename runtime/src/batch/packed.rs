@@ -11,6 +11,7 @@ use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity
 use crate::robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
 use crate::scalar::{Fused, Lane, Pack, Scalar};
 use core::array::from_fn;
+use core::ops::Range;
 
 /// A number that batches are made of, `f32` or `f64`, and the packs that it goes into.
 pub trait Number: Lane<Bare = Self> {
@@ -71,9 +72,12 @@ mod sealed {
 }
 
 /// A pack of a type of number, whatever the count of its lanes.
-pub trait Packs<T>: Scalar + Packed<Lane = T> {
+pub trait Packs<T>: Scalar + Packed<Lane = T, Number = T> {
     /// How many lanes it has.
     const LANES: usize;
+
+    /// A number of each state; where states are fewer than lanes the others get the last one.
+    fn gather(numbers: &[T]) -> Self;
 
     /// One state a lane; where states are fewer than lanes the others get the last one.
     fn load<const N: usize>(states: &[[T; N]], packs: &mut [Self; N]);
@@ -81,6 +85,23 @@ pub trait Packs<T>: Scalar + Packed<Lane = T> {
 
 impl<T: Lane, const L: usize> Packs<T::Bare> for Pack<T, L> {
     const LANES: usize = L;
+
+    #[inline(always)]
+    fn gather(numbers: &[T::Bare]) -> Self {
+        let padded;
+        let numbers = if let Some(numbers) = numbers.first_chunk::<L>() {
+            numbers
+        } else {
+            let (states, _) = numbers.as_chunks::<1>();
+            padded = filled_up(states).map(|[number]| number);
+            &padded
+        };
+        let mut pack = Self([T::of(numbers[0]); L]);
+        for (lane, number) in pack.0.iter_mut().zip(numbers) {
+            *lane = T::of(*number);
+        }
+        pack
+    }
 
     #[inline(always)]
     fn load<const N: usize>(states: &[[T::Bare; N]], packs: &mut [Self; N]) {
@@ -112,69 +133,139 @@ pub trait Packed {
     /// The result of one state.
     type Lane;
 
+    /// The type of its numbers.
+    type Number;
+
+    /// How many numbers a state has of it.
+    const NUMBERS: usize;
+
     /// The result of the state in lane `index`, which must be one.
     #[must_use]
     fn lane(&self, index: usize) -> Self::Lane;
+
+    /// Writes its numbers to columns that begin with the first of them, a slice for each: those of the first lanes to
+    /// these states.
+    ///
+    /// # Panics
+    ///
+    /// Where there are fewer than [`NUMBERS`](Self::NUMBERS) columns, or fewer states or lanes.
+    fn write(&self, columns: &mut [&mut [Self::Number]], states: Range<usize>);
 }
 
 impl<T: Lane, const L: usize> Packed for Pack<T, L> {
     type Lane = T::Bare;
+    type Number = T::Bare;
+    const NUMBERS: usize = 1;
 
     #[inline]
     fn lane(&self, index: usize) -> T::Bare {
         self.0[index].bare()
     }
+
+    #[inline(always)]
+    fn write(&self, columns: &mut [&mut [T::Bare]], states: Range<usize>) {
+        let numbers = &mut columns[0][states];
+        if let Some(numbers) = numbers.first_chunk_mut::<L>() {
+            for (number, lane) in numbers.iter_mut().zip(&self.0) {
+                *number = lane.bare();
+            }
+        } else {
+            for (number, lane) in numbers.iter_mut().zip(&self.0) {
+                *number = lane.bare();
+            }
+        }
+    }
 }
 
 impl<P: Packed, const N: usize> Packed for [P; N] {
     type Lane = [P::Lane; N];
+    type Number = P::Number;
+    const NUMBERS: usize = N * P::NUMBERS;
 
     #[inline]
     fn lane(&self, index: usize) -> Self::Lane {
         from_fn(|i| self[i].lane(index))
     }
+
+    #[inline(always)]
+    fn write(&self, columns: &mut [&mut [P::Number]], states: Range<usize>) {
+        for (i, part) in self.iter().enumerate() {
+            part.write(&mut columns[i * P::NUMBERS..], states.clone());
+        }
+    }
 }
 
-/// The lane of a matrix by those of its parts.
+/// The lane of a matrix by those of its parts, each of so many numbers.
 macro_rules! of_parts {
-    ($($kind:ident: $($part:ident),*;)*) => {$(
+    ($($kind:ident: $($part:ident $numbers:literal),*;)*) => {$(
         impl<P: Packed + Scalar> Packed for $kind<P> {
             type Lane = $kind<P::Lane>;
+            type Number = P::Number;
+            const NUMBERS: usize = P::NUMBERS * (0 $(+ $numbers)*);
 
             #[inline]
             fn lane(&self, index: usize) -> Self::Lane {
                 $kind::new($(self.$part().lane(index)),*)
             }
+
+            #[inline(always)]
+            fn write(&self, columns: &mut [&mut [P::Number]], states: Range<usize>) {
+                let rest = columns;
+                $(
+                    let (own, rest) = rest.split_at_mut(P::NUMBERS * $numbers);
+                    self.$part().write(own, states.clone());
+                )*
+                let _ = rest;
+            }
         }
     )*};
 }
 of_parts! {
-    Pose: rotation, translation;
-    Screw: u, b;
-    Velocity: omega, v;
-    Acceleration: g, a;
-    Momentum: gamma, rho;
-    Action: c, f;
+    Pose: rotation 9, translation 3;
+    Screw: u 3, b 3;
+    Velocity: omega 3, v 3;
+    Acceleration: g 9, a 3;
+    Momentum: gamma 3, rho 3;
+    Action: c 3, f 3;
 }
 
 impl<P: Packed> Packed for Point<P> {
     type Lane = Point<P::Lane>;
+    type Number = P::Number;
+    const NUMBERS: usize = 3 * P::NUMBERS;
 
     #[inline]
     fn lane(&self, index: usize) -> Self::Lane {
         Point(self.0.lane(index))
     }
+
+    #[inline(always)]
+    fn write(&self, columns: &mut [&mut [P::Number]], states: Range<usize>) {
+        self.0.write(columns, states);
+    }
 }
 
-/// The lane of a structure by those of its fields.
+/// The lane of a structure by those of its fields, which are matrices.
 macro_rules! of_fields {
     ($($kind:ident: $($field:ident),*;)*) => {$(
         impl<P: Packed, const N: usize> Packed for $kind<N, P> {
             type Lane = $kind<N, P::Lane>;
+            type Number = P::Number;
+            const NUMBERS: usize = [$(stringify!($field)),*].len() * <[[P; N]; N]>::NUMBERS;
 
             #[inline]
             fn lane(&self, index: usize) -> Self::Lane {
                 $kind { $($field: self.$field.lane(index)),* }
+            }
+
+            #[inline(always)]
+            fn write(&self, columns: &mut [&mut [P::Number]], states: Range<usize>) {
+                let rest = columns;
+                $(
+                    let (own, rest) = rest.split_at_mut(<[[P; N]; N]>::NUMBERS);
+                    self.$field.write(own, states.clone());
+                )*
+                let _ = rest;
             }
         }
     )*};

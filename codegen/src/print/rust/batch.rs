@@ -19,11 +19,6 @@ use super::results::result_type;
 use crate::function::Function;
 use crate::print::Listing;
 
-/// Whether a function has batches: the runtime knows none of loops, nor any that actions from outside enter.
-pub(super) fn exists(function: Function, acted: bool) -> bool {
-    Function::ALL.contains(&function) && !(acted && function.takes_actions())
-}
-
 /// A function of a robot with the runtime at a path.
 pub(super) struct Batched<'p> {
     listing: &'p Listing,

@@ -112,7 +112,7 @@ fn functions(
             let unreachable = quote! { ::core::unreachable!() };
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
-                let batched = request.batch && batch::exists(*function, acted);
+                let batched = request.batch && function.has_batches(acted);
                 if let (true, Real::Generic, World::Runtime(runtime)) =
                     (batched, request.scalar, &dialect.world)
                 {

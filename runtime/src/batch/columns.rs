@@ -1,0 +1,249 @@
+//! Every function of a robot for many states whose numbers stand coordinate by coordinate.
+//!
+//! In: a robot, and a slice for each entry of each argument. Out: a slice for each number of the result, with the
+//! bits of the function of each state alone. It never moves a number to another place before it is in a lane.
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the processor that was found"
+)]
+
+use core::array::from_fn;
+use core::marker::PhantomData;
+use std::vec::Vec;
+
+use super::error::ColumnsError;
+use super::packed::{Number, Packed, Packs, Rounding};
+use super::run::{self, Vectors};
+use crate::robot;
+
+/// A robot whose functions take columns of states: for each entry of an argument a slice with a number a state, as
+/// tables have them, and arrays of shape (states, entries) in Fortran's order.
+///
+/// [`Batch::columns`](super::Batch::columns) makes it. Results are written to a slice for each of their numbers:
+/// matrices and lists row by row, a pose as R and t, a screw as u and b, a velocity as ω and v, an acceleration as G and
+/// a, a momentum as γ and ρ, an action as c and f; structures field by field.
+///
+/// ```
+/// use homogen::batch::Batch;
+/// # use homogen::{Scalar, robot::Gravity};
+/// # struct Arm;
+/// # impl<T: Scalar> Gravity<2, T> for Arm {
+/// #     fn gravity(&self, q: &[T; 2]) -> [T; 2] {
+/// #         let (sines, _) = T::sin_cos_all(*q);
+/// #         sines
+/// #     }
+/// # }
+/// # let arm = Arm;
+/// // An array of shape (1000, 2) in Fortran's order: q_1 of all states, and then q_2.
+/// let q: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
+/// let mut tau = vec![0.0; 2000];
+///
+/// let (q_1, q_2) = q.split_at(1000);
+/// let (tau_1, tau_2) = tau.split_at_mut(1000);
+/// Batch::of(&arm).columns().gravity([q_1, q_2], &mut [tau_1, tau_2])?;
+/// assert_eq!([tau[7], tau[1007]], arm.gravity(&[q[7], q[1007]]));
+/// # Ok::<(), homogen::batch::ColumnsError>(())
+/// ```
+#[derive(Debug)]
+pub struct Columns<'a, R: ?Sized, M> {
+    robot: &'a R,
+    most: Vectors,
+    rounding: PhantomData<M>,
+}
+
+impl<'a, R: ?Sized, M> Columns<'a, R, M> {
+    pub(super) const fn of(robot: &'a R, most: Vectors) -> Self {
+        Self {
+            robot,
+            most,
+            rounding: PhantomData,
+        }
+    }
+}
+
+/// The columns of an argument: `q` has one for each coordinate, all others one for each velocity.
+macro_rules! columns_of {
+    (q, $column:ty) => {
+        [$column; Q]
+    };
+    ($other:ident, $column:ty) => {
+        [$column; N]
+    };
+}
+
+/// How many numbers a state has of what a function returns, which is not called.
+fn numbers<P: Packed>(_: impl FnOnce() -> P) -> usize {
+    P::NUMBERS
+}
+
+/// Packs of the first numbers of each column, from `first` on.
+#[inline(always)]
+fn gather<T, P: Packs<T>, const N: usize>(
+    columns: &[&[T]; N],
+    first: usize,
+    count: usize,
+) -> [P; N] {
+    let mut packs = [P::constant(0.0); N];
+    for (pack, column) in packs.iter_mut().zip(columns) {
+        *pack = P::gather(&column[first..first + count]);
+    }
+    packs
+}
+
+/// How many states there are, where all columns are as long as the first, which is of `q`.
+fn check(arguments: &[(&'static str, &[usize])]) -> Result<usize, ColumnsError> {
+    let columns = arguments.iter();
+    let mut columns = columns.flat_map(|(argument, lengths)| {
+        let lengths = lengths.iter().enumerate();
+        lengths.map(move |(column, &length)| (*argument, column, length))
+    });
+    let (_, _, expected) = columns.next().unwrap_or_default();
+    let wrong = columns.find(|(_, _, length)| *length != expected);
+    wrong.map_or(Ok(expected), |(argument, column, length)| {
+        Err(ColumnsError::Length {
+            argument,
+            column,
+            length,
+            expected,
+        })
+    })
+}
+
+macro_rules! batches {
+    ($(
+        #[doc = $noun:literal]
+        $(#[doc = $sentence:literal])+
+        $kind:ident $name:ident $method:ident($($argument:ident),*) -> $result:ty;
+    )*) => {$(
+        batch!($kind #[doc = $noun] $name $method [$($argument)*]);
+    )*};
+}
+
+macro_rules! batch {
+    (chosen $($row:tt)*) => { batch!(sized $($row)*); };
+    (sized #[$noun:meta] $name:ident $method:ident [$($argument:ident)*]) => {
+        batch!(@ #[$noun] $name $method [N P Q] [N P] [$($argument)*]);
+    };
+    ($kind:ident #[$noun:meta] $name:ident $method:ident [$($argument:ident)*]) => {
+        batch!(@ #[$noun] $name $method [N Q] [N] [$($argument)*]);
+    };
+    (@ #[$noun:meta] $name:ident $method:ident [$($size:ident)*] [$($length:ident)*] [$($argument:ident)*]) => {
+        impl<R: Sync + ?Sized, M: Rounding> Columns<'_, R, M> {
+            #[$noun]
+            ///
+            #[doc = concat!("As [`", stringify!($name), "`](robot::", stringify!($name), ") says, for each state.")]
+            ///
+            /// # Errors
+            ///
+            /// Where not all columns are as long as the first of `q`, or the results are not as many columns as a
+            /// state has numbers; then no result is written.
+            pub fn $method<T: Number, $(const $size: usize),*>(
+                &self,
+                $($argument: columns_of!($argument, &[T]),)*
+                results: &mut [&mut [T]],
+            ) -> Result<(), ColumnsError>
+            where
+                R: robot::$name<$($length,)* T::Narrow, Q>
+                    + robot::$name<$($length,)* M::Narrow<T>, Q>
+                    + robot::$name<$($length,)* M::Wide<T>, Q>,
+            {
+                /// The states of a call, or some of them.
+                struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
+                    robot: &'a R,
+                    count: usize,
+                    $($argument: columns_of!($argument, &'a [T]),)*
+                    results: Vec<&'a mut [T]>,
+                    rounding: PhantomData<M>,
+                }
+
+                impl<R: ?Sized, M, T: Number, $(const $size: usize),*> States<'_, R, M, T, $($size),*> {
+                    fn numbers<K: Packs<T>>(robot: &R) -> usize
+                    where
+                        R: robot::$name<$($length,)* K, Q>,
+                    {
+                        numbers(|| {
+                            $(let $argument: columns_of!($argument, K) = from_fn(|_| K::constant(0.0));)*
+                            robot.$method($(&$argument),*)
+                        })
+                    }
+
+                    #[inline(always)]
+                    fn by<K: Packs<T>>(self)
+                    where
+                        R: robot::$name<$($length,)* K, Q>,
+                    {
+                        let mut results = self.results;
+                        let mut first = 0;
+                        while first < self.count {
+                            let lanes = K::LANES.min(self.count - first);
+                            $(let $argument = gather::<T, K, _>(&self.$argument, first, lanes);)*
+                            let packed = self.robot.$method($(&$argument),*);
+                            packed.write(&mut results, first..first + lanes);
+                            first += lanes;
+                        }
+                    }
+                }
+
+                impl<R, M: Rounding, T: Number, $(const $size: usize),*> run::Work
+                    for States<'_, R, M, T, $($size),*>
+                where
+                    R: Sync + ?Sized
+                        + robot::$name<$($length,)* T::Narrow, Q>
+                        + robot::$name<$($length,)* M::Narrow<T>, Q>
+                        + robot::$name<$($length,)* M::Wide<T>, Q>,
+                {
+                    #[cfg(feature = "rayon")]
+                    fn states(&self) -> usize {
+                        self.count
+                    }
+
+                    #[cfg(feature = "rayon")]
+                    fn split(self, at: usize) -> (Self, Self) {
+                        let Self { robot, count, rounding, .. } = self;
+                        let results = self.results.into_iter().map(|column| column.split_at_mut(at));
+                        let results: (Vec<_>, Vec<_>) = results.unzip();
+                        $(let $argument = (self.$argument.map(|column| &column[..at]), self.$argument.map(|column| &column[at..]));)*
+                        (
+                            Self { robot, count: at, $($argument: $argument.0,)* results: results.0, rounding },
+                            Self { robot, count: count - at, $($argument: $argument.1,)* results: results.1, rounding },
+                        )
+                    }
+
+                    #[inline(always)]
+                    fn plain(self) {
+                        self.by::<T::Narrow>();
+                    }
+
+                    #[inline(always)]
+                    fn narrow(self) {
+                        self.by::<M::Narrow<T>>();
+                    }
+
+                    #[inline(always)]
+                    fn wide(self) {
+                        self.by::<M::Wide<T>>();
+                    }
+                }
+
+                let count = check(&[
+                    $((stringify!($argument), &$argument.map(<[T]>::len)),)*
+                    ("results", &results.iter().map(|column| column.len()).collect::<Vec<_>>()),
+                ])?;
+                let expected = States::<R, M, T, $($size),*>::numbers::<T::Narrow>(self.robot);
+                if results.len() != expected {
+                    return Err(ColumnsError::Count { columns: results.len(), expected });
+                }
+                let work = States::<R, M, T, $($size),*> {
+                    robot: self.robot,
+                    count,
+                    $($argument,)*
+                    results: results.iter_mut().map(|column| &mut **column).collect(),
+                    rounding: PhantomData,
+                };
+                run::run(work, self.most);
+                Ok(())
+            }
+        }
+    };
+}
+crate::every_function!(batches);

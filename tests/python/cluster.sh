@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# States labelled on Ray and Dask, with workers killed on purpose: the same bytes as without, for 1, 2 and 4 workers;
+# and each file held against `homogen eval`, bit for bit, which reads it as Parquet.
+#
+# Ray, Dask and PyArrow come from PyPI, 400 MB; three to six minutes on two cores. By name only: `.ci/run` does not
+# call it.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+cargo build --quiet --locked -p homogen-codegen --features parquet --bin homogen
+target="${CARGO_TARGET_DIR:-$PWD/target}"
+homogen="$target/debug/homogen"
+folder="$target/cluster"
+rm -rf "$folder"
+mkdir -p "$folder"
+python3 -m venv "$folder/venv"
+"$homogen" python robots/panda_class.urdf --tip link8 --functions inverse_dynamics -o "$folder/panda_py" >/dev/null
+pip() { "$folder/venv/bin/pip" --quiet --disable-pip-version-check "$@"; }
+pip install ray 'dask[distributed]' pyarrow
+CARGO_TARGET_DIR="$target/python/target" pip install "$folder/panda_py"
+python="$folder/venv/bin/python"
+
+passed=0
+check() {
+    if ! "${@:2}"; then
+        echo "failed: $1"
+        exit 1
+    fi
+    passed=$((passed + 1))
+}
+label() { # folder, options
+    "$python" examples/python/label.py --states 260000 --chunk 30000 --folder "$folder/$1" "${@:2}" 2>"$folder/$1.log" |
+        sed -n 's/.*sha256 //p'
+}
+bytes() { (cd "$folder/$1" && sha256sum ./* | sha256sum); }
+whole() { # all chunks and nothing else, hidden files included
+    [ "$(find "$folder/$1" -type f | wc -l)" = 9 ] && [ "$(find "$folder/$1" -name 'panda_py-1-*.parquet' | wc -l)" = 9 ]
+}
+
+expected=$(label alone)
+check "there is a digest" [ -n "$expected" ]
+check "nine chunks" whole alone
+for on in ray dask; do
+    for workers in 1 2 4; do
+        name="$on-$workers"
+        found=$(label "$name" --on "$on" --workers "$workers" --lose 1 --lose 4)
+        check "$name: the same digest" [ "$found" = "$expected" ]
+        check "$name: the same bytes" [ "$(bytes "$name")" = "$(bytes alone)" ]
+        check "$name: nothing is left" whole "$name"
+        echo "$name: $found, with two workers lost"
+    done
+done
+
+# Killed in the middle of a file without anybody to begin it again: what is there is whole, and the rest is made later.
+label again --lose 5 >"$folder/killed" || true
+check "no digest of a part" [ ! -s "$folder/killed" ]
+check "five chunks" [ "$(find "$folder/again" -name 'panda_py-1-*.parquet' | wc -l)" = 5 ]
+check "the digest after all" [ "$(label again)" = "$expected" ]
+check "nothing is left" whole again
+
+# Other states have other names, so that what is there is never taken for them.
+check "another seed" [ "$(label again --seed 2)" != "$expected" ]
+check "another size" [ "$(label again --chunk 40000)" != "$expected" ]
+check "the first ones are there" [ "$(label again)" = "$expected" ]
+
+# A disk that is full: a limit on the size of files stands for it.
+if (ulimit -f 1000 && label full) >"$folder/refused"; then
+    check "no digest of nothing" [ ! -s "$folder/refused" ]
+fi
+check "no file of a part" [ "$(find "$folder/full" -type f | wc -l)" = 0 ]
+check "the reason is told" grep -q "File too large" "$folder/full.log"
+
+"$homogen" eval robots/panda_class.urdf --tip link8 --function inverse_dynamics \
+    --states "$folder/alone/panda_py-1-000000240000-20000.parquet" -o "$folder/tau.npy"
+"$homogen" eval robots/panda_class.urdf --tip link8 --function inverse_dynamics \
+    --states "$folder/alone/panda_py-1-000000240000-20000.parquet" -o "$folder/tau.parquet"
+check "the bits of eval" "$python" - "$folder" <<'PYTHON'
+import pathlib, sys
+import numpy as np
+import pyarrow.parquet as pq
+
+folder = pathlib.Path(sys.argv[1])
+numbers = lambda path, name: np.concatenate([part.flatten().to_numpy() for part in pq.read_table(path)[name].chunks])
+made = numbers(folder / "alone" / "panda_py-1-000000240000-20000.parquet", "tau").reshape(-1, 7)
+assert len(made) == 20000
+assert np.load(folder / "tau.npy").tobytes() == made.tobytes(), "NumPy's file"
+assert numbers(folder / "tau.parquet", "inverse_dynamics").tobytes() == made.tobytes(), "Parquet"
+PYTHON
+
+# What other programs write is read: compressed, in NumPy's other types, and what they cut off is refused.
+"$python" - "$folder" <<'PYTHON'
+import pathlib, sys
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+folder = pathlib.Path(sys.argv[1])
+q = np.linspace(-1, 1, 700).reshape(100, 7)
+np.save(folder / "q.npy", q)
+np.save(folder / "single.npy", q.astype("f4"))
+np.save(folder / "fortran.npy", np.asfortranarray(q))
+np.save(folder / "whole.npy", np.ones((3, 7), int))
+np.savez(folder / "many.npz", q=q)
+pq.write_table(pa.table({"q": [list(row) for row in q]}), folder / "snappy.parquet")
+pq.write_table(pa.table({"q": [list(row) for row in q.astype("f4")]}, pa.schema([("q", pa.list_(pa.float32(), 7))])), folder / "single.parquet")
+pq.write_table(pa.table({"q": [list(row) for row in q]}), folder / "zstd.parquet", compression="zstd")
+cut = (folder / "snappy.parquet").read_bytes()
+(folder / "cut.parquet").write_bytes(cut[:-50])
+(folder / "torn.parquet").write_bytes(cut[:4] + bytes(60) + cut[64:])
+PYTHON
+gravity() { "$homogen" eval robots/panda_class.urdf --tip link8 --function gravity --states "$folder/$1" -o "$folder/gravity.npy"; }
+of() { gravity "$1" && sha256sum <"$folder/gravity.npy"; }
+check "compressed by default" [ "$(of q.npy)" = "$(of snappy.parquet)" ]
+check "single precision" [ "$(of single.npy)" = "$(of single.parquet)" ]
+rm "$folder/gravity.npy"
+for refused in "fortran.npy:Fortran's order" "whole.npy:type <i8" "zstd.parquet:zstd" "cut.parquet:cannot be read as Parquet" "torn.parquet:torn.parquet"; do
+    check "$refused" bash -c '! "$1" eval robots/panda_class.urdf --tip link8 --function gravity --states "$2/${3%%:*}" -o "$2/gravity.npy" 2>"$2/reason"' - "$homogen" "$folder" "$refused"
+    check "$refused" grep -q "${refused#*:}" "$folder/reason"
+    check "$refused: no panic" bash -c '! grep -q panicked "$1"' - "$folder/reason"
+    check "$refused" [ ! -e "$folder/gravity.npy" ]
+done
+echo "$passed passed, 0 failed"

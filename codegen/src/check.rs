@@ -11,6 +11,7 @@ mod robot;
 mod states;
 #[cfg(test)]
 mod tests;
+mod vectors;
 
 use crate::chain::Chain;
 use crate::dense::{Approximate, Dense, Motion, State};
@@ -25,6 +26,7 @@ use crate::schedule::{Operand, Program, run};
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 use crate::wording::quoted;
 use robot::Contradiction;
+pub use vectors::vectors;
 
 /// A robot at a few states, by which programs are judged.
 pub struct Check {

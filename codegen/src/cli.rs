@@ -9,6 +9,7 @@ mod base_parameters;
 mod check;
 mod count;
 mod eval;
+mod fields;
 mod functions;
 mod generate;
 mod inspect;

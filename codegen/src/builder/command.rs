@@ -43,8 +43,9 @@ impl Builder {
         match file {
             // What begins with a dash is no option.
             Some(file) if file.starts_with('-') => command.word(&format!("./{file}")),
+            // What was standard input is so again.
+            Some("<stdin>") | None => command.word("-"),
             Some(file) => command.word(file),
-            None => command.word("-"),
         }
         self.robot(&mut command);
         self.functions(&mut command);

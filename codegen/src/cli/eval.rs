@@ -98,7 +98,7 @@ impl Eval {
                 code: 0,
             },
             Format::Json => Answer {
-                output: json::text(&self.in_json(&chain, frame, &results)),
+                output: json::answer(self.in_json(&chain, frame, &results)),
                 ..Answer::default()
             },
         })

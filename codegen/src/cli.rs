@@ -16,6 +16,7 @@ mod functions;
 mod generate;
 mod inspect;
 mod json;
+mod new;
 mod options;
 mod progress;
 mod python;
@@ -96,6 +97,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::BaseParameters(parameters) => parameters.run(input),
         Command::Show(show) => show.run(input),
         Command::Report(report) => report.run(),
+        Command::New(new) => new.run(input),
         Command::Completions(completions) => completions.run(&mut Program::command()),
     };
     said.unwrap_or_else(|errors| Answer {
@@ -124,6 +126,7 @@ enum Command {
     BaseParameters(base_parameters::BaseParameters),
     Show(show::Show),
     Report(report::Report),
+    New(new::New),
     Completions(completions::Completions),
 }
 

@@ -271,7 +271,7 @@ fn finite(text: &str) -> Result<f64, String> {
     finite.ok_or_else(|| format!("`{text}` is not a finite number"))
 }
 
-fn lock(text: &str) -> Result<(String, Option<f64>), String> {
+pub(super) fn lock(text: &str) -> Result<(String, Option<f64>), String> {
     match text.rsplit_once('=') {
         Some((joint, at)) => Ok((joint.to_owned(), Some(finite(at)?))),
         None => Ok((text.to_owned(), None)),

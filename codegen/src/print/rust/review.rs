@@ -66,7 +66,9 @@ pub(super) fn constants(listing: &Listing, item: &Item, dialect: &Dialect) -> To
         },
     );
     let constants = names.chain(limits).collect();
-    declaration::block(item, &constants, dialect)
+    let block = declaration::block(item, &constants, dialect);
+    // A program need not read them all.
+    quote! { #[allow(dead_code)] #block }
 }
 
 /// A string that has its letters whatever becomes of a file, such as one in ASCII.

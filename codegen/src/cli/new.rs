@@ -4,11 +4,12 @@
 //! runs under QEMU as it is. What a description says becomes numbers, file names of our own and escaped strings: no
 //! name in it becomes code. It never writes into a folder that is there.
 
+mod template;
+
 use std::fmt::Write as _;
 use std::fs;
-use std::io::{self, Read};
+use std::io::Read;
 use std::path::{Component, Path, PathBuf};
-use std::process;
 
 use clap::{Args, Subcommand, ValueEnum};
 
@@ -107,19 +108,6 @@ impl Target {
     }
 }
 
-/// The files, with words between `@` for what differs.
-const TEMPLATE: [(&str, &str); 6] = [
-    ("Cargo.toml", include_str!("new/firmware/manifest.toml")),
-    (
-        ".cargo/config.toml",
-        include_str!("new/firmware/config.toml"),
-    ),
-    ("README.md", include_str!("new/firmware/README.md.in")),
-    ("build.rs", include_str!("new/firmware/build.rs.in")),
-    ("memory.x", include_str!("new/firmware/memory.x")),
-    ("src/main.rs", include_str!("new/firmware/main.rs.in")),
-];
-
 impl New {
     pub(super) fn run(&self, _: &mut dyn Read) -> Said {
         let What::Firmware(firmware) = &self.what;
@@ -144,14 +132,11 @@ impl Firmware {
         }
         let description = self.description();
         let words = self.words(&listing, &calls, &folder)?;
-        let mut files: Vec<(&str, String)> = TEMPLATE
-            .iter()
-            .map(|(path, text)| (*path, filled(text, &words)))
-            .collect();
+        let mut files = template::firmware(&words);
         let read = |reason| mistake(format!("cannot read {}: {reason}", self.file.display()));
         let text = fs::read(&self.file).map_err(read)?;
         files.push((".gitignore", "/target\n".to_owned()));
-        write_fresh(&folder, &files, (description, &text))
+        template::write_fresh(&folder, &files, (description, &text))
             .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))?;
         let doubts = listing.about.warnings.iter();
         Ok(Answer {
@@ -313,68 +298,14 @@ fn package(robot: &str) -> String {
     }
 }
 
-fn filled(text: &str, words: &[(&str, String)]) -> String {
-    // One pass: what stands for a word may look like another.
-    let mut filled = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(at) = rest.find('@') {
-        let (before, from) = rest.split_at(at);
-        filled.push_str(before);
-        let mut known = words.iter();
-        match known.find(|(word, _)| from.starts_with(word)) {
-            Some((word, value)) => {
-                filled.push_str(value);
-                rest = &from[word.len()..];
-            }
-            None => {
-                filled.push('@');
-                rest = &from[1..];
-            }
-        }
-    }
-    filled.push_str(rest);
-    filled
-}
-
-/// Writes a folder that is not there, whole or not at all.
-fn write_fresh(
-    folder: &Path,
-    files: &[(&str, String)],
-    (description, text): (&str, &[u8]),
-) -> io::Result<()> {
-    let name = folder.file_name().unwrap_or_default().to_string_lossy();
-    let fresh = folder.with_file_name(format!(".{name}.new.{}", process::id()));
-    let written = || -> io::Result<()> {
-        for (path, text) in files {
-            let path = fresh.join(path);
-            if let Some(parent) = path.parent() {
-                fs::create_dir_all(parent)?;
-            }
-            fs::write(path, text)?;
-        }
-        fs::write(fresh.join(description), text)?;
-        fs::rename(&fresh, folder)
-    };
-    written().inspect_err(|_| {
-        // What is left of it is of no use, and the first reason is the one to tell.
-        let _ = fs::remove_dir_all(&fresh);
-    })
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{filled, package};
+    use super::package;
 
     #[test]
     fn names_of_packages_are_no_code() {
         let robots = ["Panda", "2nd arm", "\"]\nx = 1", "機器", "../..", "a_b"];
         let names = ["panda", "robot-2nd-arm", "x---1", "robot", "robot", "a-b"];
         assert_eq!(robots.map(package), names);
-    }
-
-    #[test]
-    fn what_stands_for_a_word_is_not_looked_through() {
-        let words = [("@A@", "@B@".to_owned()), ("@B@", "b".to_owned())];
-        assert_eq!(filled("a@A@ @B@ @ @C@", &words), "a@B@ b @ @C@");
     }
 }

@@ -8,6 +8,7 @@
 
 mod data;
 mod robot;
+mod solved;
 mod states;
 #[cfg(test)]
 mod tests;
@@ -280,11 +281,6 @@ struct Wrong {
     expected: f64,
 }
 
-/// How many times as far a solution may be from solving its equation as roundings of the
-/// description's own numbers account for; and at most, where factors lose more than that.
-const SOLVED: f64 = 1e3;
-const HARDLY_SOLVED: f64 = 1e6;
-
 /// How far torques by base parameters may be off, beside what they are sums of: grouping decides within a billionth
 /// which columns depend on each other.
 const GROUPED: f64 = 1e-8;
@@ -303,9 +299,9 @@ fn first_wrong(
     let expected = match function.truth() {
         Truth::Value(value) | Truth::OfMass(value) => value(dense, frame),
         Truth::Constrained(value) => value(dense, scalar.vanishing()),
-        Truth::Solution(Given::Torques) => return first_unsolved(dense, found),
-        Truth::Solution(Given::MassMatrix) => return first_not_inverse(dense, found),
-        Truth::Derivatives => return first_wrong_derivative(dense, found),
+        Truth::Solution(Given::Torques) => return solved::first_unsolved(dense, found),
+        Truth::Solution(Given::MassMatrix) => return solved::first_not_inverse(dense, found),
+        Truth::Derivatives => return solved::first_wrong_derivative(dense, found),
     };
     debug_assert_eq!(expected.len(), found.len());
     // Frames that are turned, and turned back, leave of a residue no more digits than 106 bits have
@@ -327,95 +323,6 @@ fn first_wrong(
         let (found, expected) = (found.to_f64(), expected.to_f64());
         wrong(entry, found, expected, distance <= most)
     })
-}
-
-/// The first joint that needs another torque for these accelerations than the one given.
-fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
-    let qdd = found.iter().copied().map(Approximate::as_found);
-    let torques = dense.torques_of(qdd.collect());
-    let mut pairs = torques.iter().zip(&dense.state.tau).enumerate();
-    pairs.find_map(|(row, (torque, tau))| {
-        let distance = (torque.to_f64() - tau).abs();
-        let most = most_unsolved(dense, row, *torque, found);
-        wrong(row, torque.to_f64(), *tau, distance <= most)
-    })
-}
-
-/// The first entry of M M⁻¹ that is not of the identity.
-fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
-    let matrix = dense.mass_matrix();
-    let count = matrix.len();
-    (0..count * count).find_map(|entry| {
-        let (row, column) = (entry / count, entry % count);
-        let solution: Vec<Approximate> = (0..count).map(|k| found[k * count + column]).collect();
-        let terms = matrix[row].iter().zip(&solution);
-        let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
-            sum + *m * x.as_found()
-        });
-        let unit = if row == column { 1.0 } else { 0.0 };
-        let distance = (product.to_f64() - unit).abs();
-        let most = most_unsolved(dense, row, product, &solution);
-        wrong(entry, product.to_f64(), unit, distance <= most)
-    })
-}
-
-/// The first entry of M ∂q̈/∂q and M ∂q̈/∂q̇ that is not what inverse dynamics changes by the other way, at the
-/// accelerations that ∂q̈/∂τ makes of τ; or of M ∂q̈/∂τ that is not of the identity.
-fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
-    let matrix = dense.mass_matrix();
-    let count = matrix.len();
-    let (by_motion, inverse) = found.split_at(2 * count * count);
-    if let Some(wrong) = first_not_inverse(dense, inverse) {
-        let entry = by_motion.len() + wrong.entry;
-        return Some(Wrong { entry, ..wrong });
-    }
-    let bias = dense.coasting_torques();
-    let lacking = bias.iter().zip(&dense.state.tau);
-    let lacking: Vec<Approximate> = lacking
-        .map(|(bias, tau)| Approximate::exact(*tau) - *bias)
-        .collect();
-    let accelerations = (0..count).map(|row| {
-        let terms = inverse[row * count..].iter().zip(&lacking);
-        terms.fold(Approximate::exact(0.0), |sum, (x, y)| sum + *x * *y)
-    });
-    let needed = dense
-        .torque_derivatives_of(accelerations.collect())
-        .concat();
-    (0..by_motion.len()).find_map(|entry| {
-        let (of, row, column) = (
-            entry / (count * count),
-            entry / count % count,
-            entry % count,
-        );
-        let solution = by_motion[of * count * count..][..count * count].iter();
-        let solution: Vec<Approximate> = solution.skip(column).step_by(count).copied().collect();
-        let terms = matrix[row].iter().zip(&solution);
-        let product = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
-            sum + *m * x.as_found()
-        });
-        let needed = -needed[entry];
-        let distance = (product.value - needed.value).to_f64().abs();
-        let most = most_unsolved(dense, row, product, &solution) + SOLVED * needed.error;
-        let most = most + needed.noise();
-        let (product, needed) = (product.to_f64(), needed.to_f64());
-        wrong(entry, product, needed, distance <= most)
-    })
-}
-
-/// How far a row of M x may be from what it should be: what x may be off by times M, and what the
-/// roundings of the numbers in M, and of all that is solved for, amount to.
-fn most_unsolved(dense: &Dense, row: usize, found: Approximate, solution: &[Approximate]) -> f64 {
-    const ROUNDOFF: f64 = f64::EPSILON / 2.0;
-    let matrix = dense.mass_matrix();
-    let diagonal = |k: usize| matrix[k][k].size();
-    let mut most = SOLVED * found.error + found.noise();
-    for (k, x) in solution.iter().enumerate() {
-        let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
-        // Not more than that of M may be lost on the way, however x itself is conditioned.
-        let carried = (matrix[row][k].size() * x.error).min(HARDLY_SOLVED * lost);
-        most += SOLVED * lost + carried;
-    }
-    most
 }
 
 fn wrong(entry: usize, found: f64, expected: f64, right: bool) -> Option<Wrong> {

@@ -1,7 +1,7 @@
 //! What the small programs share.
 //!
 //! Random states, the functions of a robot called by name, times with the machine they were
-//! measured on; and what is written once for all robots: controllers, a filter, an optimiser. Nothing here is needed to
+//! measured on; and what is written once for all robots: controllers, a whole-body step, a filter, an optimiser. Nothing here is needed to
 //! use `homogen`. Of the README and the guide the blocks of Rust are compiled and run, as tests of the documentation.
 
 pub mod bars;
@@ -17,6 +17,7 @@ pub mod optimal;
 pub mod price;
 pub mod states;
 pub mod timing;
+pub mod whole_body;
 
 /// What is compiled and run.
 #[cfg(doctest)]

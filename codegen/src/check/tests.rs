@@ -300,3 +300,25 @@ fn a_number_that_f32_has_no_room_for_is_refused() {
         );
     }
 }
+
+/// Two bodies of 1 kg and more whose inertias are those of millimetres, free of each other a metre apart: M
+/// loses eight digits, and the terms of M⁻¹ times the change of torques are 1e7 times what they leave.
+#[test]
+fn derivatives_whose_terms_cancel_are_put_back_term_by_term() {
+    let text = r#"<robot name="pair"><link name="one"><inertial><mass value="1.72"/>
+        <inertia ixx="1.2e-7" ixy="-1e-11" ixz="1e-15" iyy="1.1e-7" iyz="0" izz="9e-8"/></inertial></link>
+        <link name="other"><inertial><origin xyz="1e-4 0 1e-4"/><mass value="3"/>
+        <inertia ixx="1.4e-7" ixy="0" ixz="-8e-8" iyy="1.7e-7" iyz="0" izz="1.1e-7"/></inertial></link>
+        <joint name="apart" type="floating"><parent link="one"/><child link="other"/>
+        <origin xyz="0 0 -4e-5"/></joint></robot>"#;
+    let mut errors = Errors::new();
+    let description = read_text(text, "pair.urdf", None, &mut errors).expect("a robot");
+    let request = Request {
+        functions: vec![vec![Function::ForwardDynamicsDerivatives]],
+        floating: true,
+        ..Request::default()
+    };
+    expand(&description, &request)
+        .map(|_| ())
+        .unwrap_or_else(|errors| panic!("{errors}"));
+}

@@ -14,6 +14,7 @@
 
 pub(super) mod body;
 pub(super) mod closure;
+pub(super) mod composite;
 pub(super) mod joint;
 pub(super) mod table;
 
@@ -133,10 +134,11 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
         }
         "joint" if !is_setting => {
             tokens::word(input)?;
-            let joint = joint::read(input, errors)?;
-            // What is written here is meant.
-            contents.settings.request.model(&joint.drive);
-            contents.parts.push(Part::Joint(joint));
+            for joint in joint::read(input, errors)? {
+                // What is written here is meant.
+                contents.settings.request.model(&joint.drive);
+                contents.parts.push(Part::Joint(joint));
+            }
         }
         "loop" if !is_setting => {
             tokens::word(input)?;
@@ -261,6 +263,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
         unmodelled: Unmodelled::default(),
     };
     let mut waiting: Vec<Joint> = Vec::new();
+    let mut between: Vec<Link> = Vec::new();
     for part in parts {
         match part {
             Part::Link(link) => {
@@ -274,6 +277,11 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
                 let before = description.links.last().map(|link| link.name.clone());
                 joint.from = joint.from.or(before);
                 description.warnings.append(&mut joint.doubts);
+                let own = joint.to.iter().filter(|_| joint.is_between);
+                between.extend(own.map(|name| Link {
+                    name: name.clone(),
+                    inertial: None,
+                }));
                 waiting.push(joint);
             }
             Part::Row(joint) => description.joints.push(joint),
@@ -282,6 +290,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
     for joint in waiting {
         description.joints.extend(joint.finish(errors));
     }
+    description.links.extend(between);
     names::check(&description, errors);
     description
 }

@@ -3,7 +3,7 @@
 //! In: the readers' own lists. Out: the same, for what explains them to users: a word that is in no
 //! documentation is a mistake of that. It never reads anything.
 
-use super::inline::{body, closure as loops, joint as joints, table};
+use super::inline::{body, closure as loops, composite, joint as joints, table};
 use super::{attributes, denavit_hartenberg, settings};
 use crate::formulation;
 use crate::function::Function;
@@ -49,12 +49,13 @@ pub enum Place {
 pub fn words() -> Vec<(Place, Vec<&'static str>)> {
     let drives = Part::ALL.map(Part::word);
     let joint = joints::KEYS.into_iter().chain(drives).collect();
+    let kinds = joint::ALL.map(|kind| kind.word).into_iter();
     vec![
         (Place::Robot, settings::WORDS.to_vec()),
         (Place::Field, attributes::KEYS.to_vec()),
         (Place::Link, body::INERTIA.to_vec()),
         (Place::Joint, joint),
-        (Place::JointType, joint::ALL.map(|kind| kind.word).to_vec()),
+        (Place::JointType, kinds.chain([composite::WORD]).collect()),
         (Place::Step, joints::STEPS.to_vec()),
         (Place::Loop, loops::KEYS.to_vec()),
         (Place::LoopType, closure::ALL.map(|kind| kind.word).to_vec()),

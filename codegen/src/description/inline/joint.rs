@@ -1,6 +1,6 @@
 //! `joint NAME: revolute(z) { from: …, to: …, at: …, limits: […], velocity: … }`.
 //!
-//! In: tokens. Out: a joint whose links may still be open. The axis is `x`, `y`, `z`, `-z` and so
+//! In: tokens. Out: a joint whose links may still be open, or those that it is composed of. The axis is `x`, `y`, `z`, `-z` and so
 //! on, or a vector (of another length than 1 with a doubt); a screw joint adds `pitch: 0.01`, in metres per radian,
 //! a universal one its second axis; translation, spherical and floating have none. A joint that follows another
 //! has `mimic: leader, multiplier: -1.0, offset: 0.1`, and one with a drive `armature: 0.01, damping: 0.5`.
@@ -8,7 +8,7 @@
 use syn::parse::ParseStream;
 use syn::{Token, token};
 
-use super::body;
+use super::{body, composite};
 use crate::description::kind;
 use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::description::{Axis, Limits, Mimic, Name, Number, Step, axis, number};
@@ -38,11 +38,13 @@ pub(super) struct Joint {
     motion: Option<Motion>,
     pub(super) from: Option<Name>,
     pub(super) to: Option<Name>,
-    origin: Vec<Step>,
+    pub(super) origin: Vec<Step>,
     limits: Option<Limits>,
     mimic: Option<Mimic>,
     /// What its drive adds.
     pub(super) drive: Parts,
+    /// Whether the link that it carries is written nowhere: one without mass, between two motions.
+    pub(super) is_between: bool,
     /// What is doubtful about it.
     pub(super) doubts: Vec<Complaint>,
 }
@@ -54,16 +56,35 @@ struct Motion {
     doubts: Vec<Complaint>,
 }
 
-/// Reads a joint behind the word `joint`.
-pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
+/// Reads a joint behind the word `joint`: more than one where it is composed of several.
+pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Joint>> {
+    let name = named(input)?;
+    if composite::is_next(input) {
+        return composite::read(name, input, errors);
+    }
+    Ok(vec![of(name, &KEYS, input, errors)?])
+}
+
+/// `NAME:`.
+pub(super) fn named(input: ParseStream) -> Parsed<Name> {
     let name = tokens::name(input)?;
-    let subject = format!("joint {}", quoted(&name.text));
     if !input.peek(Token![:]) {
         let hint = "write joint elbow: revolute(z)";
-        let message = format!("expected `:` after {subject}");
+        let message = format!("expected `:` after joint {}", quoted(&name.text));
         return Err(complaint_with_hint(input.span(), message, hint));
     }
     input.parse::<Token![:]>()?;
+    Ok(name)
+}
+
+/// Reads what a joint allows, and its keys: some of [`KEYS`], and those of its drive.
+pub(super) fn of(
+    name: Name,
+    keys: &[&str],
+    input: ParseStream,
+    errors: &mut Errors,
+) -> Parsed<Joint> {
+    let subject = format!("joint {}", quoted(&name.text));
     let mut motion = motion(input, &subject, errors)?;
     body::end(input, &subject)?;
     let doubts = motion
@@ -79,10 +100,12 @@ pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
         limits: None,
         mimic: None,
         drive: Parts::default(),
+        is_between: false,
     };
     let mut range = Range::default();
     let mut follows = Follows::default();
-    let keys: Vec<&str> = KEYS.into_iter().chain(Part::ALL.map(Part::word)).collect();
+    let drive = Part::ALL.map(Part::word);
+    let keys: Vec<&str> = keys.iter().copied().chain(drive).collect();
     tokens::fields(input, &subject, &keys, errors, |key, input| {
         if let Some(part) = Part::from_word(key) {
             let subject = format!("the {key} of {subject}");
@@ -104,6 +127,11 @@ pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
 }
 
 impl Joint {
+    /// What it is called.
+    pub(super) const fn name(&self) -> &Name {
+        &self.name
+    }
+
     /// The joint between its links; complains where one is not known.
     pub(super) fn finish(self, errors: &mut Errors) -> Option<crate::description::Joint> {
         let subject = format!("joint {}", quoted(&self.name.text));

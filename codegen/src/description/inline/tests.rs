@@ -1,6 +1,7 @@
 //! Every message of the grammar, and what it can say.
 
 mod closure;
+mod composite;
 
 use super::*;
 use crate::description::tokens::show;

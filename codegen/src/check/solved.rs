@@ -1,0 +1,121 @@
+//! What solves with the mass matrix, put back: torques of accelerations, M M⁻¹, M times derivatives.
+//!
+//! In: a robot at a state, and what a program found there. Out: the first entry that is not what was solved
+//! for, beyond what the rounding of the description's own numbers and of the program's literals accounts
+//! for. A solution may be far off where M is nearly singular, and yet solve its equation: that is what is
+//! asked. It never solves anything.
+
+use super::{Wrong, wrong};
+use crate::dense::{Approximate, Dense};
+
+/// How many times as far a solution may be from solving its equation as roundings of the
+/// description's own numbers account for; and at most, where factors lose more than that.
+const SOLVED: f64 = 1e3;
+const HARDLY_SOLVED: f64 = 1e6;
+
+/// The first joint that needs another torque for these accelerations than the one given.
+pub(super) fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
+    let qdd = found.iter().copied().map(Approximate::as_found);
+    let torques = dense.torques_of(qdd.collect());
+    let mut pairs = torques.iter().zip(&dense.state.tau).enumerate();
+    pairs.find_map(|(row, (torque, tau))| {
+        let distance = (torque.to_f64() - tau).abs();
+        let most = most_unsolved(dense, row, *torque, found);
+        wrong(row, torque.to_f64(), *tau, distance <= most)
+    })
+}
+
+/// The first entry of M M⁻¹ that is not of the identity.
+pub(super) fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
+    let count = dense.mass_matrix().len();
+    let mut products = products(dense, found).into_iter().enumerate();
+    products.find_map(|(entry, Product { value, most })| {
+        let is_diagonal = entry / count == entry % count;
+        let unit = if is_diagonal { 1.0 } else { 0.0 };
+        let distance = (value.to_f64() - unit).abs();
+        wrong(entry, value.to_f64(), unit, distance <= most)
+    })
+}
+
+/// The first entry of M ∂q̈/∂q and M ∂q̈/∂q̇ that is not what inverse dynamics changes by the other way, at the
+/// accelerations that ∂q̈/∂τ makes of τ; or of M ∂q̈/∂τ that is not of the identity.
+///
+/// They are M⁻¹ times what torques change by, in a program as well: where large terms of that product cancel,
+/// M takes back of each of them what it takes back of M⁻¹, and no more.
+pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
+    let matrix = dense.mass_matrix();
+    let count = matrix.len();
+    let (by_motion, inverse) = found.split_at(2 * count * count);
+    if let Some(wrong) = first_not_inverse(dense, inverse) {
+        let entry = by_motion.len() + wrong.entry;
+        return Some(Wrong { entry, ..wrong });
+    }
+    let bias = dense.coasting_torques();
+    let lacking = bias.iter().zip(&dense.state.tau);
+    let lacking: Vec<Approximate> = lacking
+        .map(|(bias, tau)| Approximate::exact(*tau) - *bias)
+        .collect();
+    let accelerations = (0..count).map(|row| {
+        let terms = inverse[row * count..].iter().zip(&lacking);
+        terms.fold(Approximate::exact(0.0), |sum, (x, y)| sum + *x * *y)
+    });
+    let needed = dense.torque_derivatives_of(accelerations.collect());
+    let put_back = products(dense, inverse);
+    let parts = needed.iter().zip(by_motion.chunks(count * count));
+    let mut parts = parts.enumerate();
+    parts.find_map(|(of, (needed, part))| {
+        let products = products(dense, part);
+        let mut products = products.into_iter().enumerate();
+        products.find_map(|(entry, Product { value, most })| {
+            let (row, column) = (entry / count, entry % count);
+            let terms = put_back[row * count..].iter().zip(0..count);
+            let taken = terms.map(|(term, k)| term.most * needed[k * count + column].size());
+            let needed = -needed[entry];
+            let most = most + taken.sum::<f64>() + SOLVED * needed.error + needed.noise();
+            let distance = (value.value - needed.value).to_f64().abs();
+            let entry = of * count * count + entry;
+            wrong(entry, value.to_f64(), needed.to_f64(), distance <= most)
+        })
+    })
+}
+
+/// An entry of M times a matrix that was found.
+struct Product {
+    value: Approximate,
+    /// How far it may be from what it should be.
+    most: f64,
+}
+
+/// M times a square matrix, row by row.
+fn products(dense: &Dense, found: &[Approximate]) -> Vec<Product> {
+    let matrix = dense.mass_matrix();
+    let count = matrix.len();
+    let entries = (0..count * count).map(|entry| {
+        let (row, column) = (entry / count, entry % count);
+        let solution = found.iter().skip(column).step_by(count);
+        let solution: Vec<Approximate> = solution.copied().collect();
+        let terms = matrix[row].iter().zip(&solution);
+        let value = terms.fold(Approximate::exact(0.0), |sum, (m, x)| {
+            sum + *m * x.as_found()
+        });
+        let most = most_unsolved(dense, row, value, &solution);
+        Product { value, most }
+    });
+    entries.collect()
+}
+
+/// How far a row of M x may be from what it should be: what x may be off by times M, and what the
+/// roundings of the numbers in M, and of all that is solved for, amount to.
+fn most_unsolved(dense: &Dense, row: usize, found: Approximate, solution: &[Approximate]) -> f64 {
+    const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    let matrix = dense.mass_matrix();
+    let diagonal = |k: usize| matrix[k][k].size();
+    let mut most = SOLVED * found.error + found.noise();
+    for (k, x) in solution.iter().enumerate() {
+        let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
+        // Not more than that of M may be lost on the way, however x itself is conditioned.
+        let carried = (matrix[row][k].size() * x.error).min(HARDLY_SOLVED * lost);
+        most += SOLVED * lost + carried;
+    }
+    most
+}

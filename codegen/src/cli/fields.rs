@@ -17,7 +17,7 @@ pub(super) struct Fields {
     /// a=armature_of:elbow, d=damping_of:elbow, f=friction_of:elbow, g=gravity, b=base_position,
     /// b=base_placement
     #[arg(long = "field", value_name = "FIELD=WORD[:NAME]", value_parser = field)]
-    fields: Vec<Said>,
+    free: Vec<Said>,
     /// What each number of a field is meant to be within, for bounds of errors: payload=0..3
     #[arg(long = "range", value_name = "FIELD=LEAST..MOST", value_parser = range)]
     ranges: Vec<(String, [f64; 2])>,
@@ -37,14 +37,14 @@ struct Said {
 impl Fields {
     /// The builder with these fields; the first range without a field is told.
     pub(super) fn of(&self, builder: Builder) -> Result<Builder, String> {
-        let has = |name: &String| self.fields.iter().any(|said| said.field == *name);
+        let has = |name: &String| self.free.iter().any(|said| said.field == *name);
         if let Some((name, _)) = self.ranges.iter().find(|(name, _)| !has(name)) {
             return Err(format!(
                 "--range is of a --field, and none is called `{name}`"
             ));
         }
         let targets = self
-            .fields
+            .free
             .iter()
             .filter_map(|said| Some((&said.field, said.target()?)));
         let builder = targets.fold(builder, |builder, (field, target)| {

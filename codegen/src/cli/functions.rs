@@ -83,7 +83,7 @@ impl Functions {
         };
         let builder = Builder::from_description(description).request(request);
         let loops = robot.loops().iter();
-        let builder = loops.fold(builder, |builder, text| builder.closed(text));
+        let builder = loops.fold(builder, Builder::closed);
         let builder = match name {
             Some(name) => builder.name(name),
             None => builder,

@@ -7,6 +7,7 @@ use std::fmt::Write;
 
 use crate::print::Listing;
 use crate::print::rust::names;
+use crate::request::Parameter;
 
 /// What signs and letters are called.
 const SPELT: [(char, &str); 51] = [
@@ -110,7 +111,7 @@ pub(crate) fn spelt(text: &str) -> String {
 pub(crate) fn beyond(listing: &Listing) -> Vec<String> {
     let methods = names::of_methods(listing).into_iter();
     let methods = methods.map(|name| name.to_string());
-    let fields = listing.parameters.iter().map(|parameter| parameter.name());
+    let fields = listing.parameters.iter().map(Parameter::name);
     methods
         .chain(fields)
         .filter(|name| !name.is_ascii())

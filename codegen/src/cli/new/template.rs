@@ -32,15 +32,12 @@ fn filled(text: &str, words: &[(&str, String)]) -> String {
         let (before, from) = rest.split_at(at);
         filled.push_str(before);
         let mut known = words.iter();
-        match known.find(|(word, _)| from.starts_with(word)) {
-            Some((word, value)) => {
-                filled.push_str(value);
-                rest = &from[word.len()..];
-            }
-            None => {
-                filled.push('@');
-                rest = &from[1..];
-            }
+        if let Some((word, value)) = known.find(|(word, _)| from.starts_with(word)) {
+            filled.push_str(value);
+            rest = &from[word.len()..];
+        } else {
+            filled.push('@');
+            rest = &from[1..];
         }
     }
     filled.push_str(rest);

@@ -94,7 +94,11 @@ pub(super) fn names(listing: &Listing) -> Vec<(&'static str, String, Vec<&str>)>
 /// Where numbers come from that the description has not, a line each.
 pub(super) fn origins(listing: &Listing) -> Vec<String> {
     let mut lines = Vec::new();
-    let Some(review) = &listing.review else {
+    let Some(review) = listing
+        .review
+        .as_ref()
+        .filter(|review| !review.origins.is_empty())
+    else {
         return lines;
     };
     for (link, carrier) in &review.merged {

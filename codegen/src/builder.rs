@@ -7,6 +7,8 @@
 #[cfg(feature = "pretty")]
 mod c;
 #[cfg(feature = "pretty")]
+mod command;
+#[cfg(feature = "pretty")]
 mod file;
 mod output;
 #[cfg(feature = "pretty")]
@@ -16,6 +18,8 @@ mod tests;
 
 #[cfg(feature = "cli")]
 pub(crate) use c::header_beside;
+#[cfg(feature = "cli")]
+pub(crate) use command::FORMAT;
 #[cfg(feature = "cli")]
 pub(crate) use python::{module_of, write_folder};
 
@@ -93,6 +97,8 @@ pub struct Builder {
     /// Loops, each as behind the word `loop` of attributes.
     loops: Vec<String>,
     library: Library,
+    /// Whether files are ASCII.
+    ascii: bool,
     /// Options that are not what they should be; told with all other mistakes.
     mistakes: Errors,
     expand: Expand,
@@ -131,6 +137,7 @@ impl Builder {
             request: Request::default(),
             loops: Vec::new(),
             library: Library::default(),
+            ascii: false,
             mistakes: Errors::new(),
             expand: expand::expand,
         }
@@ -402,6 +409,15 @@ impl Builder {
             self.mistakes.push(Place::Unknown, message);
         }
         self.library.c_prefix = Some(prefix.to_owned());
+        self
+    }
+
+    /// Files without a character beyond ASCII: letters of other alphabets are spelt in comments (`theta`, `q_dot`,
+    /// `m^2`), and stand as `\u{…}` in names of joints.
+    ///
+    /// What gives functions their names, such as a further frame, has to be ASCII then.
+    pub fn ascii(mut self) -> Self {
+        self.ascii = true;
         self
     }
 

@@ -12,6 +12,7 @@ mod solved;
 mod states;
 #[cfg(test)]
 mod tests;
+mod vectors;
 
 use crate::chain::Chain;
 use crate::dense::{Approximate, Dense, Motion, State};
@@ -27,6 +28,7 @@ use crate::schedule::{Operand, Program, run};
 use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
 use crate::wording::quoted;
 use robot::Contradiction;
+pub use vectors::vectors;
 
 /// A robot at a few states, by which programs are judged.
 pub struct Check {

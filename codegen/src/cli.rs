@@ -7,13 +7,17 @@
 mod arithmetic;
 mod base_parameters;
 mod check;
+mod colour;
+mod completions;
 mod count;
 mod eval;
+mod fields;
 mod fresh;
 mod functions;
 mod generate;
 mod inspect;
 mod json;
+mod new;
 mod options;
 mod progress;
 mod python;
@@ -23,10 +27,13 @@ mod show;
 use std::ffi::OsString;
 use std::io::{ErrorKind, Read, Write};
 use std::process::ExitCode;
+use std::sync::LazyLock;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use self::progress::Progress;
+use crate::builder::FORMAT;
+use crate::description::denavit_hartenberg;
 use crate::error::Errors;
 
 /// Runs the program: answers, prints, and says how it went.
@@ -44,7 +51,12 @@ pub fn run(
     let answer = answer(arguments, input);
     drop(progress);
     // Nobody is left to be told if this fails.
-    let _ = remarks.write_all(answer.remarks.as_bytes());
+    let remarked = if colour::is_wanted() {
+        colour::coloured(&answer.remarks)
+    } else {
+        answer.remarks
+    };
+    let _ = remarks.write_all(remarked.as_bytes());
     let printed = output
         .write_all(answer.output.as_bytes())
         .and_then(|()| output.flush());
@@ -86,6 +98,8 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::BaseParameters(parameters) => parameters.run(input),
         Command::Show(show) => show.run(input),
         Command::Report(report) => report.run(),
+        Command::New(new) => new.run(input),
+        Command::Completions(completions) => completions.run(&mut Program::command()),
     };
     said.unwrap_or_else(|errors| Answer {
         remarks: errors.to_string(),
@@ -96,7 +110,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
 
 /// Turns the description of a robot into straight-line code for its kinematics and dynamics.
 #[derive(Parser)]
-#[command(name = "homogen", version, after_help = functions::help())]
+#[command(name = "homogen", version, long_version = versions(), after_help = functions::help())]
 struct Program {
     #[command(subcommand)]
     command: Command,
@@ -113,6 +127,22 @@ enum Command {
     BaseParameters(base_parameters::BaseParameters),
     Show(show::Show),
     Report(report::Report),
+    New(new::New),
+    Completions(completions::Completions),
+}
+
+/// The versions of the program and of what others read of it.
+fn versions() -> &'static str {
+    static VERSIONS: LazyLock<String> = LazyLock::new(|| {
+        format!(
+            "{}\ngenerated files: format {FORMAT}\nanswers in JSON: version {}\n\
+             tables of Denavit and Hartenberg: version {}",
+            env!("CARGO_PKG_VERSION"),
+            json::VERSION,
+            denavit_hartenberg::VERSION
+        )
+    });
+    &VERSIONS
 }
 
 /// What a command that did not fail says.

@@ -11,7 +11,7 @@ mod changed;
 mod constant;
 pub mod denavit_hartenberg;
 mod file;
-mod fingerprint;
+pub(crate) mod fingerprint;
 pub mod inline;
 mod item;
 mod kind;

@@ -13,6 +13,7 @@ mod forward;
 mod identifiable;
 mod measured;
 mod program;
+mod review;
 mod solvable;
 mod weighable;
 
@@ -93,6 +94,9 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     let listing = Listing {
         about,
         spaces: chain.spaces().clone(),
+        review: request
+            .review
+            .then(|| review::review(description, request, &chain, &functions)),
         functions,
         data,
         base_values,
@@ -301,7 +305,7 @@ fn list(
 const UNDONE: &str = "less than half of the digits may be left";
 
 /// What the programs of a request compute with.
-fn means(request: &Request) -> Means {
+pub(crate) fn means(request: &Request) -> Means {
     Means {
         scalar: request.scalar,
         trigonometry: match request.formulation.sines {

@@ -80,6 +80,8 @@ pub struct Request {
     pub parameters: Vec<Parameter>,
     /// The path under which the generated code finds the runtime crate; `::homogen` where none.
     pub runtime: Option<TokenStream>,
+    /// Whether it becomes a file, which has a reviewer: what only that one reads is found as well.
+    pub review: bool,
 }
 
 impl Request {

@@ -15,10 +15,13 @@ use homogen_codegen::Function::{
 };
 use homogen_codegen::{Builder, Real};
 
+/// The memory of the boards: that of every firmware that `homogen new` writes.
+const MEMORY: &str = "../../codegen/src/cli/new/firmware/memory.x";
+
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-env-changed=ARM");
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-changed=memory.x");
+    println!("cargo::rerun-if-changed={MEMORY}");
     println!("cargo::rerun-if-changed=arms.rs");
     let arm = arms::chosen()?;
     println!("cargo::rustc-env=ARM={}", arm.name);
@@ -27,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     if env::var("CARGO_CFG_TARGET_OS")? == "none" {
         let out = env::var("OUT_DIR")?;
-        fs::copy("memory.x", Path::new(&out).join("memory.x"))?;
+        fs::copy(MEMORY, Path::new(&out).join("memory.x"))?;
         println!("cargo::rustc-link-search={out}");
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
         link_peer();

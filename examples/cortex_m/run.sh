@@ -26,39 +26,9 @@ declare -A optimised=([M4F]="-O2 -fno-tree-ter -fno-schedule-insns" [M7]="-Os -f
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
 seen="$CARGO_TARGET_DIR/seen"
 
-say() { printf '%s\n' "$*" >&2; }
-has() { command -v "$1" >/dev/null; }
-
-install() {
-    if [ "$(id -u)" != 0 ] || ! has apt-get; then
-        say "run.sh: missing: $*. It installs them on Debian, as root; here, please do it by hand."
-        exit 2
-    fi
-    say "=== install $*"
-    apt-get update -qq
-    DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "$@" >/dev/null
-}
-
 # --- tools ----------------------------------------------------------------------------------------
 
-packages=()
-has qemu-system-arm || packages+=(qemu-system-arm)
-has arm-none-eabi-objdump || packages+=(binutils-arm-none-eabi)
-has arm-none-eabi-gcc || packages+=(gcc-arm-none-eabi)
-cargo=(cargo)
-rustc=(rustc)
-build_std=()
-linker="CARGO_TARGET_${target//-/_}_LINKER"
-if ! { has rustup && { rustup target list --installed | grep -qx "$target" ||
-    rustup target add "$target" >/dev/null 2>&1; }; }; then
-    # Debian's compiler comes with the sources of `core`; it is asked to build them, which it must be
-    # told to be allowed to, and to use the linker that belongs to the tools above.
-    { [ -x /usr/bin/rustc ] && [ -d /usr/lib/rustlib/src/rust/library ]; } ||
-        packages+=(rustc-web cargo-web rust-web-src)
-    cargo=(env RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc "${linker^^}=arm-none-eabi-ld" /usr/bin/cargo)
-    rustc=(/usr/bin/rustc)
-    build_std=(-Zbuild-std=core)
-fi
+. ./tools.sh
 if [ "$mode" = --peer ]; then
     . ../../report/peer/tools.sh
     python3 -c 'import ensurepip' 2>/dev/null || packages+=(python3-venv)

@@ -104,6 +104,7 @@ fn joint(k: usize, parent: Name, limb: &Limb, random: &mut Random) -> Joint {
             lower: -1.0 + 0.5 * random.unit(),
             upper: 1.5 + 0.5 * random.unit(),
             velocity: limb.speed,
+            effort: f64::INFINITY,
         }),
         drive: Parts::default(),
         place: Place::Unknown,

@@ -93,7 +93,7 @@ fn products_are_fused_where_the_processor_can() {
 fn a_file_for_core_counts_on_no_fused_product() {
     let text = file(Processor::AArch64);
     assert!(
-        text.contains("// Options: f32, processor aarch64."),
+        text.contains(" --processor aarch64 ") && text.contains(" --scalar f32"),
         "{text}"
     );
     // 305 products and 278 sums, each for itself, on two units.

@@ -5,9 +5,11 @@
 use std::path::{Path, PathBuf};
 
 use super::Builder;
+use super::command::Language;
 use super::file::{doubt, write};
 use crate::error::{Errors, Place};
 use crate::print::Listing;
+use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
 use crate::processor::Processor;
 
@@ -61,7 +63,7 @@ impl Builder {
         let mut without = self.clone();
         without.request.runtime = None;
         without.library.sin_cos = None;
-        match without.listing_where(true) {
+        match without.listing_where(true, true) {
             Ok(listing) => errors.into_result(listing),
             Err(mistakes) => {
                 errors.append(mistakes);
@@ -81,10 +83,13 @@ impl Builder {
         let writing = Writing {
             prefix: &prefix,
             header,
-            options: &self.options(),
+            asked: &self.asked(listing, Language::C(header)),
             fused: processor != Processor::Portable && processor.fuses(listing.scalar),
         };
-        c::print(listing, &writing)
+        let Source { header, text } = c::print(listing, &writing);
+        let [header, text] =
+            [header, text].map(|text| if self.ascii { spelt(&text) } else { text });
+        Source { header, text }
     }
 }
 

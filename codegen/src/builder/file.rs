@@ -6,9 +6,11 @@
 use std::path::Path;
 use std::{env, fs};
 
+use super::command::Language;
 use super::{Builder, Origin};
 use crate::error::{Errors, Place};
 use crate::print::Listing;
+use crate::print::ascii::spelt;
 use crate::print::rust::{self, Source};
 use crate::processor::Processor;
 use crate::real::Real;
@@ -20,7 +22,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_source(&self) -> Result<Source, Errors> {
-        self.listing().map(|listing| self.source(&listing))
+        self.file_listing().map(|listing| self.source(&listing))
     }
 
     /// Writes [`Builder::to_source`] to a file in `OUT_DIR`, and tells cargo which file to watch
@@ -31,7 +33,7 @@ impl Builder {
     /// that cannot be written.
     pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
         self.telling(|| {
-            let listing = self.listing()?;
+            let listing = self.file_listing()?;
             doubt(&listing);
             write(file.as_ref(), &self.source(&listing).to_string())
         })
@@ -60,7 +62,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_c_header(&self) -> Result<String, Errors> {
-        self.listing().map(|listing| self.c_header(&listing))
+        self.file_listing().map(|listing| self.c_header(&listing))
     }
 
     /// Writes [`Builder::to_c_header`] to a file in `OUT_DIR`.
@@ -73,12 +75,20 @@ impl Builder {
 
     pub(crate) fn c_header(&self, listing: &Listing) -> String {
         let item = self.item(listing);
-        rust::c_header(listing, &item, &self.options(), &self.library()).unwrap_or_default()
+        let asked = self.asked(listing, Language::Rust);
+        let header = rust::c_header(listing, &item, &asked, &self.library()).unwrap_or_default();
+        if self.ascii { spelt(&header) } else { header }
     }
 
     pub(crate) fn source(&self, listing: &Listing) -> Source {
-        let header = rust::header(listing, &self.options(), &self.world());
-        Source::new(header, &self.print(listing))
+        let header = rust::header(listing, &self.asked(listing, Language::Rust), &self.world());
+        let appendix = rust::appendix(listing, &self.item(listing), &self.world());
+        let source = Source::file(header, &self.print(listing), appendix);
+        if self.ascii {
+            source.in_ascii()
+        } else {
+            source
+        }
     }
 
     /// What was asked for, as the command line would say it.

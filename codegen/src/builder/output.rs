@@ -6,13 +6,22 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Builder, Origin};
+#[cfg(feature = "cli")]
+use crate::chain::Chain;
 use crate::description::{self, Description, inline};
 use crate::error::{Errors, Place};
+#[cfg(feature = "cli")]
+use crate::expand;
 use crate::formulation::{Products, Sines};
 use crate::print::Listing;
+#[cfg(feature = "pretty")]
+use crate::print::ascii::beyond;
 use crate::print::rust::{self, Item, Library, World};
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
+use crate::request::Request;
+#[cfg(feature = "pretty")]
+use crate::wording::visible;
 
 impl Builder {
     /// The struct and its methods.
@@ -54,11 +63,24 @@ impl Builder {
 
     pub(crate) fn listing(&self) -> Result<Listing, Errors> {
         // `core` has no fused product: a price that counted on it would be wrong.
-        self.listing_where(self.request.runtime.is_some())
+        self.listing_where(self.request.runtime.is_some(), false)
     }
 
-    /// What is printed where a product can fuse with a sum, or cannot.
-    pub(super) fn listing_where(&self, fuses: bool) -> Result<Listing, Errors> {
+    /// The same, with what the reviewer of a file reads.
+    pub(crate) fn file_listing(&self) -> Result<Listing, Errors> {
+        self.listing_where(self.request.runtime.is_some(), true)
+    }
+
+    /// The robot as it is understood, with what is doubted of it.
+    #[cfg(feature = "cli")]
+    pub(crate) fn understand(&self) -> Result<(Description, Chain), Errors> {
+        let (description, request) = self.both()?;
+        let chain = expand::understand(&description, &request)?;
+        Ok((description, chain))
+    }
+
+    /// What is read, and what is asked of it.
+    fn both(&self) -> Result<(Description, Request), Errors> {
         let mut errors = self.mistakes.clone();
         let loops = self.loops.iter().map(String::as_str);
         let description = match self.description(&mut errors) {
@@ -80,6 +102,14 @@ impl Builder {
             (None, Some(_)) => Trigonometry::Other,
             (None, None) => Trigonometry::Own,
         };
+        Ok((description, request))
+    }
+
+    /// What is printed where a product can fuse with a sum, or cannot, with what only a reviewer reads or without.
+    pub(super) fn listing_where(&self, fuses: bool, review: bool) -> Result<Listing, Errors> {
+        let (description, mut request) = self.both()?;
+        let mut errors = Errors::new();
+        request.review = review;
         if !fuses && request.processor != Processor::Portable {
             request.formulation.products = Products::Unfused;
         }
@@ -94,7 +124,29 @@ impl Builder {
             errors.push(Place::Unknown, message);
             return Err(errors);
         }
-        (self.expand)(&description, &request)
+        let listing = (self.expand)(&description, &request)?;
+        #[cfg(feature = "pretty")]
+        if self.ascii && review {
+            self.check_ascii(&listing)?;
+        }
+        Ok(listing)
+    }
+
+    /// Refuses names that files have to have, and ASCII has not.
+    #[cfg(feature = "pretty")]
+    fn check_ascii(&self, listing: &Listing) -> Result<(), Errors> {
+        let mut errors = Errors::new();
+        let name = self.item(listing).ident.to_string();
+        let names = beyond(listing).into_iter();
+        for name in names.chain((!name.is_ascii()).then_some(name)) {
+            let message = format!(
+                "`{}` is a name in the file, and not of ASCII",
+                visible(&name)
+            );
+            let hint = "give it another name, or leave out ascii";
+            errors.push_with_hint(Place::Unknown, message, hint);
+        }
+        errors.into_result(())
     }
 
     fn description(&self, errors: &mut Errors) -> Option<Description> {

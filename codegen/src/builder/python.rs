@@ -80,7 +80,7 @@ impl Builder {
         without.request.batch = false;
         without.request.processor = Processor::Portable;
         without.library = super::Library::default();
-        match without.listing_where(false) {
+        match without.listing_where(false, false) {
             Ok(listing) => errors.into_result(listing),
             Err(mistakes) => {
                 errors.append(mistakes);

@@ -40,7 +40,7 @@ fn a_file_needs_nothing_but_core_and_sines() {
     let builder = arm(as_asked).generate([Function::Gravity]);
     let text = text(&builder.sin_cos("crate::fast::sin_cos").tip("rod-2"));
     for part in [
-        "// Options: f64, tip rod-2.\n",
+        "// Made by `homogen generate pendulum.urdf --tip rod-2 --functions gravity --sin-cos crate::fast::sin_cos` (FNV-1a ",
         "pub struct DoublePendulum;\n",
         "pub fn gravity(&self, q: &[f64; 2]) -> [f64; 2] {\n",
         "let (_, c_1) = crate::fast::sin_cos(q_1);\n",
@@ -233,7 +233,7 @@ fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
         )
     );
     for part in [
-        "// Options: f64, field load, prepare.\n",
+        " --field load=payload_on:tip --prepare` (FNV-1a ",
         "    /// Results are the same, bit for bit;",
     ] {
         assert!(head.contains(part), "{head}");
@@ -320,8 +320,8 @@ fn c_has_names_of_its_own_and_no_runtime() {
         .parameter("payload", Target::MassOf("rod-2".into()))
         .to_c_header()
         .expect("no mistakes");
-    let options = " * Options: f64, frame eye, field payload, functions arm_… for C.\n";
-    assert!(header.contains(options), "{header}");
+    let asked = " * Made by `homogen generate pendulum.urdf --frames eye --field payload=mass_of:rod-2 --extern-c arm_` ";
+    assert!(header.contains(asked), "{header}");
     let none = arm(as_asked).to_c_header().expect("no mistakes");
     assert_eq!(none, "");
 }
@@ -330,7 +330,8 @@ fn c_has_names_of_its_own_and_no_runtime() {
 fn the_same_in_c() {
     let builder = arm(as_asked).generate([Function::Gravity]).tip("rod-2");
     let source = builder.to_c("arm.h").expect("no mistakes");
-    assert!(source.header.contains(" * Options: f64, tip rod-2.\n"));
+    let asked = "--tip rod-2 --functions gravity --language c --output arm.c` ";
+    assert!(source.header.contains(asked), "{}", source.header);
     assert!(source.text.contains("#include \"arm.h\"\n"));
     let name = |builder: Builder| builder.to_c("arm.h").expect("no mistakes").header;
     for (builder, function) in [
@@ -455,4 +456,68 @@ fn a_package_for_python_has_no_options_of_rust() {
     assert_eq!(package.expect("no mistakes").module, "arm_py");
     let errors = arm(as_asked).to_python("numpy").expect_err("a mistake");
     assert!(errors.to_string().contains("would hide NumPy"), "{errors}");
+}
+
+#[test]
+fn the_reviewer_of_a_file_reads_what_no_derive_has() {
+    let builder = Builder::from_urdf("../robots/two_link.urdf")
+        .tip("tip")
+        .generate([Function::InverseDynamics]);
+    let file = text(&builder);
+    for part in [
+        "// Made by `homogen generate two_link.urdf --tip tip --functions inverse_dynamics` (FNV-1a ",
+        "// Needs: Rust 1.63 or later, edition 2018 or later, `core`.\n",
+        "pub const JOINTS: [&'static str; 2] = [\"shoulder\", \"elbow\"];\n",
+        "pub const LOWER: [f64; 2] = [-",
+        "#[cfg(test)]\n",
+        "\n    #[test]\n    fn inverse_dynamics() {\n",
+        "//   `fore`\n",
+        "//     q_x = 0.8 = `upper.q_x` + 0.4 `fore.m`\n",
+    ] {
+        assert!(file.contains(part), "{part}\n{file}");
+    }
+    let tokens = builder.to_tokens().expect("a robot that ships").to_string();
+    assert!(!tokens.contains("JOINTS") && !tokens.contains("# [cfg (test)]"));
+    let source = builder.to_c("arm.h").expect("a robot that ships");
+    for part in [
+        "#define TWO_LINK_LOWER {-",
+        "#ifdef HOMOGEN_SELF_TEST\n",
+        "HOMOGEN_FN int two_link_self_test(void);\n",
+    ] {
+        assert!(source.header.contains(part), "{}", source.header);
+    }
+    assert!(
+        source
+            .text
+            .contains(" *     q_x = 0.8 = `upper.q_x` + 0.4 `fore.m`\n")
+    );
+}
+
+#[test]
+fn a_file_in_ascii_is_ascii_and_names_that_are_not_are_told() {
+    let builder = Builder::from_urdf("../robots/two_link.urdf").ascii();
+    let source = builder.to_c("arm.h").expect("a robot that ships");
+    for text in [text(&builder), source.header, source.text] {
+        assert!(text.is_ascii() && text.contains("--ascii"), "{text}");
+    }
+    let named = builder.parameter("maß", Target::MassOf("fore".into()));
+    let told = named.to_source().map(|_| ()).expect_err("no ASCII");
+    assert!(
+        told.to_string().contains("`maß` is a name in the file"),
+        "{told}"
+    );
+}
+
+#[test]
+fn what_a_shell_would_read_otherwise_stands_in_quotes() {
+    let builder = arm(as_asked)
+        .tip("it's; $(rm)")
+        .lock_at("-j", -0.25)
+        .damping("a b", [0.5, 1e-7])
+        .gravity([0.0, 0.0, -1.62])
+        .generate([Function::Gravity]);
+    let header = builder.to_source().expect("no mistakes").to_string();
+    let command = "homogen generate pendulum.urdf --tip 'it'\\''s; $(rm)' --lock=-j=-0.25 \
+                   --gravity 0,0,-1.62 '--damping=a b=0.5,0.0000001' --functions gravity";
+    assert!(header.contains(command), "{header}");
 }

@@ -44,7 +44,7 @@ impl BaseParameters {
                 code: 0,
             },
             Format::Json => Answer {
-                output: json::text(&in_json(&description.name.text, &chain)),
+                output: json::answer(in_json(&description.name.text, &chain)),
                 ..Answer::default()
             },
         })

@@ -43,7 +43,7 @@ impl Check {
         let (description, _) = freed(&description, &request);
         let output = match self.format {
             Format::Text => in_text(&description, &chain),
-            Format::Json => json::text(&in_json(&description, &chain)),
+            Format::Json => json::answer(in_json(&description, &chain)),
         };
         Ok(Answer {
             output,

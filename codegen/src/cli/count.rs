@@ -49,7 +49,7 @@ impl Count {
                 code: 0,
             },
             Format::Json => Answer {
-                output: json::text(&in_json(&listing, &chain.report.warnings)),
+                output: json::answer(in_json(&listing, &chain.report.warnings)),
                 ..Answer::default()
             },
         })

@@ -33,6 +33,7 @@ use crate::check::Check;
 use crate::error::{Errors, Place};
 use crate::expand;
 use crate::function::Function;
+use crate::space::FrameId;
 
 /// Compute a function at given states, without a compiler
 #[derive(Args, Clone, Debug)]
@@ -94,7 +95,7 @@ impl Eval {
         let mut states = Source::open(&self.states, &arguments, chain.spaces(), input)?;
 
         // Further frames come after the tip's.
-        let frame = chain.frames.len().saturating_sub(1);
+        let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
         expand::check_size(&chain)?;
         let program = expand::program_for(
             request.processor,
@@ -133,7 +134,7 @@ impl Eval {
                 let results = work.listed(&mut states, &layout)?;
                 if self.format == Format::Json {
                     return Ok(Answer {
-                        output: json::text(&layout.in_json(&results)),
+                        output: json::answer(layout.in_json(&results)),
                         ..Answer::default()
                     });
                 }
@@ -145,7 +146,7 @@ impl Eval {
             }
             Wanted::Text(path) => {
                 let results = work.listed(&mut states, &layout)?;
-                write(path, &json::text(&layout.in_json(&results)))?;
+                write(path, &json::answer(layout.in_json(&results)))?;
                 return Ok(Answer::default());
             }
             Wanted::Arrays(paths) => Sink::arrays(paths, &layout, count)?,

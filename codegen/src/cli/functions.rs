@@ -9,12 +9,13 @@ use std::io::Read;
 
 use clap::Args;
 
-use super::options::{self, Robot, Scalar};
+use super::fields::Fields;
+use super::options::{self, Robot};
 use crate::builder::Builder;
 use crate::error::Errors;
-use crate::expand;
 use crate::function::Function;
 use crate::print::{LeftOut, Listing};
+use crate::real::Real;
 use crate::request::Request;
 use crate::wording::{known, list, visible};
 
@@ -71,22 +72,25 @@ impl Functions {
     pub(super) fn builder(
         &self,
         robot: &Robot,
-        scalar: Scalar,
-        name: Option<&str>,
+        fields: &Fields,
+        (scalar, name): (Real, Option<&str>),
         input: &mut dyn Read,
     ) -> Result<(Builder, String), Errors> {
-        let description = robot.description(input)?;
+        let description = robot.written(input)?;
         let request = Request {
-            scalar: scalar.into(),
+            scalar,
             ..self.request(robot)
         };
-        let chain = expand::understand(&description, &request)?;
-        let remarks = options::warnings(&description, &chain.report.warnings);
         let builder = Builder::from_description(description).request(request);
+        let loops = robot.loops().iter();
+        let builder = loops.fold(builder, Builder::closed);
         let builder = match name {
             Some(name) => builder.name(name),
             None => builder,
         };
+        let builder = fields.of(builder).map_err(options::mistake)?;
+        let (description, chain) = builder.understand()?;
+        let remarks = options::warnings(&description, &chain.report.warnings);
         Ok((builder, remarks))
     }
 

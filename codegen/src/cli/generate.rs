@@ -8,11 +8,13 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use super::fields::Fields;
 use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
 use super::{Answer, Said};
 use crate::builder::{Builder, header_beside};
 use crate::error::Errors;
+use crate::real::Real;
 
 /// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -32,12 +34,23 @@ pub(super) struct Generate {
     robot: Robot,
     #[command(flatten)]
     functions: Functions,
+    #[command(flatten)]
+    fields: Fields,
     /// What the file is written in; c is C99, with a header beside the file (arm.h beside arm.c)
     #[arg(long, value_enum, default_value = "rust")]
     language: Language,
-    /// The type of number
-    #[arg(long, value_enum, default_value = "f64")]
-    scalar: Scalar,
+    /// The type of number [default: f64, or any with --runtime]
+    #[arg(long, value_enum)]
+    scalar: Option<Scalar>,
+    /// Write what a derive expands to, for a crate that has the runtime at this path: ::homogen
+    #[arg(long, value_name = "PATH")]
+    runtime: Option<String>,
+    /// Functions of slices of states besides
+    #[arg(long, requires = "runtime")]
+    batch: bool,
+    /// Write no character beyond ASCII: θ is theta in comments
+    #[arg(long)]
+    ascii: bool,
     /// The path of a function from an angle to its sine and cosine, such as ::libm::sincosf
     /// [default: the file brings its own]
     #[arg(long, value_name = "PATH")]
@@ -62,7 +75,16 @@ impl Generate {
         let name = self.name.as_deref();
         let (mut builder, mut remarks) =
             self.functions
-                .builder(&self.robot, self.scalar, name, input)?;
+                .builder(&self.robot, &self.fields, (self.number(), name), input)?;
+        if let Some(path) = &self.runtime {
+            builder = builder.runtime(path);
+        }
+        if self.batch {
+            builder = builder.batch();
+        }
+        if self.ascii {
+            builder = builder.ascii();
+        }
         if let Some(path) = &self.sin_cos {
             builder = builder.sin_cos(path);
         }
@@ -80,9 +102,18 @@ impl Generate {
         })
     }
 
+    /// The type of number: any where none is named and the runtime has them all.
+    fn number(&self) -> Real {
+        match (self.scalar, &self.runtime) {
+            (Some(scalar), _) => scalar.into(),
+            (None, Some(_)) => Real::Generic,
+            (None, None) => Real::F64,
+        }
+    }
+
     /// Writes a file of Rust, or returns its text.
     fn rust(&self, builder: &Builder, remarks: &mut String) -> Result<String, Errors> {
-        let listing = builder.listing()?;
+        let listing = builder.file_listing()?;
         remarks.push_str(&Functions::remarks(&listing));
         let text = builder.source(&listing).to_string();
         if let Some(path) = &self.c_header {

@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use crate::error::{Complaint, Place};
 use crate::wording::is_hidden;
@@ -14,8 +14,22 @@ use crate::wording::is_hidden;
 /// What fits a line.
 const WIDTH: usize = 100;
 
+/// The version of what commands answer in JSON: another one where a key goes or means something else, and the same
+/// where keys come.
+pub(super) const VERSION: u32 = 1;
+
+/// What a command answers: the value behind the version.
+pub(super) fn answer(value: Value) -> String {
+    let mut answer = Map::new();
+    answer.insert("version".to_owned(), json!(VERSION));
+    if let Value::Object(entries) = value {
+        answer.extend(entries);
+    }
+    text(&Value::Object(answer))
+}
+
 /// The value, formatted, with a newline at its end.
-pub(super) fn text(value: &Value) -> String {
+fn text(value: &Value) -> String {
     let mut text = String::new();
     write(value, 1, &mut text);
     text.push('\n');

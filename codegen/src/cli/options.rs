@@ -132,8 +132,22 @@ struct Gravity([f64; 3]);
 struct Said(String, Vec<f64>);
 
 impl Robot {
-    /// Reads the file.
+    /// Reads the file, and closes the loops.
     pub(super) fn description(&self, input: &mut dyn Read) -> Result<Description, Errors> {
+        let mut errors = Errors::new();
+        let mut description = self.written(input)?;
+        let loops = self.loops.iter().map(String::as_str);
+        inline::close(&mut description, loops, &mut errors);
+        errors.into_result(description)
+    }
+
+    /// The loops that are told beside the file.
+    pub(super) fn loops(&self) -> &[String] {
+        &self.loops
+    }
+
+    /// What is written in the file.
+    pub(super) fn written(&self, input: &mut dyn Read) -> Result<Description, Errors> {
         let mut errors = Errors::new();
         let description = if is_standard_input(&self.file) {
             let bytes = read(input)?;
@@ -141,12 +155,8 @@ impl Robot {
         } else {
             description::read_file(&self.file, None, &mut errors)
         };
-        let loops = self.loops.iter().map(String::as_str);
         match description {
-            Some(mut description) => {
-                inline::close(&mut description, loops, &mut errors);
-                errors.into_result(description)
-            }
+            Some(description) => errors.into_result(description),
             None => Err(errors),
         }
     }
@@ -280,7 +290,7 @@ fn finite(text: &str) -> Result<f64, String> {
     finite.ok_or_else(|| format!("`{text}` is not a finite number"))
 }
 
-fn lock(text: &str) -> Result<(String, Option<f64>), String> {
+pub(super) fn lock(text: &str) -> Result<(String, Option<f64>), String> {
     match text.rsplit_once('=') {
         Some((joint, at)) => Ok((joint.to_owned(), Some(finite(at)?))),
         None => Ok((text.to_owned(), None)),

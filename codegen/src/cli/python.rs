@@ -8,6 +8,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::fields::Fields;
 use super::functions::Functions;
 use super::options::{Robot, Scalar, is_standard_input, mistake};
 use super::{Answer, Said};
@@ -25,6 +26,8 @@ pub(super) struct Python {
     robot: Robot,
     #[command(flatten)]
     functions: Functions,
+    #[command(flatten)]
+    fields: Fields,
     /// The type of number
     #[arg(long, value_enum, default_value = "f64")]
     scalar: Scalar,
@@ -45,7 +48,7 @@ impl Python {
         let name = self.name.as_deref();
         let (builder, mut remarks) =
             self.functions
-                .builder(&self.robot, self.scalar, name, input)?;
+                .builder(&self.robot, &self.fields, (self.scalar.into(), name), input)?;
         let listing = builder.python_listing()?;
         remarks.push_str(&Functions::remarks(&listing));
         let package = builder.python(&listing, &module);

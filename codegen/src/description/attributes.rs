@@ -270,27 +270,18 @@ impl Range {
 fn said(input: ParseStream) -> Parsed<Said> {
     let key = tokens::word(input)?;
     let text = key.to_string();
-    let of: fn(super::Name) -> Target = match text.as_str() {
-        "mass_of" => Target::MassOf,
-        "com_of" => Target::CenterOfMassOf,
-        "inertia_of" => Target::InertiaOf,
-        "payload_on" => Target::PayloadOn,
-        "origin_of" => Target::OriginOf,
-        "placement_of" => Target::PlacementOf,
-        "armature_of" => Target::ArmatureOf,
-        "damping_of" => Target::DampingOf,
-        "friction_of" => Target::FrictionOf,
-        "gravity" => return Ok(Said::Target(Target::Gravity)),
-        "base_position" => return Ok(Said::Target(Target::BasePosition)),
-        "base_placement" => return Ok(Said::Target(Target::BasePlacement)),
-        "range" => return Range::read(input, &key).map(Said::Range),
-        other => {
-            return Err(complaint_with_hint(
-                key.span(),
-                format!("a field cannot stand for {}", quoted(other)),
-                known(other, "keys", &KEYS),
-            ));
-        }
+    if text == "range" {
+        return Range::read(input, &key).map(Said::Range);
+    }
+    if let Some(target) = Target::alone(&text) {
+        return Ok(Said::Target(target));
+    }
+    let Some(of) = Target::of_item(&text) else {
+        return Err(complaint_with_hint(
+            key.span(),
+            format!("a field cannot stand for {}", quoted(&text)),
+            known(&text, "keys", &KEYS),
+        ));
     };
     tokens::separator(input, &key)?;
     Ok(Said::Target(of(tokens::name(input)?)))

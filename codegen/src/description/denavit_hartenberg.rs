@@ -17,5 +17,8 @@ pub(super) use self::rows::{Convention, Row, assemble};
 pub(super) use self::table::COLUMNS;
 pub use self::table::read;
 
+/// The version of the format of tables: another one where a table that is read today means something else.
+pub const VERSION: u32 = 1;
+
 #[cfg(test)]
 mod tests;

@@ -214,4 +214,6 @@ pub struct Limits {
     pub upper: f64,
     /// Largest rate [rad/s or m/s]; infinite where not given.
     pub velocity: f64,
+    /// Largest torque or force \[N m or N\], which nothing is computed of; infinite where not given.
+    pub effort: f64,
 }

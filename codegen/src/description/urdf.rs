@@ -83,13 +83,25 @@ pub fn read(
 fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Description> {
     let tag = root.tag_name().name();
     if tag != "robot" {
-        let hint = match tag {
-            "sdf" | "mujoco" => "convert it to URDF first",
-            _ => "a URDF file begins with <robot name=\"…\">",
+        let [what, hint] = match tag {
+            "sdf" | "world" => [
+                "this is SDF, which describes worlds, and not URDF",
+                "give the URDF that it was made of; or convert it, as by the tools of ROS for SDF, and look at what \
+                 `homogen check` says of the result",
+            ],
+            "mujoco" | "mujocoinclude" => [
+                "this is MJCF, the format of MuJoCo, and not URDF",
+                "give the URDF that it was made of; or convert it, as by mjcf-urdf-simple-converter, and look at what \
+                 `homogen check` says of the result",
+            ],
+            _ => [
+                "this is not a URDF",
+                "a URDF file begins with <robot name=\"…\">",
+            ],
         };
         reader.errors.push_with_hint(
             reader.place(root),
-            format!("this is not a URDF: the root element is <{tag}>"),
+            format!("{what}: the root element is <{tag}>"),
             hint,
         );
         return None;

@@ -9,6 +9,7 @@ mod declarations;
 mod header;
 mod literals;
 mod names;
+mod review;
 mod sines;
 mod source;
 #[cfg(all(test, feature = "pretty"))]
@@ -40,7 +41,7 @@ pub struct Writing<'a> {
     /// The name by which the source includes the header.
     pub header: &'a str,
     /// What was asked for.
-    pub options: &'a str,
+    pub asked: &'a str,
     /// Whether products fuse with sums where the target can: only then are results those of Rust where
     /// that fuses them.
     pub fused: bool,
@@ -64,7 +65,7 @@ pub fn print(listing: &Listing, writing: &Writing<'_>) -> Source {
     let header = Header {
         prefix: writing.prefix,
         guard: writing.prefix,
-        options: writing.options,
+        asked: writing.asked,
         angles: &angles,
         needs: Some(&writing.needs()),
     };

@@ -49,7 +49,7 @@ pub struct Writing<'a> {
 pub fn print(listing: &Listing, item: &Item, writing: &Writing<'_>) -> Package {
     let Writing { module, options } = *writing;
     let class = Class::of(listing, item, module, options);
-    let head = documentation::head(listing, options);
+    let head = documentation::head(listing, &format!("Options: {options}."));
     let numbers = quote! { crate::number };
     let rust = [
         ("lib", class::class(&class)),

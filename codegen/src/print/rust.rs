@@ -18,11 +18,12 @@ mod lengths;
 mod literals;
 mod mechanism;
 mod method;
-pub(super) mod names;
+pub(in crate::print) mod names;
 mod prepared;
 #[cfg(feature = "pretty")]
 mod pretty;
 mod results;
+mod review;
 pub(super) mod sines;
 mod steps;
 mod stub;
@@ -44,6 +45,7 @@ pub use lanes::lanes;
 pub(super) use lanes::under;
 #[cfg(feature = "pretty")]
 pub use pretty::Source;
+pub use review::appendix;
 pub use stub::stub;
 pub use world::{Library, World};
 
@@ -87,8 +89,9 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     beside.extend(results::own_structures(listing, item, &dialect));
     beside.extend(extern_c::functions(listing, item, &dialect));
     let declaration = declaration::declaration(listing, item, &dialect);
+    let constants = review::constants(listing, item, &dialect);
     let methods = declaration::block(item, &methods, &dialect);
-    quote! { #declaration #methods #beside #prepared }
+    quote! { #declaration #constants #methods #beside #prepared }
 }
 
 /// A method of the robot, under what there is to say of it.

@@ -195,7 +195,83 @@ impl Parameter {
 /// how far its parts from that.
 const PAYLOAD: f64 = 0.25;
 
+/// What a target is called in attributes and on command lines, where a link or a joint stands beside it.
+type Key = (&'static str, fn(Name) -> Target);
+
+/// Those that stand for a number of an item.
+const OF_ITEMS: [Key; 9] = [
+    ("mass_of", Target::MassOf),
+    ("com_of", Target::CenterOfMassOf),
+    ("inertia_of", Target::InertiaOf),
+    ("payload_on", Target::PayloadOn),
+    ("origin_of", Target::OriginOf),
+    ("placement_of", Target::PlacementOf),
+    ("armature_of", Target::ArmatureOf),
+    ("damping_of", Target::DampingOf),
+    ("friction_of", Target::FrictionOf),
+];
+
 impl Target {
+    /// The words for those that are of no item.
+    const ALONE: [(&'static str, Self); 3] = [
+        ("gravity", Self::Gravity),
+        ("base_position", Self::BasePosition),
+        ("base_placement", Self::BasePlacement),
+    ];
+
+    /// All words.
+    #[must_use]
+    pub fn keys() -> Vec<&'static str> {
+        let of_items = OF_ITEMS.iter().map(|(word, _)| *word);
+        of_items
+            .chain(Self::ALONE.iter().map(|(word, _)| *word))
+            .collect()
+    }
+
+    /// What makes a target of a link or a joint, by its word.
+    #[must_use]
+    pub fn of_item(key: &str) -> Option<fn(Name) -> Self> {
+        let mut keys = OF_ITEMS.iter();
+        keys.find(|(word, _)| *word == key)
+            .map(|(_, target)| *target)
+    }
+
+    /// The target of that word that is of no item.
+    #[must_use]
+    pub fn alone(key: &str) -> Option<Self> {
+        let mut keys = Self::ALONE.into_iter();
+        keys.find(|(word, _)| *word == key)
+            .map(|(_, target)| target)
+    }
+
+    /// Its word in attributes and on command lines.
+    #[must_use]
+    pub fn key(&self) -> &'static str {
+        let is = |other: &Self| std::mem::discriminant(self) == std::mem::discriminant(other);
+        let mut of_items = OF_ITEMS.iter();
+        let of_item = of_items.find(|(_, target)| is(&target(Name::default())));
+        let mut alone = Self::ALONE.iter();
+        let alone = || alone.find(|(_, target)| is(target)).map(|(word, _)| *word);
+        of_item.map(|(word, _)| *word).or_else(alone).unwrap_or("")
+    }
+
+    /// The link or the joint whose number it is.
+    #[must_use]
+    pub const fn item(&self) -> Option<&Name> {
+        match self {
+            Self::MassOf(item)
+            | Self::CenterOfMassOf(item)
+            | Self::InertiaOf(item)
+            | Self::PayloadOn(item)
+            | Self::OriginOf(item)
+            | Self::PlacementOf(item)
+            | Self::ArmatureOf(item)
+            | Self::DampingOf(item)
+            | Self::FrictionOf(item) => Some(item),
+            Self::Gravity | Self::BasePosition | Self::BasePlacement => None,
+        }
+    }
+
     /// How its numbers hang together.
     const fn form(&self) -> Form {
         match self {

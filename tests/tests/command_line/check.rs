@@ -8,6 +8,7 @@ use super::{ARM, homogen, json, keys, refused};
 fn tells_what_became_of_the_description() {
     let arm = json("check - --tip hand --lock elbow=0.3 --format json", ARM);
     let wanted = [
+        "version",
         "robot",
         "file",
         "base",

@@ -15,6 +15,7 @@ fn says_the_shape_and_the_rows() {
     let jacobian: Value = serde_json::from_str(&answer.output).expect("JSON");
     assert_eq!(jacobian["function"], "geometric_jacobian");
     let wanted = [
+        "version",
         "function",
         "coordinates",
         "velocities",

@@ -102,3 +102,54 @@ fn options_that_only_rust_has_are_told_together() {
     let said = refused("generate - --language c -o arm.h", ARM);
     assert!(said.contains("arm.h is the name of the header"), "{said}");
 }
+
+/// The options of the command in the head of a file, behind the name of the description.
+fn options_again(text: &str) -> String {
+    let start = "Made by `homogen generate - ";
+    let at = text.find(start).expect("a command in its head") + start.len();
+    let end = text[at..].find('`').expect("its end");
+    text[at..at + end].to_owned()
+}
+
+#[test]
+fn the_command_in_the_head_of_a_file_makes_it_again() {
+    for options in [
+        "--tip hand --scalar f32 --functions inverse_dynamics,mass_matrix+bias --lock elbow=-0.25",
+        "--tip hand --field load=payload_on:hand --range load=0..2.5 --field g=gravity --prepare --ascii",
+        "--base base --floating --external hand --external-in-frame-0 --functions inverse_dynamics",
+        "--tip hand --runtime ::homogen --batch --frames camera --functions gravity,forward_kinematics",
+        "--tip hand --friction=elbow=0.1 --damping elbow=0.2 --rotor elbow=1e-5 --ratio elbow=50 --armature slide=0.3",
+        "--tip hand --gravity 0,0,-1.62 --formulation raw,refined=1 --exact --processor cortex-m7 --scalar f32 --language c",
+        "--tip hand --name Left --extern-c left_ --sin-cos crate::fast::sin_cos --drop camera --functions gravity",
+        "--actuated slide --tip hand --path-only --field p=placement_of:elbow --field m=mass_of:fore --functions bias",
+    ] {
+        let file = homogen(&format!("generate - {options}"), ARM);
+        assert_eq!(file.code, 0, "{}", file.remarks);
+        let again = options_again(&file.output);
+        // To standard output, which is where the first has gone.
+        let again = again.replace(" --output robot.c", "");
+        let again = homogen(&format!("generate - {again}"), ARM);
+        assert_eq!(again.output, file.output, "{options}");
+    }
+}
+
+#[test]
+fn fields_that_cannot_be_are_told() {
+    for (options, part) in [
+        (
+            "--field m=mass_of",
+            "`mass_of` needs a name: m=mass_of:hand",
+        ),
+        ("--field m=mas_of:hand", "did you mean \"mass_of\"?"),
+        ("--field m", "have = between them"),
+        ("--field m=mass_of:hand --range m=3", "FIELD=LEAST..MOST"),
+    ] {
+        let answer = homogen(&format!("generate - {options}"), ARM);
+        assert_eq!(answer.code, 2, "{}", answer.output);
+        assert!(answer.remarks.contains(part), "{}", answer.remarks);
+    }
+    let said = refused("generate - --range m=0..1", ARM);
+    assert!(said.contains("none is called `m`"), "{said}");
+    let said = refused("generate - --field m=mass_of:hand --range m=-1..1", ARM);
+    assert!(said.contains("has negative masses"), "{said}");
+}

@@ -233,3 +233,31 @@ fn a_reader_that_has_gone_is_no_mistake_and_a_full_disk_is_one() {
     assert_eq!(code, ExitCode::FAILURE);
     assert!(remarks.starts_with("error: cannot write: "), "{remarks}");
 }
+
+/// That of `eval` stands among its keys, in its own file.
+#[test]
+fn every_answer_in_json_begins_with_its_version() {
+    for command in ["check -", "count - --tip hand", "base-parameters -"] {
+        let answer = homogen(&format!("{command} --format json"), ARM);
+        let answer: Value = serde_json::from_str(&answer.output).expect("JSON");
+        assert_eq!(
+            (keys(&answer)[0], &answer["version"]),
+            ("version", &1.into())
+        );
+    }
+}
+
+#[test]
+fn versions_are_those_of_the_formats_and_shells_complete_every_command() {
+    let versions = homogen("--version", "").output;
+    assert_eq!(homogen("-V", "").output.lines().count(), 1);
+    for line in ["generated files: format 1", "answers in JSON: version 1"] {
+        assert!(versions.lines().any(|other| other == line), "{versions}");
+    }
+    for shell in ["bash", "zsh", "fish"] {
+        let script = homogen(&format!("completions {shell}"), "").output;
+        for word in ["base-parameters", "generate", "path-only", "completions"] {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+    }
+}

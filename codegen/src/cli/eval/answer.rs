@@ -11,7 +11,7 @@ use super::super::json;
 use super::super::options::Scalar;
 use crate::chain::Chain;
 use crate::function::Function;
-use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
+use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
 use crate::wording::visible;
 
 /// How the results of a function are laid out.
@@ -19,7 +19,7 @@ pub(super) struct Layout<'c> {
     chain: &'c Chain,
     function: Function,
     /// The frame that the function is of, where it is of one.
-    frame: usize,
+    frame: FrameId,
     pub(super) scalar: Scalar,
     pub(super) results: Vec<Shaped>,
 }
@@ -32,7 +32,7 @@ pub(super) struct Shaped {
 }
 
 impl<'c> Layout<'c> {
-    pub(super) fn of(chain: &'c Chain, function: Function, frame: usize, scalar: Scalar) -> Self {
+    pub(super) fn of(chain: &'c Chain, function: Function, frame: FrameId, scalar: Scalar) -> Self {
         let results = function.result().parts();
         let results = results.map(|(_, quantity)| Shaped {
             lengths: dimensions(&quantity, chain.spaces()),

@@ -383,6 +383,7 @@ impl<'t> Reader<'_, 't> {
             lower,
             upper,
             velocity,
+            effort: f64::INFINITY,
         })
     }
 }

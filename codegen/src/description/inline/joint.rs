@@ -396,6 +396,7 @@ impl Range {
             lower,
             upper,
             velocity: self.velocity.unwrap_or(f64::INFINITY),
+            effort: f64::INFINITY,
         })
     }
 }

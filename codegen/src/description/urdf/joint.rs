@@ -279,10 +279,15 @@ fn limits<'t>(
         })
     };
     let velocity = bound("velocity", f64::INFINITY);
+    // Nothing is computed of it: what is no number, or zero, says nothing.
+    let effort = node.attribute("effort").map(|text| text.trim().parse());
+    let effort = effort.and_then(Result::ok).filter(|most| *most > 0.0);
+    let effort = effort.unwrap_or(f64::INFINITY);
     let unlimited = Limits {
         lower: f64::NEG_INFINITY,
         upper: f64::INFINITY,
         velocity,
+        effort,
     };
     match kind {
         None | Some(JointKind::Fixed) => return Some(unlimited),
@@ -313,6 +318,7 @@ fn limits<'t>(
         lower,
         upper,
         velocity,
+        effort,
     })
 }
 

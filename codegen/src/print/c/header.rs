@@ -8,6 +8,7 @@ use std::fmt::Write;
 use super::comments::comment;
 use super::declarations::{self, base_parameters, indices, of_prepare, parameters, structure};
 use super::names::{ascii, symbols};
+use super::review;
 use crate::print::documentation::{self, Angles};
 use crate::print::{Listing, Prepared};
 
@@ -18,7 +19,7 @@ pub(in crate::print) struct Header<'a> {
     /// How the name of the macro begins that keeps it from being read twice.
     pub guard: &'a str,
     /// What was asked for.
-    pub options: &'a str,
+    pub asked: &'a str,
     /// For which angles they are precise.
     pub angles: &'a Angles,
     /// What they need to be compiled, where they are written in C.
@@ -29,7 +30,7 @@ impl Header<'_> {
     /// The text of the file.
     pub fn text(&self, listing: &Listing) -> String {
         let prefix = self.prefix;
-        let mut head = documentation::head(listing, self.options);
+        let mut head = documentation::head(listing, self.asked);
         head.push(
             "No pointer may be null, and no result may overlap an argument or another result."
                 .to_owned(),
@@ -43,9 +44,10 @@ impl Header<'_> {
             text.push_str(QUALIFIER);
         }
         text.push_str("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-        if is_c {
+        if is_c || listing.review.is_some() {
             indices(&mut text, listing, prefix);
         }
+        review::limits(&mut text, listing, prefix);
         structure(&mut text, listing, prefix);
         let prepared = listing.prepared.as_ref().filter(|_| is_c);
         if prepared.is_some() {
@@ -62,6 +64,9 @@ impl Header<'_> {
         }
         if let Some(prepared) = prepared {
             text.push_str(&self.prepared(listing, prepared));
+        }
+        if is_c {
+            review::declaration(&mut text, listing, prefix);
         }
         text.push_str("#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
         text

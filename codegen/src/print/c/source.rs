@@ -11,7 +11,7 @@ use super::comments::comment;
 use super::declarations::{of_prepare, parameters};
 use super::header::guard;
 use super::names::symbols;
-use super::sines;
+use super::{review, sines};
 use crate::formulation::Sines;
 use crate::print::{Fields, Listed, Listing, documentation};
 use crate::real::Real;
@@ -20,7 +20,7 @@ use crate::schedule::Operation;
 /// The text of the file.
 pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
     let symbols = symbols(listing, writing.prefix);
-    let mut head = documentation::head(listing, writing.options);
+    let mut head = documentation::head(listing, writing.asked);
     head.push(writing.needs());
     for (listed, name) in listing.functions.iter().zip(&symbols) {
         head.extend(documentation::price(listed, name));
@@ -72,7 +72,7 @@ pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
             let _ = writeln!(text, "\nHOMOGEN_FN void {name}({parameters})\n{{\n{body}}}");
         }
     }
-    text
+    text + &review::appendix(listing, writing)
 }
 
 fn has_angles(listed: &Listed) -> bool {

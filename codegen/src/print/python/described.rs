@@ -93,7 +93,7 @@ impl<'l> Class<'l> {
             module,
             name,
             robot: item.ident.clone(),
-            about: documentation::of_robot(listing, options),
+            about: documentation::of_robot(listing, &format!("Options: {options}.")),
             fields: fields.collect(),
             names: NAMES
                 .into_iter()

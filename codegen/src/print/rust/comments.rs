@@ -22,10 +22,10 @@ pub(super) fn doc(lines: &[String]) -> TokenStream {
     quote! { #(#[doc = #lines])* }
 }
 
-/// The head of a generated file, as line comments: origin, options, what it needs, prices.
+/// The head of a generated file, as line comments: origin, what was asked for, what it needs, prices.
 #[must_use]
-pub fn header(listing: &Listing, options: &str, world: &World) -> String {
-    let mut lines = documentation::head(listing, options);
+pub fn header(listing: &Listing, asked: &str, world: &World) -> String {
+    let mut lines = documentation::head(listing, asked);
     lines.push(needs(world));
     for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
         lines.extend(documentation::price(listed, &name.to_string()));
@@ -40,19 +40,25 @@ pub fn header(listing: &Listing, options: &str, world: &World) -> String {
 /// The oldest compilers that take a file for `core` alone, without functions for C and with them.
 const COMPILERS: [&str; 2] = ["1.63", "1.82"];
 
+/// Whose paths files have.
+const EDITION: &str = "edition 2018 or later";
+
 /// What a file needs to be compiled.
 fn needs(world: &World) -> String {
     match world {
         World::Runtime(path) => {
             let own = env!("CARGO_PKG_RUST_VERSION");
-            format!("Needs: Rust {own} or later, {}.", code(&spelled(path)))
+            format!(
+                "Needs: Rust {own} or later, {EDITION}, {}.",
+                code(&spelled(path))
+            )
         }
         World::Lanes(path) => format!("Needs: {}.", code(&spelled(path))),
         World::Core(library) => {
             let oldest = COMPILERS[usize::from(library.c_prefix.is_some())];
             let path = library.sin_cos.as_ref();
             let path = path.map_or_else(String::new, |path| format!(", {}", code(&spelled(path))));
-            format!("Needs: Rust {oldest} or later, `core`{path}.")
+            format!("Needs: Rust {oldest} or later, {EDITION}, `core`{path}.")
         }
     }
 }

@@ -37,17 +37,12 @@ pub(super) fn functions(listing: &Listing, item: &Item, dialect: &Dialect) -> To
 
 /// The header that declares them.
 #[must_use]
-pub fn c_header(
-    listing: &Listing,
-    item: &Item,
-    options: &str,
-    library: &Library,
-) -> Option<String> {
+pub fn c_header(listing: &Listing, item: &Item, asked: &str, library: &Library) -> Option<String> {
     let prefix = library.c_prefix.as_deref()?;
     let header = c::Header {
         prefix,
         guard: &format!("{prefix}{}_", item.ident.unraw()),
-        options,
+        asked,
         angles: &library.angles(listing.scalar),
         needs: None,
     };

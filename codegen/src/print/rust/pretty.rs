@@ -6,12 +6,16 @@
 use std::fmt;
 
 use proc_macro2::TokenStream;
+use quote::ToTokens;
+
+use crate::print::ascii::spelt;
 
 /// Formatted source text, with line comments above it.
 #[derive(Clone, Debug)]
 pub struct Source {
     header: String,
     text: String,
+    appendix: String,
 }
 
 impl Source {
@@ -26,6 +30,42 @@ impl Source {
         Self {
             header: header.into(),
             text,
+            appendix: String::new(),
+        }
+    }
+
+    /// A file of its own: items that formatters leave as they are, since no two of them lay out long lists alike,
+    /// and text behind them.
+    #[must_use]
+    pub fn file(header: impl Into<String>, items: &TokenStream, appendix: String) -> Self {
+        let mut file: syn::File = match syn::parse2(items.clone()) {
+            Ok(file) => file,
+            Err(_) => return Self::new(header, items),
+        };
+        for item in &mut file.items {
+            let attributes = match item {
+                syn::Item::Fn(item) => &mut item.attrs,
+                syn::Item::Impl(item) => &mut item.attrs,
+                syn::Item::Struct(item) => &mut item.attrs,
+                _ => continue,
+            };
+            attributes.push(syn::parse_quote! { #[rustfmt::skip] });
+        }
+        Self {
+            appendix,
+            ..Self::new(header, &file.into_token_stream())
+        }
+    }
+
+    /// The same without a character beyond ASCII.
+    #[must_use]
+    pub(crate) fn in_ascii(self) -> Self {
+        let [header, text, appendix] =
+            [self.header, self.text, self.appendix].map(|text| spelt(&text));
+        Self {
+            header,
+            text,
+            appendix,
         }
     }
 }
@@ -35,7 +75,8 @@ impl fmt::Display for Source {
         if !self.header.is_empty() {
             writeln!(out, "{}", self.header)?;
         }
-        out.write_str(&self.text)
+        out.write_str(&self.text)?;
+        out.write_str(&self.appendix)
     }
 }
 

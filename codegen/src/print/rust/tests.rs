@@ -155,6 +155,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
         sines: Sines::default(),
         parameters: Vec::new(),
         prepared: None,
+        review: None,
     }
 }
 

@@ -16,9 +16,11 @@ fn a_byte_order_mark_is_no_character() {
 fn what_is_no_urdf_is_said() {
     assert_eq!(
         errors("<sdf version=\"1.6\"/>"),
-        "error: arm.urdf:1:1: this is not a URDF: the root element is <sdf>\n  \
-         hint: convert it to URDF first\n"
+        "error: arm.urdf:1:1: this is SDF, which describes worlds, and not URDF: the root element is <sdf>\n  \
+         hint: give the URDF that it was made of; or convert it, as by the tools of ROS for SDF, and look at what \
+         `homogen check` says of the result\n"
     );
+    assert!(errors("<mujoco model=\"a\"/>").contains("this is MJCF, the format of MuJoCo"));
     assert_eq!(
         errors("<!-- x -->\n<html/>"),
         "error: arm.urdf:2:1: this is not a URDF: the root element is <html>\n  \

@@ -60,7 +60,7 @@ fn headers_of_c_count_residuals() {
     let writing = c::Writing {
         prefix: "bars_",
         header: "bars.h",
-        options: "",
+        asked: "",
         fused: false,
     };
     let c::Source { header, .. } = c::print(&listing(), &writing);

@@ -1,0 +1,304 @@
+//! What the reviewer of a file reads beside its code.
+//!
+//! In: a description, its chain, the functions. Out: a [`Review`]: efforts, what functions should return, and of
+//! which parameters of which links each inertial number is the sum. It changes nothing of what is printed besides.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::means;
+use crate::chain::Chain;
+use crate::check::vectors;
+use crate::description::Description;
+use crate::expression::{Arithmetic, Double, Evaluation, Expr, Input, Term};
+use crate::function::Function;
+use crate::layout::{Layout, Sliding, arrange};
+use crate::list::Id;
+use crate::matrix::{Inertia, Symmetric, Vector};
+use crate::print::{Listed, Origins, Review, Sum};
+use crate::real::Real;
+use crate::request::{FieldId, Request};
+use crate::space::ParameterId;
+
+/// How many inertial parameters a link has.
+const PARAMETERS: usize = 10;
+
+/// What is less beside the largest factor of a sum is what rounding left.
+const RESIDUE: f64 = 1e-12;
+
+pub(super) fn review(
+    description: &Description,
+    request: &Request,
+    chain: &Chain,
+    functions: &[Listed],
+) -> Review {
+    let means = means(request);
+    Review {
+        efforts: efforts(description, chain),
+        // Of any type of number there are no numbers.
+        vectors: if means.scalar == Real::Generic {
+            Vec::new()
+        } else {
+            vectors(description, request, chain, (functions, means))
+        },
+        origins: origins(chain, functions),
+        merged: chain.report.merged.clone(),
+    }
+}
+
+/// What is described of the torque or force of each velocity.
+fn efforts(description: &Description, chain: &Chain) -> Vec<f64> {
+    let efforts = chain.spaces().velocities.ids().map(|velocity| {
+        let of = &chain.joints[chain.mover(velocity)].of;
+        let mut joints = description.joints.iter();
+        let joint = joints.find(|joint| joint.name.text == *of && !joint.kind.has_several());
+        let limits = joint.and_then(|joint| joint.limits);
+        limits.map_or(f64::INFINITY, |limits| limits.effort)
+    });
+    efforts.collect()
+}
+
+/// Where inertial numbers come from, for each layout of functions that have any.
+fn origins(chain: &Chain, functions: &[Listed]) -> Vec<Origins> {
+    let mut layouts: Vec<(Layout, Vec<String>)> = Vec::new();
+    let with_mass = functions.iter().filter(|listed| {
+        let mut functions = listed.functions.iter();
+        functions.any(|function| has_mass(*function))
+    });
+    for listed in with_mass {
+        let name = listed.name();
+        match layouts
+            .iter_mut()
+            .find(|(layout, _)| *layout == listed.layout)
+        {
+            Some((_, names)) => names.push(name),
+            None => layouts.push((listed.layout, vec![name])),
+        }
+    }
+    let layouts = layouts.into_iter();
+    layouts
+        .map(|(layout, functions)| Origins {
+            functions,
+            bodies: bodies(chain, layout),
+        })
+        .collect()
+}
+
+/// Whether mass enters a function, and not only what it is multiplied with.
+const fn has_mass(function: Function) -> bool {
+    use Function::{BaseRegressor, Constraint, ConstraintBias, ConstraintJacobian, Regressor};
+    let geometric = matches!(
+        function,
+        Regressor | BaseRegressor | Constraint | ConstraintBias | ConstraintJacobian
+    );
+    !geometric && !function.of_a_frame()
+}
+
+/// The inertial numbers of each body in the frames of a layout.
+fn bodies(chain: &Chain, layout: Layout) -> Vec<(String, Vec<Sum>)> {
+    // Where the centre of mass decides on a frame, numbers are no linear functions of parameters any more.
+    let is_linear = layout.sliding != Sliding::AtMassCenter;
+    let numbers = arranged(chain, layout);
+    let forms = is_linear.then(|| arranged(&with_inputs(chain), layout));
+    let links = chain.joints.iter().enumerate();
+    let bodies = links.filter_map(|(k, joint)| {
+        let (link, _) = joint.link.as_ref()?;
+        let entries = numbers[k].iter().zip(ENTRIES).enumerate();
+        let sums = entries.filter(|(_, (number, _))| number.constant.is_sharp());
+        let sums = sums.map(|(entry, (number, name))| Sum {
+            entry: name,
+            value: number.constant.to_f64(),
+            terms: forms
+                .as_ref()
+                .map_or_else(Vec::new, |forms| terms(chain, &forms[k][entry])),
+        });
+        let sums: Vec<Sum> = sums.collect();
+        (!sums.is_empty()).then(|| (link.clone(), sums))
+    });
+    bodies.collect()
+}
+
+/// The entries of a J, in the order of [`Inertia::entries`].
+const ENTRIES: [&str; PARAMETERS] = [
+    "J_xx", "J_yy", "J_zz", "J_xy", "J_xz", "J_yz", "q_x", "q_y", "q_z", "m",
+];
+
+/// The same in the order of [`Space::Parameters`](crate::space::Space).
+const PLACES: [usize; PARAMETERS] = [4, 7, 9, 5, 6, 8, 1, 2, 3, 0];
+
+fn terms(chain: &Chain, form: &Form) -> Vec<(f64, String)> {
+    let names = &chain.spaces().parameters;
+    let sizes = form.factors.iter().map(|(_, factor)| factor.to_f64().abs());
+    let least = RESIDUE * sizes.fold(0.0, f64::max);
+    let factors = form
+        .factors
+        .iter()
+        .filter(|(_, factor)| factor.to_f64().abs() > least);
+    factors
+        .map(|&(parameter, factor)| (shortened(factor.to_f64()), names[parameter].name.clone()))
+        .collect()
+}
+
+/// Ten digits, the same on every machine.
+fn shortened(factor: f64) -> f64 {
+    format!("{factor:.9e}").parse().unwrap_or(factor)
+}
+
+/// The entries of J of each body in the frames of a layout.
+fn arranged(chain: &Chain, layout: Layout) -> Vec<Vec<Form>> {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, layout);
+    let entries = bodies.bodies.iter();
+    let entries: Vec<Expr> = entries
+        .flat_map(|body| body.inertia.entries().map(Term::expr))
+        .collect();
+    let fields = chain.nominal.len();
+    let found = Evaluation::of(&graph, &entries).at(|input| match input {
+        Input::Parameter(field, entry) if usize::from(field) < fields => {
+            Form::literal(chain.nominal[FieldId::from(field)][usize::from(entry)])
+        }
+        Input::Parameter(link, entry) => Form {
+            constant: Double::ZERO,
+            factors: vec![(
+                ParameterId::new(
+                    PARAMETERS * (usize::from(link) - fields) + PLACES[usize::from(entry)],
+                ),
+                1.0.into(),
+            )],
+        },
+        Input::Variable(..) => unreachable!("a body is what it is in every state"),
+    });
+    found.chunks(PARAMETERS).map(<[Form]>::to_vec).collect()
+}
+
+/// The same chain with inertial parameters of links as inputs, counted behind the fields.
+fn with_inputs(chain: &Chain) -> Chain {
+    let mut chain = chain.clone();
+    let graph = chain.graph.clone();
+    let mut inputs = chain.nominal.len()..;
+    for joint in &mut chain.joints {
+        let Some((_, link)) = &joint.link else {
+            continue;
+        };
+        let Some(Ok(input)) = inputs.next().map(u16::try_from) else {
+            return chain;
+        };
+        let mut entries = 0..;
+        let mut entry = || graph.input(Input::Parameter(input, entries.next().unwrap_or(0)));
+        let own = Inertia {
+            second: Symmetric([(); 6].map(|()| entry())),
+            q: Vector([(); 3].map(|()| entry())),
+            mass: entry(),
+        };
+        let placement = link.map(|expr| graph.term(expr));
+        joint.inertia = own.change_frame(placement).map(Term::expr);
+    }
+    chain.graph = graph;
+    chain
+}
+
+/// A linear function of parameters.
+#[derive(Clone, Debug)]
+struct Form {
+    constant: Double,
+    /// Each parameter with its factor, in their order.
+    factors: Vec<(ParameterId, Double)>,
+}
+
+impl Form {
+    const fn of(constant: Double) -> Self {
+        Self {
+            constant,
+            factors: Vec::new(),
+        }
+    }
+
+    fn map(self, change: impl Fn(Double) -> Double) -> Self {
+        let factors = self.factors.into_iter();
+        Self {
+            constant: change(self.constant),
+            factors: factors.map(|(of, factor)| (of, change(factor))).collect(),
+        }
+    }
+
+    /// The number that it is; none where parameters enter it.
+    fn number(&self) -> Double {
+        if self.factors.is_empty() {
+            self.constant
+        } else {
+            f64::NAN.into()
+        }
+    }
+}
+
+impl Add for Form {
+    type Output = Self;
+
+    fn add(mut self, other: Self) -> Self {
+        self.constant = self.constant + other.constant;
+        for (of, factor) in other.factors {
+            match self.factors.binary_search_by_key(&of, |(of, _)| *of) {
+                Ok(place) => self.factors[place].1 = self.factors[place].1 + factor,
+                Err(place) => self.factors.insert(place, (of, factor)),
+            }
+        }
+        self
+    }
+}
+
+impl Neg for Form {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        self.map(|number| -number)
+    }
+}
+
+impl Sub for Form {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Form {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let (form, number) = if self.factors.is_empty() {
+            (other, self.constant)
+        } else {
+            let number = other.number();
+            (self, number)
+        };
+        form.map(|factor| factor * number)
+    }
+}
+
+impl Div for Form {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let number = other.number();
+        self.map(|factor| factor / number)
+    }
+}
+
+impl Arithmetic for Form {
+    fn literal(value: f64) -> Self {
+        Self::of(value.into())
+    }
+
+    fn sqrt(self) -> Self {
+        Self::of(self.number().sqrt())
+    }
+
+    fn sign(self) -> Self {
+        Self::of(self.number().sign())
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.number().sin_cos();
+        (Self::of(sine), Self::of(cosine))
+    }
+}

@@ -1,0 +1,187 @@
+//! What the reviewer of a file reads beside its code, as far as languages share it.
+//!
+//! In: a [`Listing`] with its [`Review`](super::Review). Out: limits as lists with what is said of them, and lines
+//! that tell where numbers come from. It never formats a number of code.
+
+use std::fmt::Write;
+
+use super::{Listing, Origins, Sum};
+use crate::space::{Entry, Variable};
+use crate::wording::{code, list};
+
+/// So many terms of a sum are written out; of longer ones it is said whose they are.
+const TERMS: usize = 8;
+
+/// A list of limits.
+pub(super) struct Limits {
+    /// Its name, in small letters.
+    pub name: &'static str,
+    /// What it is.
+    pub about: &'static str,
+    /// Its numbers; infinite where none is described.
+    pub numbers: Vec<f64>,
+}
+
+/// The lists of limits that anything is described of.
+pub(super) fn limits(listing: &Listing) -> Vec<Limits> {
+    let Some(review) = &listing.review else {
+        return Vec::new();
+    };
+    let ends = |entries: &[Entry], end: usize| -> Vec<f64> {
+        let otherwise = [f64::NEG_INFINITY, f64::INFINITY];
+        let ends = entries
+            .iter()
+            .map(|entry| entry.range.unwrap_or(otherwise)[end]);
+        ends.collect()
+    };
+    let (coordinates, velocities) = (&listing.spaces.coordinates, &listing.spaces.velocities);
+    let all = [
+        (
+            "lower",
+            "The least of each entry of q, in rad or m: what bounds of errors call its limits.",
+            ends(coordinates, 0),
+        ),
+        ("upper", "The greatest.", ends(coordinates, 1)),
+        (
+            "velocity_limits",
+            "The greatest of each entry of q̇, to both sides, in rad/s or m/s.",
+            ends(velocities, 1),
+        ),
+        (
+            "effort_limits",
+            "The greatest of each entry of τ, to both sides, in N m or N.",
+            review.efforts.clone(),
+        ),
+    ];
+    let described = |limits: &Limits| limits.numbers.iter().any(|limit| limit.is_finite());
+    let all = all.into_iter().map(|(name, about, numbers)| Limits {
+        name,
+        about,
+        numbers,
+    });
+    all.filter(described).collect()
+}
+
+/// The names of the entries of coordinates and velocities: one list where they are alike.
+pub(super) fn names(listing: &Listing) -> Vec<(&'static str, String, Vec<&str>)> {
+    let letters = |of: &[Variable]| -> String {
+        let letters = of.iter().map(|of| of.letter());
+        format!("The names of the entries of {}.", list(letters))
+    };
+    let coordinates: Vec<&str> = listing
+        .spaces
+        .coordinates
+        .iter()
+        .map(|of| &*of.name)
+        .collect();
+    let velocities: Vec<&str> = listing
+        .spaces
+        .velocities
+        .iter()
+        .map(|of| &*of.name)
+        .collect();
+    let [q, rates @ ..] = [Variable::Q, Variable::Qd, Variable::Qdd, Variable::Tau];
+    if coordinates == velocities {
+        let all = [&[q], &rates[..]].concat();
+        return vec![("JOINTS", letters(&all), coordinates)];
+    }
+    vec![
+        ("COORDINATES", letters(&[q]), coordinates),
+        ("VELOCITIES", letters(&rates), velocities),
+    ]
+}
+
+/// Where numbers come from that the description has not, a line each.
+pub(super) fn origins(listing: &Listing) -> Vec<String> {
+    let mut lines = Vec::new();
+    let Some(review) = listing
+        .review
+        .as_ref()
+        .filter(|review| !review.origins.is_empty())
+    else {
+        return lines;
+    };
+    for (link, carrier) in &review.merged {
+        lines.push(format!("{} has {} with it.", code(carrier), code(link)));
+    }
+    for Origins { functions, bodies } in &review.origins {
+        let functions = functions.iter().map(|name| code(name));
+        let functions: Vec<String> = functions.collect();
+        let functions = list(functions.iter().map(String::as_str));
+        lines.push(format!("{functions}:"));
+        for (link, sums) in bodies {
+            lines.push(format!("  {}", code(link)));
+            lines.extend(sums.iter().map(|sum| format!("    {}", words(sum))));
+        }
+    }
+    if !lines.is_empty() {
+        let title = "Where inertial numbers come from: J, q and m of each body in the frame that a function has \
+                     for it, what no joint can tell counted on its other side, as sums of those of links in \
+                     their own frames.";
+        lines.insert(0, title.to_owned());
+    }
+    lines
+}
+
+/// `J_xx = 0.3 = upper.J_xx + 0.16 fore.m`.
+fn words(sum: &Sum) -> String {
+    let Sum {
+        entry,
+        value,
+        terms,
+    } = sum;
+    let mut words = format!("{entry} = {value}");
+    if terms.len() > TERMS {
+        let mut links: Vec<String> = Vec::new();
+        for (_, name) in terms {
+            let link = code(name.rsplit_once('.').map_or(name, |(link, _)| link));
+            if !links.contains(&link) {
+                links.push(link);
+            }
+        }
+        let links = list(links.iter().map(String::as_str));
+        return format!("{words}, of {} parameters of {links}", terms.len());
+    }
+    for (k, (factor, name)) in terms.iter().enumerate() {
+        words.push_str(match (k, *factor < 0.0) {
+            (0, false) => " = ",
+            (0, true) => " = −",
+            (_, false) => " + ",
+            (_, true) => " − ",
+        });
+        let size = factor.abs();
+        if size != 1.0 {
+            // Writing to a string cannot fail.
+            let _ = write!(words, "{size} ");
+        }
+        words.push_str(&code(name));
+    }
+    words
+}
+
+/// Items between a start and an end, as many on a line as fit it, of which those after the first begin with
+/// `indent`.
+pub(super) fn filled((start, indent): (&str, &str), items: &[String], end: &str) -> String {
+    const WIDTH: usize = 92;
+    let mut text = start.to_owned();
+    let mut column = text.chars().count();
+    for (k, item) in items.iter().enumerate() {
+        let between = if k + 1 == items.len() { end } else { "," };
+        let width = item.chars().count() + between.len();
+        if k > 0 && column + 1 + width > WIDTH {
+            text.push('\n');
+            text.push_str(indent);
+            column = indent.len();
+        } else if k > 0 {
+            text.push(' ');
+            column += 1;
+        }
+        text.push_str(item);
+        text.push_str(between);
+        column += width;
+    }
+    if items.is_empty() {
+        text.push_str(end);
+    }
+    text
+}

@@ -1,0 +1,280 @@
+//! What the reviewer of a file reads beside its code.
+//!
+//! In: a [`Listing`] with its [`Review`](crate::print::Review), and its struct. Out: names and limits as constants of
+//! the struct, and behind the items a module of tests and where numbers come from. It never prints an operation.
+
+use std::fmt::Write;
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::ext::IdentExt;
+
+use super::comments::doc;
+use super::declaration;
+use super::dialect::Dialect;
+use super::item::Item;
+use super::lengths::{array, literal};
+use super::literals::Numerals;
+use super::names::{ident, of_methods};
+use super::world::World;
+use crate::print::review::{self, Limits};
+use crate::print::{Listed, Listing, Vector, c};
+use crate::real::Real;
+use crate::space::{ACTION, Variable};
+use crate::wording::visible;
+
+/// The constants, in a block of their own.
+pub(super) fn constants(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+    if listing.review.is_none() {
+        return TokenStream::new();
+    }
+    let visibility = &item.visibility;
+    let names = review::names(listing)
+        .into_iter()
+        .map(|(name, about, names)| {
+            let (name, about) = (ident(name), doc(&[about]));
+            let count = literal(names.len());
+            let names = names.into_iter().map(string);
+            quote! { #about #visibility const #name: [&'static str; #count] = [#(#names),*]; }
+        });
+    let number = dialect.field();
+    let limits = review::limits(listing).into_iter();
+    let limits = limits.map(
+        |Limits {
+             name,
+             about,
+             numbers,
+         }| {
+            let infinite = numbers.iter().any(|limit| limit.is_infinite());
+            let missing = infinite.then(|| "Infinite where none is described.".to_owned());
+            let lines: Vec<String> = [about.to_owned()].into_iter().chain(missing).collect();
+            let (name, about) = (ident(&name.to_uppercase()), doc(&lines));
+            let of = array(&number, &literal(numbers.len()));
+            let numbers = numbers.iter().map(|&limit| {
+                if limit == f64::INFINITY {
+                    quote! { #number::INFINITY }
+                } else if limit == f64::NEG_INFINITY {
+                    quote! { #number::NEG_INFINITY }
+                } else {
+                    match dialect.real {
+                        Real::F32 => Numerals::Single.write(limit),
+                        Real::F64 | Real::Generic => Numerals::Bare.write(limit),
+                    }
+                }
+            });
+            quote! { #about #visibility const #name: #of = [#(#numbers),*]; }
+        },
+    );
+    let constants = names.chain(limits).collect();
+    let block = declaration::block(item, &constants, dialect);
+    // A program need not read them all.
+    quote! { #[allow(dead_code)] #block }
+}
+
+/// A string that has its letters whatever becomes of a file, such as one in ASCII.
+fn string(text: &str) -> Literal {
+    let escaped = format!("\"{}\"", text.escape_default());
+    escaped.parse().unwrap_or_else(|_| Literal::string(text))
+}
+
+/// What stands behind the items: tests, and where numbers come from.
+#[must_use]
+pub fn appendix(listing: &Listing, item: &Item, world: &World) -> String {
+    let mut text = String::new();
+    if let World::Core(_) = world {
+        text.push_str(&tests(listing, item));
+    }
+    let origins = review::origins(listing);
+    if !origins.is_empty() {
+        text.push('\n');
+    }
+    for line in origins {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "// {}", visible(&line));
+    }
+    text
+}
+
+/// A module with a test for each function.
+fn tests(listing: &Listing, item: &Item) -> String {
+    let vectors = listing
+        .review
+        .as_ref()
+        .map_or(&[][..], |review| &review.vectors);
+    let mut text = String::new();
+    if vectors.is_empty() {
+        return text;
+    }
+    let robot = item.ident.to_string();
+    let number = match listing.scalar {
+        Real::F32 => "f32",
+        Real::F64 | Real::Generic => "f64",
+    };
+    let module = c::prefix(&item.ident.unraw().to_string());
+    let head = TESTS.replace("MODULE", &format!("{module}vectors"));
+    text.push_str(&head.replace("ROBOT", &robot).replace("NUMBER", number));
+    let functions = listing
+        .functions
+        .iter()
+        .zip(of_methods(listing))
+        .enumerate();
+    for (function, (listed, method)) in functions {
+        let own = vectors.iter().filter(|vector| vector.function == function);
+        let calls: String = own
+            .map(|vector| {
+                call(
+                    listing,
+                    (listed, vector),
+                    (&robot, &method.to_string()),
+                    number,
+                )
+            })
+            .collect();
+        if !calls.is_empty() {
+            let _ = write!(text, "\n    #[test]\n    fn {method}() {{\n{calls}    }}\n");
+        }
+    }
+    text.push_str("}\n");
+    text
+}
+
+/// The statements that call a method and look at what it returns.
+fn call(
+    listing: &Listing,
+    (listed, vector): (&Listed, &Vector),
+    (robot, method): (&str, &str),
+    number: &str,
+) -> String {
+    let mut text = String::new();
+    let mut line = |line: &str| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "        {line}");
+    };
+    let written = |numbers: &[f64]| -> Vec<String> {
+        let each = numbers.iter().map(|&value| of_type(value, listing.scalar));
+        each.collect()
+    };
+    for (argument, numbers) in &vector.arguments {
+        let (kind, numbers) = match argument {
+            Variable::Actions => {
+                let each = numbers.chunks(ACTION.len());
+                let each: Vec<String> = each
+                    .map(|one| format!("[{}]", written(one).join(", ")))
+                    .collect();
+                (
+                    format!("[[{number}; {}]; {}]", ACTION.len(), each.len()),
+                    each,
+                )
+            }
+            _ => (format!("[{number}; {}]", numbers.len()), written(numbers)),
+        };
+        line(&filled(
+            &format!("let {}: {kind} = [", argument.name()),
+            &numbers,
+            "];",
+        ));
+    }
+    let fields = listing.parameters.iter().zip(&vector.fields);
+    let fields: Vec<String> = fields
+        .map(|(parameter, values)| match &*written(values) {
+            [value] => format!("{}: {value}", parameter.field),
+            values => format!("{}: [{}]", parameter.field, values.join(", ")),
+        })
+        .collect();
+    let robot = if fields.is_empty() {
+        robot.to_owned()
+    } else {
+        line(&filled(&format!("let robot = {robot} {{ "), &fields, " };"));
+        "robot".to_owned()
+    };
+    let arguments = vector
+        .arguments
+        .iter()
+        .map(|(of, _)| format!("&{}", of.name()));
+    let arguments: Vec<String> = arguments.collect();
+    line(&format!(
+        "let found = {robot}.{method}({});",
+        arguments.join(", ")
+    ));
+    let (mut expected, mut tolerances) = (&*vector.expected, &*vector.tolerances);
+    for (place, quantity) in results(listed) {
+        let size = quantity.size(&listing.spaces);
+        let (own, rest) = expected.split_at(size.min(expected.len()));
+        let (most, others) = tolerances.split_at(size.min(tolerances.len()));
+        (expected, tolerances) = (rest, others);
+        let depth = quantity.over.len() + quantity.entity.dimensions().len();
+        let each = match depth {
+            0 => format!("core::iter::once(&{place})"),
+            depth => format!("{place}.iter(){}", ".flatten()".repeat(depth - 1)),
+        };
+        let most = match most {
+            [first, others @ ..] if others.iter().all(|other| other == first) => {
+                format!("&[{first:?}; {size}]);")
+            }
+            most => {
+                let most: Vec<String> = most.iter().map(|most| format!("{most:?}")).collect();
+                filled("&[", &most, "]);")
+            }
+        };
+        line(&filled(&format!("near({each}, &["), &written(own), "],"));
+        line(&format!("    {most}"));
+    }
+    text
+}
+
+/// The places of the results of a function behind `found`, and what each is.
+fn results(listed: &Listed) -> Vec<(String, crate::space::Quantity)> {
+    let several = listed.functions.len() > 1;
+    let functions = listed.functions.iter().enumerate();
+    let places = functions.flat_map(|(k, function)| {
+        let place = if several {
+            format!("found.{k}")
+        } else {
+            "found".to_owned()
+        };
+        let parts = function.result().parts();
+        parts.map(move |(part, quantity)| match part {
+            Some(part) => (format!("{place}.{part}"), quantity),
+            None => (place.clone(), quantity),
+        })
+    });
+    places.collect()
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rounding to the type is the purpose"
+)]
+fn of_type(value: f64, scalar: Real) -> String {
+    match scalar {
+        Real::F32 => format!("{:?}", value as f32),
+        Real::F64 | Real::Generic => format!("{value:?}"),
+    }
+}
+
+/// Items between brackets, as many on a line as fit it.
+fn filled(start: &str, items: &[String], end: &str) -> String {
+    review::filled((start, "            "), items, end)
+}
+
+/// The head of the module.
+const TESTS: &str = "
+/// What functions should return at a state or two: by dense 4×4 matrices of the description, in 106 bits. Each number
+/// may be off by what rounding can make of it there.
+#[cfg(test)]
+#[allow(clippy::all, clippy::pedantic)]
+#[rustfmt::skip]
+mod MODULE {
+    use super::ROBOT;
+
+    fn near<'a>(found: impl Iterator<Item = &'a NUMBER>, expected: &[NUMBER], tolerances: &[NUMBER]) {
+        let mut entry = 0;
+        for &found in found {
+            let off = if found > expected[entry] { found - expected[entry] } else { expected[entry] - found };
+            // What is no number is not near one.
+            assert!(off <= tolerances[entry], \"entry {}: {} and not {}\", entry, found, expected[entry]);
+            entry += 1;
+        }
+        assert!(entry == expected.len(), \"{} entries\", entry);
+    }
+";

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Makes a firmware from nothing, for each of three robots, and runs it under QEMU: it has to print, to the last digit,
+# what `homogen eval` says of the torques where the robot stands.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+target=thumbv7em-none-eabihf
+. ./tools.sh
+[ ${#packages[@]} = 0 ] || install "${packages[@]}"
+
+home=$(cd ../.. && pwd)
+export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$home/target}"
+(cd "$home" && cargo build --quiet --locked -p homogen-codegen --features cli --bin homogen)
+homogen="$CARGO_TARGET_DIR/debug/homogen"
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+# Built once for all three.
+export CARGO_TARGET_DIR="$home/target/firmware"
+
+numbers() { # the numbers of a text, one a line, as awk reads them
+    grep -oE -- '-?[0-9]+\.?[0-9]*(e-?[0-9]+)?' | awk '{ printf "%.9g\n", $1 + 0 }'
+}
+
+one() { # robot, options: its firmware, and what it prints
+    local robot="$1" folder found expected start
+    shift
+    folder="$room/$(basename "${robot%.*}")"
+    "$homogen" new firmware "$robot" --homogen "$home" -o "$folder" "$@" >/dev/null
+    ! "$homogen" new firmware "$robot" --homogen "$home" -o "$folder" "$@" 2>/dev/null ||
+        { say "a folder is written over"; return 1; }
+    found=$(cd "$folder" && timeout 170 "${cargo[@]}" run --quiet --release "${build_std[@]}" </dev/null | numbers)
+    start=$(sed -n 's/^const START: .* = \(.*\);$/\1/p' "$folder/src/main.rs")
+    printf '{"states":[{"q":%s}]}' "$start" >"$folder/start.json"
+    expected=$("$homogen" eval "$robot" "$@" --function gravity --scalar f32 --format json \
+        --states "$folder/start.json" | sed -n '/"results"/,$p' | numbers)
+    [ -n "$expected" ] && [ "$found" = "$expected" ] ||
+        { say "$robot: the firmware says"; say "$found"; say "and not"; say "$expected"; return 1; }
+    say "$(basename "$robot"): $(wc -l <<<"$found") torques are those of homogen eval"
+}
+
+one "$home/robots/panda_class.urdf" --tip link8
+one "$home/robots/rx90_class.dh"
+# Names that are against it, and a free base, whose q is longer than q̇.
+sed 's/<robot name="[^"]*"/<robot name="..\/a\&quot;]\&#10;#{}\\"/' "$home/robots/two_link.urdf" >"$room/hostile.urdf"
+one "$room/hostile.urdf" --floating --tip tip

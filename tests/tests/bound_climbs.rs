@@ -136,7 +136,7 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
                 .map(|&range| any::<T>(range, &mut random))
                 .collect()
         };
-        let [q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(|ranges| draw(ranges));
+        let [q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(&mut draw);
         let torques = |qdd: &[f64]| {
             needed.at(|input| {
                 Double::from(match input {

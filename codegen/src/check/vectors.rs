@@ -35,7 +35,7 @@ pub fn vectors(
 ) -> Vec<Vector> {
     let scalar = means.scalar;
     let drawn = states::states(chain, request, 2).into_iter();
-    let rounded = drawn.map(|state| rounded(state, chain, scalar));
+    let rounded = drawn.map(|state| rounded(&state, chain, scalar));
     let mut vectors = Vec::new();
     for (index, state) in rounded.enumerate() {
         // A robot that contradicts its chain has been refused before.
@@ -78,7 +78,7 @@ pub fn vectors(
 }
 
 /// A state that the type of number has, of few digits.
-fn rounded(state: State, chain: &Chain, scalar: Real) -> State {
+fn rounded(state: &State, chain: &Chain, scalar: Real) -> State {
     let short = |value: &f64| in_type(shortened(*value), scalar);
     let ranges = chain.spaces().coordinates.iter();
     let q = state.q.iter().zip(ranges).map(|(q, entry)| {
@@ -131,7 +131,7 @@ fn numbers(state: &State, argument: Variable) -> Vec<f64> {
         Variable::Qd => state.qd.to_vec(),
         Variable::Qdd => state.qdd.to_vec(),
         Variable::Tau => state.tau.to_vec(),
-        Variable::Actions => state.actions.to_vec(),
+        Variable::Actions => state.actions.clone(),
     }
 }
 

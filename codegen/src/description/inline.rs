@@ -134,7 +134,13 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
         }
         "joint" if !is_setting => {
             tokens::word(input)?;
-            for joint in joint::read(input, errors)? {
+            let name = joint::named(input)?;
+            let joints = if composite::is_next(input) {
+                composite::read(&name, input, errors)?
+            } else {
+                vec![joint::of(name, &joint::KEYS, input, errors)?]
+            };
+            for joint in joints {
                 // What is written here is meant.
                 contents.settings.request.model(&joint.drive);
                 contents.parts.push(Part::Joint(joint));

@@ -37,7 +37,7 @@ pub fn state<T: Tested>(range: &Range, random: &mut Random) -> impl Fn(Input) ->
             .map(|&range| within::<T>(any(range), range))
             .collect()
     };
-    let [q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(|ranges| rounded(ranges));
+    let [q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(&mut rounded);
     let actions = rounded(&range.actions);
     let fields = range.fields.iter();
     let fields: Vec<Vec<f64>> = fields

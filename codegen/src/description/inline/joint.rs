@@ -1,6 +1,6 @@
 //! `joint NAME: revolute(z) { from: …, to: …, at: …, limits: […], velocity: … }`.
 //!
-//! In: tokens. Out: a joint whose links may still be open, or those that it is composed of. The axis is `x`, `y`, `z`, `-z` and so
+//! In: tokens. Out: a joint whose links may still be open. The axis is `x`, `y`, `z`, `-z` and so
 //! on, or a vector (of another length than 1 with a doubt); a screw joint adds `pitch: 0.01`, in metres per radian,
 //! a universal one its second axis; translation, spherical and floating have none. A joint that follows another
 //! has `mimic: leader, multiplier: -1.0, offset: 0.1`, and one with a drive `armature: 0.01, damping: 0.5`.
@@ -8,7 +8,7 @@
 use syn::parse::ParseStream;
 use syn::{Token, token};
 
-use super::{body, composite};
+use super::body;
 use crate::description::kind;
 use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::description::{Axis, Limits, Mimic, Name, Number, Step, axis, number};
@@ -56,15 +56,6 @@ struct Motion {
     doubts: Vec<Complaint>,
 }
 
-/// Reads a joint behind the word `joint`: more than one where it is composed of several.
-pub(super) fn read(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Joint>> {
-    let name = named(input)?;
-    if composite::is_next(input) {
-        return composite::read(&name, input, errors);
-    }
-    Ok(vec![of(name, &KEYS, input, errors)?])
-}
-
 /// `NAME:`.
 pub(super) fn named(input: ParseStream) -> Parsed<Name> {
     let name = tokens::name(input)?;
@@ -77,7 +68,7 @@ pub(super) fn named(input: ParseStream) -> Parsed<Name> {
     Ok(name)
 }
 
-/// Reads what a joint allows, and its keys: some of [`KEYS`], and those of its drive.
+/// Reads what a joint allows behind its name, and its keys: some of [`KEYS`], and those of its drive.
 pub(super) fn of(
     name: Name,
     keys: &[&str],

@@ -66,24 +66,17 @@ int main(int count, char **words)
     pin::nonLinearEffects(model, data, eq, eqd);
     to.write("bias", {q, qd}, vector(data.nle));
 
-    // All of a matrix of which Pinocchio computes the upper triangle.
-    const auto symmetric = [&](const auto &upper) {
-        std::vector<SX> out;
-        for (int row = 0; row < model.nv; ++row)
-            for (int column = 0; column < model.nv; ++column)
-                out.push_back(upper(std::min(row, column), std::max(row, column)));
-        return out;
-    };
     pin::computeMinverse(model, data, eq);
-    to.write("mass_matrix_inverse", {q}, symmetric(data.Minv));
+    to.write("mass_matrix_inverse", {q}, to.symmetric(data.Minv));
 
     // In link frames, which takes fewer operations, and as Pinocchio does it unless asked.
     for (const auto &[convention, suffix] :
          {std::pair(pin::Convention::LOCAL, ""), std::pair(pin::Convention::WORLD, "_world")}) {
         data.M.fill(SX(0));
         pin::crba(model, data, eq, convention);
-        to.write(std::string("mass_matrix") + suffix, {q}, symmetric(data.M));
+        to.write(std::string("mass_matrix") + suffix, {q}, to.symmetric(data.M));
         pin::aba(model, data, eq, eqd, ex, convention);
         to.write(std::string("forward_dynamics") + suffix, {q, qd, x}, vector(data.ddq));
     }
+    write_derivatives(to);
 }

@@ -9,6 +9,7 @@
 #include "pinocchio/autodiff/casadi.hpp"
 #include "pinocchio/multibody.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,26 @@ struct Writer {
         generator.generate(folder + "/");
     }
 
+    /* A matrix by rows, behind what there is. */
+    template <typename Matrix>
+    static void append(std::vector<SX> &out, const Matrix &matrix)
+    {
+        for (int row = 0; row < matrix.rows(); ++row)
+            for (int column = 0; column < matrix.cols(); ++column)
+                out.push_back(matrix(row, column));
+    }
+
+    /* All of a matrix of which Pinocchio computes the upper triangle. */
+    template <typename Matrix>
+    std::vector<SX> symmetric(const Matrix &upper) const
+    {
+        std::vector<SX> out;
+        for (int row = 0; row < model.nv; ++row)
+            for (int column = 0; column < model.nv; ++column)
+                out.push_back(upper(std::min(row, column), std::max(row, column)));
+        return out;
+    }
+
     /* A matrix (u; b) for each velocity; Pinocchio's rows are linear, then angular. */
     std::vector<SX> columns(const Matrix6 &matrices) const
     {
@@ -60,3 +81,6 @@ struct Writer {
         return vector;
     }
 };
+
+/* Derivatives, and what else controllers and estimators ask for. */
+void write_derivatives(Writer &to);

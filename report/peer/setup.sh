@@ -37,6 +37,7 @@ declare -A vendors=([ur5]=ur_description/urdf/ur5_robot.urdf
     [panda]=panda_description/urdf/panda.urdf [solo12]=solo_description/robots/solo12.urdf)
 collection=example-robot-data==6.0.0
 
+parts=(pinocchio pinocchio_derivatives)
 forms=(plain snapped restrict)
 declare -A real=([f64]=double [f32]=float)
 declare -A constants=([f64]='' [f32]=-fsingle-precision-constant)
@@ -58,12 +59,14 @@ replace "$folder/processor" <<<"${processor:-$(uname -m)}"
 made_with=("$folder/versions.txt" "$folder/processor")
 
 for type in f64 f32; do
-    object="$folder/tools/pinocchio.$type.o"
-    if peer_stale "$object" pinocchio.{cpp,hpp} model.hpp "${made_with[@]}"; then
-        say "=== Pinocchio for $type, which takes minutes to compile"
-        g++ "${flags[@]}" "${peer_templates[@]}" -fPIC -fvisibility=hidden "-DREAL=${real[$type]}" \
-            -c pinocchio.cpp -o "$object"
-    fi
+    for part in "${parts[@]}"; do
+        object="$folder/tools/$part.$type.o"
+        if peer_stale "$object" "$part.cpp" {pinocchio,model,second_moments}.hpp "${made_with[@]}"; then
+            say "=== Pinocchio for $type, $part, which takes minutes to compile"
+            g++ "${flags[@]}" "${peer_templates[@]}" -fPIC -fvisibility=hidden \
+                "-DREAL=${real[$type]}" -c "$part.cpp" -o "$object"
+        fi
+    done
 done
 
 # --- robots ---------------------------------------------------------------------------------------
@@ -119,11 +122,13 @@ casadi() { # robot type
 }
 
 pinocchio() { # robot type
-    local to="$folder/$1" from="$folder/tools/pinocchio.$2.o" library="$folder/$1/pinocchio.$2.so"
-    if peer_stale "$library" "$from" "$to/model"; then
+    local to="$folder/$1" library="$folder/$1/pinocchio.$2.so"
+    local from=("${parts[@]/%/.$2.o}")
+    from=("${from[@]/#/$folder/tools/}")
+    if peer_stale "$library" "${from[@]}" "$to/model"; then
         { echo 'const char peer_model[] ='; sed 's/.*/"&\\n"/' "$to/model"; echo ';'; } |
             gcc -x c -fPIC -c - -o "$to/model.o"
-        g++ -shared "$from" "$to/model.o" -o "$library"
+        g++ -shared "${from[@]}" "$to/model.o" -o "$library"
     fi
 }
 

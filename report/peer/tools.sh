@@ -29,10 +29,11 @@ peer_tools() { # folder: the packages, and in the folder the generator; says whe
     packages=$("$peer_venv/bin/python" -c 'import sysconfig; print(sysconfig.get_paths()["purelib"])')
     peer_templates+=(-isystem "$packages/cmeel.prefix/include"
         -isystem "$packages/cmeel.prefix/include/eigen3")
-    if peer_stale "$peer_generator" "$peer_room"/{generate.{cpp,hpp},model.hpp,requirements.txt}; then
+    if peer_stale "$peer_generator" \
+        "$peer_room"/{generate{,_derivatives}.cpp,{generate,model,second_moments}.hpp,requirements.txt}; then
         printf '=== the generator, which takes minutes to compile\n' >&2
         g++ -O1 "${peer_templates[@]}" -isystem "$packages/casadi/include" \
-            "$peer_room/generate.cpp" -L "$packages/casadi" -lcasadi \
+            "$peer_room"/generate{,_derivatives}.cpp -L "$packages/casadi" -lcasadi \
             "-Wl,-rpath,$packages/casadi" -o "$peer_generator"
     fi
 }

@@ -7,8 +7,9 @@
 use std::path::Path;
 
 use homogen_codegen::Function::{
-    self, Bias, ForwardDynamics, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics,
-    MassMatrix, MassMatrixInverse,
+    self, Bias, CentroidalMomentumMatrix, CoriolisMatrix, ForwardDynamics,
+    ForwardDynamicsDerivatives, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics,
+    InverseDynamicsDerivatives, MassMatrix, MassMatrixInverse, Regressor,
 };
 use homogen_codegen::chain;
 use homogen_codegen::description::{self, Description, Name};
@@ -31,6 +32,16 @@ pub const FUNCTIONS: [Function; 8] = [
     MassMatrix,
     MassMatrixInverse,
     ForwardDynamics,
+];
+
+/// What controllers, planners and estimators ask beside: of robots that stand beside others, whose users
+/// have them.
+const FURTHER: [Function; 5] = [
+    InverseDynamicsDerivatives,
+    ForwardDynamicsDerivatives,
+    CoriolisMatrix,
+    Regressor,
+    CentroidalMomentumMatrix,
 ];
 
 /// A robot in some states, and what is compared there.
@@ -251,7 +262,7 @@ pub fn beside_peers(
     };
     let mut scene = Scene::read(name, title, path, request)?;
     scene.states = states(&scene.spaces, Range::WIDE);
-    scene.functions = FUNCTIONS.to_vec();
+    scene.functions = FUNCTIONS.into_iter().chain(FURTHER).collect();
     let ways = formulations().into_iter();
     scene.variants = ways
         .filter(|way| BESIDE_PEERS.contains(&way.name))

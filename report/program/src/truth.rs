@@ -110,7 +110,9 @@ pub fn exact(
     let largest = sizes.fold(0.0, f64::max);
     let divides = matches!(
         function,
-        Function::ForwardDynamics | Function::MassMatrixInverse
+        Function::ForwardDynamics
+            | Function::ForwardDynamicsDerivatives
+            | Function::MassMatrixInverse
     );
     let entry = |x: &Exact| {
         let (high, low) = x.value().bits();

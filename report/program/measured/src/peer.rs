@@ -59,7 +59,7 @@ fn load_of<T: Scalar + Entries + 'static>(
     let peer = Rc::new(Peer {
         function: call,
         states: truth.arguments().iter().map(|x| T::constant(*x)).collect(),
-        arguments: if function == "forward_dynamics" {
+        arguments: if function.starts_with("forward_dynamics") {
             [0, rates(0), rates(2)]
         } else {
             [0, rates(0), rates(1)]

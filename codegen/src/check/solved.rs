@@ -5,9 +5,8 @@
 //! for. A solution may be far off where M is nearly singular, and yet solve its equation: that is what is
 //! asked. It never solves anything.
 
-use super::{Wrong, wrong};
+use super::{UNBOUNDED, Wrong, wrong};
 use crate::dense::{Approximate, Dense};
-use crate::expression::Arithmetic;
 use crate::list::{Id, List, Square};
 use crate::space::VelocityId;
 
@@ -68,9 +67,8 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
     let parts = needed.iter().zip(by_motion.chunks(size));
     let mut parts = parts.enumerate();
     parts.find_map(|(of, (needed, part))| {
-        // A turn that changes nothing, of what was turned before, leaves no more than 106 bits have beside the whole.
         let sizes = needed.places().map(|place| needed[place].size());
-        let whole = Approximate::literal(sizes.fold(0.0, f64::max)).noise();
+        let largest = sizes.fold(0.0, f64::max);
         let products = products(dense, &Square::of_rows(part));
         let mut places = products.places().enumerate();
         places.find_map(|(entry, (row, column))| {
@@ -78,7 +76,13 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
             let terms = put_back.ids();
             let taken = terms.map(|k| put_back[(row, k)].most * needed[(k, column)].size());
             let needed = -needed[(row, column)];
-            let most = most + taken.sum::<f64>() + SOLVED * needed.error + needed.noise() + whole;
+            let most = most + taken.sum::<f64>() + SOLVED * needed.error + needed.noise();
+            // Nothing, of what may be infinitely wrong.
+            let most = if most.is_nan() {
+                UNBOUNDED * largest
+            } else {
+                most
+            };
             let distance = (value.value - needed.value).to_f64().abs();
             let entry = of * size + entry;
             wrong(entry, value.to_f64(), needed.to_f64(), distance <= most)

@@ -113,8 +113,8 @@ const MUTATIONS: [Mutation; 40] = [
     Mutation {
         name: "forward dynamics: a refinement left out",
         file: "codegen/src/model/forward_dynamics.rs",
-        from: "parents.len()];\n    for _ in 0..=refinements",
-        to: "parents.len()];\n    for _ in 0..refinements.max(1)",
+        from: "for _ in 0..=refinements {\n        let needed",
+        to: "for _ in 0..refinements.max(1) {\n        let needed",
         noticed_by: engine(
             "expand::forward::tests::a_refinement_brings_back_the_digits_that_the_mass_matrix_lost",
         ),
@@ -208,8 +208,8 @@ const MUTATIONS: [Mutation; 40] = [
     Mutation {
         name: "mass matrix: an entry left out of the lower half",
         file: "codegen/src/model/composite.rs",
-        from: "entries[column * count + at] = seen;",
-        to: "entries[at * count + column] = seen;",
+        from: "entries.set_both((at, column), seen);",
+        to: "entries[(at, column)] = seen;",
         noticed_by: engine(CHECKED),
     },
     Mutation {

@@ -31,8 +31,8 @@ pub const EQUATIONS: &[Mutation] = &[
     Mutation {
         name: "names: the frame of a branch by the number of its joint",
         file: "codegen/src/model/carry.rs",
-        from: "body.parent.map_or(0, |parent| parent + 1)",
-        to: "k",
+        from: "self.parent.map_or(0, BodyId::number)",
+        to: "self.body.number() - 1",
         noticed_by: Test {
             package: "homogen-tests",
             target: &["--test", "names"],

@@ -23,6 +23,8 @@ declare -A processor=([M4F]=cortex-m4 [M7]=cortex-m7)
 # What GCC makes of straight code: it keeps the order as written, in which few values live. A product with
 # a sum in one instruction, each rounded, pays on the M7, and GCC takes it where size counts.
 declare -A optimised=([M4F]="-O2 -fno-tree-ter -fno-schedule-insns" [M7]="-Os -fno-tree-ter")
+# Where memory.x is, which the template of a firmware brings along.
+memory=../../codegen/src/cli/new/firmware
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
 seen="$CARGO_TARGET_DIR/seen"
 
@@ -96,7 +98,7 @@ gcc_for() { # board options
 
 firmware_in_c() { # arm board where-arm.h-is folder the-arm: links it and compares its bits
     gcc_for "$2" -O2 -nostdlib -I "$3" -I "$seen/c/$1/$2" c_caller/main.c c_caller/board.c "${@:5}" \
-        -lgcc -T c_caller/link.ld -L . -Wl,-z,noexecstack -o "$4/firmware"
+        -lgcc -T c_caller/link.ld -L "$memory" -Wl,-z,noexecstack -o "$4/firmware"
     emulate "$2" "$4/firmware" "$4/log"
     if ! diff "$seen/c/$1/$2/expected" "$4/log" >&2; then
         say "run.sh: called from C on $2, functions of $1 give other results than on the host"

@@ -67,6 +67,7 @@ impl Builder {
     }
 
     /// The same, with what the reviewer of a file reads.
+    #[cfg(feature = "pretty")]
     pub(crate) fn file_listing(&self) -> Result<Listing, Errors> {
         self.listing_where(self.request.runtime.is_some(), true)
     }

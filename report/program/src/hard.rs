@@ -149,7 +149,14 @@ fn row(case: &Case, formulations: &[(&str, Formulation, Real)]) -> Vec<Option<f6
         if formulation.forward.is_some() && !solves {
             return None;
         }
-        let program = program_as(*formulation, &chain, &[case.function], FrameId::FIRST, *scalar).ok()?;
+        let program = program_as(
+            *formulation,
+            &chain,
+            &[case.function],
+            FrameId::FIRST,
+            *scalar,
+        )
+        .ok()?;
         Some(match scalar {
             Real::F32 => worst::<f32>(&program, &states, &truth) / 2_f64.powi(-24),
             _ => worst::<f64>(&program, &states, &truth) / 2_f64.powi(-53),

@@ -5,8 +5,10 @@
 //! binding is declared so: ``velocity: usize``, or in a list of any kind ``parents: &[Option<usize>]``. How many
 //! there are is a `usize`: ``joints: usize``.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+#[path = "sources/code.rs"]
+mod sources;
+
+use sources::code;
 
 /// What has numbers of its own, and what many of it are called.
 const NUMBERED: [[&str; 2]; 10] = [
@@ -24,18 +26,6 @@ const NUMBERED: [[&str; 2]; 10] = [
 
 /// The rooms that write numbers out, as names and places of what is printed.
 const WRITERS: [&str; 2] = ["cli", "print"];
-
-/// The files at or below a path, without those of tests.
-fn files(path: &Path) -> Vec<PathBuf> {
-    if path.file_stem().is_some_and(|stem| stem == "tests") {
-        return Vec::new();
-    }
-    let Ok(entries) = fs::read_dir(path) else {
-        return vec![path.to_owned()];
-    };
-    let entries = entries.map(|entry| entry.expect("readable").path());
-    entries.flat_map(|path| files(&path)).collect()
-}
 
 /// The type that a name is declared with in a line of code, wherever the name ends in one of those words.
 fn declared<'l>(line: &'l str, word: &str) -> impl Iterator<Item = &'l str> {
@@ -59,21 +49,14 @@ fn bare(line: &str) -> bool {
 
 #[test]
 fn no_number_of_a_body_or_a_velocity_is_any_number() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let files = files(&source);
-    assert!(files.len() > 100, "only {} files", files.len());
     let mut found = Vec::new();
-    for path in files {
-        let within = path.strip_prefix(&source).expect("a source");
+    for (within, lines) in code() {
         if WRITERS.iter().any(|room| within.starts_with(room)) {
             continue;
         }
-        let text = fs::read_to_string(&path).expect("readable");
-        let code = text.split("#[cfg(test)]\nmod tests {").next();
-        let code = code.into_iter().flat_map(str::lines).enumerate();
-        let code = code.filter(|(_, line)| !line.trim().starts_with("//") && bare(line));
+        let lines = lines.iter().filter(|(_, line)| bare(line));
         found.extend(
-            code.map(|(k, line)| format!("{}:{}: {}", within.display(), k + 1, line.trim())),
+            lines.map(|(number, line)| format!("{}:{number}: {}", within.display(), line.trim())),
         );
     }
     assert!(found.is_empty(), "bare numbers:\n{}", found.join("\n"));

@@ -3,8 +3,10 @@
 //! In: the sources without their tests. Out: nothing where only those name `proc_macro2`, `quote` or
 //! `syn`, and `print` beside its rooms for Rust and for Python, whose extensions are Rust, does not.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+#[path = "sources/code.rs"]
+mod sources;
+
+use sources::code;
 
 /// Files and folders that may.
 const ROOMS: [&str; 7] = [
@@ -17,37 +19,14 @@ const ROOMS: [&str; 7] = [
     "print/rust",
 ];
 
-/// The files at or below a path, without those of tests.
-fn files(path: &Path) -> Vec<PathBuf> {
-    if path.file_stem().is_some_and(|stem| stem == "tests") {
-        return Vec::new();
-    }
-    let Ok(entries) = fs::read_dir(path) else {
-        return vec![path.to_owned()];
-    };
-    let entries = entries.map(|entry| entry.expect("readable").path());
-    entries.flat_map(|path| files(&path)).collect()
-}
-
 #[test]
 fn what_lies_between_description_and_print_knows_no_tokens() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let files = files(&source);
-    assert!(files.len() > 100, "only {} files", files.len());
     let mut rooms = ROOMS.to_vec();
-    for path in &files {
-        let text = fs::read_to_string(path).expect("readable");
-        let code = text.split("#[cfg(test)]\nmod tests {").next();
-        let code = code.into_iter().flat_map(str::lines);
-        let mut code = code.filter(|line| !line.trim().starts_with("//"));
-        if !code.any(|line| {
-            ["proc_macro2", "quote", "syn"]
-                .iter()
-                .any(|name| names(line, name))
-        }) {
+    for (within, lines) in code() {
+        let mut tokens = ["proc_macro2", "quote", "syn"].iter();
+        if !tokens.any(|token| lines.iter().any(|(_, line)| names(line, token))) {
             continue;
         }
-        let within = path.strip_prefix(&source).expect("a source");
         let room = ROOMS
             .iter()
             .find(|room| within.with_extension("").starts_with(room));

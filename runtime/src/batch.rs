@@ -191,20 +191,7 @@ macro_rules! batch {
                         )
                     }
 
-                    #[inline(always)]
-                    fn plain(self) {
-                        self.by::<T::Narrow>();
-                    }
-
-                    #[inline(always)]
-                    fn narrow(self) {
-                        self.by::<M::Narrow<T>>();
-                    }
-
-                    #[inline(always)]
-                    fn wide(self) {
-                        self.by::<M::Wide<T>>();
-                    }
+                    run::by_packs!();
                 }
 
                 check(&[$((stringify!($argument), $argument.len()),)* ("results", results.len())])?;

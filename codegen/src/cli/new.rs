@@ -13,7 +13,7 @@ use std::path::{Component, Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::options::{self, mistake};
+use super::options::{Scope, mistake};
 use super::{Answer, Said};
 use crate::builder::Builder;
 use crate::error::Errors;
@@ -44,21 +44,8 @@ Example:
 struct Firmware {
     /// A URDF file or a Denavit–Hartenberg table
     file: PathBuf,
-    /// The link taken as fixed [default: the root]
-    #[arg(long, value_name = "LINK")]
-    base: Option<String>,
-    /// Free the base
-    #[arg(long)]
-    floating: bool,
-    /// The link whose frame poses and Jacobians are of
-    #[arg(long, value_name = "LINK")]
-    tip: Option<String>,
-    /// Lock every joint that does not move the tip; the bodies stay as mass
-    #[arg(long)]
-    path_only: bool,
-    /// Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass
-    #[arg(long, value_name = "JOINT[=q]", value_parser = options::lock)]
-    lock: Vec<(String, Option<f64>)>,
+    #[command(flatten)]
+    scope: Scope,
     /// What it is compiled for
     #[arg(long, value_enum, default_value = "thumbv7em-none-eabihf")]
     target: Target,
@@ -165,23 +152,23 @@ impl Firmware {
             calls.push_str(&text);
         };
         // Debug of strings is a literal of Rust.
-        if let Some(link) = &self.base {
+        if let Some(link) = &self.scope.base {
             builder = builder.base(link);
             call(format!(".base({link:?})"));
         }
-        if self.floating {
+        if self.scope.floating {
             builder = builder.floating();
             call(".floating()".to_owned());
         }
-        if let Some(link) = &self.tip {
+        if let Some(link) = &self.scope.tip {
             builder = builder.tip(link);
             call(format!(".tip({link:?})"));
         }
-        if self.path_only {
+        if self.scope.path_only {
             builder = builder.path_only();
             call(".path_only()".to_owned());
         }
-        for (joint, at) in &self.lock {
+        for (joint, at) in &self.scope.lock {
             builder = match at {
                 Some(at) => builder.lock_at(joint, *at),
                 None => builder.lock(joint),

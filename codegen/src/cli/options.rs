@@ -20,29 +20,36 @@ use crate::real::Real;
 use crate::request::Request;
 use crate::wording::visible;
 
+/// Which part of a robot moves, and from where to where.
+#[derive(Args, Clone, Debug)]
+pub(super) struct Scope {
+    /// The link taken as fixed [default: the root]
+    #[arg(long, value_name = "LINK")]
+    pub(super) base: Option<String>,
+    /// Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a
+    /// quaternion x, y, z, w) and six velocities in its own frame, linear first
+    #[arg(long)]
+    pub(super) floating: bool,
+    /// The link whose frame poses and Jacobians are of [default: the last link, where there is
+    /// only one]
+    #[arg(long, value_name = "LINK")]
+    pub(super) tip: Option<String>,
+    /// Lock every joint that does not move the tip; the bodies stay as mass
+    #[arg(long)]
+    pub(super) path_only: bool,
+    /// Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass
+    #[arg(long, value_name = "JOINT[=q]", value_parser = lock)]
+    pub(super) lock: Vec<(String, Option<f64>)>,
+}
+
 /// Which robot, and which part of it.
 #[expect(clippy::struct_excessive_bools, reason = "a switch is a bool")]
 #[derive(Args, Clone, Debug)]
 pub(super) struct Robot {
     /// A URDF file or a Denavit–Hartenberg table; `-` reads standard input
     pub(super) file: PathBuf,
-    /// The link taken as fixed [default: the root]
-    #[arg(long, value_name = "LINK")]
-    base: Option<String>,
-    /// Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a
-    /// quaternion x, y, z, w) and six velocities in its own frame, linear first
-    #[arg(long)]
-    floating: bool,
-    /// The link whose frame poses and Jacobians are of [default: the last link, where there is
-    /// only one]
-    #[arg(long, value_name = "LINK")]
-    tip: Option<String>,
-    /// Lock every joint that does not move the tip; the bodies stay as mass
-    #[arg(long)]
-    path_only: bool,
-    /// Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass
-    #[arg(long, value_name = "JOINT[=q]", value_parser = lock)]
-    lock: Vec<(String, Option<f64>)>,
+    #[command(flatten)]
+    scope: Scope,
     /// Take a link off with all that it carries, and with their mass
     #[arg(long, value_name = "LINK")]
     drop: Vec<String>,
@@ -188,11 +195,11 @@ impl Robot {
         });
         let lock = |(joint, at): &(String, Option<f64>)| (named(joint), at.map(number));
         Request {
-            base: self.base.as_ref().map(named),
-            floating: self.floating,
-            tip: self.tip.as_ref().map(named),
-            path_only: self.path_only,
-            lock: self.lock.iter().map(lock).collect(),
+            base: self.scope.base.as_ref().map(named),
+            floating: self.scope.floating,
+            tip: self.scope.tip.as_ref().map(named),
+            path_only: self.scope.path_only,
+            lock: self.scope.lock.iter().map(lock).collect(),
             drop: self.drop.iter().map(named).collect(),
             actuated: self.actuated.iter().map(named).collect(),
             frames: frames.into_iter().map(named).collect(),

@@ -209,20 +209,7 @@ macro_rules! batch {
                         )
                     }
 
-                    #[inline(always)]
-                    fn plain(self) {
-                        self.by::<T::Narrow>();
-                    }
-
-                    #[inline(always)]
-                    fn narrow(self) {
-                        self.by::<M::Narrow<T>>();
-                    }
-
-                    #[inline(always)]
-                    fn wide(self) {
-                        self.by::<M::Wide<T>>();
-                    }
+                    run::by_packs!();
                 }
 
                 let count = check(&[

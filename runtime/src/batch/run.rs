@@ -29,6 +29,27 @@ pub(super) trait Work: Sized + Send {
     fn wide(self);
 }
 
+/// The ways of [`Work`] of what has a method `by`, over any packs: `T` are its numbers and `M` is how they are rounded.
+macro_rules! by_packs {
+    () => {
+        #[inline(always)]
+        fn plain(self) {
+            self.by::<T::Narrow>();
+        }
+
+        #[inline(always)]
+        fn narrow(self) {
+            self.by::<M::Narrow<T>>();
+        }
+
+        #[inline(always)]
+        fn wide(self) {
+            self.by::<M::Wide<T>>();
+        }
+    };
+}
+pub(super) use by_packs;
+
 /// How long the registers are that a batch may use; it uses none that the processor has not.
 ///
 /// It changes no result of [`Batch::of`](super::Batch::of).

@@ -90,13 +90,7 @@ fn coriolis_cancel() {
         ("floating_panda_class/0", 7),
     ] {
         judge(&[&CANCEL], label, |chain| {
-            let bias = program_by(
-                chain,
-                &[Bias],
-                FrameId::FIRST,
-                Layout::DESCRIBED,
-                Way::PLAIN,
-            );
+            let bias = bias(chain);
             states(336, joints, |arguments, random| {
                 let of = 1 + random.below(joints - 1);
                 if let Some(root) = root(&bias, arguments, of) {
@@ -106,6 +100,17 @@ fn coriolis_cancel() {
         });
     }
     some_torque_is_cancelled(&homogen_tests::subjects::subject("floating/4").chain());
+}
+
+/// The torques that velocities and gravity ask for, as they are described.
+fn bias(chain: &Chain) -> Program {
+    program_by(
+        chain,
+        &[Bias],
+        FrameId::FIRST,
+        Layout::DESCRIBED,
+        Way::PLAIN,
+    )
 }
 
 /// A rate of a joint at which the first torque is zero.
@@ -129,13 +134,7 @@ fn root(bias: &Program, arguments: &Arguments, of: usize) -> Option<f64> {
 
 /// The construction does what it says: most such torques lose five digits of S.
 fn some_torque_is_cancelled(chain: &Chain) {
-    let bias = program_by(
-        chain,
-        &[Bias],
-        FrameId::FIRST,
-        Layout::DESCRIBED,
-        Way::PLAIN,
-    );
+    let bias = bias(chain);
     let mut random = Random::new(27);
     let mut cancelled = 0;
     for _ in 0..100 {

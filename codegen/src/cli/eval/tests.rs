@@ -86,6 +86,12 @@ fn refused(folder: &Folder, words: &[&str]) -> String {
         .replace(&format!("{}/", folder.0.display()), "")
 }
 
+/// The same of the torques of gravity at the states of a file.
+fn refused_states(folder: &Folder, path: &str) -> String {
+    let words = ["--function", "gravity", "--states", path, "-o", "never.npy"];
+    refused(folder, &words)
+}
+
 /// An array as `numpy.save` writes it.
 fn npy(descr: &str, shape: &str, numbers: &[u8]) -> Vec<u8> {
     let text = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}");

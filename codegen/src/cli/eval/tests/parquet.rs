@@ -10,7 +10,7 @@ use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::record::Field;
 use ::parquet::schema::parser::parse_message_type;
 
-use super::{Folder, eval, many, numbers, refused, same};
+use super::{Folder, eval, many, numbers, refused, refused_states, same};
 use crate::cli::Answer;
 
 /// A list of a row, some of whose numbers may not be there.
@@ -155,16 +155,8 @@ fn rows_that_are_no_states_are_refused() {
     ] {
         rows[5] = row;
         table(&path, &[("q", rows.clone())], 3);
-        let words = [
-            "--function",
-            "gravity",
-            "--states",
-            &path,
-            "-o",
-            "never.npy",
-        ];
         assert_eq!(
-            refused(&folder, &words),
+            refused_states(&folder, &path),
             format!("error: rows.parquet: state 5 has {found} in \"q\"\n")
         );
     }
@@ -208,17 +200,7 @@ fn a_table_that_is_none_is_refused() {
         ("text", b"PAR1 and no more"),
     ] {
         let path = folder.write(&format!("{name}.parquet"), bytes);
-        let found = refused(
-            &folder,
-            &[
-                "--function",
-                "gravity",
-                "--states",
-                &path,
-                "-o",
-                "never.npy",
-            ],
-        );
+        let found = refused_states(&folder, &path);
         assert!(
             found.starts_with(&format!(
                 "error: {name}.parquet: cannot be read as Parquet: "

@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use super::{Folder, bytes, eval, many, npy, numbers, refused};
+use super::{Folder, bytes, eval, many, npy, numbers, refused, refused_states};
 use crate::cli::Answer;
 
 #[test]
@@ -27,15 +27,10 @@ fn an_array_that_is_none_of_states_is_refused() {
     for (name, bytes, why) in strange() {
         let name = format!("{name}.npy");
         let path = folder.write(&name, bytes);
-        let words = [
-            "--function",
-            "gravity",
-            "--states",
-            &path,
-            "-o",
-            "never.npy",
-        ];
-        assert_eq!(refused(&folder, &words), format!("error: {name}: {why}\n"));
+        assert_eq!(
+            refused_states(&folder, &path),
+            format!("error: {name}: {why}\n")
+        );
     }
 }
 

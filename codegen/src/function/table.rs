@@ -107,16 +107,16 @@ impl Function {
     /// Whether it solves for what forces do to accelerations of joints that no loop holds together.
     #[must_use]
     pub const fn solves(self) -> bool {
-        matches!(self.truth(), Truth::Solution(_) | Truth::Derivatives)
+        matches!(self.truth(), Truth::Solution(_))
     }
 
-    /// What it is a solution for, if it is one of which as much can be said.
+    /// Whether an inverse of the mass matrix is among its results: then it is the last of them.
     #[must_use]
-    pub const fn given(self) -> Option<Given> {
-        match self.truth() {
-            Truth::Value(_) | Truth::OfMass(_) | Truth::Constrained(_) | Truth::Derivatives => None,
-            Truth::Solution(given) => Some(given),
-        }
+    pub const fn inverts(self) -> bool {
+        matches!(
+            self.truth(),
+            Truth::Solution(Given::MassMatrix | Given::TorqueDerivatives)
+        )
     }
 
     /// Whether it is of robots that have mass alone.

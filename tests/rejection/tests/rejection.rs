@@ -15,21 +15,19 @@ use std::{env, fs, thread};
 /// The folder that paths of files are shown from.
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// The files in a folder whose names pass, in the order of their names.
-fn files(folder: &Path, pass: impl Fn(&str) -> bool) -> Vec<PathBuf> {
+/// The files in a folder that end so, in the order of their names.
+fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder is there");
-    let mut paths: Vec<_> = entries
-        .map(|entry| entry.expect("it can be read").path())
-        .filter(|path| path.file_name().and_then(OsStr::to_str).is_some_and(&pass))
-        .collect();
+    let paths = entries.map(|entry| entry.expect("it can be read").path());
+    let ends = |path: &PathBuf| path.extension().is_some_and(|found| found == ending);
+    let mut paths: Vec<_> = paths.filter(ends).collect();
     paths.sort();
     paths
 }
 
 /// The files in `rejected/` that end so.
 fn rejected(ending: &str) -> Vec<PathBuf> {
-    let folder = Path::new(ROOT).join("tests/rejected");
-    files(&folder, |name| name.ends_with(ending))
+    files(&Path::new(ROOT).join("tests/rejected"), ending)
 }
 
 /// The crate `homogen`, as a mistake is compiled with it.
@@ -42,8 +40,10 @@ impl Homogen {
     /// they are, and so is all that was built later: the latest will do, if it has what the mistakes use.
     fn of_this_test() -> Self {
         let built = |path: &PathBuf| fs::metadata(path).and_then(|file| file.modified());
-        let mut found = files(&dependencies(), |name| {
-            name.starts_with("libhomogen-") && name.ends_with(".rlib")
+        let mut found = files(&dependencies(), "rlib");
+        found.retain(|path| {
+            let name = path.file_name().and_then(OsStr::to_str);
+            name.is_some_and(|name| name.starts_with("libhomogen-"))
         });
         found.sort_by_key(|path| built(path).unwrap_or(SystemTime::UNIX_EPOCH));
         let probe = Path::new(env!("CARGO_TARGET_TMPDIR")).join("probe.rs");
@@ -129,7 +129,7 @@ fn difference(homogen: &Homogen, file: &Path) -> Option<String> {
 #[test]
 fn mistakes_are_shown_where_they_are() {
     let homogen = Homogen::of_this_test();
-    let files = rejected(".rs");
+    let files = rejected("rs");
     assert!(!files.is_empty());
     let next = AtomicUsize::new(0);
     // Compilers run side by side, each with one file at a time.
@@ -152,8 +152,8 @@ fn mistakes_are_shown_where_they_are() {
 
 #[test]
 fn no_mistake_drags_others_behind_it() {
-    let shown = rejected(".stderr");
-    assert_eq!(shown.len(), rejected(".rs").len());
+    let shown = rejected("stderr");
+    assert_eq!(shown.len(), rejected("rs").len());
     for file in shown {
         let text = fs::read_to_string(&file).expect("text");
         let lines = || text.lines().filter(|line| line.starts_with("error"));

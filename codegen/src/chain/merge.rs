@@ -21,8 +21,6 @@ use crate::list::List;
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{FieldId, Request};
 use crate::space::{ACTION, Entry};
-use listed::listed;
-use seat::seat;
 
 /// Where a link ended up: in which body, and where in it.
 #[derive(Clone, Copy)]
@@ -69,7 +67,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         report: Report::default(),
     };
     let name = |link: LinkId| description[link].name.text.clone();
-    let (seats, bodies) = seat(description, tree, &mut reader);
+    let (seats, bodies) = seat::seat(description, tree, &mut reader);
     let frame = |link: LinkId| {
         let seat = seats[link]?;
         Some(Frame {
@@ -88,7 +86,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
     let modelled = seats.ids().filter(|&link| seats[link].is_some());
     reader.report.links = modelled.map(name).collect();
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
-    let (joints, mut spaces) = listed(description, bodies, &graph);
+    let (joints, mut spaces) = listed::listed(description, bodies, &graph);
     spaces.actions = actions(&external);
     let Reader {
         nominal, report, ..

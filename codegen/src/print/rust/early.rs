@@ -94,8 +94,35 @@ mod tests {
     use proc_macro2::TokenStream;
     use quote::quote;
 
-    use super::Statements;
+    use super::{Statements, columns};
+    use crate::chain;
+    use crate::description;
+    use crate::error::Errors;
+    use crate::function::Function;
+    use crate::request::Request;
     use crate::schedule::Names;
+    use crate::space::Spaces;
+
+    fn spaces(robot: &str) -> Spaces {
+        let path = format!("{}/../robots/{robot}.urdf", env!("CARGO_MANIFEST_DIR"));
+        let description = description::read_file(path.as_ref(), None, &mut Errors::new());
+        let description = description.expect("a robot that ships");
+        let chain = chain::build(&description, &Request::default()).expect("no mistakes");
+        chain.spaces().clone()
+    }
+
+    #[test]
+    fn regressors_with_more_numbers_than_a_scope_has_are_filled() {
+        let (two_link, ur5) = (spaces("two_link"), spaces("ur5_class"));
+        assert_eq!(columns(&[Function::Regressor], &ur5), Some(60));
+        assert_eq!(columns(&[Function::BaseRegressor], &ur5), Some(36));
+        assert_eq!(columns(&[Function::Regressor], &two_link), None);
+        assert_eq!(
+            columns(&[Function::Regressor, Function::Gravity], &ur5),
+            None
+        );
+        assert_eq!(columns(&[Function::InverseDynamicsDerivatives], &ur5), None);
+    }
 
     fn statements(one: Option<TokenStream>) -> Statements {
         let steps = [

@@ -11,6 +11,7 @@ mod chain;
 mod comments;
 mod declaration;
 mod dialect;
+mod early;
 mod extern_c;
 mod item;
 mod lanes;

@@ -51,7 +51,8 @@ macro_rules! implement {
                 $sin_cos(self)
             }
 
-            #[inline]
+            #[cfg_attr(target_feature = "avx512f", inline(always))]
+            #[cfg_attr(not(target_feature = "avx512f"), inline)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 $sin_cos_all(angles)
             }

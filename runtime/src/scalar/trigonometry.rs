@@ -5,6 +5,8 @@
 //! It calls neither the standard library nor `libm`, so that every platform gives the same digits
 //! (but for the last one, where the target fuses products with sums). The platform's functions are
 //! the alternative: [`sin_cos_each`] calls them one by one.
+//! Where a register holds a block of angles they are short enough to stand in each function of a robot: a call
+//! would put angles, sines and all that is in registers on the stack, which takes up to a seventh of a pose.
 
 use super::fused;
 pub use super::sin_cos_each;
@@ -16,7 +18,12 @@ pub mod single;
 ///
 /// While every magnitude is at most [`double::LIMIT`] the code is straight and vectorised; beyond
 /// it, after one branch for all, they go one by one. NaN and infinite angles give NaN.
-#[inline]
+#[cfg_attr(
+    target_feature = "avx512f",
+    expect(clippy::inline_always, reason = "a call puts all on the stack"),
+    inline(always)
+)]
+#[cfg_attr(not(target_feature = "avx512f"), inline)]
 #[must_use]
 pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
     let moderate = |all, angle: &f64| all & (angle.abs() <= double::LIMIT);
@@ -32,7 +39,12 @@ pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N])
 /// While every magnitude is at most [`single::LIMIT`] the code is straight and vectorised; beyond
 /// it, after one branch for all, they go one by one. NaN and infinite angles give NaN.
 /// No operation is in double precision.
-#[inline]
+#[cfg_attr(
+    target_feature = "avx512f",
+    expect(clippy::inline_always, reason = "a call puts all on the stack"),
+    inline(always)
+)]
+#[cfg_attr(not(target_feature = "avx512f"), inline)]
 #[must_use]
 pub fn sin_cos_all_f32<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
     let moderate = |all, angle: &f32| all & (angle.abs() <= single::LIMIT);
@@ -46,7 +58,12 @@ pub fn sin_cos_all_f32<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N])
 /// Applies `sin_cos`, which has no branch, so that the compiler vectorises it.
 ///
 /// Loops of fixed length suit its vectoriser best: the last angles share a block with zeros.
-#[inline]
+#[cfg_attr(
+    target_feature = "avx512f",
+    expect(clippy::inline_always, reason = "a call puts all on the stack"),
+    inline(always)
+)]
+#[cfg_attr(not(target_feature = "avx512f"), inline)]
 fn together<T: Copy + Default, const N: usize>(
     angles: [T; N],
     sin_cos: impl Fn(T) -> (T, T),
@@ -79,7 +96,12 @@ const BLOCK: usize = if cfg!(any(
 };
 
 /// Applies `sin_cos` to one block.
-#[inline]
+#[cfg_attr(
+    target_feature = "avx512f",
+    expect(clippy::inline_always, reason = "a call puts all on the stack"),
+    inline(always)
+)]
+#[cfg_attr(not(target_feature = "avx512f"), inline)]
 fn sin_cos_block<T: Copy + Default>(
     angles: &[T; BLOCK],
     sin_cos: impl Fn(T) -> (T, T),

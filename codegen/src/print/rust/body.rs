@@ -9,6 +9,7 @@ use quote::{ToTokens, quote, quote_spanned};
 
 use super::arguments::{pattern, unpack};
 use super::dialect::Dialect;
+use super::early::Statements;
 use super::literals::Numerals;
 use super::names::ident;
 use super::world::World;
@@ -22,7 +23,7 @@ use crate::space::{Spaces, Variable};
 /// The inside of a function.
 pub(super) struct Body {
     /// What comes before the result.
-    pub statements: TokenStream,
+    pub statements: Statements,
     /// The numbers of the result.
     pub results: Vec<TokenStream>,
 }
@@ -86,16 +87,36 @@ pub(super) fn body(
             block(&loads.iter().map(load).collect(), entries.flatten())
         }));
     }
-    statements.extend(writer.statements(&routine.statements));
+    let steps = routine.statements.iter();
+    let steps = steps.map(|step| (writer.statement(step), bound(step)));
+    let steps = steps.collect();
     let results = routine.results.iter();
     let results = results.map(|result| writer.read(result));
     let results = match returned {
         Some(operation) => vec![writer.operation(&operation)],
         None => results.collect(),
     };
+    let one = routine.has_literals.then(|| writer.numerals.write(1.0));
     Body {
-        statements,
+        statements: Statements {
+            head: statements,
+            steps,
+            names: writer.names,
+            one,
+        },
         results,
+    }
+}
+
+/// The names that a statement binds.
+fn bound(statement: &Statement) -> Vec<String> {
+    match statement {
+        Statement::Operation(name, _) => vec![name.clone()],
+        Statement::SinesAndCosines(angles) => {
+            let names = angles.iter().flat_map(|angle| [&angle.sine, &angle.cosine]);
+            names.flatten().cloned().collect()
+        }
+        Statement::Block { handed_on, .. } => handed_on.clone(),
     }
 }
 
@@ -124,7 +145,14 @@ struct Writer<'d> {
 
 impl Writer<'_> {
     fn statements(&mut self, statements: &[Statement]) -> TokenStream {
-        let statements = statements.iter().map(|statement| match statement {
+        let statements = statements.iter();
+        statements
+            .map(|statement| self.statement(statement))
+            .collect()
+    }
+
+    fn statement(&mut self, statement: &Statement) -> TokenStream {
+        match statement {
             Statement::Operation(name, operation) => {
                 let (name, value) = (ident(name), self.operation(operation));
                 quote! { let #name = #value; }
@@ -137,8 +165,7 @@ impl Writer<'_> {
                 let inside = self.statements(statements);
                 block(&inside, handed_on.iter())
             }
-        });
-        statements.collect()
+        }
     }
 
     /// A value as an expression that binds tighter than any infix operator.

@@ -11,6 +11,7 @@ use super::body::{Body, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
+use super::early;
 use super::item::Item;
 use super::lengths::{Lengths, known};
 use super::names::ident;
@@ -38,9 +39,12 @@ pub(super) fn computation(
         (fields, spaces),
         dialect,
     );
-    let result = result_value(&listed.functions, spaces, &results, dialect);
-
-    quote! { #statements #result }
+    let columns = early::columns(&listed.functions, spaces);
+    let filled = columns.and_then(|columns| statements.filling(&results, columns));
+    filled.unwrap_or_else(|| {
+        let result = result_value(&listed.functions, spaces, &results, dialect);
+        quote! { #statements #result }
+    })
 }
 
 /// The method that computes `listed` by what stands between its braces, under these lines.

@@ -101,6 +101,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
         data,
         base_values,
         batch: request.batch,
+        length: request.length(),
         scalar: request.scalar,
         sines: request.formulation.sines,
         parameters: request.parameters.clone(),

@@ -350,9 +350,9 @@ impl Builder {
         self
     }
 
-    /// The most operations of one compiled function: a longer one is cut into sections that are called one after
-    /// the other, with the same bits. Without this, functions of more than 8000 operations are cut into sections
-    /// of at most 800.
+    /// The most statements of one compiled function: a longer one is cut into sections that are called one after
+    /// the other, with the same bits. Without this, functions of more than 8000 statements are cut into sections
+    /// of at most 2000. A function that takes slices of states besides is never cut.
     pub fn section(mut self, most: NonZeroUsize) -> Self {
         self.request.section = Some(most.get());
         self

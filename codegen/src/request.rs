@@ -71,7 +71,7 @@ pub struct Request {
     pub processor: Processor,
     /// Take slices of states besides, for all kinds of vectors: `gravity_batch` beside `gravity`.
     pub batch: bool,
-    /// The most operations of one compiled function, beyond which it is cut into sections; where none is given,
+    /// The most statements of one compiled function, beyond which it is cut into sections; where none is given,
     /// what was measured to be best.
     pub section: Option<usize>,
     /// Offer to compute once what depends on fields alone.

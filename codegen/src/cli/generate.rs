@@ -49,8 +49,8 @@ pub(super) struct Generate {
     /// Functions of slices of states besides
     #[arg(long, requires = "runtime")]
     batch: bool,
-    /// The most operations of one compiled function: longer ones are cut into sections that are called one after the
-    /// other [default: 800, of functions with more than 8000]
+    /// The most statements of one compiled function: longer ones are cut into sections that are called one after the
+    /// other [default: 2000, of functions with more than 8000]
     #[arg(long, value_name = "COUNT")]
     section: Option<NonZeroUsize>,
     /// Write no character beyond ASCII: θ is theta in comments

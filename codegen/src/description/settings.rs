@@ -244,7 +244,7 @@ fn processor(input: ParseStream) -> Parsed<Processor> {
     })
 }
 
-/// How many operations a compiled function may have.
+/// How many statements a compiled function may have.
 fn section(input: ParseStream) -> Parsed<usize> {
     let span = input.span();
     let count = if input.peek(LitInt) {
@@ -255,8 +255,8 @@ fn section(input: ParseStream) -> Parsed<usize> {
     count.filter(|&count| count > 0).ok_or_else(|| {
         complaint_with_hint(
             span,
-            "`section` needs the most operations of one compiled function",
-            "write section = 800",
+            "`section` needs the most statements of one compiled function",
+            "write section = 2000",
         )
     })
 }

@@ -99,7 +99,7 @@ pub(super) fn of_function(
 fn apart(listing: &Listing, listed: &Listed) -> Option<String> {
     let sections = sections(&listed.program, listing.length)?;
     Some(format!(
-        "Compiled in {} sections of at most {} operations, called one after the other; what waits for a later one \
+        "Compiled in {} sections of at most {} statements, called one after the other; what waits for a later one \
          stands in an array of {} numbers.",
         sections.sections.len(),
         listing.length.of_section(),

@@ -48,11 +48,12 @@ impl Length {
 }
 
 impl Default for Length {
-    /// What was measured to be best: below, a function runs as fast whole and compiles as fast.
+    /// What was measured to be best: from here on a function compiles faster in sections, and runs as fast;
+    /// shorter sections compile no faster, and store more.
     fn default() -> Self {
         Self {
             whole: 8000,
-            section: 800,
+            section: 2000,
         }
     }
 }

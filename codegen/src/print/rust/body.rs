@@ -224,8 +224,12 @@ fn computed(values: &Entries) -> Option<TokenStream> {
     any.then(|| quote! { let [#(#patterns),*] = self.#field; })
 }
 
-/// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them.
+/// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them; by itself where
+/// that is nothing, for no compiler could tell what `[]` is of.
 fn block<'n>(inside: &TokenStream, names: impl Iterator<Item = &'n String>) -> TokenStream {
     let names: Vec<_> = names.map(|name| ident(name)).collect();
+    if names.is_empty() {
+        return quote! { { #inside } };
+    }
     quote! { let [#(#names),*] = { #inside [#(#names),*] }; }
 }

@@ -158,9 +158,15 @@ pub fn sections(program: &Program, length: Length) -> Option<Sections> {
     let given = given.map(|&value| (value, places.take(value))).collect();
     let sections = ranges.into_iter().zip(taken).enumerate();
     let sections = sections.map(|(number, (steps, taken))| {
-        let left = steps.clone().filter(|&step| until.contains_key(&Waiting::Step(step)));
-        let left = left.map(|step| (step, places.take(Waiting::Step(step)))).collect();
-        let taken: Vec<_> = (taken.into_iter()).map(|value| (value, places.of[&value])).collect();
+        let left = steps
+            .clone()
+            .filter(|&step| until.contains_key(&Waiting::Step(step)));
+        let left = left
+            .map(|step| (step, places.take(Waiting::Step(step))))
+            .collect();
+        let taken: Vec<_> = (taken.into_iter())
+            .map(|value| (value, places.of[&value]))
+            .collect();
         // Only what comes later may stand there: a section takes and leaves in any order.
         for (value, place) in &taken {
             if until[value] == number {

@@ -117,7 +117,10 @@ impl<'w> Writer<'w> {
             sines: listing.sines,
             text: String::new(),
             names: routine.names.clone(),
-            work: routine.work.as_ref().map_or_else(String::new, |work| work.name.clone()),
+            work: routine
+                .work
+                .as_ref()
+                .map_or_else(String::new, |work| work.name.clone()),
         };
         writer.load(&routine, (listing, fields));
         writer.statements(&routine.statements);

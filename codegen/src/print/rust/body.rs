@@ -15,7 +15,8 @@ use super::world::World;
 use crate::print::Fields;
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Routine, Statement, Value,
+    Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Routine, Statement,
+    Value,
 };
 use crate::space::{Spaces, Variable};
 

@@ -3,11 +3,11 @@
 //! In: a chain, the functions that are asked for together, a formulation. Out: the [`Program`] that
 //! costs least on a processor, of all layouts of the frames and all ways that compute them, and of the
 //! forms of forward dynamics that are accurate enough. It never looks at values itself: [`Measure`]
-//! tells how far a program is off, and [`forward`] which forms there are and what is enough.
+//! tells how far a program is off and what is enough, and [`forward`] which forms there are.
 
 use super::forward::{self, Form};
 use super::identifiable::settled;
-use super::measured::{Measure, Off};
+use super::measured::{ENOUGH, Measure, Off};
 use super::program::expressions_by;
 use super::solvable::solvable;
 use super::weighable::weighable;
@@ -131,7 +131,7 @@ pub(super) fn cheapest(
             if let Some((_, before)) = tried.first() {
                 let (_, glimpse) = search.within(form, &[before.layout], &[before.way]);
                 let glimpse = measured(glimpse);
-                if glimpse.off.worst > FAR * forward::ENOUGH {
+                if glimpse.off.worst > FAR * ENOUGH {
                     tried.push((None, glimpse));
                     continue;
                 }
@@ -141,7 +141,7 @@ pub(super) fn cheapest(
                 continue;
             }
             let found = measured(found);
-            if found.off.worst <= forward::ENOUGH {
+            if found.off.worst <= ENOUGH {
                 best = Some((weight, found));
             } else {
                 tried.push((Some(weight), found));
@@ -151,7 +151,7 @@ pub(super) fn cheapest(
             return Ok(found);
         }
     }
-    // None is accurate enough: what costs least of those that lose little more than the best.
+    // None is accurate enough.
     let least = (tried.iter()).fold(Off::INFINITE, |least, (_, found)| least.least(found.off));
     if !forward::keeps_half(least.eighth, scalar) {
         return Err(forward::hopeless(
@@ -162,8 +162,8 @@ pub(super) fn cheapest(
             (scalar, formulation.frame),
         ));
     }
-    let near = (tried.into_iter()).filter(|(_, found)| found.off.worst <= 2.0 * least.worst);
-    let searched = near.map(|(weight, found)| {
+    let searched = nearly_as_good(tried, least.worst).into_iter();
+    let searched = searched.map(|(weight, found)| {
         if let Some(weight) = weight {
             return (weight, found);
         }
@@ -172,6 +172,19 @@ pub(super) fn cheapest(
     });
     let best = searched.min_by_key(|(weight, _)| *weight);
     Ok(best.expect("the least is among them").1)
+}
+
+/// Those that lose little more than the best, where none is accurate enough. What is lost near singular postures
+/// is lost by all, and a few times more of it is less than an inverse that does not invert.
+fn nearly_as_good<W>(mut tried: Vec<(W, Found)>, least: f64) -> Vec<(W, Found)> {
+    let solves = |found: &Found| found.off.worst <= FAR * least && found.off.unsolved <= ENOUGH;
+    if tried.iter().any(|(_, found)| solves(found)) {
+        tried.retain(|(_, found)| solves(found));
+    }
+    let worst = tried.iter().map(|(_, found)| found.off.worst);
+    let least = worst.fold(f64::INFINITY, f64::min);
+    tried.retain(|(_, found)| found.off.worst <= 2.0 * least);
+    tried
 }
 
 /// Refuses what is of loops where there are none.

@@ -1,10 +1,10 @@
-//! Which forms of forward dynamics and of the mass matrix's inverse there are, and what is enough.
+//! Which forms of forward dynamics and of the mass matrix's inverse there are.
 //!
 //! In: a chain, functions, a formulation, and what has been measured of a program. Out: the forms to
 //! be tried, in rounds; a doubt about the form that was asked for, or about a robot for which none is
 //! as good as it should be; or the mistake that no form helps. It never measures or counts.
 
-use super::measured::{Measure, Off, allowed};
+use super::measured::{ENOUGH, LIMIT, Measure, Off, allowed};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
 use crate::chain::Chain;
@@ -17,12 +17,6 @@ use crate::real::Real;
 use crate::request::Request;
 use crate::space::FrameId;
 use crate::wording::list;
-
-/// The error that must not be exceeded, beside the largest result and in a thousand states \[u\].
-const LIMIT: f64 = 100.0;
-
-/// The error that is enough where it is taken from a few states \[u\].
-pub(super) const ENOUGH: f64 = 0.8 * LIMIT;
 
 /// Beyond which a robot is told that no form is any better \[u\].
 const DOUBTFUL: f64 = 10.0 * LIMIT;
@@ -102,14 +96,7 @@ pub(super) fn rounds(
     let left = bodies.filter(|bodies| !first.contains(bodies));
     let left = full.into_iter().chain(left);
     // Each column of an inverse has a residual of its own, which is much dearer than articulated bodies.
-    let inverting = [
-        Function::MassMatrixInverse,
-        Function::ForwardDynamicsDerivatives,
-    ];
-    let inverts = inverting
-        .iter()
-        .any(|function| functions.contains(function));
-    let rounds = if inverts {
+    let rounds = if functions.iter().any(|function| function.inverts()) {
         [first, left.collect(), vec![once], vec![twice]]
     } else {
         [first, left.chain([once]).collect(), vec![twice], Vec::new()]

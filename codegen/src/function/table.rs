@@ -110,6 +110,15 @@ impl Function {
         matches!(self.truth(), Truth::Solution(_) | Truth::Derivatives)
     }
 
+    /// Whether an inverse of the mass matrix is among its results: then it is the last of them.
+    #[must_use]
+    pub const fn inverts(self) -> bool {
+        matches!(
+            self.truth(),
+            Truth::Solution(Given::MassMatrix) | Truth::Derivatives
+        )
+    }
+
     /// What it is a solution for, if it is one of which as much can be said.
     #[must_use]
     pub const fn given(self) -> Option<Given> {

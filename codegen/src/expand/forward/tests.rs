@@ -135,6 +135,21 @@ fn a_robot_that_passes_through_a_singular_posture_is_not_refused() {
     }
 }
 
+/// A mass in a point, three axes through nearly one other point, and nothing but the pitch of a screw
+/// between what turns about the line of the two points and what does not. Where so little is left of M, its refined
+/// inverse has the digits of large entries, and mirrored errors spoil what it inverts to.
+#[test]
+fn near_a_singular_posture_an_inverse_still_inverts() {
+    let text = "struct Bob { floating } link bob { mass: 0.5877580642700195, com: [0, 0.265, 0], inertia: [0, 0, 0] }
+        joint wrist: universal(z, [0, 0.805824145531257, 0.5921549176345827]) {
+            at: xyz(-0.004, 0, -0.943733) rx(0.128) }
+        link fork; joint thread: screw(z, pitch: 0.0364) { at: xyz(0, -0.063, 0) }
+        link nut { mass: 2, inertia: [0.0815431058, 0.08, 0.09] }";
+    let chain = chain::tests::fine(text);
+    let form = choose(&chain, MassMatrixInverse, Real::F64);
+    assert_eq!(form.expect("regular"), Forward::UNREFINED);
+}
+
 /// What a request with a formulation makes understand of an arm: its doubts.
 fn doubts(links: &[End], words: Formulation, strict: bool) -> Result<Vec<String>, String> {
     let request = Request {

@@ -1,11 +1,11 @@
 //! What robots of many joints cost: in operations and text, to expand, to compile and to call.
 //!
-//! `cargo run -p homogen-codegen --features cli --example sizes -- [--most JOINTS] [OPTION …]`, where options are
+//! `cargo run -p homogen-codegen --features cli --example sizes -- [--joints 16,29,256] [OPTION …]`, where options are
 //! those of `homogen generate`, such as `--section 800`; `-- --robot chain 64` writes a robot's URDF instead.
 //!
-//! In: how many joints at most (64; chains and trees have 16, 32, 64, 128, 256), and how functions are wanted. Out: a
-//! table in Markdown. Robots are the same on every machine: revolute joints that stand askew and apart, full inertias;
-//! a chain, a tree of limbs of eight joints, and a humanoid of 29 of which all functions are compiled together.
+//! In: how many joints (16, 29, 32 and 64 where nothing is said), and how functions are wanted. Out: a table in
+//! Markdown. Robots are the same on every machine: revolute joints that stand askew and apart, full inertias;
+//! a chain, and a tree of limbs of eight joints; of 29 joints a humanoid, of which all functions are compiled together.
 //! Seconds are the processor's, for others may run beside; memory is the most that was held. It is built as proc
 //! macros are, without optimisation, and so tells what a derive takes to expand.
 //!
@@ -23,7 +23,10 @@ use homogen_random::Random;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
-const JOINTS: [usize; 5] = [16, 32, 64, 128, 256];
+const JOINTS: &str = "16,29,32,64";
+
+/// A humanoid's.
+const HUMANOID: usize = 29;
 
 /// Functions with their arguments.
 const FUNCTIONS: [(&str, &str); 3] = [
@@ -44,8 +47,8 @@ fn main() -> Fallible<()> {
             Ok(())
         }
         ["--expand", from, to, options @ ..] => expand(from, to, options),
-        ["--most", most, options @ ..] => measure(most.parse()?, options),
-        options => measure(64, options),
+        ["--joints", joints, options @ ..] => measure(joints, options),
+        options => measure(JOINTS, options),
     }
 }
 
@@ -63,14 +66,19 @@ fn expand(from: &str, to: &str, options: &[&str]) -> Fallible<()> {
     }
 }
 
-fn measure(most: usize, options: &[&str]) -> Fallible<()> {
+fn measure(joints: &str, options: &[&str]) -> Fallible<()> {
     let folder = env::temp_dir().join("homogen_sizes");
     fs::create_dir_all(&folder)?;
     println!(
         "| robot | function | mul and add | kB of text | expanded s | MB | debug s | MB | release s | MB | ns a joint |"
     );
     println!("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
-    for joints in JOINTS.into_iter().filter(|&joints| joints <= most) {
+    for joints in joints.split(',') {
+        let joints = joints.parse()?;
+        if joints == HUMANOID {
+            row(&folder, ("humanoid", joints), None, options)?;
+            continue;
+        }
         for kind in ["chain", "tree"] {
             for of in FUNCTIONS {
                 if of.0 != "mass_matrix" || joints <= MOST_OF_MATRICES {
@@ -79,7 +87,7 @@ fn measure(most: usize, options: &[&str]) -> Fallible<()> {
             }
         }
     }
-    row(&folder, ("humanoid", 29), None, options)
+    Ok(())
 }
 
 /// One function, or all.
@@ -105,7 +113,7 @@ fn row(
     }
     let expanded = Cost::of(&env::current_exe()?, expansion)?;
     let text = fs::read_to_string(&source)?;
-    let program = file("main.rs");
+    let program = folder.join(format!("{kind}_{joints}_{name}_main.rs"));
     fs::write(&program, timed(&text, joints, function))?;
     let executable = file(env::consts::EXE_EXTENSION);
     let compiled = |flags: &[&str]| {

@@ -359,4 +359,6 @@ fn accuracy_of(
 }
 
 #[cfg(test)]
+mod long_chains;
+#[cfg(test)]
 mod tests;

@@ -113,28 +113,40 @@ fn row(
     }
     let expanded = Cost::of(&env::current_exe()?, expansion)?;
     let text = fs::read_to_string(&source)?;
-    let program = folder.join(format!("{kind}_{joints}_{name}_main.rs"));
-    fs::write(&program, timed(&text, joints, function))?;
-    let executable = file(env::consts::EXE_EXTENSION);
+    let library = file("rlib");
+    // Of a program nothing would be compiled that it does not call.
     let compiled = |flags: &[&str]| {
-        let flags = ["--edition=2021", "-Awarnings"].iter().chain(flags);
+        let flags = ["--edition=2021", "--crate-type=lib", "-Awarnings"]
+            .iter()
+            .chain(flags);
         let mut words: Vec<_> = flags.map(Into::into).collect();
-        words.extend([
-            "-o".into(),
-            executable.clone().into(),
-            program.clone().into(),
-        ]);
+        words.extend(["-o".into(), library.clone().into(), source.clone().into()]);
         Cost::of(Path::new("rustc"), words)
     };
     let debug = compiled(&["-Cdebuginfo=2"])?;
     let release = compiled(&["-Copt-level=3"])?;
-    let said = checked(Command::new(&executable).output()?)?;
-    let said = String::from_utf8(said.stdout)?;
+    let called = function.map(|function| {
+        let program = file("main.rs");
+        fs::write(&program, timed(&text, joints, function))?;
+        let executable = file(env::consts::EXE_EXTENSION);
+        let mut rustc = Command::new("rustc");
+        rustc.args([
+            "--edition=2021",
+            "--crate-name=timed",
+            "-Awarnings",
+            "-Copt-level=3",
+            "-o",
+        ]);
+        checked(rustc.args([&executable, &program]).output()?)?;
+        let said = checked(Command::new(&executable).output()?)?;
+        Fallible::Ok(String::from_utf8(said.stdout)?)
+    });
+    let called = called.transpose()?.unwrap_or_default();
     println!(
         "| {kind} {joints} | `{name}` | {} | {} | {expanded} | {debug} | {release} | {} |",
         operations(&text),
         text.len().div_ceil(1000),
-        said.trim()
+        called.trim()
     );
     Ok(())
 }
@@ -153,11 +165,12 @@ fn operations(text: &str) -> usize {
         .sum()
 }
 
-/// A program that prints the time per call and joint, where there is one function.
-fn timed(text: &str, joints: usize, function: Option<(&str, &str)>) -> String {
-    let call = function.map_or_else(String::new, |(name, arguments)| {
-        format!(
-            "let number = |k: usize| (k % 61) as f64 / 61.0 - 0.45;
+/// A program that prints the time per call and joint.
+fn timed(text: &str, joints: usize, (name, arguments): (&str, &str)) -> String {
+    format!(
+        "{text}
+fn main() {{
+    let number = |k: usize| (k % 61) as f64 / 61.0 - 0.45;
     let states: Vec<[[f64; {joints}]; 4]> = (0..64)
         .map(|k| std::array::from_fn(|i| std::array::from_fn(|j| number(13 * k + 7 * i + 11 * j))))
         .collect();
@@ -170,10 +183,10 @@ fn timed(text: &str, joints: usize, function: Option<(&str, &str)>) -> String {
         }}
         least = least.min(start.elapsed().as_secs_f64());
     }}
-    println!(\"{{:.1}}\", 1e9 * least / 64.0 / {joints}.0);"
-        )
-    });
-    format!("{text}\nfn main() {{\n    {call}\n}}\n")
+    println!(\"{{:.1}}\", 1e9 * least / 64.0 / {joints}.0);
+}}
+"
+    )
 }
 
 /// What a program took.

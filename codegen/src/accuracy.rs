@@ -13,7 +13,7 @@ mod solved;
 
 pub use self::articulated::of_articulated;
 pub use self::promise::{Accuracy, Bound, Means, Promise};
-pub use self::solved::{of_accelerations, of_inverse};
+pub use self::solved::{of_accelerations, of_derivatives, of_inverse};
 pub use crate::function::Given;
 
 use self::promise::{Owner, Worst, computed, error, owners, promise};

@@ -304,7 +304,9 @@ fn first_wrong(
         Truth::Constrained(value) => value(dense, scalar.vanishing()),
         Truth::Solution(Given::Torques) => return solved::first_unsolved(dense, found),
         Truth::Solution(Given::MassMatrix) => return solved::first_not_inverse(dense, found),
-        Truth::Derivatives => return solved::first_wrong_derivative(dense, found),
+        Truth::Solution(Given::TorqueDerivatives) => {
+            return solved::first_wrong_derivative(dense, found);
+        }
     };
     debug_assert_eq!(expected.len(), found.len());
     // Frames that are turned, and turned back, leave of a residue no more digits than 106 bits have

@@ -28,7 +28,7 @@ use crate::check::Check;
 use crate::description::{Description, freed};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
-use crate::function::{Function, Given};
+use crate::function::{Function, Given, Truth};
 use crate::list;
 use crate::print::{About, LeftOut, Listed, Listing, Prepared};
 use crate::real::{Real, Trigonometry};
@@ -327,32 +327,47 @@ fn accuracy_of(
     let parts = |functions: &[Function]| {
         program_by(chain, functions, FrameId::FIRST, found.layout, found.way)
     };
-    let solved = functions.iter().filter_map(|function| {
-        let Some(given) = function.given() else {
-            let unknown = if function.is_constrained() {
-                "none is derived where loops are held together"
-            } else {
-                "none is derived of derivatives of accelerations"
-            };
-            let is_unknown = function.is_constrained() || function.solves();
-            return is_unknown.then_some(Accuracy::Unknown(unknown));
+    let forward = found.way.forward;
+    let solution = |given: Given| match (given, forward) {
+        (Given::Torques, Forward::MassMatrix { refinements }) => {
+            let equation = equation_by(chain, found.layout, found.way, refinements > 0);
+            accuracy::of_accelerations(chain, &equation, refinements, means)
+        }
+        (Given::Torques, Forward::Articulated) => {
+            accuracy::of_articulated(chain, found.layout, found.way, means)
+        }
+        (Given::MassMatrix, Forward::UNREFINED) => {
+            accuracy::of_inverse(chain, &parts(&[Function::MassMatrix]), means)
+        }
+        (Given::TorqueDerivatives, Forward::UNREFINED) => {
+            let equation = equation_by(chain, found.layout, found.way, false);
+            let derivatives = parts(&[Function::InverseDynamicsDerivatives]);
+            accuracy::of_derivatives(chain, &equation, &derivatives, means)
+        }
+        (Given::MassMatrix | Given::TorqueDerivatives, _) => Accuracy::Unknown(
+            "none is derived of an inverse that is refined or made of articulated bodies",
+        ),
+    };
+    // What several functions solve is said once.
+    let mut said = Vec::new();
+    let solved = functions.iter().flat_map(|function| {
+        let Truth::Solution(given) = function.truth() else {
+            let unknown = Accuracy::Unknown("none is derived where loops are held together");
+            let held = function.is_constrained().then_some(unknown);
+            return held.into_iter().collect::<Vec<_>>();
         };
-        Some(match (given, found.way.forward) {
-            (Given::MassMatrix, Forward::UNREFINED) => {
-                let parts = parts(&[Function::MassMatrix]);
-                accuracy::of_inverse(chain, &parts, means)
+        // Derivatives are of accelerations that are found, and M⁻¹ is one of them. Of what is made with an inverse no
+        // more can be said than of that.
+        let givens = match given {
+            Given::TorqueDerivatives if forward == Forward::UNREFINED => {
+                vec![Given::Torques, Given::TorqueDerivatives, Given::MassMatrix]
             }
-            (Given::MassMatrix, _) => Accuracy::Unknown(
-                "none is derived of an inverse that is refined or made of articulated bodies",
-            ),
-            (Given::Torques, Forward::MassMatrix { refinements }) => {
-                let parts = equation_by(chain, found.layout, found.way, refinements > 0);
-                accuracy::of_accelerations(chain, &parts, refinements, means)
-            }
-            (Given::Torques, Forward::Articulated) => {
-                accuracy::of_articulated(chain, found.layout, found.way, means)
-            }
-        })
+            given => vec![given],
+        };
+        let new = givens.into_iter().filter(|given| !said.contains(given));
+        let new: Vec<Given> = new.collect();
+        said.extend(&new);
+        new.into_iter().map(solution).collect()
     });
     let evaluated = accuracy::of(chain, functions, &found.program, means);
     evaluated.into_iter().chain(solved).collect()

@@ -200,6 +200,7 @@ pub(super) fn backward(
     let of = match given {
         Given::Torques => Function::InverseDynamics,
         Given::MassMatrix => Function::MassMatrix,
+        Given::TorqueDerivatives => Function::InverseDynamicsDerivatives,
     };
     let arguments = &of.arguments_with(chain.spaces().actions() > 0);
     match promise(chain, means, &owners(chain, of), worst) {

@@ -1,8 +1,8 @@
 //! What is solved exactly where a mass matrix is factored.
 //!
-//! In: a chain, and a program that computes the mass matrix and the torques as the function does.
-//! Out: how far the torques, or the mass matrix, that a result is exact for are from those given
-//! (backward error). It never says how far the result is off: that grows with the condition number.
+//! In: a chain, and a program that computes the mass matrix and the torques, or their derivatives, as the
+//! function does. Out: how far the torques, the derivatives or the mass matrix that a result is exact for
+//! are from those given (backward error). It never says how far the result is off: that grows with the condition number.
 //!
 //! A computed solution of Lᵗ D L x = b solves M + ΔM exactly, with |ΔM| ≤ c u |Lᵗ| D |L| (as in Higham,
 //! *Accuracy and Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
@@ -65,6 +65,38 @@ pub fn of_accelerations(
         solved(program, &range, joints, refinements, means, scalar)
     };
     backward(chain, Given::Torques, &[program], means, worst)
+}
+
+/// Of the derivatives of accelerations by coordinates and rates: what the derivatives of τ are off by, at the
+/// accelerations found, for which each column is exact, and for an M of its own as a column of the inverse is. The
+/// first program computes the mass matrix and the torques at q̈ = 0, the second what changes of q and q̇ do to the
+/// torques that produce q̈.
+#[must_use]
+pub fn of_derivatives(
+    chain: &Chain,
+    equation: &Program,
+    derivatives: &Program,
+    means: Means,
+) -> Accuracy {
+    let range = Range::of(chain);
+    let mobility = mobility(chain, Layout::DESCRIBED, &range);
+    let worst = |scalar: Real| -> Worst {
+        let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
+        let narrow = Parts::of(equation, &range, joints, means, scalar)?;
+        narrow.check(joints)?;
+        tried(0.0, |margin| {
+            let wider = widened(&range, margin);
+            let off = narrow.over(&wider).unrefined();
+            if !stays(&range, margin, &caused(joints, &off)) {
+                return Err(DOUBTFUL);
+            }
+            let found = computed(derivatives, &wider, means, scalar).into_iter();
+            let found = found.map(|found| error(found).map(|_| found.value));
+            narrow.differentiated(joints, &found.collect::<Result<Vec<Value>, _>>()?, scalar)
+        })
+    };
+    let programs = [equation, derivatives];
+    backward(chain, Given::TorqueDerivatives, &programs, means, worst)
 }
 
 /// The greatest accelerations that forces can cause: an entry of M⁻¹ is at most the root of the
@@ -176,12 +208,27 @@ pub(super) fn underflow(size: f64, joints: usize, scalar: Real) -> Result<f64, &
     Ok(16.0 * joints * joints * size * scalar.smallest())
 }
 
+/// The largest of the numbers that have to do with a solution x of given torques. Everything on the way is at most
+/// a product of two of these and of [`Parts::factors`], as many times as there are joints, twice: factors are
+/// √(M/d) and pivots d at least half of 1/(M⁻¹)ₖₖ.
+fn solution(x: &[f64], given: impl Iterator<Item = f64>) -> f64 {
+    largest(x.iter().copied()) * largest(given.map(|torque| 2.0 * torque))
+}
+
+/// The largest of some sizes and 1.
+fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
+    sizes.fold(1.0, f64::max)
+}
+
 /// What a program computes that a solution comes from.
 #[derive(Clone)]
 struct Parts {
     roundoff: f64,
     /// What underflow takes from a sum on the way, in any unit.
     vanishes: f64,
+    /// The largest entry of the mass matrix, and of twice its inverse, which all that factors are made of is a
+    /// product of.
+    factors: f64,
     /// The greatest that each acceleration can be.
     most: Vec<f64>,
     mass: Vec<Value>,
@@ -205,17 +252,14 @@ impl Parts {
         let mut mass = found.collect::<Result<Vec<Value>, _>>()?;
         let mut bias = mass.split_off(count * count);
         let needed = bias.split_off(count.min(bias.len()));
-        // Everything on the way is at most a product of two of these, as many times as there are
-        // joints, twice: factors are √(M/d) and pivots d at least half of 1/(M⁻¹)ₖₖ.
-        let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(1.0, f64::max);
+        let factors = largest(mass.iter().map(|value| value.reach()))
+            * largest(mobility.iter().map(|most| 2.0 * most));
         let given = bias.iter().chain(&needed).map(|value| value.reach());
-        let size = largest(&mut mass.iter().map(|value| value.reach()))
-            * largest(&mut mobility.iter().map(|most| 2.0 * most))
-            * largest(&mut most.iter().copied())
-            * largest(&mut given.map(|torque| 2.0 * torque));
+        let size = factors * solution(&most, given);
         Ok(Self {
             roundoff: scalar.roundoff(),
             vanishes: underflow(size, count, scalar)?,
+            factors,
             most,
             mass,
             bias,
@@ -266,6 +310,21 @@ impl Parts {
                 .map(move |(k, x)| self.lost(row, k) * x)
         };
         (0..x.len()).map(|row| entries(row).sum()).collect()
+    }
+
+    /// What b is off by, where M x = −b is solved for each column b of two matrices, row by row. x is at most
+    /// M⁻¹ (b + ΔM x), of which the last is at most half of x ([`SPOILT`]).
+    fn differentiated(&self, mobility: &[f64], needed: &[Value], scalar: Real) -> Worst {
+        let count = self.most.len();
+        let mut most = vec![0.0_f64; count];
+        for (k, b) in needed.iter().enumerate() {
+            let most = &mut most[k / count % count];
+            *most = most.max(b.reach() + b.error);
+        }
+        let x: Vec<f64> = caused(mobility, &most).iter().map(|x| 2.0 * x).collect();
+        let size = self.factors * solution(&x, most.into_iter());
+        let vanishes = underflow(size, count, scalar)?;
+        Ok(needed.iter().map(|b| b.error + vanishes).collect())
     }
 
     /// Of what is not refined.

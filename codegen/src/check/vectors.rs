@@ -158,7 +158,7 @@ fn truth(
         Truth::Constrained(value) => Some(value(dense, scalar.vanishing())),
         Truth::Solution(Given::Torques) => acceleration(),
         Truth::Solution(Given::MassMatrix) => Some(inverse()?.concat()),
-        Truth::Derivatives => {
+        Truth::Solution(Given::TorqueDerivatives) => {
             let mut found = Vec::new();
             for of in dense.torque_derivatives_of(acceleration()?.into()) {
                 let rows = of.rows();

@@ -133,6 +133,7 @@ fn error(accuracy: &Accuracy) -> Value {
         Accuracy::Within(promise) => ("results", promise),
         Accuracy::Backward(Given::Torques, promise) => ("tau", promise),
         Accuracy::Backward(Given::MassMatrix, promise) => ("M", promise),
+        Accuracy::Backward(Given::TorqueDerivatives, promise) => ("tau derivatives", promise),
     };
     let by_unit = |of: fn(&Bound) -> Option<f64>| {
         let mut worst: Map<String, Value> = Map::new();

@@ -11,7 +11,7 @@ use crate::accuracy::range::Range;
 use crate::chain::Chain;
 use crate::expression::{Arithmetic, Double, Evaluation, Input};
 use crate::formulation::Forward;
-use crate::function::{Function, Truth};
+use crate::function::{Function, Given, Truth};
 use crate::layout::Layout;
 use crate::model::Way;
 use crate::real::Real;
@@ -70,7 +70,7 @@ struct Solved {
 /// that were found: the best form loses not much less than the others.
 pub(super) const fn allowed(function: Function) -> f64 {
     match function.truth() {
-        Truth::Derivatives => 10.0,
+        Truth::Solution(Given::TorqueDerivatives) => 10.0,
         Truth::Value(_) | Truth::OfMass(_) | Truth::Constrained(_) | Truth::Solution(_) => 1.0,
     }
 }

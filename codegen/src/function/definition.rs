@@ -18,9 +18,6 @@ pub(crate) enum Truth {
     Constrained(fn(&Dense, f64) -> Vec<Approximate>),
     /// An equation that they solve, in which that is given.
     Solution(Given),
-    /// What the accelerations of τ change by, which solves an equation whose right-hand sides the
-    /// accelerations decide.
-    Derivatives,
 }
 
 /// What a solution is found for.
@@ -30,6 +27,9 @@ pub enum Given {
     Torques,
     /// M, of which each column of the inverse is one, from the diagonal up: each for another M.
     MassMatrix,
+    /// ∂τ/∂q and ∂τ/∂q̇ at the accelerations of τ, which decide these, of which each column of the derivatives of
+    /// accelerations is one.
+    TorqueDerivatives,
 }
 
 /// Everything that is known of a function.

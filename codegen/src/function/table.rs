@@ -107,7 +107,7 @@ impl Function {
     /// Whether it solves for what forces do to accelerations of joints that no loop holds together.
     #[must_use]
     pub const fn solves(self) -> bool {
-        matches!(self.truth(), Truth::Solution(_) | Truth::Derivatives)
+        matches!(self.truth(), Truth::Solution(_))
     }
 
     /// Whether an inverse of the mass matrix is among its results: then it is the last of them.
@@ -115,17 +115,8 @@ impl Function {
     pub const fn inverts(self) -> bool {
         matches!(
             self.truth(),
-            Truth::Solution(Given::MassMatrix) | Truth::Derivatives
+            Truth::Solution(Given::MassMatrix | Given::TorqueDerivatives)
         )
-    }
-
-    /// What it is a solution for, if it is one of which as much can be said.
-    #[must_use]
-    pub const fn given(self) -> Option<Given> {
-        match self.truth() {
-            Truth::Value(_) | Truth::OfMass(_) | Truth::Constrained(_) | Truth::Derivatives => None,
-            Truth::Solution(given) => Some(given),
-        }
     }
 
     /// Whether it is of robots that have mass alone.

@@ -18,11 +18,12 @@ use homogen_tests::tested::{F32, F64, Fused32, Fused64, Tested};
 
 use asked::{Asked, asked};
 use direct::check;
-use solved::{check_accelerations, check_inverse};
+use solved::{check_accelerations, check_derivatives, check_inverse};
 
 fn check_solved<T: Tested>(asked: Asked) {
     assert!(check_accelerations::<T>(asked), "{}", asked.robot);
     check_inverse::<T>(asked);
+    check_derivatives::<T>(asked);
 }
 
 fn check_both(asked: Asked) {

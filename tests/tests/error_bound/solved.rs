@@ -6,11 +6,10 @@
 use homogen_codegen::accuracy::mobility::mobility;
 use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{Accuracy, Bound};
-use homogen_codegen::chain::{BodyId, Chain};
+use homogen_codegen::chain::Chain;
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::list::Id;
 use homogen_codegen::model::Way;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
@@ -25,23 +24,38 @@ use crate::states::{STATES, state};
 
 /// The program of a function that solves something, and the bounds of what was given, if there are any.
 fn solved(asked: Asked, function: Function, scalar: Real) -> Option<(Program, Vec<Bound>)> {
+    let (program, bounds) = all_solved(asked, &[function], scalar);
+    let mut bounds = bounds.into_iter();
+    let found = bounds.next().expect("something is said");
+    assert!(bounds.next().is_none(), "{function:?} is one solution");
+    found.map(|bounds| (program, bounds))
+}
+
+/// The same of functions that solve several things: for each the bounds, if there are any.
+fn all_solved(
+    asked: Asked,
+    functions: &[Function],
+    scalar: Real,
+) -> (Program, Vec<Option<Vec<Bound>>>) {
     let (description, request) = described(asked);
-    let external = request.external.iter().filter(|_| function.takes_actions());
+    let takes_actions = functions.iter().any(|function| function.takes_actions());
+    let external = request.external.iter().filter(|_| takes_actions);
     let request = Request {
         external: external.cloned().collect(),
-        functions: vec![vec![function]],
+        functions: vec![functions.to_vec()],
         scalar,
         ..request
     };
     let listing = expand(&description, &request);
     let listing = listing.unwrap_or_else(|errors| panic!("{errors}"));
     let listed = listing.functions.into_iter().next();
-    let listed = listed.expect("one function was asked for");
-    match &*listed.accuracy {
-        [Accuracy::Backward(_, promise)] => Some((listed.program, promise.bounds.clone())),
-        [Accuracy::Unknown(_)] => None,
-        other => panic!("{other:?}"),
-    }
+    let listed = listed.expect("one item was asked for");
+    let bounds = listed.accuracy.into_iter().map(|accuracy| match accuracy {
+        Accuracy::Backward(_, promise) => Some(promise.bounds),
+        Accuracy::Unknown(_) => None,
+        other @ Accuracy::Within(_) => panic!("{other:?}"),
+    });
+    (listed.program, bounds.collect())
 }
 
 /// What a function computes, with 106 bits.
@@ -104,6 +118,80 @@ pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
     true
 }
 
+/// Derivatives of accelerations of τ that the inverse of a state needs: by how much M times each column misses what
+/// changes of q and q̇ do to the torques that produce the accelerations found, beside what both may be off by.
+pub fn check_derivatives<T: Tested>(asked: Asked) {
+    let functions = [
+        Function::ForwardDynamics,
+        Function::ForwardDynamicsDerivatives,
+    ];
+    let (program, bounds) = all_solved(asked, &functions, T::REAL);
+    let [Some(_), Some(changes_off), Some(mass_off)] = &*bounds else {
+        panic!("{}: M is provably regular", asked.robot);
+    };
+    let chain = chain_of(asked);
+    let function = Function::InverseDynamicsDerivatives;
+    let [needed, mass, changes] =
+        [Function::InverseDynamics, Function::MassMatrix, function].map(|f| exactly(&chain, f));
+    let count = chain.spaces().velocities.len();
+    let range = Range::of(&chain);
+    let mut random = Random::new(43);
+    let changes_off = of_entries(&chain, function, changes_off);
+    let mass_off = of_entries(&chain, Function::MassMatrix, mass_off);
+    let mut worst = 0.0_f64;
+    for _ in 0..STATES / 4 {
+        let state = state::<T>(&range, &mut random);
+        let at = |qdd: &dyn Fn(usize) -> f64, input| match input {
+            Input::Variable(Variable::Qdd, k) => Double::from(qdd(usize::from(k))),
+            _ => Double::from(state(input)),
+        };
+        let wanted = |k: usize| {
+            let k = u16::try_from(k).expect("few joints");
+            0.9 * state(Input::Variable(Variable::Qdd, k))
+        };
+        let tau = needed.at(|input| at(&wanted, input)).into_iter();
+        let tau: Vec<T> = tau.map(|tau| T::literal(tau.to_f64())).collect();
+        let found = run(&program, |input| match input {
+            Input::Variable(Variable::Tau, k) => tau[usize::from(k)],
+            _ => T::literal(state(input)),
+        });
+        let (accelerations, found) = found.split_at(count);
+        let accelerations = |k: usize| accelerations[k].to_f64();
+        let changes = changes.at(|input| at(&accelerations, input));
+        let mass = mass.at(|input| at(&accelerations, input));
+        for (k, change) in changes.into_iter().enumerate() {
+            let (matrix, row, column) = (k / (count * count), k / count % count, k % count);
+            let of_column = found[matrix * count * count + column..]
+                .iter()
+                .step_by(count);
+            let x: Vec<f64> = of_column.take(count).map(|x| x.to_f64()).collect();
+            let terms = mass[row * count..].iter().zip(&x);
+            let off = terms.fold(change, |sum, (m, x)| sum + *m * Double::from(*x));
+            let terms = mass_off[row * count..].iter().zip(&x);
+            let most = terms.fold(changes_off[k], |most, (off, x)| most + off * x.abs());
+            worst = worst.max(off.to_f64().abs() / most);
+        }
+    }
+    let (robot, name) = (asked.robot, T::NAME);
+    println!("{robot} {name}: derivatives {worst:.1e} of what they may be off by");
+    let farthest = 8.0 * asked.farthest;
+    assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
+}
+
+/// For each result of a function the bound that holds of it.
+fn of_entries(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f64> {
+    let (result, spaces) = (function.result(), chain.spaces());
+    let units = result.units(spaces).into_iter().enumerate();
+    let of_entry = units.map(|(k, unit)| {
+        let owner = result.owner(spaces, k);
+        let joint = owner.map(|(space, entry)| &spaces.entries(space)[entry].name);
+        let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == joint;
+        let bound = bounds.iter().find(of).map(number);
+        bound.expect("each row and unit has a bound in the type")
+    });
+    of_entry.collect()
+}
+
 /// The inverse of the mass matrix. Where each column solves a matrix that is off by up to B, its
 /// entries are off by up to |M⁻¹| B |M⁻¹|, to first order.
 pub fn check_inverse<T: Tested>(asked: Asked) {
@@ -111,19 +199,7 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
     let (program, bounds) = found.expect("M is provably regular");
     let chain = chain_of(asked);
     let count = chain.joints.len();
-    // Of each row, by unit.
-    let units = Function::MassMatrix
-        .result()
-        .units(chain.spaces())
-        .into_iter();
-    let lost: Vec<f64> = (units.enumerate())
-        .map(|(k, unit)| {
-            let joint = &chain.joints[BodyId::new(k / count)].name;
-            let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == Some(joint);
-            bounds.iter().find(of).map(number)
-        })
-        .map(|bound| bound.expect("each row and unit of the mass matrix has a bound in the type"))
-        .collect();
+    let lost = of_entries(&chain, Function::MassMatrix, &bounds);
     let inverse = exactly(&chain, Function::MassMatrixInverse);
     let range = Range::of(&chain);
     let most = mobility(&chain, Layout::DESCRIBED, &range).expect("bodies have inertias");

@@ -19,6 +19,10 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
         Accuracy::Backward(Given::MassMatrix, promise) => {
             ("each column is exact for an M of its own, off by ", promise)
         }
+        Accuracy::Backward(Given::TorqueDerivatives, promise) => (
+            "∂q̈/∂q and ∂q̈/∂q̇ as if the derivatives of τ at the q̈ found were off by ",
+            promise,
+        ),
     };
     let groups = groups(promise);
     let mut range = promise.range.clone();

@@ -9,13 +9,12 @@ target=thumbv7em-none-eabihf
 [ ${#packages[@]} = 0 ] || install "${packages[@]}"
 
 home=$(cd ../.. && pwd)
-export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$home/target}"
-(cd "$home" && cargo build --quiet --locked -p homogen-codegen --features cli --bin homogen)
-homogen="$CARGO_TARGET_DIR/debug/homogen"
+cd "$home"
+. tests/homogen.sh
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # Built once for all three.
-export CARGO_TARGET_DIR="$home/target/firmware"
+export CARGO_TARGET_DIR="$built/firmware"
 
 numbers() { # the numbers of a text, one a line, as awk reads them
     grep -oE -- '-?[0-9]+\.?[0-9]*(e-?[0-9]+)?' | awk '{ printf "%.9g\n", $1 + 0 }'

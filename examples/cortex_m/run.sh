@@ -43,7 +43,7 @@ fi
 # --- one arm, one board ---------------------------------------------------------------------------
 
 host() { # what the host says of an arm
-    ARM="$1" "${cargo[@]}" run --quiet --release --locked -p host -- "${@:2}"
+    ARM="$1" "${cargo[@]}" run --quiet --profile host --locked -p host -- "${@:2}"
 }
 
 build() { # arm board options: the images
@@ -182,7 +182,7 @@ check() { # writes the tables to $seen/{table,c99}.md, and the budget that they 
         echo '| --- | --- | --- | --- | --- | --- |'
     } >"$seen/c99.md"
     say "=== the host's own tests"
-    "${cargo[@]}" test --quiet --release --locked -p host >&2
+    "${cargo[@]}" test --quiet --profile host --locked -p host >&2
     {
         grep '^#' budget.txt >"$seen/budget.txt"
         echo "With $("${rustc[@]}" --version | cut -d' ' -f1,2), M4F / M7:"

@@ -7,18 +7,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-cargo build --quiet --locked -p homogen-codegen --features parquet --bin homogen
-target="${CARGO_TARGET_DIR:-$PWD/target}"
-homogen="$target/debug/homogen"
-folder="$target/cluster"
-rm -rf "$folder"
-mkdir -p "$folder"
-python3 -m venv "$folder/venv"
+name=cluster features=parquet
+. tests/python/packages.sh
 "$homogen" python robots/panda_class.urdf --tip link8 --functions inverse_dynamics -o "$folder/panda_py" >/dev/null
-pip() { "$folder/venv/bin/pip" --quiet --disable-pip-version-check "$@"; }
 pip install ray 'dask[distributed]' pyarrow
-CARGO_TARGET_DIR="$target/python/target" pip install "$folder/panda_py"
-python="$folder/venv/bin/python"
+CARGO_TARGET_DIR="$built/python/target" pip install "$folder/panda_py"
 
 passed=0
 check() {

@@ -14,14 +14,8 @@ if ! python3 -c 'import sys, ensurepip; assert sys.version_info >= (3, 10)' 2>/d
     exit 0
 fi
 
-cargo build --quiet --locked -p homogen-codegen --features cli --bin homogen
-target="${CARGO_TARGET_DIR:-$PWD/target}"
-homogen="$target/debug/homogen"
-folder="$target/python"
-rm -rf "$folder"
-mkdir -p "$folder"
-python3 -m venv "$folder/venv"
-pip() { "$folder/venv/bin/pip" --quiet --disable-pip-version-check "$@"; }
+name=python
+. tests/python/packages.sh
 # What packages share is compiled once.
 export CARGO_TARGET_DIR="$folder/target"
 
@@ -44,4 +38,4 @@ for package in "${packages[@]}"; do
     pip install "$folder/${words[0]}"
     echo "${words[0]}: built and installed in $((SECONDS - began)) s"
 done
-"$folder/venv/bin/python" -W error tests/python/check.py "$homogen" "${packages[@]}"
+"$python" -W error tests/python/check.py "$homogen" "${packages[@]}"

@@ -7,9 +7,6 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-folder="${CARGO_TARGET_DIR:-$PWD/target}"
-output="$folder/show"
-mkdir -p "$output"
 
 browser() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
 
@@ -19,5 +16,6 @@ if ! browser >/dev/null; then
     "${as_root[@]}" apt-get install -y --no-install-recommends chromium fonts-dejavu-core >/dev/null
 fi
 
-cargo build --quiet --locked -p homogen-codegen --features cli --bin homogen
-node tests/show/check.mjs "$folder/debug/homogen" "$(browser)" "$output"
+. tests/homogen.sh
+mkdir -p "$built/show"
+node tests/show/check.mjs "$homogen" "$(browser)" "$built/show"

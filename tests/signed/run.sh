@@ -5,11 +5,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-folder="${CARGO_TARGET_DIR:-$PWD/target}/signed"
+. tests/homogen.sh
+folder="$built/signed"
 rm -rf "$folder"
 mkdir -p "$folder"
-cargo build --quiet --locked -p homogen-codegen --features cli --bin homogen
-homogen="${CARGO_TARGET_DIR:-$PWD/target}/debug/homogen"
 warnings=(-std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -O1 -ffp-contract=off)
 
 fail() { echo "$*" >&2; exit 1; }

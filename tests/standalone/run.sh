@@ -10,10 +10,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-folder="${CARGO_TARGET_DIR:-$PWD/target}/standalone"
+. tests/homogen.sh
+folder="$built/standalone"
 mkdir -p "$folder"
-
-homogen() { cargo run --quiet --locked -p homogen-codegen --features cli --bin homogen -- "$@"; }
 
 compiler() { # version: the command that is this compiler, or the one that there is
     if rustup run "$1" rustc --version >/dev/null 2>&1 ||
@@ -62,9 +61,9 @@ for robot in panda_class:link8 scara:tool; do
     for scalar in f32 f64; do
         file="$folder/${robot%:*}_$scalar.rs"
         generate=(generate "robots/${robot%:*}.urdf" --tip "${robot#*:}" --scalar "$scalar")
-        homogen "${generate[@]}" -o "$file"
+        "$homogen" "${generate[@]}" -o "$file"
         compile "$file"
-        homogen "${generate[@]}" --extern-c arm_ --c-header "${file%.rs}.h" -o "${file%.rs}_c.rs"
+        "$homogen" "${generate[@]}" --extern-c arm_ --c-header "${file%.rs}.h" -o "${file%.rs}_c.rs"
         compile "${file%.rs}_c.rs"
     done
 done
@@ -73,7 +72,7 @@ functions=(--functions inverse_dynamics,mass_matrix,mass_matrix_inverse,forward_
 [ "${1:-}" != --long ] || functions=()
 for scalar in f32 f64; do
     file="$folder/humanoid_$scalar.rs"
-    homogen generate tests/robots/humanoid.urdf --tip left_arm_9 --scalar "$scalar" "${functions[@]}" -o "$file"
+    "$homogen" generate tests/robots/humanoid.urdf --tip left_arm_9 --scalar "$scalar" "${functions[@]}" -o "$file"
     build "$file" rustc
 done
 read -ra rustc <<<"$(compiler "$(promised "$file").0")"

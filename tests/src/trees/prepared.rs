@@ -34,6 +34,15 @@ pub const TOLERANCE: f64 = 1e-10;
 /// How far an entry of the mass matrix may sink by elimination before accelerations may be refused.
 const REGULAR: f64 = 1e-8;
 
+/// The same for a function: derivatives solve with what their torques change by, which has been rounded, and with
+/// accelerations that were found.
+fn regular(function: Function) -> f64 {
+    match function {
+        Function::ForwardDynamicsDerivatives => 10.0 * REGULAR,
+        _ => REGULAR,
+    }
+}
+
 /// What became of a program.
 pub enum Outcome {
     /// It was refused by name, and might be.
@@ -120,14 +129,15 @@ impl<'r> Prepared<'r> {
         let Some(program) = guarded(|| self.program(case, frame))?? else {
             return Ok(Outcome::Refused);
         };
+        let singular = |state| self.is_singular(case.function, state);
         let mut worst: f64 = 0.0;
         for (state, arguments) in self.states.iter().enumerate() {
             let found = run::<f64>(&program, |input| self.input(input, arguments));
             if let Some(bad) = found.iter().find(|entry| !entry.is_finite()) {
                 // A robot may pass through a posture without accelerations, but must have others.
                 let asked = case.choice != Choice::Default;
-                let passes = asked || (0..self.states.len()).any(|state| !self.is_singular(state));
-                if case.function.solves() && self.is_singular(state) && passes {
+                let passes = asked || (0..self.states.len()).any(|state| !singular(state));
+                if singular(state) && passes {
                     continue;
                 }
                 return Err(format!("{bad} of a finite state"));
@@ -176,7 +186,7 @@ impl<'r> Prepared<'r> {
     /// The program of a case; none where it is refused by name, and may be.
     fn program(&self, case: Case, frame: FrameId) -> Result<Option<Program>, String> {
         let functions = [case.function];
-        let singular = |state: usize| case.function.solves() && self.is_singular(state);
+        let singular = |state| self.is_singular(case.function, state);
         let program = match case.choice {
             Choice::By(layout, way) => {
                 // A form that nobody asked for may be one that this robot cannot bear.
@@ -207,7 +217,9 @@ impl<'r> Prepared<'r> {
             let solves = case.function.solves();
             let weightless = case.function.is_of_mass() && refusal.contains("has mass");
             let states = || (0..self.states.len()).any(singular);
-            let excused = || states() || solves && (self.is_described_singular() || self.cancels());
+            let excused = || {
+                states() || solves && (self.is_described_singular(case.function) || self.cancels())
+            };
             if far || weightless && self.is_weightless() || !own && excused() {
                 Ok(None)
             } else {
@@ -241,11 +253,14 @@ impl<'r> Prepared<'r> {
         frame_0::mass(&Dense::of(&described).robot) == 0.0
     }
 
-    /// Whether accelerations may be refused, or be none: where the mass matrix is singular or nearly,
+    /// Whether a function of accelerations may be refused, or be none: where the mass matrix is singular or nearly,
     /// with what is in the fields, with what is described in their place, or with what the engine takes
     /// for a field in whose place nothing but zeros are described: the end of its range.
-    fn is_singular(&self, state: usize) -> bool {
+    fn is_singular(&self, function: Function, state: usize) -> bool {
         const END: f64 = 1.0; // 1 kg, 1 m, 1 kg m² or 1 m/s²
+        if !function.solves() {
+            return false;
+        }
         let end = |field: Field| -> [f64; NUMBERS] {
             let (far, wide) = (0.25, 0.0625);
             match field {
@@ -277,12 +292,12 @@ impl<'r> Prepared<'r> {
             };
             self.states.iter().map(least).collect()
         });
-        pivots[state] < REGULAR
+        pivots[state] < regular(function)
     }
 
     /// Whether the mass matrix is singular or nearly in the posture of the description, near which the engine
     /// looks at every eighth state.
-    fn is_described_singular(&self) -> bool {
+    fn is_described_singular(&self, function: Function) -> bool {
         let mut q = vec![0.0; self.states[0].q.len()];
         for start in self.dense.robot.quaternions() {
             q[start + 3] = 1.0;
@@ -291,7 +306,7 @@ impl<'r> Prepared<'r> {
             q,
             ..self.states[0].clone()
         };
-        pivot(&self.dense, &described) < REGULAR
+        pivot(&self.dense, &described) < regular(function)
     }
 
     /// Whether a joint does what its follower takes back, so that rounding leaves half of the digits of

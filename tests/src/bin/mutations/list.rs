@@ -179,14 +179,14 @@ const MUTATIONS: [Mutation; 40] = [
     },
     Mutation {
         name: "merging: a held joint not moved to where it is held",
-        file: "codegen/src/chain/merge.rs",
+        file: "codegen/src/chain/merge/seat.rs",
         from: "pose: pose * held_at(graph, joint.kind, axes, graph.constant(held.value)),",
         to: "pose,",
         noticed_by: engine(CHECKED),
     },
     Mutation {
         name: "merging: a fixed link's inertia where its body's is",
-        file: "codegen/src/chain/merge.rs",
+        file: "codegen/src/chain/merge/seat.rs",
         from: "bodies[body].inertia + inertia.change_frame(seat.pose)",
         to: "bodies[body].inertia + inertia",
         noticed_by: engine(CHECKED),

@@ -6,7 +6,8 @@
 
 use homogen_codegen::closure::Closure;
 
-use super::{Motion, Positions, unit_motions};
+use super::momentum::unit_motions;
+use super::motion::{Motion, Positions};
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::{Loop, Robot};

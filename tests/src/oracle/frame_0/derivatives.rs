@@ -5,7 +5,8 @@
 //! to the step as to rounding, which leaves some 48; of q̇, in which torques are of the second degree but for the
 //! sign that Coulomb friction has, differences are exact.
 
-use super::{Freedom, Motion, Positions, carried, outside, pseudo_product, torques};
+use super::motion::{Freedom, Motion, Positions};
+use super::torques::{carried, outside, pseudo_product, torques};
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::exponential;

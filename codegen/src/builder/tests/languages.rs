@@ -1,0 +1,110 @@
+//! Files of C and packages for Python, by the builder.
+
+use super::{arm, as_asked, text};
+use crate::builder::{Builder, c};
+use crate::function::Function;
+use crate::processor::Processor;
+use crate::real::Real;
+use crate::request::Target;
+
+#[test]
+fn c_has_names_of_its_own_and_no_runtime() {
+    let errors = |builder: Builder| builder.to_c_header().expect_err("a mistake").to_string();
+    let one = errors(arm(as_asked).extern_c("arm-"));
+    assert_eq!(one, "error: no name in C begins with `arm-`\n");
+    let other = errors(arm(as_asked).extern_c("arm_").runtime("::homogen"));
+    assert!(other.contains("without the runtime"), "{other}");
+    let header = arm(as_asked)
+        .extern_c("arm_")
+        .frames(["eye"])
+        .parameter("payload", Target::MassOf("rod-2".into()))
+        .to_c_header()
+        .expect("no mistakes");
+    let asked = " * Made by `homogen generate pendulum.urdf --frames eye --field payload=mass_of:rod-2 --extern-c arm_` ";
+    assert!(header.contains(asked), "{header}");
+    let none = arm(as_asked).to_c_header().expect("no mistakes");
+    assert_eq!(none, "");
+}
+
+#[test]
+fn the_same_in_c() {
+    let builder = arm(as_asked).generate([Function::Gravity]).tip("rod-2");
+    let source = builder.to_c("arm.h").expect("no mistakes");
+    let asked = "--tip rod-2 --functions gravity --language c --output arm.c` ";
+    assert!(source.header.contains(asked), "{}", source.header);
+    assert!(source.text.contains("#include \"arm.h\"\n"));
+    let name = |builder: Builder| builder.to_c("arm.h").expect("no mistakes").header;
+    for (builder, function) in [
+        (
+            builder.clone(),
+            "void double_pendulum_gravity(const double q[2]",
+        ),
+        (
+            builder.clone().name("Arm").scalar(Real::F32),
+            "void arm_gravity(const float q[2]",
+        ),
+        (
+            builder.clone().name("Arm").extern_c("left_"),
+            "void left_gravity(",
+        ),
+    ] {
+        let header = name(builder);
+        assert!(header.contains(function), "{header}");
+    }
+    let errors = builder.runtime("::homogen").sin_cos("crate::sin_cos");
+    let errors = errors.to_c("arm.h").expect_err("two mistakes").to_string();
+    assert!(errors.contains("the runtime is Rust's"), "{errors}");
+    assert!(errors.contains("can be named in Rust only"), "{errors}");
+}
+
+#[test]
+fn products_fuse_in_c_where_the_processor_can_and_never_in_core() {
+    let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);
+    for (processor, fuses) in [
+        (Processor::Portable, false),
+        (Processor::CortexM7, false),
+        (Processor::AArch64, true),
+    ] {
+        let builder = builder.clone().processor(processor);
+        let source = builder.to_c("arm.h").expect("no mistakes");
+        assert_eq!(source.text.contains("HOMOGEN_FMA"), fuses, "{processor:?}");
+        assert!(!text(&builder).contains("mul_add"));
+    }
+}
+
+#[test]
+fn a_header_stands_beside_its_source() {
+    let beside = |file: &str| c::header_beside(file.as_ref());
+    let found = beside("src/arm.cu").expect("a name");
+    assert_eq!(found, ("src/arm.h".into(), "arm.h".to_owned()));
+    for file in ["arm.h", "a\"b.c", "a\\.c", "a??.c", "a\nb.c", "/"] {
+        assert!(beside(file).is_err(), "{file}");
+    }
+}
+
+#[test]
+fn a_package_for_python_has_no_options_of_rust() {
+    let builder = arm(as_asked)
+        .runtime("::homogen")
+        .sin_cos("::libm::sincos")
+        .extern_c("arm_")
+        .processor(Processor::CortexM7)
+        .drop("nothing")
+        .generate([Function::Gravity]);
+    let errors = builder.to_python("arm_py").expect_err("four mistakes");
+    let told = errors.to_string();
+    for part in [
+        "its own batches",
+        "can be named in Rust only",
+        "files that need `core` alone",
+        "finds its processor when it runs",
+    ] {
+        assert!(told.contains(part), "{told}");
+    }
+    let package = arm(as_asked)
+        .generate([Function::Gravity])
+        .to_python("Arm Py");
+    assert_eq!(package.expect("no mistakes").module, "arm_py");
+    let errors = arm(as_asked).to_python("numpy").expect_err("a mistake");
+    assert!(errors.to_string().contains("would hide NumPy"), "{errors}");
+}

@@ -1,0 +1,76 @@
+//! Directions of a joint's motions, and what it displaces where it is held.
+//!
+//! In: its axes, as scalars. Out: a direction in the frame of the moved body, and the pose from before the
+//! joint to after it.
+
+use crate::expression::{Graph, Term};
+use crate::joint::{Along, Freedom, JointKind, Movement};
+use crate::matrix::{Pose, Rotation, Vector};
+
+/// About or along which direction a freedom is, in the frame of the moved body.
+pub(super) fn direction<'g>(
+    graph: &'g Graph,
+    freedom: Freedom,
+    [axis, second]: [Vector<Term<'g>>; 2],
+) -> Vector<Term<'g>> {
+    match freedom.along {
+        Along::Axis => axis,
+        Along::Second => second,
+        Along::Frame(k) => {
+            let mut entries = [0.0; 3];
+            entries[k] = 1.0;
+            Vector::constant(graph, entries)
+        }
+    }
+}
+
+/// The displacement of a joint that is held at a coordinate, or of which all coordinates are zero.
+pub(super) fn held_at<'g>(
+    graph: &'g Graph,
+    kind: JointKind,
+    axes: [Vector<Term<'g>>; 2],
+    q: Term<'g>,
+) -> Pose<Term<'g>> {
+    let turn = |axis: Vector<Term<'g>>| {
+        // R = 1 + u̲ sin φ + u̲² (1 − cos φ)
+        let (sine, cosine) = q.sin_cos();
+        let versine = graph.constant(1.0) - cosine;
+        let [x, y, z] = axis.0;
+        let outer = |a: Term<'g>, b: Term<'g>| a * b * versine;
+        Pose::rotation(Rotation([
+            [
+                cosine + outer(x, x),
+                outer(x, y) - z * sine,
+                outer(x, z) + y * sine,
+            ],
+            [
+                outer(x, y) + z * sine,
+                cosine + outer(y, y),
+                outer(y, z) - x * sine,
+            ],
+            [
+                outer(x, z) - y * sine,
+                outer(y, z) + x * sine,
+                cosine + outer(z, z),
+            ],
+        ]))
+    };
+    let displacement = |freedom: &Freedom| {
+        let axis = direction(graph, *freedom, axes);
+        match freedom.movement {
+            Movement::Turn => turn(axis),
+            Movement::Slide => Pose::translation(axis * q),
+            Movement::Helix => {
+                let pitch = kind.pitch().unwrap_or_default();
+                Pose {
+                    translation: axis * (q * graph.constant(pitch.value)),
+                    ..turn(axis)
+                }
+            }
+        }
+    };
+    let freedoms = kind.freedoms().iter();
+    freedoms
+        .map(displacement)
+        .fold(Pose::identity(graph), |pose, next| pose * next)
+}

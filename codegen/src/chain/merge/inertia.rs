@@ -1,0 +1,54 @@
+//! The inertia of a link, as scalars.
+//!
+//! In: what is described, and the struct fields that stand for parts of it or for a payload. Out: J in the
+//! link's own frame, nothing where nothing is said of it.
+
+use super::Reader;
+use crate::description::{Link, Name};
+use crate::expression::Term;
+use crate::matrix::{Inertia, Pose, Symmetric, Vector};
+use crate::request::Target;
+
+impl<'g> Reader<'g, '_> {
+    /// J of a link in its own frame, where anything is said of it.
+    pub(super) fn inertia(&mut self, link: &Link) -> Option<Inertia<Term<'g>>> {
+        let is = |name: &Name| name.text == link.name.text;
+        let of_mass = |target: &Target| matches!(target, Target::MassOf(name) if is(name));
+        let of_center =
+            |target: &Target| matches!(target, Target::CenterOfMassOf(name) if is(name));
+        let of_inertia = |target: &Target| matches!(target, Target::InertiaOf(name) if is(name));
+        let nothing = self.graph.constant(0.0);
+        let (mass, tensor, mut origin) = match &link.inertial {
+            Some(inertial) => (
+                self.number(&inertial.mass),
+                inertial.inertia.map(|entry| self.number(&entry)),
+                self.placement(&link.name.text, &inertial.origin),
+            ),
+            // A struct field can give a mass to a link that is described without.
+            None => (nothing, [nothing; 6], Pose::identity(self.graph)),
+        };
+        let [mass] = self.free(of_mass, [mass]);
+        origin.translation = Vector(self.free(of_center, origin.translation.0));
+        let tensor = self.free(of_inertia, tensor);
+        let free = (tensor.iter().chain([&mass])).any(|entry| entry.value().is_none());
+        let own = (free || link.inertial.is_some())
+            .then(|| Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(origin));
+        let payload = self.payload(link);
+        match (own, payload) {
+            (Some(own), Some(payload)) => Some(own + payload),
+            (own, payload) => own.or(payload),
+        }
+    }
+
+    /// J of what a struct field puts on a link, in the link's frame.
+    fn payload(&mut self, link: &Link) -> Option<Inertia<Term<'g>>> {
+        let is = |target: &Target| matches!(target, Target::PayloadOn(name) if name.text == link.name.text);
+        let free = self.request.loads(&link.name);
+        free.then(|| {
+            let nothing = [self.graph.constant(0.0); 10];
+            let [mass, x, y, z, tensor @ ..] = self.free(is, nothing);
+            let center = Pose::translation(Vector([x, y, z]));
+            Inertia::central(mass, Symmetric::from_tensor(tensor)).change_frame(center)
+        })
+    }
+}

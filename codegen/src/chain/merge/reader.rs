@@ -1,0 +1,199 @@
+//! What was written, turned into scalars.
+//!
+//! In: numbers of the description and of the request. Out: terms: what is written, an input where a struct
+//! field stands for it, or exactly 0 and quarter turns where that is meant. What was snapped, merged and
+//! locked goes into the report.
+
+use super::Reader;
+use crate::chain::tree::{Branch, Follow};
+use crate::chain::turn::roll_pitch_yaw;
+use crate::chain::{Mimicked, Snapped, angle};
+use crate::description::{Axis, Description, Joint, JointId, Number, Step};
+use crate::expression::{Double, Input, Term};
+use crate::joint::{Freedom, JointKind, Motion};
+use crate::list::Id;
+use crate::matrix::{Pose, Rotation, Vector};
+use crate::request::{FieldId, Target};
+
+/// Standard gravity as robot software has it, in a base whose z points up [m/s²].
+const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
+
+impl<'g> Reader<'g, '_> {
+    pub(super) fn number(&self, number: &Number) -> Term<'g> {
+        self.graph.constant(number.value)
+    }
+
+    /// The inputs of the struct field that stands for a target, or what is described where none
+    /// does.
+    pub(super) fn free<const N: usize>(
+        &mut self,
+        is: impl Fn(&Target) -> bool,
+        described: [Term<'g>; N],
+    ) -> [Term<'g>; N] {
+        let mut parameters = self.request.parameters.iter();
+        let Some(field) = parameters.position(|parameter| is(&parameter.target)) else {
+            return described;
+        };
+        let field = FieldId::new(field);
+        self.nominal[field] = described
+            .map(|term| term.value().map_or(0.0, Double::to_f64))
+            .to_vec();
+        let index = |k: usize| u16::try_from(k).expect("few struct fields");
+        std::array::from_fn(|entry| {
+            self.graph
+                .input(Input::Parameter(index(field.index()), index(entry)))
+        })
+    }
+
+    pub(super) fn gravity(&mut self) -> Vector<Term<'g>> {
+        let described = match &self.request.gravity {
+            Some(gravity) => gravity.map(|entry| self.number(&entry)),
+            None => Vector::constant(self.graph, GRAVITY).0,
+        };
+        Vector(self.free(|target| matches!(target, Target::Gravity), described))
+    }
+
+    /// Where the base is in frame 0: there, but for a struct field.
+    pub(super) fn base(&mut self) -> Pose<Term<'g>> {
+        let there = Vector::zero(self.graph).0;
+        let position = self.free(|target| matches!(target, Target::BasePosition), there);
+        let there = Pose::translation(Vector(position));
+        self.placed(|target| matches!(target, Target::BasePlacement), there)
+    }
+
+    /// A placement taken from the struct field that stands for it, where one does.
+    fn placed(
+        &mut self,
+        is: impl Fn(&Target) -> bool,
+        described: Pose<Term<'g>>,
+    ) -> Pose<Term<'g>> {
+        let mut fields = self.request.parameters.iter();
+        if !fields.any(|field| is(&field.target)) {
+            return described;
+        }
+        let [x, y, z] = described.translation.0;
+        let angles = roll_pitch_yaw(&described.rotation);
+        let [roll, pitch, yaw] = angles.map(|angle| self.graph.constant(angle));
+        let [x, y, z, roll, pitch, yaw] = self.free(is, [x, y, z, roll, pitch, yaw]);
+        let [roll, pitch, yaw] = [roll, pitch, yaw].map(Term::sin_cos);
+        Pose {
+            rotation: Rotation::about_z(yaw) * Rotation::about_y(pitch) * Rotation::about_x(roll),
+            translation: Vector([x, y, z]),
+        }
+    }
+
+    pub(super) fn motion(&self, kind: JointKind, freedom: Freedom) -> Motion {
+        Motion::of(freedom.movement, || {
+            let pitch = kind.pitch().unwrap_or_default();
+            self.number(&pitch).expr()
+        })
+    }
+
+    /// The placement of a joint, it or its translation taken from a struct field where one stands for it.
+    pub(super) fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
+        let joint = &description[branch.joint];
+        let mut placement = self.placement(&joint.name.text, &joint.origin);
+        let is = |target: &Target| matches!(target, Target::OriginOf(name) if name.text == joint.name.text);
+        placement.translation = Vector(self.free(is, placement.translation.0));
+        let is = |target: &Target| matches!(target, Target::PlacementOf(name) if name.text == joint.name.text);
+        self.placed(is, placement)
+    }
+
+    pub(super) fn placement(&mut self, item: &str, steps: &[Step]) -> Pose<Term<'g>> {
+        steps
+            .iter()
+            .fold(Pose::identity(self.graph), |pose, step| match step {
+                Step::Translate(offset) => {
+                    let offset = offset.map(|entry| self.component(item, &entry));
+                    pose * Pose::translation(Vector(offset))
+                }
+                Step::Rotate(axis, angle) => {
+                    let angle = self.sin_cos(item, angle);
+                    pose * Pose::rotation(match axis {
+                        Axis::X => Rotation::about_x(angle),
+                        Axis::Y => Rotation::about_y(angle),
+                        Axis::Z => Rotation::about_z(angle),
+                    })
+                }
+            })
+    }
+
+    /// An entry of an offset \[m\] or of a direction, 0 where rounding left no more of it.
+    pub(super) fn component(&mut self, item: &str, entry: &Number) -> Term<'g> {
+        if self.request.exact || !angle::is_residue(entry) {
+            return self.number(entry);
+        }
+        self.snap(item, entry, 0);
+        self.graph.constant(0.0)
+    }
+
+    /// The directions of a joint's axes, of length 1 to all digits; zero of those it has not.
+    pub(super) fn axes(&mut self, joint: &Joint) -> [Vector<Term<'g>>; 2] {
+        let count = joint.kind.definition().axes();
+        let mut axes = [Vector::zero(self.graph); 2];
+        let described = [joint.axis, joint.second_axis].into_iter();
+        for (axis, described) in axes.iter_mut().zip(described).take(count) {
+            let entries = described.map(|entry| self.component(&joint.name.text, &entry));
+            let direction = Vector(entries).normalized();
+            *axis = direction.expect("an axis without a direction is refused");
+        }
+        axes
+    }
+
+    fn snap(&mut self, item: &str, number: &Number, quarters: i64) {
+        self.report.snapped.push(Snapped {
+            item: item.to_owned(),
+            written: number.value,
+            quarters,
+            place: number.place,
+        });
+    }
+
+    /// Sine and cosine of an angle, exact where it is a right angle.
+    fn sin_cos(&mut self, item: &str, angle: &Number) -> (Term<'g>, Term<'g>) {
+        // A number without digits, such as `pi/2`, is what it says.
+        let written = angle.resolution > 0.0;
+        let quarters = angle::quarters(angle).filter(|_| !(written && self.request.exact));
+        let Some(quarters) = quarters else {
+            return self.number(angle).sin_cos();
+        };
+        if written && angle.value != 0.0 {
+            self.snap(item, angle, quarters);
+        }
+        let (sine, cosine) = match quarters.rem_euclid(4) {
+            0 => (0.0, 1.0),
+            1 => (1.0, 0.0),
+            2 => (0.0, -1.0),
+            _ => (-1.0, 0.0),
+        };
+        (self.graph.constant(sine), self.graph.constant(cosine))
+    }
+
+    pub(super) fn note_follower(
+        &mut self,
+        description: &Description,
+        joint: JointId,
+        follow: Follow,
+    ) {
+        let name = |joint: JointId| description[joint].name.text.clone();
+        self.report.mimicked.push(Mimicked {
+            joint: name(joint),
+            leader: name(follow.leader),
+            multiplier: follow.multiplier.to_f64(),
+            offset: follow.offset.to_f64(),
+        });
+    }
+
+    pub(super) fn note(&mut self, description: &Description, branch: &Branch) {
+        let Some(held) = branch.held else { return };
+        let joint = &description[branch.joint];
+        let [parent, child]: [String; 2] =
+            [branch.parent, branch.child].map(|link| description[link].name.text.clone());
+        if joint.kind.moves() {
+            self.report
+                .locked
+                .push((joint.name.text.clone(), held.value));
+        }
+        self.report.merged.push((child, parent));
+    }
+}

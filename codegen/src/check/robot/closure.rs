@@ -1,0 +1,62 @@
+//! The loops of a robot as it was described.
+//!
+//! In: the loops that the chain has, and the bodies that links became. Out: their frames, as bodies that are held
+//! on those, and their rows of residuals.
+
+use std::collections::HashMap;
+
+use super::matrices::{across, of_length_1};
+use super::{Contradiction, Reader, Scalar, held};
+use crate::chain::Chain;
+use crate::dense::{Body, BodyId, Closed};
+use crate::expression::Arithmetic;
+use crate::list::{Id, List};
+use crate::space::FrameId;
+
+impl Reader<'_> {
+    /// The loops that the chain has, with their frames as bodies that are held on the links.
+    pub(super) fn loops(
+        &self,
+        chain: &Chain,
+        seats: &HashMap<&str, BodyId>,
+        bodies: &mut List<BodyId, Body>,
+        frames: &mut List<FrameId, Option<BodyId>>,
+    ) -> Result<Vec<Closed>, Contradiction> {
+        let mut loops = Vec::new();
+        for closed in &chain.loops {
+            let mut described = self.description.loops.iter();
+            let described = described
+                .find(|described| described.name.text == closed.name)
+                .ok_or_else(|| Contradiction(format!("that loop {} is there", closed.name)))?;
+            let name = &described.name.text;
+            let ends = [
+                (&described.from, &described.at),
+                (&described.to, &described.to_at),
+            ];
+            let first = frames.next();
+            let mut axes = Vec::new();
+            for ((link, steps), axis) in ends.into_iter().zip(&described.axes) {
+                let mut placement = self.placement(name, steps)?;
+                if described.closure.definition().axes > 0 {
+                    let axis = of_length_1(self.components(name, axis)?);
+                    placement = placement.times(&across(axis));
+                    axes.push(axis);
+                }
+                let nothing = [[Scalar::literal(0.0); 3]; 2];
+                let link = seats.get(link.text.as_str()).copied();
+                frames.push(Some(bodies.push(held(link, placement, nothing, 0.0))));
+            }
+            let size = match (described.closure.length(), &*axes) {
+                (Some(length), _) => Scalar::literal(length.value),
+                (None, [[ax, ay, az], [bx, by, bz]]) => *ax * *bx + *ay * *by + *az * *bz,
+                (None, _) => Scalar::literal(0.0),
+            };
+            loops.push(Closed {
+                frames: [first, first.plus(1)],
+                rows: closed.rows.clone(),
+                size,
+            });
+        }
+        Ok(loops)
+    }
+}

@@ -1,0 +1,74 @@
+//! What a link weighs and what a drive adds, by matrices.
+//!
+//! In: the description, and the struct fields that stand for parts of it or for a payload. Out: J of a link in its
+//! own frame; armature, damping and friction of a velocity.
+
+use super::matrices::loaded;
+use super::{Contradiction, Reader, Scalar};
+use crate::dense::Matrix;
+use crate::description::{Inertial, Joint, Link, Name, Number};
+use crate::expression::Arithmetic;
+use crate::joint::drive::Part;
+use crate::request::Target;
+
+impl Reader<'_> {
+    pub(super) fn inertia(&self, link: &Link) -> Result<Matrix<Scalar>, Contradiction> {
+        let is = |name: &Name| name.text == link.name.text;
+        let mass = self.field(|target| matches!(target, Target::MassOf(of) if is(of)));
+        let center = self.field(|target| matches!(target, Target::CenterOfMassOf(of) if is(of)));
+        let nothing = Inertial {
+            origin: Vec::new(),
+            mass: Number::default(),
+            inertia: [Number::default(); 6],
+            place: link.name.place,
+        };
+        let inertial = link.inertial.as_ref().unwrap_or(&nothing);
+        let [mass] = mass.unwrap_or([Scalar::literal(inertial.mass.value)]);
+        let tensor = self.field(|target| matches!(target, Target::InertiaOf(of) if is(of)));
+        let described = inertial.inertia.map(|entry| Scalar::literal(entry.value));
+        let [xx, xy, xz, yy, yz, zz] = tensor.unwrap_or(described);
+        // ½ Tr(I) − I, and the mass.
+        let half = (xx + yy + zz) * Scalar::exact(0.5);
+        let none = Scalar::exact(0.0);
+        let central = Matrix([
+            [half - xx, -xy, -xz, none],
+            [-xy, half - yy, -yz, none],
+            [-xz, -yz, half - zz, none],
+            [none, none, none, mass],
+        ]);
+        let mut origin = self.placement(&link.name.text, &inertial.origin)?;
+        if let Some(center) = center {
+            origin.set_column(center);
+        }
+        let payload = self.field(|target| matches!(target, Target::PayloadOn(of) if is(of)));
+        let inertia = origin.times(&central).times(&origin.transposed());
+        Ok(match payload {
+            Some(payload) => inertia.plus(&loaded(payload)),
+            None => inertia,
+        })
+    }
+
+    /// Armature, damping and friction of the velocity that has this place among those of a joint.
+    pub(super) fn drive(&self, joint: &Joint, place: usize) -> [Scalar; 3] {
+        let said = |part: Part| {
+            let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
+            let number = numbers.get(if numbers.len() == 1 { 0 } else { place });
+            number.map(|number| Scalar::literal(number.value))
+        };
+        let zero = Scalar::literal(0.0);
+        let ratio = said(Part::Ratio).unwrap_or(Scalar::exact(1.0));
+        let rotor = said(Part::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
+        [Part::Armature, Part::Damping, Part::Friction].map(|part| {
+            let field = self.field(|target| {
+                let of = target.drives();
+                of.is_some_and(|(name, of)| of == part && name.text == joint.name.text)
+            });
+            let described = said(part).unwrap_or(zero);
+            match (field, part) {
+                (Some([field]), _) => field,
+                (None, Part::Armature) => described + rotor,
+                (None, _) => described,
+            }
+        })
+    }
+}

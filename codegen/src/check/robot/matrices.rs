@@ -1,0 +1,72 @@
+//! Matrices and directions of a few numbers.
+//!
+//! In: numbers that may be as rough as they were written. Out: placements, turns and the inertia of a payload. None
+//! of it knows of robots.
+
+use super::Scalar;
+use crate::dense::Matrix;
+use crate::expression::Arithmetic;
+
+/// A placement by its origin and its roll, pitch and yaw.
+pub(super) fn placed([x, y, z, roll, pitch, yaw]: [Scalar; 6]) -> Matrix<Scalar> {
+    let turns = [(2, yaw), (1, pitch), (0, roll)].into_iter();
+    let turns = turns.map(|(axis, angle)| Matrix::rotation(axis, angle.sin_cos()));
+    turns.fold(Matrix::translation([x, y, z]), |placement, turn| {
+        placement.times(&turn)
+    })
+}
+
+/// J of a payload in the frame of its link: ∫rrᵗdm of what is about its centre, and m c cᵗ.
+pub(super) fn loaded([mass, x, y, z, xx, xy, xz, yy, yz, zz]: [Scalar; 10]) -> Matrix<Scalar> {
+    let half = (xx + yy + zz) * Scalar::exact(0.5);
+    let at = |a, b| mass * a * b;
+    let (one, two, three) = (at(x, y) - xy, at(x, z) - xz, at(y, z) - yz);
+    Matrix([
+        [at(x, x) + half - xx, one, two, mass * x],
+        [one, at(y, y) + half - yy, three, mass * y],
+        [two, three, at(z, z) + half - zz, mass * z],
+        [mass * x, mass * y, mass * z, mass],
+    ])
+}
+
+/// A direction with length 1.
+pub(super) fn of_length_1(direction: [Scalar; 3]) -> [Scalar; 3] {
+    let sizes = direction.iter().map(|entry| entry.size());
+    let largest = Scalar::exact(sizes.fold(0.0, f64::max));
+    let scaled = direction.map(|entry| entry / largest);
+    let [x, y, z] = scaled;
+    let length = (x * x + y * y + z * z).sqrt();
+    scaled.map(|entry| entry / length)
+}
+
+/// A turn that takes z to the normal of a plane. Along an axis of the frame, x and y go to those that
+/// follow it; else x goes to the product of the normal with the axis that it is farthest from.
+pub(super) fn across(normal: [Scalar; 3]) -> Matrix<Scalar> {
+    let sizes = normal.map(Scalar::size);
+    let alone = (0..3).find(|&k| sizes[(k + 1) % 3] == 0.0 && sizes[(k + 2) % 3] == 0.0);
+    let mut axes = [[Scalar::literal(0.0); 3]; 3];
+    if let Some(k) = alone {
+        axes[0][(k + 1) % 3] = Scalar::literal(1.0);
+    } else {
+        let least = (0..3).fold(
+            0,
+            |least, k| if sizes[k] < sizes[least] { k } else { least },
+        );
+        let mut farthest = [Scalar::literal(0.0); 3];
+        farthest[least] = Scalar::literal(1.0);
+        axes[0] = of_length_1(cross(farthest, normal));
+    }
+    axes[1] = cross(normal, axes[0]);
+    axes[2] = normal;
+    let mut turn = Matrix::identity();
+    for (column, axis) in axes.into_iter().enumerate() {
+        for (row, entry) in axis.into_iter().enumerate() {
+            turn.0[row][column] = entry;
+        }
+    }
+    turn
+}
+
+fn cross([ax, ay, az]: [Scalar; 3], [bx, by, bz]: [Scalar; 3]) -> [Scalar; 3] {
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}

@@ -1,0 +1,118 @@
+//! What is modelled of a description, and what moves each joint of it.
+//!
+//! In: the joints as they were described, and what the request drops, locks and cuts. Out: the joints that are
+//! kept, and whether each moves by itself, with another, or not at all. Where a follower is held is computed
+//! in 106 bits, of which no step before is rounded.
+
+use std::collections::HashMap;
+
+use super::{Motion, Reader, Scalar};
+use crate::description::{Joint, LinkId, Mimic};
+use crate::expression::{Arithmetic, Double};
+use crate::list::List;
+
+impl<'d> Reader<'d> {
+    /// The joints that carry what is modelled, parents before children.
+    pub(super) fn kept(&self, base: &'d str, links: &HashMap<&'d str, LinkId>) -> Vec<&'d Joint> {
+        let mut carried: List<LinkId, Vec<&Joint>> = List::filled(Vec::new(), links.len());
+        for joint in &self.description.joints {
+            carried[links[joint.parent.text.as_str()]].push(joint);
+        }
+        let drop = &self.request.drop;
+        let mut kept = Vec::new();
+        let mut waiting = vec![base];
+        while let Some(link) = waiting.pop() {
+            for joint in &carried[links[link]] {
+                let child = &joint.child.text;
+                if drop.iter().all(|dropped| dropped.text != *child) {
+                    kept.push(*joint);
+                    waiting.push(child);
+                }
+            }
+        }
+        kept
+    }
+
+    /// The joints between a link and the root.
+    pub(super) fn path(&self, link: Option<&'d str>) -> Vec<&'d str> {
+        let carriers = self.description.joints.iter();
+        let carriers: HashMap<&str, &Joint> = carriers
+            .map(|joint| (joint.child.text.as_str(), joint))
+            .collect();
+        let mut path = Vec::new();
+        let mut at = link;
+        while let Some(joint) = at.and_then(|link| carriers.get(link)) {
+            path.push(joint.name.text.as_str());
+            at = Some(&joint.parent.text);
+        }
+        path
+    }
+
+    /// What moves one of the joints that are kept.
+    pub(super) fn motion(&self, joint: &'d Joint, kept: &[&'d Joint], path: &[&str]) -> Motion<'d> {
+        if let Some(at) = self.locked(joint) {
+            return Motion::Held(at);
+        }
+        if self.leader(joint).is_none() {
+            let leads = |other: &&'d Joint| {
+                let on_path = path.contains(&other.name.text.as_str());
+                on_path && self.leads(joint, other)
+            };
+            let moves = !self.request.path_only || kept.iter().any(leads);
+            return if moves {
+                Motion::Own
+            } else {
+                Motion::Held(0.0)
+            };
+        }
+        let (mut factor, mut offset) = (Scalar::exact(1.0), Scalar::exact(0.0));
+        // Where it is held is a number of 53 bits, of which no step before is rounded.
+        let [mut value, mut along] = [0.0, 1.0].map(Double::from);
+        let mut at = joint;
+        while let Some((mimic, leader)) = self.leader(at) {
+            offset = offset + factor * Scalar::literal(mimic.offset.value);
+            factor = factor * Scalar::literal(mimic.multiplier.value);
+            value = value + along * Double::from(mimic.offset.value);
+            along = along * Double::from(mimic.multiplier.value);
+            at = leader;
+        }
+        let there = kept.iter().any(|other| other.name.text == at.name.text);
+        match self.motion(at, kept, path) {
+            Motion::Own if there && !along.is_zero() => {
+                Motion::Follows(&at.name.text, factor, offset)
+            }
+            Motion::Held(held) if there => {
+                Motion::Held((along * Double::from(held) + value).to_f64())
+            }
+            _ => Motion::Held(value.to_f64()),
+        }
+    }
+
+    /// What a joint makes of another, and that, where it follows one.
+    fn leader(&self, joint: &'d Joint) -> Option<(&'d Mimic, &'d Joint)> {
+        let mimic = joint
+            .mimic
+            .as_ref()
+            .filter(|_| self.locked(joint).is_none())?;
+        let mut others = self.description.joints.iter();
+        let leader = others.find(|other| other.name.text == mimic.leader.text)?;
+        Some((mimic, leader))
+    }
+
+    /// Whether a joint is another, or moves it.
+    fn leads(&self, joint: &Joint, other: &'d Joint) -> bool {
+        let next = |joint: &&'d Joint| self.leader(joint).map(|(_, leader)| leader);
+        let mut chain = std::iter::successors(Some(other), next);
+        chain.any(|other| other.name.text == joint.name.text)
+    }
+
+    /// Where a joint is held, by its kind or by what was asked.
+    fn locked(&self, joint: &Joint) -> Option<f64> {
+        if !joint.kind.moves() {
+            return Some(0.0);
+        }
+        let mut locks = self.request.lock.iter();
+        let (_, at) = locks.find(|(lock, _)| lock.text == joint.name.text)?;
+        Some(at.map_or(0.0, |at| at.value))
+    }
+}

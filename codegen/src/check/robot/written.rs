@@ -1,0 +1,144 @@
+//! Numbers as they were written, and what was made of them.
+//!
+//! In: offsets, angles and axes, and the struct fields that stand for some. Out: dense matrices and directions of
+//! them. That a number is a right angle or zero, as a report claims, is held against its digits.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::matrices::{of_length_1, placed};
+use super::{Contradiction, Reader, Scalar};
+use crate::dense::Matrix;
+use crate::description::{Axis, Joint, Number, Step};
+use crate::expression::Arithmetic;
+use crate::list::Id;
+use crate::request::{FieldId, Target};
+
+impl Reader<'_> {
+    /// The value of the field that stands for a target.
+    pub(super) fn field<const N: usize>(
+        &self,
+        is: impl Fn(&Target) -> bool,
+    ) -> Option<[Scalar; N]> {
+        let mut parameters = self.request.parameters.iter();
+        let field = parameters.position(|parameter| is(&parameter.target))?;
+        Some(std::array::from_fn(|k| {
+            Scalar::exact(self.fields[FieldId::new(field)][k])
+        }))
+    }
+
+    /// Where the base is, if a field says so.
+    pub(super) fn base(&self) -> Option<Matrix<Scalar>> {
+        let position = self.field(|target| matches!(target, Target::BasePosition));
+        let placement = self.field(|target| matches!(target, Target::BasePlacement));
+        position.map(Matrix::translation).or(placement.map(placed))
+    }
+
+    pub(super) fn gravity(&self) -> [Scalar; 3] {
+        let field = self.field(|target| matches!(target, Target::Gravity));
+        let described = self
+            .request
+            .gravity
+            .map(|gravity| gravity.map(|entry| entry.value));
+        let described = described.unwrap_or([0.0, 0.0, -9.81]);
+        field.unwrap_or(described.map(Scalar::literal))
+    }
+
+    pub(super) fn origin(&self, joint: &Joint) -> Result<Matrix<Scalar>, Contradiction> {
+        let name = &joint.name.text;
+        let mut placement = self.placement(name, &joint.origin)?;
+        let field = self.field(|target| matches!(target, Target::OriginOf(of) if of.text == *name));
+        if let Some(offset) = field {
+            placement.set_column(offset);
+        }
+        let field =
+            self.field(|target| matches!(target, Target::PlacementOf(of) if of.text == *name));
+        Ok(field.map_or(placement, placed))
+    }
+
+    /// A direction, of length 1.
+    pub(super) fn direction(
+        &self,
+        joint: &Joint,
+        axis: &[Number; 3],
+    ) -> Result<[Scalar; 3], Contradiction> {
+        let axis = self.components(&joint.name.text, axis)?;
+        Ok(of_length_1(axis))
+    }
+
+    pub(super) fn placement(
+        &self,
+        item: &str,
+        steps: &[Step],
+    ) -> Result<Matrix<Scalar>, Contradiction> {
+        let mut placement = Matrix::identity();
+        for step in steps {
+            let step = match step {
+                Step::Translate(offset) => Matrix::translation(self.components(item, offset)?),
+                Step::Rotate(axis, angle) => {
+                    let axis = match axis {
+                        Axis::X => 0,
+                        Axis::Y => 1,
+                        Axis::Z => 2,
+                    };
+                    let turn = match self.quarters(item, angle)? {
+                        Some(quarters) => {
+                            let [sine, cosine] = [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [-1.0, 0.0]]
+                                [usize::try_from(quarters.rem_euclid(4)).unwrap_or(0)];
+                            (Scalar::literal(sine), Scalar::literal(cosine))
+                        }
+                        None => Scalar::literal(angle.value).sin_cos(),
+                    };
+                    Matrix::rotation(axis, turn)
+                }
+            };
+            placement = placement.times(&step);
+        }
+        Ok(placement)
+    }
+
+    pub(super) fn components(
+        &self,
+        item: &str,
+        numbers: &[Number; 3],
+    ) -> Result<[Scalar; 3], Contradiction> {
+        let [x, y, z] = numbers;
+        let component = |number| self.component(item, number);
+        Ok([component(x)?, component(y)?, component(z)?])
+    }
+
+    /// An entry of an offset or an axis.
+    fn component(&self, item: &str, number: &Number) -> Result<Scalar, Contradiction> {
+        let zero =
+            number.value != 0.0 && self.snapped.contains_key(&(item, number.value.to_bits()));
+        if zero && self.quarters(item, number)? == Some(0) {
+            return Ok(Scalar::literal(0.0));
+        }
+        Ok(Scalar::literal(number.value))
+    }
+
+    /// What was made of a number, if that is within its digits or its last bits.
+    fn quarters(&self, item: &str, number: &Number) -> Result<Option<i64>, Contradiction> {
+        let Some(&quarters) = self.snapped.get(&(item, number.value.to_bits())) else {
+            // `pi/2` is what it says, and so is 0.
+            let turns = (number.value / FRAC_PI_2).round();
+            let distance = (number.value - turns * FRAC_PI_2).abs();
+            let said = number.resolution == 0.0
+                && turns.abs() <= 1e6
+                && distance <= number.value.abs() * f64::EPSILON;
+            #[expect(clippy::cast_possible_truncation, reason = "a whole number of turns")]
+            return Ok(said.then_some(turns as i64));
+        };
+        #[expect(clippy::cast_precision_loss, reason = "few turns are many")]
+        let distance = (number.value - quarters as f64 * FRAC_PI_2).abs();
+        let digits = 0.5 * number.resolution + number.value.abs() * f64::EPSILON;
+        let excused = distance <= (1.0 + 1e-6) * digits.max(4.0 * f64::EPSILON);
+        if excused && !self.request.exact {
+            Ok(Some(quarters))
+        } else {
+            let written = number.value;
+            Err(Contradiction(format!(
+                "that {written} of {item} is rounded"
+            )))
+        }
+    }
+}

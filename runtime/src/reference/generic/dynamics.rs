@@ -1,0 +1,223 @@
+//! What joints have to bring up, at run time: torques, the inertia matrix, and what torques are linear in.
+//!
+//! In: a [`Chain`] and its motion. Out: torques by Newton and Euler, gravity, bias and M by the virtual work of
+//! Lagrange (Part II). It solves nothing.
+
+use super::kinematics::body_jacobian;
+use super::sum;
+use crate::matrix::Action;
+use crate::reference::dense::{gravity_matrix, pseudo_scalar_product};
+use crate::reference::motion::{Freedom, Motion, Positions};
+use crate::robot::chain::{Chain, Frame};
+use core::array::from_fn;
+use nalgebra::{Matrix4, RealField};
+
+/// The torques [N m] and forces \[N\] of the joints that produce q̈ (Part II, Newton–Euler).
+///
+/// What drives take comes on top: armature q̈ + damping q̇ + friction sign q̇.
+///
+/// The action through joint i is the sum of Φ = skew[(H − H_g) J] over the bodies it carries, its
+/// torque the pseudo scalar product L ⊗ Φ.
+#[must_use]
+pub fn inverse_dynamics<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+    qdd: &[T; N],
+) -> [T; N] {
+    let motion = Motion::at(chain, q, qd, qdd);
+    let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
+    // Φ of each body, then the sum carried by each joint: children come after their parents.
+    let mut phi: [Matrix4<T>; B] = from_fn(|i| {
+        let (h, j) = (motion.h[i] - h_g, positions.j[i]);
+        h * j - j * h.transpose()
+    });
+    for i in (0..B).rev() {
+        if let Some(parent) = chain.parent(i) {
+            let carried = phi[i];
+            phi[parent] += carried;
+        }
+    }
+    let mut torques = [T::zero(); N];
+    for freedom in positions.freedoms() {
+        if let Some(torque) = torques.get_mut(freedom.velocity) {
+            *torque += pseudo_scalar_product(&freedom.l, &phi[freedom.body]);
+            *torque += freedom.driven(qd, qdd);
+        }
+    }
+    torques
+}
+
+/// Jᵗ Φ: what an action on a frame, in its axes and with the couple about its origin, is for the joints
+/// [N m, N].
+///
+/// A motion under the actions Φ of the surroundings takes the torques of [`inverse_dynamics`] less the sum
+/// of these.
+#[must_use]
+pub fn torques_of_action<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    action: &Action<T>,
+) -> [T; N] {
+    let dot = |a: [T; 3], b: [T; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let screws = body_jacobian(chain, frame, q);
+    screws.map(|screw| dot(screw.u(), action.c()) + dot(screw.b(), action.f()))
+}
+
+/// Inverse dynamics at rest: what holds the robot against gravity [N m, N].
+///
+/// As virtual work: −Σ Tr(H_g Jₕ Lₘᵗ) over the bodies h that joint m carries (Part II, Lagrange).
+#[must_use]
+pub fn gravity<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+) -> [T; N] {
+    let rest = [T::zero(); N];
+    bias(chain, q, &rest)
+}
+
+/// Inverse dynamics at q̈ = 0: C\[m\] = Tr(Σ (H̃ₕ − H_g) Jₕ Lₘᵗ) over the bodies h that joint m
+/// carries (Part II, Lagrange), and friction.
+#[must_use]
+pub fn bias<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [T; N] {
+    let rest = [T::zero(); N];
+    let motion = Motion::at(chain, q, qd, &rest);
+    let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
+    let mut torques = [T::zero(); N];
+    for freedom in positions.freedoms() {
+        let Freedom {
+            body, velocity, l, ..
+        } = freedom;
+        let carried = (0..B).filter(|h| chain.carries(body, Some(*h)));
+        let work = carried.map(|h| (motion.h[h] - h_g) * positions.j[h] * l.transpose());
+        if let Some(torque) = torques.get_mut(velocity) {
+            *torque += sum(work.map(|work| work.trace())) + freedom.driven(qd, &rest);
+        }
+    }
+    torques
+}
+
+/// The joint-space inertia M\[i\]\[m\] = Tr(Σ Lᵢ Jₕ Lₘᵗ), over the bodies h that both joints carry
+/// (Part II, Lagrange), and on its diagonal the armatures.
+#[must_use]
+pub fn mass_matrix<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+) -> [[T; N]; N] {
+    let positions = Positions::at(chain, q);
+    let carries = |joint: usize, body: usize| chain.carries(joint, Some(body));
+    let mut rows = [[T::zero(); N]; N];
+    for one in positions.freedoms() {
+        for other in positions.freedoms() {
+            let both = (0..B).filter(|h| carries(one.body, *h) && carries(other.body, *h));
+            let work = both.map(|h| (one.l * positions.j[h] * other.l.transpose()).trace());
+            let row = rows.get_mut(one.velocity);
+            if let Some(entry) = row.and_then(|row| row.get_mut(other.velocity)) {
+                *entry += sum(work);
+            }
+        }
+        let row = rows.get_mut(one.velocity);
+        if let Some(entry) = row.and_then(|row| row.get_mut(one.velocity)) {
+            *entry += one.armature();
+        }
+    }
+    rows
+}
+
+/// Y of τ = Y π [m²/s², m/s², 1/s² and a unit of length less for forces]: π lists for each body m, q_x, q_y, q_z, J_xx,
+/// J_xy, J_xz, J_yy, J_yz, J_zz in its frame; and behind them, where there is room for it, for each velocity of each joint
+/// armature, damping and friction, whose columns are q̈, q̇ and its sign.
+///
+/// A column is the torques of Φ = skew[(H − H_g) J] of a J that is 1 in one place and its mirror image (25).
+///
+/// # Panics
+/// Where P is neither 10 B nor that and three for each velocity of a joint.
+#[must_use]
+pub fn regressor<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const P: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+    qdd: &[T; N],
+) -> [[T; P]; N] {
+    const PLACES: [(usize, usize); 10] = [
+        (3, 3),
+        (0, 3),
+        (1, 3),
+        (2, 3),
+        (0, 0),
+        (0, 1),
+        (0, 2),
+        (1, 1),
+        (1, 2),
+        (2, 2),
+    ];
+    let motion = Motion::at(chain, q, qd, qdd);
+    let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
+    let of_bodies = PLACES.len() * B;
+    let drives = 3 * positions.freedoms().count();
+    assert!(
+        P == of_bodies || P == of_bodies + drives,
+        "a body has ten parameters, and a velocity of a joint three"
+    );
+    let mut rows = [[T::zero(); P]; N];
+    if P > of_bodies {
+        for (k, freedom) in positions.freedoms().enumerate() {
+            let of_drives = freedom.of_drives(qd, qdd);
+            rows[freedom.velocity][of_bodies + 3 * k..][..3].copy_from_slice(&of_drives);
+        }
+    }
+    for (parameter, k) in (0..of_bodies).map(|parameter| (parameter, parameter % PLACES.len())) {
+        let body = parameter / PLACES.len();
+        let mut unit = Matrix4::zeros();
+        let (row, place) = PLACES[k];
+        unit[(row, place)] = T::one();
+        unit[(place, row)] = T::one();
+        let m = positions.m[body];
+        let hj = (motion.h[body] - h_g) * m * unit * m.transpose();
+        let phi = hj - hj.transpose();
+        for freedom in positions.freedoms() {
+            if let Some(row) = rows.get_mut(freedom.velocity)
+                && chain.carries(freedom.body, Some(body))
+            {
+                row[parameter] += pseudo_scalar_product(&freedom.l, &phi);
+            }
+        }
+    }
+    rows
+}

@@ -1,0 +1,252 @@
+//! Poses, Jacobians and their rates, velocities and accelerations, at run time.
+//!
+//! In: a [`Chain`], one of its frames, and a state. Out: matrices in frame 0 or seen from the frame: M by products,
+//! L of each joint carried along, W and H as they are composed (Part II, open chains).
+
+use crate::matrix::{Acceleration, Pose, Screw, Velocity};
+use crate::reference::dense::{axial, block, column, inverse};
+use crate::reference::motion::{Freedom, Motion, Positions};
+use crate::robot::chain::{Chain, Frame};
+use nalgebra::{Matrix4, RealField};
+
+/// M₀,frame.
+///
+/// SPACELIB: what its programs for serial robots compute as direct kinematics.
+#[must_use]
+pub fn forward_kinematics<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+) -> Pose<T> {
+    let m = Positions::at(chain, q).pose_of(frame);
+    Pose::new(block(&m), column(&m))
+}
+
+/// L₁ … L_N in frame 0, pole at its origin; zero for velocities that do not move the frame, and a sum
+/// for those that several joints have.
+#[must_use]
+pub fn spatial_jacobian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+) -> [Screw<T>; N] {
+    jacobian(chain, frame, q, |_| Matrix4::identity())
+}
+
+/// L₁ … L_N in `frame`, pole at its origin.
+#[must_use]
+pub fn body_jacobian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+) -> [Screw<T>; N] {
+    jacobian(chain, frame, q, |m_0_frame| inverse(m_0_frame))
+}
+
+/// L₁ … L_N with the axes of frame 0, pole at the origin of `frame`.
+#[must_use]
+pub fn geometric_jacobian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+) -> [Screw<T>; N] {
+    jacobian(chain, frame, q, |m_0_frame| {
+        // The frame with the axes of (0) and its origin in that of `frame`, seen from there.
+        Matrix4::new_translation(&-m_0_frame.fixed_view::<3, 1>(0, 3))
+    })
+}
+
+/// L̇₁ … L̇_N in frame 0 [1/s, m/s]; zero for joints that do not move the frame.
+#[must_use]
+pub fn spatial_jacobian_rate<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian_rate(chain, frame, q, qd, |_, _| {
+        (Matrix4::identity(), Matrix4::zeros())
+    })
+}
+
+/// L̇₁ … L̇_N in `frame`, entry by entry in its moving axes [1/s, m/s].
+#[must_use]
+pub fn body_jacobian_rate<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian_rate(chain, frame, q, qd, |m_0_frame, w| (inverse(m_0_frame), *w))
+}
+
+/// L̇₁ … L̇_N with the axes of frame 0, pole at the moving origin of `frame` [1/s, m/s].
+#[must_use]
+pub fn geometric_jacobian_rate<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> [Screw<T>; N] {
+    jacobian_rate(chain, frame, q, qd, |m_0_frame, w| {
+        let tip = m_0_frame.column(3);
+        // Ṗ = W P of the pole, whose axes do not turn.
+        let mut w_pole = Matrix4::zeros();
+        w_pole.set_column(3, &(w * tip));
+        let back = Matrix4::new_translation(&-m_0_frame.fixed_view::<3, 1>(0, 3));
+        (back, w_pole)
+    })
+}
+
+/// W₀,frame₍₀₎ [rad/s, m/s].
+#[must_use]
+pub fn velocity<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> Velocity<T> {
+    let rest = [T::zero(); N];
+    let w = Motion::at(chain, q, qd, &rest).velocity_of(frame.body);
+    Velocity::new(axial(&w), column(&w))
+}
+
+/// H₀,frame₍₀₎ [rad/s², m/s²], without gravity.
+#[must_use]
+pub fn acceleration<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+    qdd: &[T; N],
+) -> Acceleration<T> {
+    let h = Motion::at(chain, q, qd, qdd).acceleration_of(frame.body);
+    Acceleration::new(block(&h), column(&h))
+}
+
+/// H₀,frame₍₀₎ at q̈ = 0 [rad/s², m/s²], without gravity: H̃ of Part II.
+#[must_use]
+pub fn acceleration_bias<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+) -> Acceleration<T> {
+    acceleration(chain, frame, q, qd, &[T::zero(); N])
+}
+
+/// The columns M L₍₀₎ M⁻¹, M being the change of frame that `m_from_0` makes of M₀,frame.
+fn jacobian<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    m_from_0: impl Fn(&Matrix4<T>) -> Matrix4<T>,
+) -> [Screw<T>; N] {
+    let positions = Positions::at(chain, q);
+    let m = m_from_0(&positions.pose_of(frame));
+    let mut columns = [Matrix4::zeros(); N];
+    for freedom in positions.freedoms() {
+        let Freedom {
+            body, velocity, l, ..
+        } = freedom;
+        if let Some(column) = columns.get_mut(velocity)
+            && chain.carries(body, frame.body)
+        {
+            *column += m * l * inverse(&m);
+        }
+    }
+    columns.map(|l| Screw::new(axial(&l), column(&l)))
+}
+
+/// The rates of the columns M L₍₀₎ M⁻¹: of L₍₀₎ the rate is W L − L W, and of the frame in which they are seen,
+/// M and its own W in frame 0 are made by `seen_by` of M₀,frame and W₀,frame.
+fn jacobian_rate<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    qd: &[T; N],
+    seen_by: impl Fn(&Matrix4<T>, &Matrix4<T>) -> (Matrix4<T>, Matrix4<T>),
+) -> [Screw<T>; N] {
+    let motion = Motion::at(chain, q, qd, &[T::zero(); N]);
+    let positions = &motion.positions;
+    let (m, w_seen) = seen_by(&positions.pose_of(frame), &motion.velocity_of(frame.body));
+    let mut columns = [Matrix4::zeros(); N];
+    for freedom in positions.freedoms() {
+        let Freedom {
+            body, velocity, l, ..
+        } = freedom;
+        if let Some(column) = columns.get_mut(velocity)
+            && chain.carries(body, frame.body)
+        {
+            let w = motion.w[body] - w_seen;
+            *column += m * (w * l - l * w) * inverse(&m);
+        }
+    }
+    columns.map(|rate| Screw::new(axial(&rate), column(&rate)))
+}

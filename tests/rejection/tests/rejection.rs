@@ -1,0 +1,164 @@
+//! What the compiler shows for a mistake: one error each, under the word that caused it, and nothing
+//! else, though every file goes on to call the functions it asked for.
+//!
+//! In: a file a mistake in `rejected/`, with what is shown beside it and the descriptions it names. Each is
+//! given to the compiler alone, with the crate `homogen` as it was built for this test.
+//! `INSTA_UPDATE=always` writes what is shown anew.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::SystemTime;
+use std::{env, fs, thread};
+
+/// The folder that paths of files are shown from.
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The files in a folder whose names pass, in the order of their names.
+fn files(folder: &Path, pass: impl Fn(&str) -> bool) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("the folder is there");
+    let mut paths: Vec<_> = entries
+        .map(|entry| entry.expect("it can be read").path())
+        .filter(|path| path.file_name().and_then(OsStr::to_str).is_some_and(&pass))
+        .collect();
+    paths.sort();
+    paths
+}
+
+/// The files in `rejected/` that end so.
+fn rejected(ending: &str) -> Vec<PathBuf> {
+    let folder = Path::new(ROOT).join("tests/rejected");
+    files(&folder, |name| name.ends_with(ending))
+}
+
+/// The crate `homogen`, as a mistake is compiled with it.
+struct Homogen(PathBuf);
+
+impl Homogen {
+    /// That which was built for this test.
+    ///
+    /// Cargo keeps those of other features in the same folder. What it takes for fresh is of the sources as
+    /// they are, and so is all that was built later: the latest will do, if it has what the mistakes use.
+    fn of_this_test() -> Self {
+        let built = |path: &PathBuf| fs::metadata(path).and_then(|file| file.modified());
+        let mut found = files(&dependencies(), |name| {
+            name.starts_with("libhomogen-") && name.ends_with(".rlib")
+        });
+        found.sort_by_key(|path| built(path).unwrap_or(SystemTime::UNIX_EPOCH));
+        let probe = Path::new(env!("CARGO_TARGET_TMPDIR")).join("probe.rs");
+        fs::write(
+            &probe,
+            "pub use homogen::{Robot, chain, generic::gravity};\n",
+        )
+        .expect("a file");
+        let mut found = found.into_iter().rev().map(Self);
+        found
+            .find(|homogen| {
+                let mut compiler = homogen.compiler(&probe);
+                let output = compiler.arg("--crate-type=lib").output();
+                output.is_ok_and(|output| output.status.success())
+            })
+            .expect("this test depends on it")
+    }
+
+    /// The compiler, told all but what else to do with a file.
+    fn compiler(&self, file: &Path) -> Command {
+        let mut compiler = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+        let name = file.file_stem().expect("a file has a name");
+        compiler
+            .current_dir(ROOT)
+            // Where paths in macros begin.
+            .env("CARGO_MANIFEST_DIR", Path::new(ROOT).join("tests"))
+            .args([
+                "--edition=2024",
+                "--emit=metadata",
+                "--diagnostic-width=140",
+            ])
+            .args(["--allow=dead_code", "--extern"])
+            .arg([OsStr::new("homogen="), self.0.as_os_str()].join(OsStr::new("")))
+            .arg("-L")
+            .arg([OsStr::new("dependency="), dependencies().as_os_str()].join(OsStr::new("")))
+            .arg("--out-dir")
+            .arg(env!("CARGO_TARGET_TMPDIR"))
+            .arg("--crate-name")
+            .arg(name)
+            .arg(file);
+        compiler
+    }
+
+    /// What is shown of a file, less the sum at its end.
+    fn shown(&self, file: &Path) -> String {
+        let file = file.strip_prefix(ROOT).expect("it is of this crate");
+        let output = self.compiler(file).output();
+        let Output { status, stderr, .. } = output.expect("the compiler is at hand");
+        assert!(!status.success(), "{} compiles", file.display());
+        let text = String::from_utf8(stderr).expect("UTF-8");
+        let shown = match text.rfind("error: aborting due to ") {
+            Some(end) => &text[..end],
+            None => &text,
+        };
+        format!("{}\n", shown.trim_end())
+    }
+}
+
+/// The folder of what this test was linked with.
+fn dependencies() -> PathBuf {
+    let program = env::current_exe().expect("it runs");
+    program.parent().expect("it is in a folder").to_path_buf()
+}
+
+/// What is wrong with what is shown of a file, if anything is.
+fn difference(homogen: &Homogen, file: &Path) -> Option<String> {
+    let beside = file.with_extension("stderr");
+    let expected = fs::read_to_string(&beside).unwrap_or_default();
+    let found = homogen.shown(file);
+    if found == expected {
+        return None;
+    }
+    if env::var_os("INSTA_UPDATE").is_some_and(|update| update == "always") {
+        fs::write(&beside, found).expect("a file");
+        return None;
+    }
+    let name = file.display();
+    Some(format!(
+        "=== {name} should show\n{expected}=== and shows\n{found}"
+    ))
+}
+
+#[test]
+fn mistakes_are_shown_where_they_are() {
+    let homogen = Homogen::of_this_test();
+    let files = rejected(".rs");
+    assert!(!files.is_empty());
+    let next = AtomicUsize::new(0);
+    // Compilers run side by side, each with one file at a time.
+    let work = || {
+        let mut wrong = Vec::new();
+        while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
+            wrong.extend(difference(&homogen, file));
+        }
+        wrong
+    };
+    let count = thread::available_parallelism().map_or(1, Into::into);
+    let wrong: Vec<String> = thread::scope(|scope| {
+        let threads: Vec<_> = (0..count).map(|_| scope.spawn(work)).collect();
+        let each = threads.into_iter();
+        each.flat_map(|thread| thread.join().expect("no mistake compiles"))
+            .collect()
+    });
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn no_mistake_drags_others_behind_it() {
+    let shown = rejected(".stderr");
+    assert_eq!(shown.len(), rejected(".rs").len());
+    for file in shown {
+        let text = fs::read_to_string(&file).expect("text");
+        let lines = || text.lines().filter(|line| line.starts_with("error"));
+        assert!(lines().count() > 0, "{}", file.display());
+        // The compiler's own errors have a number.
+        assert!(lines().all(|line| line.starts_with("error: ")), "{text}");
+    }
+}

@@ -1,0 +1,80 @@
+//! What torques are linear in.
+//!
+//! In: a robot in matrices and its motion. Out: Y of τ = Y π, row by row.
+
+use super::motion::{Freedom, Motion, Positions};
+use super::torques::pseudo_product;
+use crate::big::Big;
+use crate::oracle::matrix::Matrix;
+use crate::oracle::robot::Robot;
+
+/// Y of τ = Y π, row by row: of each link that a joint moves ten columns, which are the torques of
+/// Φ = skew[(H − H_g) J] of a J that is 1 in one place and its mirror image.
+pub(super) fn regressor(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
+    let first = [(3, 3), (0, 3), (1, 3), (2, 3)];
+    let second = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+    let units = first.into_iter().chain(second).map(|(row, column)| {
+        let is = |i, j| (i, j) == (row, column) || (j, i) == (row, column);
+        Matrix::of(|i, j| Big::new(f64::from(u8::from(is(i, j)))))
+    });
+    let units: Vec<Matrix> = units.collect();
+    let links = (0..robot.bodies.len()).filter(|&body| robot.bodies[body].link);
+    let columns = links.flat_map(|body| {
+        let h = &motion.h[body] - &robot.gravity;
+        let m = &positions.m[body];
+        units.iter().map(move |unit| {
+            let j = &(m * unit) * &m.transposed();
+            let moved = &h * &j;
+            (body, &moved - &moved.transposed())
+        })
+    });
+    let columns: Vec<(usize, Matrix)> = columns.collect();
+    let row = |velocity: usize| {
+        let freedoms = positions
+            .freedoms
+            .iter()
+            .filter(move |one| one.velocity == velocity);
+        let freedoms: Vec<&Freedom> = freedoms.collect();
+        let entries = columns.iter().map(|(body, action)| {
+            let feels = |one: &&&Freedom| {
+                robot
+                    .upwards(Some(*body))
+                    .any(|carrier| carrier == one.body)
+            };
+            let felt = freedoms.iter().filter(feels);
+            felt.fold(Big::zero(), |sum, one| sum + pseudo_product(&one.l, action))
+        });
+        entries.collect::<Vec<Big>>()
+    };
+    (0..robot.velocities()).flat_map(row).collect()
+}
+
+/// Rows of a regressor, with three columns behind them for each velocity of a joint where drives are identified.
+pub(super) fn with_columns_of_drives(
+    robot: &Robot,
+    of_links: Vec<Big>,
+    [qd, qdd]: [&[Big]; 2],
+) -> Vec<Big> {
+    if !robot.identifies_drives {
+        return of_links;
+    }
+    let columns = robot.drives.iter().flat_map(|drive| {
+        let columns = drive.columns(qd, qdd).into_iter();
+        columns.map(|column| (drive.velocity, column))
+    });
+    let columns: Vec<(usize, Big)> = columns.collect();
+    let rows = of_links
+        .chunks(of_links.len() / qd.len().max(1))
+        .enumerate();
+    let rows = rows.flat_map(|(row, of_links)| {
+        let of_drives = columns.iter().map(move |(velocity, column)| {
+            if *velocity == row {
+                column.clone()
+            } else {
+                Big::zero()
+            }
+        });
+        of_links.iter().cloned().chain(of_drives)
+    });
+    rows.collect()
+}

@@ -23,6 +23,7 @@ pub(crate) use command::FORMAT;
 #[cfg(feature = "cli")]
 pub(crate) use python::{module_of, write_folder};
 
+use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
@@ -346,6 +347,14 @@ impl Builder {
     /// [`Builder::extern_c`] are those of the robot itself.
     pub fn prepare(mut self) -> Self {
         self.request.prepare = true;
+        self
+    }
+
+    /// The most statements of one compiled function: a longer one is cut into sections that are called one after
+    /// the other, with the same bits. Without this, functions of more than 8000 statements are cut into sections
+    /// of at most 2000. A function that takes slices of states besides is never cut.
+    pub fn section(mut self, most: NonZeroUsize) -> Self {
+        self.request.section = Some(most.get());
         self
     }
 

@@ -27,6 +27,7 @@ use crate::closure::Row;
 use crate::description::{Description, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
+use crate::function::Function;
 use crate::joint::drive::Part;
 use crate::joint::{Drive, Motion, Posture};
 use crate::list::{List, id};
@@ -243,6 +244,25 @@ impl Chain {
         self.joints.len() == self.spaces.velocities.len()
     }
 
+    /// The most joints that stand in a row.
+    #[must_use]
+    pub fn longest(&self) -> usize {
+        let mut before: List<BodyId, usize> = List::new();
+        for joint in &self.joints {
+            before.push(1 + joint.parent.map_or(0, |parent| before[parent]));
+        }
+        before.into_iter().max().unwrap_or(0)
+    }
+
+    /// Whether so many joints stand in a row that accelerations are left to articulated bodies: from here on a
+    /// mass matrix takes ten times as many operations with its factors, and each further joint as many again as
+    /// there are joints.
+    #[must_use]
+    pub fn is_long(&self) -> bool {
+        const LONG: usize = 48;
+        self.all_lead() && self.longest() >= LONG
+    }
+
     /// Whether joints feel more than their bodies: an armature or friction, or a field that may be one.
     #[must_use]
     pub fn is_driven(&self) -> bool {
@@ -309,6 +329,14 @@ fn of_drive(joint: &Joint) -> impl Iterator<Item = Entry> {
         })
 }
 
+/// Whether base parameters are looked for: of a long chain, whose last links hand on to all others, only where a
+/// function is asked for that is of them.
+fn identifies(request: &Request, chain: &Chain) -> bool {
+    let mut asked = request.functions.iter().flatten();
+    let all = request.functions.is_empty();
+    all || !chain.is_long() || asked.any(|function| *function == Function::BaseRegressor)
+}
+
 /// Understands a description as the request wants it.
 ///
 /// # Errors
@@ -326,7 +354,9 @@ pub fn build(description: &Description, request: &Request) -> Result<Chain, Erro
     if chain.identifies_drives {
         parameters.extend(chain.joints.iter().flat_map(of_drive));
     }
-    chain.base_parameters = base_parameters::base_parameters(&chain);
+    if identifies(request, &chain) {
+        chain.base_parameters = base_parameters::base_parameters(&chain);
+    }
     let leaders = chain.base_parameters.columns();
     chain.spaces.base_parameters = leaders.map(|leader| parameters[leader].clone()).collect();
     chain.spaces.parameters = parameters;

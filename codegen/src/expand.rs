@@ -101,6 +101,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
         data,
         base_values,
         batch: request.batch,
+        length: request.length(),
         scalar: request.scalar,
         sines: request.formulation.sines,
         parameters: request.parameters.clone(),
@@ -372,5 +373,7 @@ fn accuracy_of(
     evaluated.into_iter().chain(solved).collect()
 }
 
+#[cfg(test)]
+mod long_chains;
 #[cfg(test)]
 mod tests;

@@ -286,6 +286,15 @@ pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
     forward_dynamics::pivots(&scene.mass_matrix(), &scene.parents())
 }
 
+/// The same by articulated bodies, where each has a velocity of its own: without the other entries, of which there
+/// are as many as pairs of joints.
+#[must_use]
+pub fn articulated_pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, Way::PLAIN);
+    let pivots = articulated::pivots(&scene.link_joints()).into_iter();
+    pivots.flatten().collect()
+}
+
 /// What accelerations are solved from: M, row by row, the torques at q̈ = 0 and, where a residual is made of
 /// them, those of q̈.
 pub(crate) fn equation<'g>(

@@ -22,7 +22,7 @@ use crate::layout::Layout;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Parameter;
-use crate::schedule::{Price, Program, part};
+use crate::schedule::{Length, Price, Program, part};
 use crate::space::{Space, Spaces, Variable};
 
 /// Everything that is printed for one robot.
@@ -40,6 +40,8 @@ pub struct Listing {
     pub base_values: Vec<f64>,
     /// Whether functions take slices of states besides.
     pub batch: bool,
+    /// How long a function is that compilers see.
+    pub length: Length,
     /// The type of number.
     pub scalar: Real,
     /// Where sines and cosines come from.

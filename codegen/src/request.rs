@@ -19,6 +19,7 @@ use crate::joint::drive::{Part, Parts};
 use crate::list::id;
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
+use crate::schedule::Length;
 
 id! {
     /// The number of a struct field: in every list that has an entry for each of [`Request::parameters`].
@@ -70,6 +71,9 @@ pub struct Request {
     pub processor: Processor,
     /// Take slices of states besides, for all kinds of vectors: `gravity_batch` beside `gravity`.
     pub batch: bool,
+    /// The most statements of one compiled function, beyond which it is cut into sections; where none is given,
+    /// what was measured to be best.
+    pub section: Option<usize>,
     /// Offer to compute once what depends on fields alone.
     pub prepare: bool,
     /// The type of number in the generated code.
@@ -98,6 +102,17 @@ impl Request {
             all.map(|function| vec![function]).collect()
         } else {
             self.functions.clone()
+        }
+    }
+
+    /// How long a function is that compilers see. One that takes slices of states stays whole: it is inlined
+    /// where it is compiled for vectors.
+    #[must_use]
+    pub fn length(&self) -> Length {
+        match self.section {
+            _ if self.batch => Length::UNBOUNDED,
+            Some(most) => Length::at_most(most),
+            None => Length::default(),
         }
     }
 

@@ -14,6 +14,7 @@ mod order;
 mod price;
 mod routine;
 mod run;
+mod sections;
 mod signs;
 
 pub use blocks::LONGEST_SCOPE;
@@ -22,8 +23,9 @@ pub(crate) use names::sanitize;
 pub use once::{Parts, part};
 pub use order::{schedule, schedule_unfused};
 pub use price::Price;
-pub use routine::{Angle, Entries, Readable, Routine, Statement, Value};
+pub use routine::{Angle, Apart, Entries, Readable, Routine, Statement, Value, Work};
 pub use run::run;
+pub use sections::{Length, Sections, sections};
 
 pub use crate::expression::Arithmetic;
 use crate::expression::Input;

@@ -53,6 +53,8 @@ mod guide {
     struct Cluster;
     #[doc = include_str!("../../guide/src/embedded.md")]
     struct Embedded;
+    #[doc = include_str!("../../guide/src/large-robots.md")]
+    struct LargeRobots;
     #[doc = include_str!("../../guide/src/generated-code.md")]
     struct GeneratedCode;
     #[doc = include_str!("../../guide/src/formulations.md")]

@@ -77,3 +77,5 @@ for scalar in f32 f64; do
 done
 read -ra rustc <<<"$(compiler "$(promised "$file").0")"
 build "$file" "${rustc[@]}"
+
+tests/standalone/sections.sh

@@ -63,6 +63,9 @@ impl Builder {
         }
         command.switch("prepare", request.prepare);
         command.switch("batch", request.batch);
+        if let Some(most) = request.section {
+            command.option("section", &most.to_string());
+        }
         if let Some(path) = &request.runtime {
             command.option("runtime", &spelled(path));
         }

@@ -138,6 +138,7 @@ impl Builder {
         options.extend(request.strict.then(|| "strict".to_owned()));
         options.extend(request.batch.then(|| "batch".to_owned()));
         options.extend(request.prepare.then(|| "prepare".to_owned()));
+        options.extend(request.section.map(|most| format!("section {most}")));
         let chosen = request.processor != Processor::Portable;
         options.extend(chosen.then(|| format!("processor {}", request.processor.name())));
         let prefix = self.library.c_prefix.as_ref();

@@ -4,6 +4,7 @@
 //! the same tokens. It never writes a file before everything is known to be right.
 
 use std::io::Read;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -48,6 +49,10 @@ pub(super) struct Generate {
     /// Functions of slices of states besides
     #[arg(long, requires = "runtime")]
     batch: bool,
+    /// The most statements of one compiled function: longer ones are cut into sections that are called one after the
+    /// other [default: 2000, of functions with more than 8000]
+    #[arg(long, value_name = "COUNT")]
+    section: Option<NonZeroUsize>,
     /// Write no character beyond ASCII: θ is theta in comments
     #[arg(long)]
     ascii: bool,
@@ -81,6 +86,9 @@ impl Generate {
         }
         if self.batch {
             builder = builder.batch();
+        }
+        if let Some(most) = self.section {
+            builder = builder.section(most);
         }
         if self.ascii {
             builder = builder.ascii();

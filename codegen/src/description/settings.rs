@@ -8,7 +8,7 @@ mod forces;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::ParseStream;
-use syn::{Ident, LitStr, Path, Token, token};
+use syn::{Ident, LitInt, LitStr, Path, Token, token};
 
 use super::number;
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
@@ -22,7 +22,7 @@ use crate::wording::{known, quoted};
 
 /// What may stand in the attribute: the keys of settings, in the order of the documentation, and
 /// the words that describe a robot in place.
-pub(super) const WORDS: [&str; 31] = [
+pub(super) const WORDS: [&str; 32] = [
     "urdf",
     "dh",
     "base",
@@ -49,6 +49,7 @@ pub(super) const WORDS: [&str; 31] = [
     "processor",
     "batch",
     "prepare",
+    "section",
     "crate",
     "link",
     "joint",
@@ -60,7 +61,7 @@ pub(super) const WORDS: [&str; 31] = [
 pub(super) const SCALARS: [&str; 3] = ["f32", "f64", "generic"];
 
 /// How many of the words are keys of settings.
-const KEYS: usize = 27;
+const KEYS: usize = 28;
 
 /// What was set, and where.
 #[derive(Default)]
@@ -169,6 +170,10 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             tokens::separator(input, &key)?;
             request.processor = processor(input)?;
         }
+        "section" => {
+            tokens::separator(input, &key)?;
+            request.section = Some(section(input)?);
+        }
         // The last of the known keys is `crate`.
         _ => {
             tokens::separator(input, &key)?;
@@ -236,6 +241,23 @@ fn processor(input: ParseStream) -> Parsed<Processor> {
     Processor::from_name(&name.value()).map_err(|hint| {
         let message = format!("unknown processor {}", quoted(&name.value()));
         complaint_with_hint(name.span(), message, hint)
+    })
+}
+
+/// How many statements a compiled function may have.
+fn section(input: ParseStream) -> Parsed<usize> {
+    let span = input.span();
+    let count = if input.peek(LitInt) {
+        input.parse::<LitInt>()?.base10_parse().ok()
+    } else {
+        None
+    };
+    count.filter(|&count| count > 0).ok_or_else(|| {
+        complaint_with_hint(
+            span,
+            "`section` needs the most statements of one compiled function",
+            "write section = 2000",
+        )
     })
 }
 

@@ -7,12 +7,11 @@
 use super::measured::{ENOUGH, LIMIT, Measure, Off, allowed};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
-use crate::chain::{BodyId, Chain};
+use crate::chain::Chain;
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
-use crate::list::List;
 use crate::model::{Congruence, Way};
 use crate::real::Real;
 use crate::request::Request;
@@ -70,7 +69,8 @@ impl Form {
 ///
 /// Factors cost ever more for each further joint: with skew axes they are dearer than articulated bodies
 /// from 11 on, with right angles from 13. In a plane they are from 4 on, but an arm keeps the form that
-/// has the closer error bound, and is expanded in half of the time.
+/// has the closer error bound, and is expanded in half of the time. Of a [long](Chain::is_long) chain nothing else
+/// is tried.
 pub(super) fn rounds(
     chain: &Chain,
     functions: &[Function],
@@ -84,7 +84,10 @@ pub(super) fn rounds(
     // A joint that follows another closes a loop, over which articulated bodies do not go.
     let open = formulation.frame == Frame::Link && chain.all_lead();
     let bodies = open.then_some(Form::sparing(Forward::Articulated));
-    let first = match (longest(chain), bodies) {
+    if let Some(bodies) = bodies.filter(|_| chain.is_long()) {
+        return vec![vec![bodies]];
+    }
+    let first = match (chain.longest(), bodies) {
         (DEARER.., Some(bodies)) => vec![bodies],
         (COMPARED.., Some(bodies)) => vec![plain, bodies],
         _ => vec![plain],
@@ -124,15 +127,6 @@ pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
         );
     }
     errors.into_result(())
-}
-
-/// The most joints that stand in a row.
-fn longest(chain: &Chain) -> usize {
-    let mut before: List<BodyId, usize> = List::new();
-    for joint in &chain.joints {
-        before.push(1 + joint.parent.map_or(0, |parent| before[parent]));
-    }
-    before.into_iter().max().unwrap_or(0)
 }
 
 /// Whether an error leaves half of the digits of a type.

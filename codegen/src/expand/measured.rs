@@ -136,8 +136,13 @@ impl<'c> Measure<'c> {
         // A hundred bits bear the mass matrix as it is where it leaves most of them.
         const BORNE: f64 = 1e12;
         let refinements = usize::from(loss > BORNE);
+        let forward = if chain.is_long() {
+            Forward::Articulated
+        } else {
+            Forward::MassMatrix { refinements }
+        };
         let way = Way {
-            forward: Forward::MassMatrix { refinements },
+            forward,
             ..Way::PLAIN
         };
         let exactly = |function| {

@@ -216,6 +216,11 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
 
 /// A diagonal entry and its pivot, for each joint.
 fn pivots(graph: &Graph, chain: &Chain) -> Vec<Expr> {
+    if chain.is_long() {
+        let bodies = arrange(graph, chain, Layout::DESCRIBED);
+        let pivots = model::articulated_pivots(graph, &bodies).into_iter();
+        return pivots.map(Term::expr).collect();
+    }
     let layout = Layout {
         regroup: true,
         ..Layout::DESCRIBED

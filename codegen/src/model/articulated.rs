@@ -65,6 +65,26 @@ pub fn forward_dynamics<'g>(
     found
 }
 
+/// For each joint what it feels of itself and all outboard of it where nothing else moves, and where all joints
+/// outboard yield: its diagonal entry of the mass matrix, and the pivot that is left of that by eliminating them.
+pub fn pivots<'g>(joints: &Joints<'g>) -> List<BodyId, [Term<'g>; 2]> {
+    let mut composites = joints.map(|joint| joint.inertia);
+    let mut articulated = joints.map(|joint| Articulated::of(joint.inertia));
+    let mut pivots = Vec::with_capacity(joints.len());
+    for (k, joint) in joints.numbered().rev() {
+        let whole = Action::of_screw(joint.screw, composites[k]).along(joint.screw);
+        let given = articulated[k].yielding(joint);
+        if let Some(parent) = joint.parent {
+            composites[parent] = composites[parent] + joint.inertia_inboard(composites[k]);
+            articulated[parent] = articulated[parent] + given.left.passed_on(joint);
+        }
+        let share = given.action.along(joint.screw);
+        pivots.push([whole, share].map(|felt| felt + joint.drive.armature));
+    }
+    pivots.reverse();
+    pivots.into()
+}
+
 /// The inverse of the mass matrix, row by row: M⁻¹ = Yᵗ D⁻¹ Y, with the joints' shares D and Yₖⱼ the
 /// force that joint k lacks, standing still, where joint j exerts a unit force (the innovations form
 /// of Rodriguez, Jain and Kreutz-Delgado, "A spatial operator algebra for manipulator modeling and

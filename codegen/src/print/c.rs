@@ -10,6 +10,7 @@ mod header;
 mod literals;
 mod names;
 mod review;
+mod sections;
 mod sines;
 mod source;
 #[cfg(all(test, feature = "pretty"))]
@@ -84,6 +85,11 @@ impl Writing<'_> {
     /// The macro for a product and a sum.
     fn mul_add(&self) -> String {
         self.own("mul_add").to_uppercase()
+    }
+
+    /// The macro before functions that are not to be inlined.
+    fn apart(&self) -> String {
+        self.own("apart").to_uppercase()
     }
 
     /// What the files need to be compiled.

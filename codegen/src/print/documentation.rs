@@ -12,7 +12,7 @@ use super::{About, LeftOut, Listed, Listing};
 use crate::function::Function;
 use crate::real::Real;
 use crate::request::Target;
-use crate::schedule::Price;
+use crate::schedule::{Price, sections};
 use crate::space::{Entry, Kind, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
@@ -83,6 +83,7 @@ pub(super) fn of_function(
     }
     lines.push(String::new());
     lines.push(format!("{}.", listed.price));
+    lines.extend(apart(listing, listed));
     lines.extend(once.map(|once| format!("Done before, once for all functions: {once}.")));
     for accuracy in &listed.accuracy {
         let said = error::lines(accuracy);
@@ -92,6 +93,18 @@ pub(super) fn of_function(
         lines.extend(said);
     }
     lines
+}
+
+/// That a function is compiled in sections, where it is.
+fn apart(listing: &Listing, listed: &Listed) -> Option<String> {
+    let sections = sections(&listed.program, listing.length)?;
+    Some(format!(
+        "Compiled in {} sections of at most {} statements, called one after the other; what waits for a later one \
+         stands in an array of {} numbers.",
+        sections.sections.len(),
+        listing.length.of_section(),
+        sections.work
+    ))
 }
 
 /// What frame 0 is: that of the base, or one that a field places the base in.

@@ -123,6 +123,9 @@ pub(super) fn origins(listing: &Listing) -> Vec<String> {
     lines
 }
 
+/// Of how many links the names are told: of a long chain each number is of all that are outboard.
+const LINKS: usize = 40;
+
 /// `J_xx = 0.3 = upper.J_xx + 0.16 fore.m`.
 fn words(sum: &Sum) -> String {
     let Sum {
@@ -139,7 +142,10 @@ fn words(sum: &Sum) -> String {
                 links.push(link);
             }
         }
-        let links = list(links.iter().map(String::as_str));
+        let links = match links.len() {
+            0..=LINKS => list(links.iter().map(String::as_str)),
+            many => format!("{many} links"),
+        };
         return format!("{words}, of {} parameters of {links}", terms.len());
     }
     for (k, (factor, name)) in terms.iter().enumerate() {

@@ -25,6 +25,7 @@ mod prepared;
 mod pretty;
 mod results;
 mod review;
+mod sections;
 pub(super) mod sines;
 mod steps;
 mod stub;
@@ -61,7 +62,7 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     let mut beside = TokenStream::new();
     for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
         let fields = Fields::Own(&listing.parameters);
-        let body = method::computation((listed, fields), &listing.spaces, &dialect);
+        let body = method::computation((listed, fields), listing, &dialect);
         let own = |body: &_| method(listing, item, listed, &name, (body, &dialect));
         let acted = listing.spaces.actions() > 0;
         let batched =
@@ -122,7 +123,7 @@ pub fn each_method(listing: &Listing, item: &Item, world: &World) -> Vec<TokenSt
     methods
         .map(|(listed, name)| {
             let fields = Fields::Own(&listing.parameters);
-            let body = method::computation((listed, fields), &listing.spaces, &dialect);
+            let body = method::computation((listed, fields), listing, &dialect);
             method(listing, item, listed, &name, (&body, &dialect))
         })
         .collect()

@@ -12,7 +12,7 @@
 
 use std::ops::Range;
 
-use super::{Operand, Program};
+use super::{Operand, Program, Step};
 
 /// A program of up to so many steps and angles is one scope: a third of what a compiler bears.
 const FLAT: usize = 900;
@@ -54,12 +54,35 @@ pub fn nested(program: &Program) -> [Vec<Part>; 2] {
         return [before, after];
     }
     let read_until = read_until(program);
-    [before, after].map(|mut parts| {
-        while parts.len() > LONGEST_SCOPE {
-            parts = grouped(parts, &read_until);
-        }
-        parts
-    })
+    [before, after].map(|parts| in_blocks(parts, &read_until))
+}
+
+/// The steps before the sines and cosines of a program in sections.
+#[must_use]
+pub fn before(program: &Program) -> Vec<Part> {
+    let steps = (0_u32..).take(program.before_angles);
+    in_blocks(steps.map(Part::Step).collect(), &read_until(program))
+}
+
+/// The steps of a section, which are read outside of it where they wait and not where they are bound.
+#[must_use]
+pub fn within(program: &Program, section: Range<u32>) -> Vec<Part> {
+    let parts = section.clone().map(Part::Step).collect();
+    if section.len() <= FLAT {
+        return parts;
+    }
+    let mut read_until = vec![0; program.steps.len()];
+    let steps = &program.steps[section.start as usize..section.end as usize];
+    note_readers(section.zip(steps), &mut read_until);
+    in_blocks(parts, &read_until)
+}
+
+/// The parts in no more bindings than a scope may have.
+fn in_blocks(mut parts: Vec<Part>, read_until: &[u32]) -> Vec<Part> {
+    while parts.len() > LONGEST_SCOPE {
+        parts = grouped(parts, read_until);
+    }
+    parts
 }
 
 impl Part {
@@ -83,21 +106,25 @@ impl Part {
 /// The last step that reads each step; what sines and results are of is read behind every block.
 fn read_until(program: &Program) -> Vec<u32> {
     let mut read_until = vec![0; program.steps.len()];
-    let mut read = |operand: &Operand, at| {
-        if let Operand::Step(step) = *operand {
-            // Later steps come later.
-            read_until[step as usize] = at;
-        }
-    };
-    for (at, step) in (0_u32..).zip(&program.steps) {
-        for operand in &step.operation.operands() {
-            read(operand, at);
-        }
-    }
+    note_readers((0_u32..).zip(&program.steps), &mut read_until);
     for operand in program.angles.iter().chain(&program.results) {
-        read(operand, u32::MAX);
+        if let Operand::Step(step) = *operand {
+            read_until[step as usize] = u32::MAX;
+        }
     }
     read_until
+}
+
+/// Notes of each step which of these is the last that reads it.
+fn note_readers<'s>(steps: impl Iterator<Item = (u32, &'s Step)>, read_until: &mut [u32]) {
+    for (at, step) in steps {
+        for operand in step.operation.operands() {
+            if let Operand::Step(step) = operand {
+                // Later steps come later.
+                read_until[step as usize] = at;
+            }
+        }
+    }
 }
 
 /// The parts in blocks of [`SHORTEST`] to [`LONGEST_SCOPE`], cut where the blocks hand on the fewest

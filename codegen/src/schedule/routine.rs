@@ -3,13 +3,16 @@
 //! In: a [`Program`], what it can read, and the names that are taken. Out: a [`Routine`]. It knows no
 //! language, never names what nobody reads, and changes no operation.
 
+mod apart;
 #[cfg(test)]
 mod tests;
 
 use std::collections::BTreeMap;
 
+pub use self::apart::{Apart, Work};
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
+use super::sections::{Length, sections};
 use super::{Operand, Operation, Program, Step};
 use crate::expression::Input;
 use crate::space::{ACTION, Spaces, Variable};
@@ -35,11 +38,13 @@ pub struct Routine {
     pub fields: Vec<Entries>,
     /// What is computed, in the order in which it is.
     pub statements: Vec<Statement>,
+    /// What is computed behind that in functions of their own, where it is long.
+    pub work: Option<Work>,
     /// The results, as the program has them.
     pub results: Vec<Value>,
-    /// Whether a number known at generation is among the values.
+    /// Whether a number known at generation is among the values, but for those of functions of their own.
     pub has_literals: bool,
-    /// Whether an operation is a product and a sum at once.
+    /// Whether an operation is a product and a sum at once, but for those of functions of their own.
     pub is_fused: bool,
     /// All these names and those that were taken before, for what a language binds besides.
     pub names: Names,
@@ -62,6 +67,8 @@ pub enum Statement {
         /// The names that are read behind it.
         handed_on: Vec<String>,
     },
+    /// What is bound to the name is put into the work array, at that place.
+    Left(usize, String),
 }
 
 /// An angle, and the names of its sine and cosine; none where it is not read.
@@ -82,27 +89,34 @@ pub enum Value {
     Literal(f64),
     /// What is bound to the name.
     Name(String),
+    /// What waits at a place of the work array.
+    Waiting(usize),
 }
 
 impl Routine {
-    /// Names what a program reads and computes, beside the names that are taken.
+    /// Names what a program reads and computes, beside the names that are taken, in functions of a length.
     ///
     /// # Panics
     /// Where the program reads an input that it cannot, or a step before it is computed.
     #[must_use]
-    pub fn of(program: &Program, readable: &Readable<'_>, mut names: Names) -> Self {
+    pub fn of(
+        (program, length): (&Program, Length),
+        readable: &Readable<'_>,
+        mut names: Names,
+    ) -> Self {
         for argument in readable.arguments {
             names.take(argument.name());
         }
         let mut naming = Naming {
             program,
-            read: program.operands().collect(),
+            turns: turns(program),
             names,
             inputs: program.operands().filter_map(unbound).collect(),
             angles: Vec::new(),
             steps: Vec::with_capacity(program.steps.len()),
             sums: Vec::with_capacity(program.steps.len()),
             unnamed: 0,
+            left: BTreeMap::new(),
         };
         let arguments = readable.arguments.iter().map(|&argument| {
             let entries = 0..readable.spaces.len(argument.space());
@@ -116,28 +130,46 @@ impl Routine {
             naming.entries(wishes.iter().cloned(), input)
         });
         let fields = fields.collect();
+        if let Some(sections) = sections(program, length) {
+            return naming.in_sections(&sections, arguments, fields);
+        }
         let [before, after] = nested(program);
         let mut statements = naming.statements(&before);
         statements.extend(naming.sines_and_cosines());
         statements.extend(naming.statements(&after));
         let results = program.results.iter();
+        let is_literal = |read| matches!(read, Operand::Literal(_));
         Self {
             arguments,
             fields,
             statements,
+            work: None,
             results: results.map(|&result| naming.value(result)).collect(),
-            has_literals: (naming.read.iter()).any(|read| matches!(read, Operand::Literal(_))),
+            has_literals: program.operands().any(is_literal),
             is_fused: (program.steps.iter()).any(|step| step.operation.is_fused()),
             names: naming.names,
         }
     }
 }
 
+/// Of each angle whether anything reads its sine, and its cosine.
+fn turns(program: &Program) -> Vec<[bool; 2]> {
+    let mut turns = vec![[false; 2]; program.angles.len()];
+    for operand in program.operands() {
+        match operand {
+            Operand::Sin(angle) => turns[angle as usize][0] = true,
+            Operand::Cos(angle) => turns[angle as usize][1] = true,
+            Operand::Literal(_) | Operand::Input(_) | Operand::Step(_) => {}
+        }
+    }
+    turns
+}
+
 /// A routine in the making.
 struct Naming<'p> {
     program: &'p Program,
-    /// Everything that is read.
-    read: Vec<Operand>,
+    /// Of each angle whether its sine is read, and its cosine.
+    turns: Vec<[bool; 2]>,
     names: Names,
     /// All inputs that are read, with their names once they are bound.
     inputs: BTreeMap<Input, Option<String>>,
@@ -146,6 +178,8 @@ struct Naming<'p> {
     /// The coordinates that a step is the sum of.
     sums: Vec<Option<Vec<u16>>>,
     unnamed: usize,
+    /// The steps that are put into the work array, and where.
+    left: BTreeMap<u32, usize>,
 }
 
 impl Naming<'_> {
@@ -174,21 +208,28 @@ impl Naming<'_> {
     }
 
     fn statements(&mut self, parts: &[Part]) -> Vec<Statement> {
-        let statements = parts.iter().map(|part| match part {
-            Part::Step(step) => self.operation(&self.program.steps[*step as usize]),
-            Part::Block(Block { parts, handed_on }) => {
-                let statements = self.statements(parts);
-                let handed_on = handed_on
-                    .iter()
-                    .map(|&step| self.steps[step as usize].clone());
-                let handed_on = handed_on.collect();
-                Statement::Block {
-                    statements,
-                    handed_on,
+        let mut statements = Vec::with_capacity(parts.len());
+        for part in parts {
+            match part {
+                Part::Step(step) => {
+                    statements.push(self.operation(&self.program.steps[*step as usize]));
+                    if let Some(&place) = self.left.get(step) {
+                        statements.push(Statement::Left(place, self.steps[*step as usize].clone()));
+                    }
+                }
+                Part::Block(Block { parts, handed_on }) => {
+                    let inside = self.statements(parts);
+                    let handed_on = handed_on
+                        .iter()
+                        .map(|&step| self.steps[step as usize].clone());
+                    statements.push(Statement::Block {
+                        statements: inside,
+                        handed_on: handed_on.collect(),
+                    });
                 }
             }
-        });
-        statements.collect()
+        }
+        statements
     }
 
     /// An operation whose result is called as its entry of a matrix, or after the coordinates
@@ -212,15 +253,15 @@ impl Naming<'_> {
 
     /// All sines and cosines, called after the coordinates that the angles are sums of.
     fn sines_and_cosines(&mut self) -> Option<Statement> {
-        for (index, &angle) in (0_u32..).zip(&self.program.angles) {
+        for (&angle, &[has_sine, has_cosine]) in self.program.angles.iter().zip(&self.turns) {
             let subject = self.subject(angle);
             let value = self.value(angle);
-            let mut bind = |letter: char, operand: Operand| {
+            let mut bind = |letter: char, is_read: bool| {
                 let name = || self.names.fresh(&format!("{letter}_{subject}"));
-                self.read.contains(&operand).then(name)
+                is_read.then(name)
             };
-            let sine = bind('s', Operand::Sin(index));
-            let cosine = bind('c', Operand::Cos(index));
+            let sine = bind('s', has_sine);
+            let cosine = bind('c', has_cosine);
             self.angles.push(Angle {
                 value,
                 sine,

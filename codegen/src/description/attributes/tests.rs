@@ -160,7 +160,7 @@ fn all_mistakes_are_reported_at_once() {
     let functions = list(Function::names());
     let expected = format!(
         "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, floating, tip, \
-         path_only, lock, drop, frames, actuated, gravity, friction, damping, armature, rotor, ratio, rotors, external, exact, strict, scalar, generate, formulation, processor, batch, prepare, crate, link, joint, loop and denavit_hartenberg\n\
+         path_only, lock, drop, frames, actuated, gravity, friction, damping, armature, rotor, ratio, rotors, external, exact, strict, scalar, generate, formulation, processor, batch, prepare, section, crate, link, joint, loop and denavit_hartenberg\n\
          1:30: unknown scalar \"f16\"\n  \
          hint: known scalars: f32, f64 and generic\n\
          1:45: gravity has 2 numbers instead of 3\n\
@@ -197,6 +197,12 @@ fn settings_need_their_values() {
         "1:18: the position of joint \"a\" is not a number\n  \
          hint: write digits, or pi: 0.5, -1e-3, pi/2\n"
     );
+    for few in ["0", "-1", "2.5", "\"800\"", "few"] {
+        assert_eq!(
+            errors_in(&format!("section = {few}")),
+            "1:19: `section` needs the most statements of one compiled function\n  hint: write section = 2000\n"
+        );
+    }
     assert_eq!(errors_in("drop(a b)"), "1:16: expected `,`\n");
     assert_eq!(
         errors_in("gravity = down"),

@@ -16,12 +16,21 @@ use crate::real::Real;
 use crate::schedule::{Angle, Names, Operation, Program, Readable, Routine, Statement, Value};
 use crate::space::{Quantity, Variable};
 
-/// The lines within the braces of a function that reads these fields.
+/// A function, and those of its own that it calls.
+pub(super) struct Body {
+    /// Their definitions, each behind an empty line.
+    pub sections: String,
+    /// The lines within its braces.
+    pub text: String,
+}
+
+/// The body of a function that reads these fields; `own` gives the functions names that it calls.
 pub(super) fn body(
     listing: &Listing,
     (listed, fields): (&Listed, Fields<'_>),
     writing: &Writing<'_>,
-) -> String {
+    own: &mut dyn FnMut(&str) -> String,
+) -> Body {
     let arguments = listed.arguments(&listing.spaces);
     let results = results(&listed.functions);
     let taken = results.iter().map(|(name, _)| name.as_str());
@@ -32,21 +41,34 @@ pub(super) fn body(
         &arguments,
         (names, writing),
     );
+    let sections = writer.sections(&routine, own);
     writer.store(&routine, listing, &results);
-    writer.text
+    Body {
+        sections,
+        text: writer.text,
+    }
 }
 
-/// The lines of the function that computes once what depends on fields alone.
-pub(super) fn once(listing: &Listing, prepared: &Prepared, writing: &Writing<'_>) -> String {
+/// The body of the function that computes once what depends on fields alone.
+pub(super) fn once(
+    listing: &Listing,
+    prepared: &Prepared,
+    writing: &Writing<'_>,
+    own: &mut dyn FnMut(&str) -> String,
+) -> Body {
     let names = names(["prepared"].into_iter(), writing);
     let fields = Fields::Own(&listing.parameters);
     let (mut writer, routine) =
         Writer::of(&prepared.once, (listing, fields), &[], (names, writing));
+    let sections = writer.sections(&routine, own);
     for (k, value) in routine.results.iter().enumerate() {
         let value = writer.read(value);
         writer.line(&format!("prepared->{VALUES}[{k}] = {value};"));
     }
-    writer.text
+    Body {
+        sections,
+        text: writer.text,
+    }
 }
 
 /// What nothing in a function can be called that has these results.
@@ -65,12 +87,14 @@ fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> N
 }
 
 /// The spelling of what routines are made of.
-struct Writer<'w> {
-    writing: &'w Writing<'w>,
-    real: Real,
+pub(super) struct Writer<'w> {
+    pub(super) writing: &'w Writing<'w>,
+    pub(super) real: Real,
     sines: Sines,
-    text: String,
+    pub(super) text: String,
     names: Names,
+    /// The array in which values wait, where there is one.
+    pub(super) work: String,
 }
 
 impl<'w> Writer<'w> {
@@ -86,13 +110,17 @@ impl<'w> Writer<'w> {
             spaces: &listing.spaces,
             fields: &fields.entries(),
         };
-        let routine = Routine::of(program, &readable, names);
+        let routine = Routine::of((program, listing.length), &readable, names);
         let mut writer = Self {
             writing,
             real: listing.scalar,
             sines: listing.sines,
             text: String::new(),
             names: routine.names.clone(),
+            work: routine
+                .work
+                .as_ref()
+                .map_or_else(String::new, |work| work.name.clone()),
         };
         writer.load(&routine, (listing, fields));
         writer.statements(&routine.statements);
@@ -100,12 +128,12 @@ impl<'w> Writer<'w> {
     }
 
     /// `const double name = value;`.
-    fn constant(&mut self, name: &str, value: &str) {
+    pub(super) fn constant(&mut self, name: &str, value: &str) {
         let number = number(self.real);
         self.line(&format!("const {number} {name} = {value};"));
     }
 
-    fn line(&mut self, statement: &str) {
+    pub(super) fn line(&mut self, statement: &str) {
         // Writing to a string cannot fail.
         let _ = writeln!(self.text, "    {statement}");
     }
@@ -144,7 +172,7 @@ impl<'w> Writer<'w> {
 
     /// What stands in blocks stands among the others: names are those of one scope already, and C
     /// compilers take any number of them.
-    fn statements(&mut self, statements: &[Statement]) {
+    pub(super) fn statements(&mut self, statements: &[Statement]) {
         for statement in statements {
             match statement {
                 Statement::Operation(name, operation) => {
@@ -157,15 +185,17 @@ impl<'w> Writer<'w> {
                     }
                 }
                 Statement::Block { statements, .. } => self.statements(statements),
+                Statement::Left(place, name) => self.put(*place, name),
             }
         }
     }
 
     /// A value as an expression that binds tighter than any infix operator.
-    fn read(&self, value: &Value) -> String {
+    pub(super) fn read(&self, value: &Value) -> String {
         match value {
             Value::Literal(value) => literal(*value, self.real),
             Value::Name(name) => name.clone(),
+            Value::Waiting(place) => self.place(*place),
         }
     }
 

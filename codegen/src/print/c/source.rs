@@ -6,16 +6,16 @@
 use std::fmt::Write;
 
 use super::Writing;
-use super::body::{body, once};
+use super::body::{Body, body, once};
 use super::comments::comment;
 use super::declarations::{of_prepare, parameters};
 use super::header::guard;
 use super::names::symbols;
-use super::{review, sines};
+use super::{review, sections, sines};
 use crate::formulation::Sines;
 use crate::print::{Fields, Listed, Listing, documentation};
 use crate::real::Real;
-use crate::schedule::Operation;
+use crate::schedule::{Names, Operation};
 
 /// The text of the file.
 pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
@@ -51,28 +51,61 @@ pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
         text.push('\n');
         text.push_str(&sines::function(listing.scalar, writing));
     }
-    for (listed, name) in listing.functions.iter().zip(&symbols) {
-        let parameters = parameters(listing, listed, (writing.prefix, "robot"));
+    let functions = functions(listing, writing, &symbols);
+    if functions.has_sections {
+        text.push_str(&sections::apart(&writing.apart()));
+    }
+    text + &functions.text + &review::appendix(listing, writing)
+}
+
+/// The definitions of functions.
+struct Functions {
+    text: String,
+    /// Whether any is cut into functions of its own.
+    has_sections: bool,
+}
+
+impl Functions {
+    fn push(&mut self, head: &str, body: &Body) {
+        self.has_sections |= !body.sections.is_empty();
+        self.text.push_str(&body.sections);
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "\nHOMOGEN_FN void {head}\n{{\n{}}}", body.text);
+    }
+}
+
+fn functions(listing: &Listing, writing: &Writing<'_>, symbols: &[String]) -> Functions {
+    let prefix = writing.prefix;
+    let prepared = super::names::symbols(listing, &format!("{prefix}prepared_"));
+    let mut names = Names::default();
+    for name in symbols.iter().chain(&prepared) {
+        names.take(name);
+    }
+    let mut functions = Functions {
+        text: String::new(),
+        has_sections: false,
+    };
+    for (listed, name) in listing.functions.iter().zip(symbols) {
+        let parameters = parameters(listing, listed, (prefix, "robot"));
         let fields = Fields::Own(&listing.parameters);
-        let body = body(listing, (listed, fields), writing);
-        let _ = writeln!(text, "\nHOMOGEN_FN void {name}({parameters})\n{{\n{body}}}");
+        let mut own = |section: &str| names.alone(&format!("{name}_{section}"));
+        let body = body(listing, (listed, fields), writing, &mut own);
+        functions.push(&format!("{name}({parameters})"), &body);
     }
-    if let Some(prepared) = &listing.prepared {
-        let (prefix, once) = (writing.prefix, once(listing, prepared, writing));
-        let filled = of_prepare(prefix);
-        let _ = writeln!(
-            text,
-            "\nHOMOGEN_FN void {prefix}prepare({filled})\n{{\n{once}}}"
-        );
-        let symbols = super::names::symbols(listing, &format!("{prefix}prepared_"));
-        for (listed, name) in prepared.functions.iter().zip(symbols) {
-            let parameters = parameters(listing, listed, (prefix, "prepared"));
-            let fields = Fields::Computed(&prepared.names);
-            let body = body(listing, (listed, fields), writing);
-            let _ = writeln!(text, "\nHOMOGEN_FN void {name}({parameters})\n{{\n{body}}}");
-        }
+    let Some(all) = &listing.prepared else {
+        return functions;
+    };
+    let mut own = |section: &str| names.alone(&format!("{prefix}prepare_{section}"));
+    let once = once(listing, all, writing, &mut own);
+    functions.push(&format!("{prefix}prepare({})", of_prepare(prefix)), &once);
+    for (listed, name) in all.functions.iter().zip(prepared) {
+        let parameters = parameters(listing, listed, (prefix, "prepared"));
+        let fields = Fields::Computed(&all.names);
+        let mut own = |section: &str| names.alone(&format!("{name}_{section}"));
+        let body = body(listing, (listed, fields), writing, &mut own);
+        functions.push(&format!("{name}({parameters})"), &body);
     }
-    text + &review::appendix(listing, writing)
+    functions
 }
 
 fn has_angles(listed: &Listed) -> bool {

@@ -1,12 +1,14 @@
 //! Hand-made programs as text: a reader of these tests sees what a user of the command gets.
 
 use super::{Source, Writing, print};
+use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::print::Listing;
 use crate::print::rust::tests::{listed, listing, literal, step, turning, with_payload};
 use crate::real::Real;
-use crate::schedule::{Operand, Operation, Program};
+use crate::schedule::{Length, Operand, Operation, Program};
+use crate::space::Variable;
 
 const PLAIN: Writing<'_> = Writing {
     prefix: "pendulum_",
@@ -213,4 +215,51 @@ fn joints_of_one_name_have_constants_of_their_own() {
     ] {
         assert!(header.contains(line), "{header}");
     }
+}
+
+/// A function in sections calls others, which no compiler puts into it.
+#[test]
+fn long_functions_are_cut() {
+    let (q, two) = (
+        Operand::Input(Input::Variable(Variable::Q, 0)),
+        literal(2.0),
+    );
+    let operations = [
+        Operation::Mul(two, q),
+        Operation::Add(Operand::Step(0), q),
+        Operation::Mul(Operand::Step(0), Operand::Step(1)),
+    ];
+    let cut = Listing {
+        length: Length::at_most(1),
+        ..steps(Real::F32, &operations)
+    };
+    let text = written(&cut).text;
+    let section = "
+HOMOGEN_FN static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
+{
+    const float t_1 = work[1];
+    const float t_2 = work[2];
+    const float t_3 = t_1 * t_2;
+    work[0] = t_3;
+}
+";
+    assert!(text.contains(section), "{text}");
+    let whole = "{
+    const float q_1 = q[0];
+    float work[3];
+    work[0] = q_1;
+    pendulum_gravity_section_1(work);
+    pendulum_gravity_section_2(work);
+    pendulum_gravity_section_3(work);
+    gravity[0] = work[0];
+    gravity[1] = -0.5f;
+}
+";
+    assert!(text.contains(whole), "{text}");
+    assert!(text.contains("#define PENDULUM_APART __attribute__((noinline))"));
+    assert!(
+        !written(&steps(Real::F32, &operations))
+            .text
+            .contains("APART")
+    );
 }

@@ -1,7 +1,7 @@
 //! From a routine to statements.
 //!
 //! In: a [`Program`] and what it reads. Out: a `let` for each statement of its [`Routine`], and its
-//! results as expressions. It never indexes, branches, or calls anything but sines, cosines, roots
+//! results as expressions. It never branches, or calls anything but sines, cosines, roots
 //! and fused products.
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -16,7 +16,8 @@ use super::world::World;
 use crate::print::Fields;
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Names, Operation, Program, Readable, Routine, Statement, Value,
+    Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Routine, Statement,
+    Value,
 };
 use crate::space::{Spaces, Variable};
 
@@ -35,9 +36,9 @@ pub(super) const VALUES: &str = "values";
 const FIELDS: usize = LONGEST_SCOPE / 4;
 
 /// Writes a program down that reads these arguments and the fields of the struct, and whose result is
-/// one number by itself or in arrays.
+/// one number by itself or in arrays; no function in it is longer than that length.
 pub(super) fn body(
-    program: &Program,
+    (program, length): (&Program, Length),
     (arguments, returns_number): (&[Variable], bool),
     (fields, spaces): (Fields<'_>, &Spaces),
     dialect: &Dialect,
@@ -50,7 +51,7 @@ pub(super) fn body(
         spaces,
         fields: &fields.entries(),
     };
-    let mut routine = Routine::of(program, &readable, names);
+    let mut routine = Routine::of((program, length), &readable, names);
     let returned = returns_number.then(|| returned(&mut routine)).flatten();
     let parameters = match fields {
         Fields::Own(parameters) => parameters,
@@ -64,9 +65,13 @@ pub(super) fn body(
         numerals,
         fused,
         names: routine.names,
+        work: routine.work.as_ref().map(|work| ident(&work.name)),
     };
 
     let mut statements = TokenStream::new();
+    if let Some(work) = &routine.work {
+        statements.extend(writer.sections(work, (&constant, &mul_add)));
+    }
     if routine.has_literals || !loads.is_empty() {
         statements.extend(constant);
     }
@@ -89,14 +94,17 @@ pub(super) fn body(
     }
     let steps = routine.statements.iter();
     let steps = steps.map(|step| (writer.statement(step), bound(step)));
-    let steps = steps.collect();
+    let mut steps: Vec<_> = steps.collect();
+    let calls = routine.work.as_ref().map(|work| writer.calls(work));
+    steps.extend(calls.map(|calls| (calls, Vec::new())));
     let results = routine.results.iter();
     let results = results.map(|result| writer.read(result));
     let results = match returned {
         Some(operation) => vec![writer.operation(&operation)],
         None => results.collect(),
     };
-    let one = routine.has_literals.then(|| writer.numerals.write(1.0));
+    let is_whole = routine.work.is_none();
+    let one = (is_whole && routine.has_literals).then(|| writer.numerals.write(1.0));
     Body {
         statements: Statements {
             head: statements,
@@ -117,6 +125,7 @@ fn bound(statement: &Statement) -> Vec<String> {
             names.flatten().cloned().collect()
         }
         Statement::Block { handed_on, .. } => handed_on.clone(),
+        Statement::Left(..) => Vec::new(),
     }
 }
 
@@ -136,15 +145,17 @@ fn returned(routine: &mut Routine) -> Option<Operation<Value>> {
 }
 
 /// The spelling of what routines are made of.
-struct Writer<'d> {
-    dialect: &'d Dialect,
+pub(super) struct Writer<'d> {
+    pub(super) dialect: &'d Dialect,
     numerals: Numerals,
     fused: Option<Ident>,
     names: Names,
+    /// The array in which values wait, where there is one.
+    pub(super) work: Option<Ident>,
 }
 
 impl Writer<'_> {
-    fn statements(&mut self, statements: &[Statement]) -> TokenStream {
+    pub(super) fn statements(&mut self, statements: &[Statement]) -> TokenStream {
         let statements = statements.iter();
         statements
             .map(|statement| self.statement(statement))
@@ -165,14 +176,16 @@ impl Writer<'_> {
                 let inside = self.statements(statements);
                 block(&inside, handed_on.iter())
             }
+            Statement::Left(place, name) => self.put(*place, &ident(name).into_token_stream()),
         }
     }
 
     /// A value as an expression that binds tighter than any infix operator.
-    fn read(&self, value: &Value) -> TokenStream {
+    pub(super) fn read(&self, value: &Value) -> TokenStream {
         match value {
             Value::Literal(value) => self.numerals.write(*value),
             Value::Name(name) => ident(name).into_token_stream(),
+            Value::Waiting(place) => self.place(*place),
         }
     }
 
@@ -242,8 +255,12 @@ fn computed(values: &Entries) -> Option<TokenStream> {
     any.then(|| quote! { let [#(#patterns),*] = self.#field; })
 }
 
-/// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them.
+/// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them; by itself where
+/// that is nothing, for no compiler could tell what `[]` is of.
 fn block<'n>(inside: &TokenStream, names: impl Iterator<Item = &'n String>) -> TokenStream {
     let names: Vec<_> = names.map(|name| ident(name)).collect();
+    if names.is_empty() {
+        return quote! { { #inside } };
+    }
     quote! { let [#(#names),*] = { #inside [#(#names),*] }; }
 }

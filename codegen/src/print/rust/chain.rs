@@ -17,6 +17,7 @@ use super::results::{square_and_column, two_vectors};
 use super::world::World;
 use crate::joint::Posture;
 use crate::print::{ChainData, DataMotion, Fields, Listing, documentation};
+use crate::schedule::Length;
 use crate::space::Space;
 
 /// How many numbers a joint has, and how many of them are its placement and its screw.
@@ -34,7 +35,7 @@ pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
         statements,
         results,
     } = body(
-        &data.program,
+        (&data.program, Length::UNBOUNDED),
         (&[], false),
         (Fields::Own(&listing.parameters), &listing.spaces),
         &dialect.of_data(),

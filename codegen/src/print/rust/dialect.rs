@@ -88,6 +88,15 @@ impl Dialect {
         }
     }
 
+    /// The same of a function that stands within another.
+    pub fn bound_inside(&self) -> Option<TokenStream> {
+        let inside = Self {
+            prepared: false,
+            ..self.clone()
+        };
+        inside.bound()
+    }
+
     /// Whether C shall understand the struct.
     pub fn is_for_c(&self) -> bool {
         matches!(&self.world, World::Core(library) if library.c_prefix.is_some())

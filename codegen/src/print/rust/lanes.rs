@@ -16,6 +16,7 @@ use super::lengths::literal;
 use super::names::{ident, of_methods};
 use super::world::World;
 use crate::print::{Fields, Listed, Listing, c, documentation};
+use crate::schedule::Length;
 use crate::space::Entity;
 
 /// The struct and its methods.
@@ -50,7 +51,7 @@ fn method(
         statements,
         results,
     } = body(
-        &listed.program,
+        (&listed.program, Length::UNBOUNDED),
         (&arguments, false),
         (Fields::Own(&listing.parameters), &listing.spaces),
         dialect,

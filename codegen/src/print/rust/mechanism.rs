@@ -17,6 +17,7 @@ use super::results::square_and_column;
 use super::world::World;
 use crate::closure::Row;
 use crate::print::{Fields, Listing, LoopData, documentation};
+use crate::schedule::Length;
 use crate::space::Space;
 
 /// How many numbers a frame has, and a loop.
@@ -36,7 +37,7 @@ pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> To
         statements,
         results,
     } = body(
-        &data.loops.program,
+        (&data.loops.program, Length::UNBOUNDED),
         (&[], false),
         (Fields::Own(&listing.parameters), &listing.spaces),
         &dialect.of_data(),

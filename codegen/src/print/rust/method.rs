@@ -24,9 +24,10 @@ use crate::space::{Space, Spaces};
 /// What computes `listed` from what its struct has, to stand between braces.
 pub(super) fn computation(
     (listed, fields): (&Listed, Fields<'_>),
-    spaces: &Spaces,
+    listing: &Listing,
     dialect: &Dialect,
 ) -> TokenStream {
+    let spaces = &listing.spaces;
     let arguments = listed.arguments(spaces);
     let is_number = |function: &Function| function.result().is_number();
     let returns_number = matches!(&*listed.functions, [only] if is_number(only));
@@ -34,7 +35,7 @@ pub(super) fn computation(
         statements,
         results,
     } = body(
-        &listed.program,
+        (&listed.program, listing.length),
         (&arguments, returns_number),
         (fields, spaces),
         dialect,

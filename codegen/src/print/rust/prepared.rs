@@ -35,7 +35,7 @@ pub(super) fn prepared(
         statements,
         results,
     } = body(
-        &prepared.once,
+        (&prepared.once, listing.length),
         (&[], false),
         (Fields::Own(&listing.parameters), &listing.spaces),
         dialect,
@@ -55,7 +55,7 @@ pub(super) fn prepared(
     let mut beside = TokenStream::new();
     for (listed, name) in prepared.functions.iter().zip(of_methods(listing)) {
         let fields = Fields::Computed(&prepared.names);
-        let body = method::computation((listed, fields), &listing.spaces, &inside);
+        let body = method::computation((listed, fields), listing, &inside);
         let about = documentation::of_function(
             listing,
             listed,

@@ -13,7 +13,7 @@ use crate::layout::Layout;
 use crate::print::{About, ChainData, DataMotion, Listed, Listing, LoopsData};
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
-use crate::schedule::{Operand, Operation, Price, Program, Step};
+use crate::schedule::{Length, Operand, Operation, Price, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
 
 mod batch;
@@ -151,6 +151,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
         },
         base_values: Vec::new(),
         batch: false,
+        length: Length::default(),
         scalar,
         sines: Sines::default(),
         parameters: Vec::new(),

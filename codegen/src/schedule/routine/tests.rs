@@ -2,7 +2,7 @@
 
 use super::{Angle, Names, Readable, Routine, Statement, Value};
 use crate::expression::Input;
-use crate::schedule::{Operand, Operation, Program, Step};
+use crate::schedule::{Length, Operand, Operation, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
 
 fn name(name: &str) -> Value {
@@ -55,7 +55,7 @@ fn routine(names: Names) -> Routine {
         spaces: &spaces,
         fields: &fields,
     };
-    Routine::of(&program(), &readable, names)
+    Routine::of((&program(), Length::UNBOUNDED), &readable, names)
 }
 
 #[test]

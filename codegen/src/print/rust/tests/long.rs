@@ -1,6 +1,6 @@
 //! A function with more operations, joints and fields than one scope may have, as text.
 
-use quote::format_ident;
+use quote::{ToTokens, format_ident};
 use syn::{Block, Expr, ImplItem, Item as SynItem, Stmt};
 
 use super::super::{Library, World, print};
@@ -11,7 +11,7 @@ use crate::function::Function;
 use crate::print::Listing;
 use crate::real::Real;
 use crate::request::{Parameter, Target};
-use crate::schedule::{LONGEST_SCOPE, Operand, Operation, Program, Step};
+use crate::schedule::{LONGEST_SCOPE, Length, Operand, Operation, Program, Step};
 use crate::space::Variable;
 
 const JOINTS: u16 = 160;
@@ -101,4 +101,55 @@ fn nothing_is_below_more_than_two_scopes() {
         // All steps are there.
         assert!(text.contains(&format!("let t_{STEPS} = ")), "{text}");
     }
+}
+
+/// Cut, it calls functions within itself that are no longer than was asked for, and everything is still there.
+#[test]
+fn sections_stand_within_the_function_that_calls_them() {
+    const MOST: usize = 120;
+    let cut = |scalar| Listing {
+        length: Length::at_most(MOST),
+        ..long(scalar)
+    };
+    let core = World::Core(Library::default());
+    for text in [
+        with_runtime(&cut(Real::Generic)),
+        pretty(&print(&cut(Real::F32), &made(), &core)),
+    ] {
+        let gravities = gravities(&text);
+        let sections = gravities[0]
+            .stmts
+            .iter()
+            .filter_map(|statement| match statement {
+                Stmt::Item(SynItem::Fn(section)) => Some(section),
+                _ => None,
+            });
+        let sections: Vec<_> = sections.collect();
+        assert!((9..20).contains(&sections.len()), "{}", sections.len());
+        for section in &sections {
+            // Besides its steps what binds numbers and products, and what it takes and leaves.
+            let text = section.block.to_token_stream().to_string();
+            let steps = text
+                .matches("mul_add (")
+                .count()
+                .max(text.matches(" * ").count());
+            assert!((1..=MOST).contains(&steps), "{steps} steps");
+            assert_eq!(section.sig.inputs.len(), 1);
+        }
+        assert!(text.contains(&format!("let t_{STEPS} = ")), "{text}");
+        assert!(
+            text.contains("statements, called one after the other"),
+            "{text}"
+        );
+    }
+}
+
+/// What is no longer than it may be stays as it was, byte for byte.
+#[test]
+fn nothing_is_cut_where_it_need_not_be() {
+    let whole = Listing {
+        length: Length::at_most(STEPS as usize),
+        ..long(Real::Generic)
+    };
+    assert_eq!(with_runtime(&whole), with_runtime(&long(Real::Generic)));
 }

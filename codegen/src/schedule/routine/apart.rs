@@ -1,0 +1,109 @@
+//! The sections of a long routine, each a function of its own.
+//!
+//! In: the sections of a program, and a routine whose names are being given. Out: the routine, with what
+//! each section takes of the work array, computes, and leaves there. It never says where to cut.
+
+use super::{Entries, Naming, Routine, Statement, Value};
+use crate::schedule::blocks::{before, within};
+use crate::schedule::sections::{Section, Sections};
+use crate::schedule::{Operand, Step};
+use crate::space::Variable;
+
+/// What is computed in functions of their own, one after the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Work {
+    /// The name of the array through which they hand on what later ones read.
+    pub name: String,
+    /// How long it is.
+    pub len: usize,
+    /// What is put there before the first of them: place and value.
+    pub given: Vec<(usize, Value)>,
+    /// The functions.
+    pub sections: Vec<Apart>,
+}
+
+/// A function of its own, of the work array alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Apart {
+    /// Its name.
+    pub name: String,
+    /// What it takes: place, and the name that it gets.
+    pub taken: Vec<(usize, String)>,
+    /// What is computed, and put into the array.
+    pub statements: Vec<Statement>,
+    /// Whether a number known at generation is among the values.
+    pub has_literals: bool,
+    /// Whether an operation is a product and a sum at once.
+    pub is_fused: bool,
+}
+
+impl Naming<'_> {
+    /// The routine in sections.
+    pub(super) fn in_sections(
+        mut self,
+        sections: &Sections,
+        arguments: Vec<(Variable, Entries)>,
+        fields: Vec<Entries>,
+    ) -> Routine {
+        let program = self.program;
+        let name = self.names.fresh("work");
+        let mut statements = self.statements(&before(program));
+        statements.extend(self.sines_and_cosines());
+        let given = sections.given.iter();
+        let given = given.map(|&(value, place)| (place, self.value(value.operand())));
+        let given = given.collect();
+        let each = sections.sections.iter().zip(1..);
+        let each = each.map(|(section, number)| self.apart(section, number));
+        let each = each.collect();
+        let results = program.results.iter().zip(&sections.results);
+        let results = results.map(|(&result, place)| match place {
+            Some(place) => Value::Waiting(*place),
+            None => self.value(result),
+        });
+        let results: Vec<Value> = results.collect();
+        Routine {
+            arguments,
+            fields,
+            statements,
+            work: Some(Work {
+                name,
+                len: sections.work,
+                given,
+                sections: each,
+            }),
+            results,
+            // The array is filled with zeros.
+            has_literals: true,
+            is_fused: is_fused(&program.steps[..program.before_angles]),
+            names: self.names,
+        }
+    }
+
+    fn apart(&mut self, section: &Section, number: usize) -> Apart {
+        let name = self.names.fresh(&format!("section_{number}"));
+        let taken = section.taken.iter().map(|&(value, place)| {
+            let Value::Name(name) = self.value(value.operand()) else {
+                unreachable!("what waits has a name");
+            };
+            (place, name)
+        });
+        let taken = taken.collect();
+        let steps = section.steps.clone();
+        let parts = within(self.program, steps.clone());
+        self.left = section.left.iter().copied().collect();
+        let statements = self.statements(&parts);
+        let steps = &self.program.steps[steps.start as usize..steps.end as usize];
+        let mut read = steps.iter().flat_map(|step| step.operation.operands());
+        Apart {
+            name,
+            taken,
+            statements,
+            has_literals: read.any(|operand| matches!(operand, Operand::Literal(_))),
+            is_fused: is_fused(steps),
+        }
+    }
+}
+
+fn is_fused(steps: &[Step]) -> bool {
+    steps.iter().any(|step| step.operation.is_fused())
+}

@@ -1,0 +1,170 @@
+//! What sections compute against the whole, and what they may hold.
+
+use std::collections::BTreeMap;
+
+use homogen_random::Random;
+
+use super::{Length, Section, Waiting, sections};
+use crate::expression::Input;
+use crate::schedule::{Operand, Operation, Program, Step, run};
+use crate::space::Variable;
+
+/// Steps of which most read what has just been computed, and some anything: an input, a sine, an old step.
+fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
+    let input = |random: &mut Random| {
+        let entry = u16::try_from(random.below(40)).expect("few inputs");
+        Operand::Input(Input::Variable(Variable::Q, entry))
+    };
+    let index = |step: usize| u32::try_from(step).expect("few steps");
+    let mut program = Program {
+        angles: Vec::new(),
+        before_angles,
+        steps: Vec::new(),
+        results: Vec::new(),
+    };
+    for k in 0..steps {
+        if k == before_angles {
+            program.angles = vec![input(random), Operand::Step(index(k - 1)), input(random)];
+        }
+        let mut operand = || match random.below(12) {
+            0 => input(random),
+            1 => Operand::Literal(random.unit()),
+            2 if k >= before_angles => Operand::Sin(index(random.below(3))),
+            3 if k >= before_angles => Operand::Cos(index(random.below(3))),
+            4 if k > 0 => Operand::Step(index(random.below(k))),
+            _ if k > 0 => Operand::Step(index(k - 1 - random.below(k.min(20)))),
+            _ => input(random),
+        };
+        let [a, b, c] = [operand(), operand(), operand()];
+        let operation = match k % 4 {
+            0 => Operation::Sub(a, b),
+            // What is squared again and again overflows.
+            1 => Operation::Mul(a, Operand::Literal(0.5)),
+            2 => Operation::Add(a, b),
+            _ => Operation::NegMulAdd(Operand::Literal(0.25), b, c),
+        };
+        program.steps.push(Step {
+            label: None,
+            operation,
+        });
+    }
+    let mut results: Vec<Operand> = (0..30)
+        .map(|_| Operand::Step(index(random.below(steps))))
+        .collect();
+    results.extend([Operand::Sin(1), Operand::Literal(2.0), input(random)]);
+    program.results = results;
+    program
+}
+
+/// What sections compute: each knows nothing but its own values and what it takes.
+fn in_sections(program: &Program, length: Length, q: &dyn Fn(Input) -> f64) -> Vec<f64> {
+    let cut = sections(program, length).expect("it is long");
+    // What stands before the sections is what the whole program has there.
+    let whole = |operand| {
+        let results = vec![operand];
+        run(
+            &Program {
+                results,
+                ..program.clone()
+            },
+            q,
+        )[0]
+    };
+    let mut work = vec![f64::NAN; cut.work];
+    for &(value, place) in &cut.given {
+        work[place] = whole(value.operand());
+    }
+    for Section { steps, taken, left } in &cut.sections {
+        let mut known: BTreeMap<Waiting, f64> = taken
+            .iter()
+            .map(|&(value, place)| (value, work[place]))
+            .collect();
+        for step in steps.clone() {
+            let operation =
+                program.steps[step as usize]
+                    .operation
+                    .map(|operand| match Waiting::of(operand) {
+                        Some(value) => known[&value],
+                        None => whole(operand),
+                    });
+            known.insert(Waiting::Step(step), computed(operation));
+        }
+        for &(step, place) in left {
+            work[place] = known[&Waiting::Step(step)];
+        }
+    }
+    let results = program.results.iter().zip(&cut.results);
+    results
+        .map(|(&result, place)| place.map_or_else(|| whole(result), |place| work[place]))
+        .collect()
+}
+
+fn computed(operation: Operation<f64>) -> f64 {
+    match operation {
+        Operation::Add(a, b) => a + b,
+        Operation::Sub(a, b) => a - b,
+        Operation::Mul(a, b) => a * b,
+        Operation::NegMulAdd(a, b, c) => c - a * b,
+        _ => unreachable!("no other is made"),
+    }
+}
+
+#[test]
+fn sections_compute_what_the_whole_does() {
+    let mut random = Random::new(1);
+    for (steps, before, most) in [(600, 5, 40), (500, 30, 77), (300, 1, 1), (301, 2, 300)] {
+        let program = tangled(steps, before, &mut random);
+        let q: Vec<f64> = (0..40).map(|_| random.unit()).collect();
+        let input = |input| match input {
+            Input::Variable(Variable::Q, k) => q[usize::from(k)],
+            _ => unreachable!("no other is read"),
+        };
+        let bits = |found: Vec<f64>| found.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+        assert_eq!(
+            bits(in_sections(&program, Length::at_most(most), &input)),
+            bits(run(&program, input)),
+        );
+    }
+}
+
+#[test]
+fn no_section_is_longer_than_it_may_be_and_all_steps_are_in_one() {
+    let program = tangled(2000, 10, &mut Random::new(2));
+    for most in [1, 2, 99, 1999] {
+        let cut = sections(&program, Length::at_most(most)).expect("it is long");
+        let mut next = 10;
+        for section in &cut.sections {
+            assert_eq!(section.steps.start, next);
+            assert!((1..=most).contains(&section.steps.len()));
+            next = section.steps.end;
+        }
+        assert_eq!(next as usize, program.steps.len());
+    }
+    assert_eq!(sections(&program, Length::at_most(2000)), None);
+    assert_eq!(sections(&program, Length::UNBOUNDED), None);
+}
+
+/// A value that nobody reads any more makes room: of a chain of values, each of which the next few read, no more
+/// wait than there are links in sight.
+#[test]
+fn the_array_is_no_longer_than_what_waits() {
+    let step = |k: u32| Step {
+        label: None,
+        operation: Operation::Add(
+            Operand::Step(k.saturating_sub(1)),
+            Operand::Step(k.saturating_sub(3)),
+        ),
+    };
+    let first = Step {
+        label: None,
+        operation: Operation::Neg(Operand::Input(Input::Variable(Variable::Q, 0))),
+    };
+    let program = Program {
+        angles: Vec::new(),
+        before_angles: 0,
+        steps: std::iter::once(first).chain((1..5000).map(step)).collect(),
+        results: vec![Operand::Step(4999)],
+    };
+    let cut = sections(&program, Length::at_most(50)).expect("it is long");
+    assert!(cut.work <= 8, "{}", cut.work);
+}

@@ -82,6 +82,8 @@ impl Show {
         let description = self.robot.description(input)?;
         let mut request = self.functions.request(&self.robot);
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
+        // A page tells where each name comes from, which an array between sections would hide.
+        request.section = Some(usize::MAX);
         let chain = understand(&description, &request)?;
         let listing = expand(&description, &request)?;
         let remarks =

@@ -1,7 +1,7 @@
 // Code as it is read: which name is defined where, by what, and what reads it; and what it is worth.
 //
 // In: the text of a function, as it is printed. Out: its parts, its names, their values. Only what the engine prints
-// is understood: `let`, blocks, operations. It never changes a letter of the text.
+// is understood: `let`, blocks, operations, entries of the result that are stored. It never changes a letter of the text.
 
 const TOKEN = /\/\/[^\n]*|[\p{L}_][\p{L}\p{N}_]*|\d[\d._]*(?:e[-+]?\d+)?(?:_?f(?:32|64))?|\s+|::|->|./gu;
 
@@ -31,7 +31,7 @@ function analysed(code) {
     lines.push(line);
     line += token.split("\n").length - 1;
   }
-  const isName = (k) => /^[\p{L}_]/u.test(tokens[k]) && tokens[k] !== "_";
+  const isName = (k) => /^[\p{L}_]/u.test(tokens[k]) && tokens[k] !== "_" && tokens[k] !== "mut";
   const opens = "([{";
   const closes = ")]}";
   // The next token at this depth that is one of those, from k on.
@@ -53,9 +53,17 @@ function analysed(code) {
   const define = (defined, at, from, to) => {
     if (!names.has(defined)) names.set(defined, { name: defined, at, from, to, readers: new Set(), reads: new Set() });
   };
+  const stores = [];
   const statements = (from, to) => {
     let k = skip(from);
-    while (k < to && tokens[k] === "let") {
+    while (k < to) {
+      if (tokens[k] !== "let") {
+        const end = find(k, ";", to);
+        if (end === to) break;
+        stores.push([k, end]);
+        k = skip(end + 1);
+        continue;
+      }
       const equal = find(k, "=", to);
       const end = find(equal + 1, ";", to);
       const value = skip(equal + 1);
@@ -90,7 +98,9 @@ function analysed(code) {
     }
   }
   // The result has no name.
-  for (let at = result; at < tokens.length; at += 1) names.get(tokens[at])?.readers.add("");
+  for (const [from, to] of [...stores, [result, tokens.length]]) {
+    for (let at = from; at < to; at += 1) names.get(tokens[at])?.readers.add("");
+  }
   return { tokens, lines, names };
 }
 

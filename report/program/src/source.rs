@@ -117,13 +117,22 @@ fn case(
         format!("&[{}]", parts.collect::<Vec<_>>().join(", "))
     };
     let arguments: Vec<String> = function.arguments().iter().map(argument).collect();
+    let has_parameters =
+        (function.result().parts()).any(|(_, part)| part.over.contains(&Space::Parameters));
     let (arguments, function) = (arguments.join(", "), function.name());
     let lengths = [Space::Coordinates, Space::Velocities].map(|space| scene.length(space));
     let ([coordinates, velocities], entries) = (lengths, variant.joints);
     let scalar = scalar.name();
     let number = variant.number.unwrap_or(scalar);
+    // How long the rows of a regressor are, the trait of a chain leaves open.
+    let result = if has_parameters && name == GENERIC {
+        let parameters = scene.length(Space::Parameters);
+        format!(" -> [[{number}; {parameters}]; {velocities}]")
+    } else {
+        String::new()
+    };
     format!(
         "Case::of([\"{name}\", \"{scalar}\"], truths, &{entries:?}, \
-         |s: &State<{number}, {coordinates}, {velocities}>| ({robot}).{function}({arguments})),\n"
+         |s: &State<{number}, {coordinates}, {velocities}>|{result} {{ ({robot}).{function}({arguments}) }}),\n"
     )
 }

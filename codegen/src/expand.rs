@@ -22,6 +22,8 @@ pub use closure::settled;
 use program::equation_by;
 pub use program::{expressions_by, program_by};
 
+use std::cell::LazyCell;
+
 use crate::accuracy::{self, Accuracy, Means};
 use crate::chain::{self, Chain};
 use crate::check::Check;
@@ -328,9 +330,12 @@ fn accuracy_of(
         program_by(chain, functions, FrameId::FIRST, found.layout, found.way)
     };
     let forward = found.way.forward;
+    let equation = LazyCell::new(|| {
+        let has_residual = matches!(forward, Forward::MassMatrix { refinements: 1.. });
+        equation_by(chain, found.layout, found.way, has_residual)
+    });
     let solution = |given: Given| match (given, forward) {
         (Given::Torques, Forward::MassMatrix { refinements }) => {
-            let equation = equation_by(chain, found.layout, found.way, refinements > 0);
             accuracy::of_accelerations(chain, &equation, refinements, means)
         }
         (Given::Torques, Forward::Articulated) => {
@@ -340,7 +345,6 @@ fn accuracy_of(
             accuracy::of_inverse(chain, &parts(&[Function::MassMatrix]), means)
         }
         (Given::TorqueDerivatives, Forward::UNREFINED) => {
-            let equation = equation_by(chain, found.layout, found.way, false);
             let derivatives = parts(&[Function::InverseDynamicsDerivatives]);
             accuracy::of_derivatives(chain, &equation, &derivatives, means)
         }

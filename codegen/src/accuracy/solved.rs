@@ -2,7 +2,8 @@
 //!
 //! In: a chain, and a program that computes the mass matrix and the torques, or their derivatives, as the
 //! function does. Out: how far the torques, the derivatives or the mass matrix that a result is exact for
-//! are from those given (backward error). It never says how far the result is off: that grows with the condition number.
+//! are from those given (backward error). It never says how far the result is off: that grows with the
+//! condition number.
 //!
 //! A computed solution of Lᵗ D L x = b solves M + ΔM exactly, with |ΔM| ≤ c u |Lᵗ| D |L| (as in Higham,
 //! *Accuracy and Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most

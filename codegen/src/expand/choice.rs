@@ -88,6 +88,9 @@ pub(super) struct Found {
     pub(super) off: Off,
 }
 
+/// A program that is not accurate enough, with its weight where all layouts have been looked at.
+type Tried = (Option<usize>, Found);
+
 pub(super) fn cheapest(
     processor: Processor,
     formulation: Formulation,
@@ -122,8 +125,7 @@ pub(super) fn cheapest(
         found.off = measure.error(&found.program, scalar);
         found
     };
-    // With its weight, where all layouts have been looked at.
-    let mut tried: Vec<(Option<usize>, Found)> = Vec::new();
+    let mut tried: Vec<Tried> = Vec::new();
     for forms in forward::rounds(chain, functions, formulation) {
         let mut best: Option<(usize, Found)> = None;
         for form in forms {
@@ -176,7 +178,7 @@ pub(super) fn cheapest(
 
 /// Those that lose little more than the best, where none is accurate enough. What is lost near singular postures
 /// is lost by all, and a few times more of it is less than an inverse that does not invert.
-fn nearly_as_good<W>(mut tried: Vec<(W, Found)>, least: f64) -> Vec<(W, Found)> {
+fn nearly_as_good(mut tried: Vec<Tried>, least: f64) -> Vec<Tried> {
     let solves = |found: &Found| found.off.worst <= FAR * least && found.off.unsolved <= ENOUGH;
     if tried.iter().any(|(_, found)| solves(found)) {
         tried.retain(|(_, found)| solves(found));

@@ -69,6 +69,33 @@ fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     Evaluation::of(&graph, &results)
 }
 
+/// An input of a state that has these accelerations.
+fn moving(state: &impl Fn(Input) -> f64, qdd: impl Fn(usize) -> f64, input: Input) -> Double {
+    Double::from(match input {
+        Input::Variable(Variable::Qdd, k) => qdd(usize::from(k)),
+        _ => state(input),
+    })
+}
+
+/// τ that accelerations of a state need, as inverse dynamics has them, and what a program makes of it. What it finds
+/// may be somewhat larger, and is to be within the range: nine tenths are wanted.
+fn of_needed<T: Tested>(
+    program: &Program,
+    needed: &Evaluation<Double>,
+    state: &impl Fn(Input) -> f64,
+) -> (Vec<T>, Vec<T>) {
+    let tau = needed.at(|input| match input {
+        Input::Variable(Variable::Qdd, _) => Double::from(0.9 * state(input)),
+        _ => Double::from(state(input)),
+    });
+    let tau: Vec<T> = tau.iter().map(|tau| T::literal(tau.to_f64())).collect();
+    let found = run(program, |input| match input {
+        Input::Variable(Variable::Tau, k) => tau[usize::from(k)],
+        _ => T::literal(state(input)),
+    });
+    (tau, found)
+}
+
 /// Forward dynamics of τ that the inverse of a state needs, and by how much the τ that its result
 /// needs is another; whether there are bounds.
 pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
@@ -83,21 +110,8 @@ pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
     let mut worst = vec![0.0_f64; chain.joints.len()];
     for _ in 0..STATES {
         let state = state::<T>(&range, &mut random);
-        let needs = |qdd: &dyn Fn(u16) -> f64| {
-            needed.at(|input| match input {
-                Input::Variable(Variable::Qdd, k) => Double::from(qdd(k)),
-                _ => Double::from(state(input)),
-            })
-        };
-        // What is found may be somewhat larger, and is to be within the range.
-        let tau: Vec<T> = (needs(&|k| 0.9 * state(Input::Variable(Variable::Qdd, k))).into_iter())
-            .map(|tau| T::literal(tau.to_f64()))
-            .collect();
-        let found = run(&program, |input| match input {
-            Input::Variable(Variable::Tau, k) => tau[usize::from(k)],
-            _ => T::literal(state(input)),
-        });
-        let needed = needs(&|k| found[usize::from(k)].to_f64());
+        let (tau, found) = of_needed::<T>(&program, &needed, &state);
+        let needed = needed.at(|input| moving(&state, |k| found[k].to_f64(), input));
         for ((worst, needed), tau) in worst.iter_mut().zip(needed).zip(&tau) {
             let error = (needed - Double::from(tau.to_f64())).to_f64().abs();
             assert!(
@@ -141,24 +155,10 @@ pub fn check_derivatives<T: Tested>(asked: Asked) {
     let mut worst = 0.0_f64;
     for _ in 0..STATES / 4 {
         let state = state::<T>(&range, &mut random);
-        let at = |qdd: &dyn Fn(usize) -> f64, input| match input {
-            Input::Variable(Variable::Qdd, k) => Double::from(qdd(usize::from(k))),
-            _ => Double::from(state(input)),
-        };
-        let wanted = |k: usize| {
-            let k = u16::try_from(k).expect("few joints");
-            0.9 * state(Input::Variable(Variable::Qdd, k))
-        };
-        let tau = needed.at(|input| at(&wanted, input)).into_iter();
-        let tau: Vec<T> = tau.map(|tau| T::literal(tau.to_f64())).collect();
-        let found = run(&program, |input| match input {
-            Input::Variable(Variable::Tau, k) => tau[usize::from(k)],
-            _ => T::literal(state(input)),
-        });
-        let (accelerations, found) = found.split_at(count);
-        let accelerations = |k: usize| accelerations[k].to_f64();
-        let changes = changes.at(|input| at(&accelerations, input));
-        let mass = mass.at(|input| at(&accelerations, input));
+        let (_, found) = of_needed::<T>(&program, &needed, &state);
+        let (qdd, found) = found.split_at(count);
+        let [changes, mass] = [&changes, &mass]
+            .map(|exactly| exactly.at(|input| moving(&state, |k| qdd[k].to_f64(), input)));
         for (k, change) in changes.into_iter().enumerate() {
             let (matrix, row, column) = (k / (count * count), k / count % count, k % count);
             let of_column = found[matrix * count * count + column..]
@@ -169,7 +169,13 @@ pub fn check_derivatives<T: Tested>(asked: Asked) {
             let off = terms.fold(change, |sum, (m, x)| sum + *m * Double::from(*x));
             let terms = mass_off[row * count..].iter().zip(&x);
             let most = terms.fold(changes_off[k], |most, (off, x)| most + off * x.abs());
-            worst = worst.max(off.to_f64().abs() / most);
+            let share = off.to_f64().abs() / most;
+            assert!(
+                share.is_finite(),
+                "{}: derivatives that are no number",
+                asked.robot
+            );
+            worst = worst.max(share);
         }
     }
     let (robot, name) = (asked.robot, T::NAME);

@@ -31,7 +31,7 @@ use super::text;
 /// What every function is right to, beside the sizes that [`measure`](super::measure) tells.
 pub const TOLERANCE: f64 = 1e-10;
 
-/// How far an entry of the mass matrix may sink by elimination before accelerations may be refused.
+/// How far an entry of the mass matrix may sink by elimination before accelerations may be none.
 const REGULAR: f64 = 1e-8;
 
 /// The same for a function: derivatives solve with what their torques change by, which has been rounded, and with
@@ -42,6 +42,10 @@ fn regular(function: Function) -> f64 {
         _ => REGULAR,
     }
 }
+
+/// How much earlier a function may be refused by name: the engine does where four times the error that it measured,
+/// which is of several roundings, leaves less than half of the digits.
+const EARLIER: f64 = 10.0;
 
 /// What became of a program.
 pub enum Outcome {
@@ -187,6 +191,7 @@ impl<'r> Prepared<'r> {
     fn program(&self, case: Case, frame: FrameId) -> Result<Option<Program>, String> {
         let functions = [case.function];
         let singular = |state| self.is_singular(case.function, state);
+        let refusable = regular(case.function) * EARLIER;
         let program = match case.choice {
             Choice::By(layout, way) => {
                 // A form that nobody asked for may be one that this robot cannot bear.
@@ -216,10 +221,9 @@ impl<'r> Prepared<'r> {
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
             let weightless = case.function.is_of_mass() && refusal.contains("has mass");
-            let states = || (0..self.states.len()).any(singular);
-            let excused = || {
-                states() || solves && (self.is_described_singular(case.function) || self.cancels())
-            };
+            let states = || (0..self.states.len()).any(|state| self.sinks(state) < refusable);
+            let described = || self.sinks_as_described() < refusable;
+            let excused = || solves && (states() || described() || self.cancels());
             if far || weightless && self.is_weightless() || !own && excused() {
                 Ok(None)
             } else {
@@ -253,14 +257,16 @@ impl<'r> Prepared<'r> {
         frame_0::mass(&Dense::of(&described).robot) == 0.0
     }
 
-    /// Whether a function of accelerations may be refused, or be none: where the mass matrix is singular or nearly,
-    /// with what is in the fields, with what is described in their place, or with what the engine takes
-    /// for a field in whose place nothing but zeros are described: the end of its range.
+    /// Whether a function of accelerations may be none: where the mass matrix is singular or nearly.
     fn is_singular(&self, function: Function, state: usize) -> bool {
+        function.solves() && self.sinks(state) < regular(function)
+    }
+
+    /// How far an entry of the mass matrix sinks by elimination in a state, with what is in the fields, with what is
+    /// described in their place, or with what the engine takes for a field in whose place nothing but
+    /// zeros are described: the end of its range.
+    fn sinks(&self, state: usize) -> f64 {
         const END: f64 = 1.0; // 1 kg, 1 m, 1 kg m² or 1 m/s²
-        if !function.solves() {
-            return false;
-        }
         let end = |field: Field| -> [f64; NUMBERS] {
             let (far, wide) = (0.25, 0.0625);
             match field {
@@ -292,12 +298,11 @@ impl<'r> Prepared<'r> {
             };
             self.states.iter().map(least).collect()
         });
-        pivots[state] < regular(function)
+        pivots[state]
     }
 
-    /// Whether the mass matrix is singular or nearly in the posture of the description, near which the engine
-    /// looks at every eighth state.
-    fn is_described_singular(&self, function: Function) -> bool {
+    /// The same in the posture of the description, near which the engine looks at every eighth state.
+    fn sinks_as_described(&self) -> f64 {
         let mut q = vec![0.0; self.states[0].q.len()];
         for start in self.dense.robot.quaternions() {
             q[start + 3] = 1.0;
@@ -306,7 +311,7 @@ impl<'r> Prepared<'r> {
             q,
             ..self.states[0].clone()
         };
-        pivot(&self.dense, &described) < regular(function)
+        pivot(&self.dense, &described)
     }
 
     /// Whether a joint does what its follower takes back, so that rounding leaves half of the digits of

@@ -12,6 +12,7 @@ mod documentation;
 pub mod python;
 mod review;
 pub mod rust;
+mod steps;
 
 use crate::accuracy::Accuracy;
 use crate::closure::Row;

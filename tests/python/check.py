@@ -81,7 +81,7 @@ class Package:
         stub = ast.parse(self.stub())
         [cls] = [item for item in stub.body if isinstance(item, ast.ClassDef) and item.name == type(self.robot).__name__]
         for item in cls.body:
-            if isinstance(item, ast.FunctionDef) and not item.decorator_list and item.name != "__init__":
+            if isinstance(item, ast.FunctionDef) and not item.decorator_list and item.name not in ("__init__", *STEPS):
                 yield item.name, [argument.arg for argument in item.args.args[1:]]
 
     def stub(self):
@@ -119,6 +119,7 @@ def following(options, wanted):
     return [value for option, value in zip(options, options[1:]) if option == wanted]
 
 
+STEPS = ("integrate", "difference", "normalize")
 SIX = {"velocity", "momentum", "centroidal_momentum", "centroidal_momentum_bias"}
 COLUMNS = {"spatial_jacobian", "body_jacobian", "geometric_jacobian"}
 COLUMNS |= {f"{name}_rate" for name in COLUMNS}
@@ -169,6 +170,34 @@ def results_are_those_of_eval(package):
             found = [result[part] if part else result for result in answer["results"]]
             found = as_array(function, found, package.dtype)
             check(same(values, found), f"{package.module}: {name} {part}: the bits of eval")
+
+
+def postures_are_stepped(package):
+    """From a posture by velocities, and back: where coordinates are no angles and shifts alone."""
+    robot, states = package.robot, package.states(37)
+    has = [hasattr(robot, step) for step in STEPS]
+    quaternions = np.flatnonzero([name.endswith(".qx") for name in robot.coordinate_names])
+    check(has == [len(quaternions) > 0] * 3, "only robots that need them have steps")
+    if not all(has):
+        return
+    q, v, tolerance = states["q"], states["qd"] / 2, 50 * np.finfo(package.dtype).eps
+    near = lambda one, other: np.allclose(one, other, rtol=0, atol=tolerance)
+    ahead = robot.integrate(q, v)
+    apart = robot.difference(q, ahead)
+    for name, many, one in [
+        ("integrate", ahead, [robot.integrate(q[k], v[k]) for k in range(37)]),
+        ("difference", apart, [robot.difference(q[k], ahead[k]) for k in range(37)]),
+        ("normalize", robot.normalize(2 * q), [robot.normalize(2 * q[k]) for k in range(37)]),
+    ]:
+        check(same(many, np.array(one)), f"{name}: many states are each state")
+    check(same(robot.integrate(q, np.zeros(robot.NV, package.dtype))[:, :3], q[:, :3]), "nothing moves without velocities")
+    check(near(apart, v), "the difference is what was integrated")
+    # A screw that is kept leads as far in two halves as in one.
+    check(near(robot.integrate(robot.integrate(q, v / 2), v / 2), ahead), "two halves are a whole")
+    twice = q.copy()
+    for first in quaternions:
+        twice[:, first : first + 4] *= 2
+    check(near(robot.normalize(twice), q), "quaternions of length 1")
 
 
 def clean(link):
@@ -422,6 +451,7 @@ def folders_are_left_alone():
 for text in PACKAGES:
     package = Package(text)
     results_are_those_of_eval(package)
+    postures_are_stepped(package)
     the_class_speaks(package)
     if "--functions" not in package.options and package.robot.NQ == package.robot.NV:
         shapes_are_numpys(package)

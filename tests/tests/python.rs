@@ -1,9 +1,22 @@
 //! What a package for Python looks like: the class in Rust and the stub of a small robot.
 //!
-//! Text is pinned so that a change of it is read by somebody. What packages compute, `python/run.sh` tells.
+//! Text is pinned so that a change of it is read by somebody. What packages compute, `python/run.sh` tells; but that
+//! their steps of postures are those of the runtime is held here, bit for bit.
 
+#[path = "../../codegen/src/print/python/package/number.rs"]
+#[allow(dead_code, clippy::pedantic, reason = "it is a file of packages")]
+mod number;
+#[path = "../../codegen/src/print/python/package/posture.rs"]
+#[allow(clippy::pedantic, reason = "it is a file of packages")]
+mod posture;
+
+use std::array::from_fn;
+
+use homogen::robot::posture as of_runtime;
 use homogen_codegen::Function::{ForwardKinematics, InverseDynamics, InverseDynamicsDerivatives};
 use homogen_codegen::{Builder, Function};
+use homogen_tests::states::Random;
+use number::{Lanes, Pack};
 
 /// A file of the package of the two-link arm.
 fn file(functions: &[Function], path: &str) -> String {
@@ -35,4 +48,65 @@ fn the_stub_of_two_links() {
 #[test]
 fn the_functions_of_two_links() {
     insta::assert_snapshot!(file(&[InverseDynamics], "src/robot.rs"));
+}
+
+/// What a package says of its type of number.
+mod real {
+    mod sines {
+        include!("../../codegen/src/print/rust/sines/double.rs");
+
+        pub fn of(angle: f64) -> (f64, f64) {
+            sin_cos(angle)
+        }
+    }
+
+    pub use sines::of as sin_cos;
+
+    pub type Real = f64;
+    pub const LIMIT: Real = 2e5;
+}
+
+/// A number in every lane.
+fn four(number: f64) -> Pack<4> {
+    Pack::of(|_| number)
+}
+
+#[test]
+fn steps_of_postures_have_the_bits_of_the_runtime() {
+    let mut random = Random::new(20);
+    for round in 0..4000 {
+        // From no motion to several turns, and near half a turn.
+        let size = 10.0_f64.powi(round % 12 - 10);
+        let mut number = || random.unit();
+        let (from, to): ([f64; 7], [f64; 7]) = (from_fn(|_| number()), from_fn(|_| number()));
+        let v: [f64; 6] = from_fn(|_| size * number());
+        let [x, y, z, quaternion @ ..] = from;
+        let quaternion = of_runtime::normalized(quaternion);
+        assert_eq!(
+            posture::normalized([from[3], from[4], from[5], from[6]]),
+            quaternion
+        );
+        let [qx, qy, qz, qw] = quaternion;
+        let from = [x, y, z, qx, qy, qz, qw];
+        let ahead = of_runtime::integrate_floating(from, v);
+        assert_eq!(posture::integrate_floating(from, v), ahead);
+        let side_by_side = posture::integrate_floating(from.map(four), v.map(four));
+        assert_eq!(side_by_side.map(|entry| entry.lane(3)), ahead);
+        for to in [ahead, to] {
+            let apart = of_runtime::difference_floating(from, to);
+            assert_eq!(posture::difference_floating(from, to), apart);
+        }
+        let [vx, vy, vz, ..] = v;
+        let of_sphere = of_runtime::integrate_spherical(quaternion, [vx, vy, vz]);
+        assert_eq!(
+            posture::integrate_spherical(quaternion, [vx, vy, vz]),
+            of_sphere
+        );
+        let apart = of_runtime::difference_spherical(quaternion, of_sphere);
+        assert_eq!(posture::difference_spherical(quaternion, of_sphere), apart);
+        let of_plane = of_runtime::integrate_planar([x, y, z], [vx, vy, vz]);
+        assert_eq!(posture::integrate_planar([x, y, z], [vx, vy, vz]), of_plane);
+        let apart = of_runtime::difference_planar([x, y, z], of_plane);
+        assert_eq!(posture::difference_planar([x, y, z], of_plane), apart);
+    }
 }

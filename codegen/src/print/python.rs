@@ -50,10 +50,10 @@ pub fn print(listing: &Listing, item: &Item, writing: &Writing<'_>) -> Package {
     let Writing { module, options } = *writing;
     let class = Class::of(listing, item, module, options);
     let head = documentation::head(listing, &format!("Options: {options}."));
-    let numbers = quote! { crate::number };
+    let here = quote! { crate };
     let rust = [
         ("lib", class::class(&class)),
-        ("robot", rust::lanes(listing, item, &numbers)),
+        ("robot", rust::lanes(listing, item, &here)),
     ];
     let rust = rust.map(|(name, tokens)| {
         let text = Source::new(commented("//", &head), &tokens).to_string();
@@ -64,6 +64,9 @@ pub fn print(listing: &Listing, item: &Item, writing: &Writing<'_>) -> Package {
         ("batch", include_str!("python/package/batch.rs")),
         ("number", include_str!("python/package/number.rs")),
     ];
+    let posture = ("posture", include_str!("python/package/posture.rs"));
+    let posture = class.has_steps().then_some(posture);
+    let copied = copied.into_iter().chain(posture);
     let copied = copied.map(|(name, text)| (format!("src/{name}.rs"), text.to_owned()));
     let own = [
         ("Cargo.toml".to_owned(), project::cargo(module, &head)),

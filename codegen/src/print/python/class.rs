@@ -16,7 +16,7 @@ pub(super) fn functions(class: &Class<'_>) -> String {
     let functions = class.methods.iter().map(|method| {
         let arguments = method.arguments.iter();
         let arguments: Vec<String> = arguments
-            .map(|(argument, last)| format!("{}: {}", argument.name(), size(last)))
+            .map(|(argument, last)| format!("{argument}: {}", size(last)))
             .collect();
         let results = method.results.iter();
         let results: Vec<String> = results
@@ -44,6 +44,12 @@ pub(super) fn class(class: &Class<'_>) -> TokenStream {
     let methods = methods.map(|each| method(class, each));
     let whole = whole(class);
     let attributes = attributes(class);
+    let posture = class.has_steps().then(|| {
+        quote! {
+            #[allow(dead_code, reason = "not every robot has every joint")]
+            mod posture;
+        }
+    });
     quote! {
         #![doc = " The robot as a class of Python."]
         #![allow(clippy::approx_constant, reason = "limits are what a description says")]
@@ -52,6 +58,7 @@ pub(super) fn class(class: &Class<'_>) -> TokenStream {
         mod batch;
         mod functions;
         mod number;
+        #posture
         mod real;
         #[allow(clippy::all, reason = "generated code has one form for every robot")]
         mod robot;
@@ -83,19 +90,17 @@ pub(super) fn class(class: &Class<'_>) -> TokenStream {
     }
 }
 
-fn method(class: &Class<'_>, method: &Method<'_>) -> TokenStream {
-    let about = doc(&class.about(method));
+fn method(class: &Class<'_>, method: &Method) -> TokenStream {
+    let about = doc(&method.about);
     let name = &method.name;
     let arguments = method.arguments.iter();
-    let arguments: Vec<Ident> = arguments
-        .map(|(argument, _)| name_of(argument.name()))
-        .collect();
+    let arguments: Vec<Ident> = arguments.map(|(argument, _)| name_of(argument)).collect();
     let parameters = arguments
         .iter()
         .map(|argument| quote! { #argument: &Bound<'py, PyAny> });
     let given = method.arguments.iter().zip(&arguments);
-    let given = given.map(|((variable, last), argument)| {
-        let (name, last) = (variable.name(), shape(last));
+    let given = given.map(|((name, last), argument)| {
+        let last = shape(last);
         quote! { (#name, #argument, #last) }
     });
     let places = (0..arguments.len()).map(Literal::usize_unsuffixed);

@@ -10,6 +10,7 @@ use super::names::unscoped;
 use crate::list::Id;
 use crate::print::rust::names::{ident, of_methods, type_name};
 use crate::print::rust::{Item, under};
+use crate::print::steps::Step;
 use crate::print::{Listed, Listing, documentation};
 use crate::real::Real;
 use crate::request::Parameter;
@@ -26,7 +27,7 @@ pub(super) struct Class<'l> {
     pub robot: Ident,
     /// What is said of it.
     pub about: Vec<String>,
-    pub methods: Vec<Method<'l>>,
+    pub methods: Vec<Method>,
     /// The fields, each by its name in Python.
     pub fields: Vec<(String, &'l Parameter)>,
     /// The names of entries, each as an attribute.
@@ -34,16 +35,17 @@ pub(super) struct Class<'l> {
 }
 
 /// A function of the robot.
-pub(super) struct Method<'l> {
+pub(super) struct Method {
     /// Its name, in both languages.
     pub name: Ident,
+    /// What is said of it.
+    pub about: Vec<String>,
     /// Its arguments, and their last axes.
-    pub arguments: Vec<(Variable, Vec<usize>)>,
+    pub arguments: Vec<(&'static str, Vec<usize>)>,
     /// What it returns.
     pub results: Vec<Returned>,
     /// What the tuple of several results is called.
     pub tuple: Option<String>,
-    listed: &'l Listed,
 }
 
 /// One array that a function returns.
@@ -56,7 +58,8 @@ pub(super) struct Returned {
     pub last: Vec<usize>,
     /// What it is among several.
     pub about: Option<&'static str>,
-    quantity: Quantity,
+    /// What its rows are.
+    rows: Option<&'static str>,
 }
 
 /// What NumPy calls a type of number.
@@ -73,11 +76,14 @@ impl<'l> Class<'l> {
         let name = names.alone(&item.ident.unraw().to_string());
         let of_methods = of_methods(listing);
         let methods = listing.functions.iter().zip(&of_methods);
+        let steps = Step::of(listing).iter();
+        let steps = steps.map(|&step| Method::of_step(step, &listing.spaces));
         let methods: Vec<_> = methods
             .map(|(listed, name)| {
                 let mut tuple = |wish: &str| names.alone(&type_name(wish));
-                Method::of(listed, name, &listing.spaces, &mut tuple)
+                Method::of(listing, listed, name, &mut tuple)
             })
+            .chain(steps)
             .collect();
         let mut attributes = unscoped();
         for method in &methods {
@@ -103,6 +109,11 @@ impl<'l> Class<'l> {
         }
     }
 
+    /// Whether some of its coordinates are no angles and shifts.
+    pub fn has_steps(&self) -> bool {
+        !Step::of(self.listing).is_empty()
+    }
+
     /// What NumPy calls its type of number.
     pub fn dtype(&self) -> &'static str {
         dtype(self.listing.scalar)
@@ -126,38 +137,24 @@ impl<'l> Class<'l> {
         }
         q.into()
     }
-
-    /// What is said of a method.
-    pub fn about(&self, method: &Method<'_>) -> Vec<String> {
-        let listed = method.listed;
-        let mut lines = documentation::of_function(self.listing, listed, None, None);
-        // Behind what is computed, and the empty line after it.
-        let at = match listed.functions.len() {
-            1 => 2,
-            several => several + 3,
-        };
-        let rest = lines.split_off(at.min(lines.len()));
-        lines.extend(method.shapes());
-        lines.push(String::new());
-        lines.extend(rest);
-        lines
-    }
 }
 
-impl<'l> Method<'l> {
+impl Method {
+    /// A function of the request.
     fn of(
-        listed: &'l Listed,
+        listing: &Listing,
+        listed: &Listed,
         name: &Ident,
-        spaces: &Spaces,
         tuple: &mut dyn FnMut(&str) -> String,
     ) -> Self {
+        let spaces = &listing.spaces;
         let is_alone = listed.functions.len() == 1;
         let returned = |name: String, field: String, about, quantity: Quantity| Returned {
             name: ident(&name),
             field,
             last: last(&quantity, spaces),
             about,
-            quantity,
+            rows: rows(&quantity),
         };
         let results = listed.functions.iter().flat_map(|function| {
             let function_name = function.name().to_owned();
@@ -186,22 +183,60 @@ impl<'l> Method<'l> {
         });
         let results: Vec<_> = results.collect();
         let arguments = listed.arguments(spaces).into_iter();
-        Self {
+        let mut method = Self {
             name: name.clone(),
+            about: documentation::of_function(listing, listed, None, None),
             arguments: arguments
-                .map(|argument| (argument, last_of_argument(argument, spaces)))
+                .map(|argument| (argument.name(), last_of_argument(argument, spaces)))
                 .collect(),
             tuple: (results.len() > 1).then(|| tuple(&name.to_string())),
             results,
-            listed,
-        }
+        };
+        // Behind what is computed, and the empty line after it.
+        method.insert_shapes(match listed.functions.len() {
+            1 => 2,
+            several => several + 3,
+        });
+        method
+    }
+
+    /// A function of postures alone.
+    fn of_step(step: Step, spaces: &Spaces) -> Self {
+        let last = |space| vec![spaces.len(space)];
+        let result = Returned {
+            name: ident(step.name()),
+            field: step.name().to_owned(),
+            last: last(step.result()),
+            about: None,
+            rows: None,
+        };
+        let arguments = step.arguments().iter();
+        let mut method = Self {
+            name: ident(step.name()),
+            about: step.about().map(str::to_owned).into(),
+            arguments: arguments
+                .map(|&(name, space)| (name, last(space)))
+                .collect(),
+            results: vec![result],
+            tuple: None,
+        };
+        method.about.insert(1, String::new());
+        method.insert_shapes(2);
+        method
+    }
+
+    /// Says at a line what the shapes are.
+    fn insert_shapes(&mut self, at: usize) {
+        let at = at.min(self.about.len());
+        let shapes = self.shapes().into_iter().chain([String::new()]);
+        let _ = self.about.splice(at..at, shapes);
     }
 
     /// The shapes of what it takes and returns.
     fn shapes(&self) -> Vec<String> {
         let arguments = self.arguments.iter();
         let arguments = arguments
-            .map(|(argument, last)| format!("{} {}", argument.name(), shape(last)))
+            .map(|(argument, last)| format!("{argument} {}", shape(last)))
             .collect::<Vec<_>>();
         let mut lines = vec![format!("Shapes: {}.", arguments.join(", "))];
         match (&self.tuple, &*self.results) {
@@ -213,7 +248,7 @@ impl<'l> Method<'l> {
                 lines.extend(
                     results
                         .iter()
-                        .map(|result| format!("Returns {}.", result.rows())),
+                        .map(|result| format!("Returns {}.", result.shaped())),
                 );
             }
         }
@@ -230,7 +265,7 @@ impl Returned {
         format!(
             "{} {}{}",
             self.field,
-            self.rows(),
+            self.shaped(),
             about.trim_end_matches('.')
         )
     }
@@ -241,23 +276,28 @@ impl Returned {
     }
 
     /// Its shape, and what its rows are.
-    fn rows(&self) -> String {
+    fn shaped(&self) -> String {
         let shape = shape(&self.last);
-        let of_each = !self.quantity.over.is_empty();
-        let rows = match (self.quantity.entity, of_each) {
-            (Entity::Number, _) => return shape,
-            (Entity::Pose, _) => "the 4×4 matrix",
-            (Entity::Acceleration, _) => "the 4×4 matrix (G, a)",
-            (Entity::Velocity, _) => "ω, then v",
-            (Entity::Point | Entity::Vector, false) => "x, y, z",
-            (Entity::Point | Entity::Vector, true) => "a row for each velocity: x, y, z",
-            (Entity::Momentum, false) => "γ, then ρ: angular first",
-            (Entity::Momentum, true) => "a row for each velocity: γ, then ρ, angular first",
-            (Entity::Action, _) => "c, then f: couple first",
-            (Entity::Screw, _) => "a row for each velocity: the screw u, b, angular first",
-        };
-        format!("{shape}: {rows}")
+        self.rows
+            .map_or_else(|| shape.clone(), |rows| format!("{shape}: {rows}"))
     }
+}
+
+/// What the rows of a quantity are.
+fn rows(quantity: &Quantity) -> Option<&'static str> {
+    let of_each = !quantity.over.is_empty();
+    Some(match (quantity.entity, of_each) {
+        (Entity::Number, _) => return None,
+        (Entity::Pose, _) => "the 4×4 matrix",
+        (Entity::Acceleration, _) => "the 4×4 matrix (G, a)",
+        (Entity::Velocity, _) => "ω, then v",
+        (Entity::Point | Entity::Vector, false) => "x, y, z",
+        (Entity::Point | Entity::Vector, true) => "a row for each velocity: x, y, z",
+        (Entity::Momentum, false) => "γ, then ρ: angular first",
+        (Entity::Momentum, true) => "a row for each velocity: γ, then ρ, angular first",
+        (Entity::Action, _) => "c, then f: couple first",
+        (Entity::Screw, _) => "a row for each velocity: the screw u, b, angular first",
+    })
 }
 
 /// The attributes that every class has, and those of what only some robots have.

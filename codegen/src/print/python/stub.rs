@@ -115,7 +115,7 @@ pub(super) fn of_module(class: &Class<'_>) -> Vec<String> {
     lines
 }
 
-fn tuples<'c>(class: &'c Class<'_>) -> impl Iterator<Item = (&'c Method<'c>, &'c String)> {
+fn tuples<'c>(class: &'c Class<'_>) -> impl Iterator<Item = (&'c Method, &'c String)> {
     let methods = class.methods.iter();
     methods.filter_map(|method| method.tuple.as_ref().map(|tuple| (method, tuple)))
 }
@@ -123,7 +123,7 @@ fn tuples<'c>(class: &'c Class<'_>) -> impl Iterator<Item = (&'c Method<'c>, &'c
 fn tuple_class(
     text: &mut String,
     class: &Class<'_>,
-    method: &Method<'_>,
+    method: &Method,
     tuple: &str,
     base: &str,
     array: &str,
@@ -174,10 +174,10 @@ fn property(text: &mut String, name: &str, kind: &str, about: &str) {
     );
 }
 
-fn method(text: &mut String, class: &Class<'_>, method: &Method<'_>, array: &str) {
+fn method(text: &mut String, class: &Class<'_>, method: &Method, array: &str) {
     let arguments = method.arguments.iter();
     let arguments: Vec<String> = arguments
-        .map(|(argument, _)| format!(", {}: _ArrayLike", argument.name()))
+        .map(|(argument, _)| format!(", {argument}: _ArrayLike"))
         .collect();
     let arguments = arguments.concat();
     let out = if method.tuple.is_none() {
@@ -190,7 +190,7 @@ fn method(text: &mut String, class: &Class<'_>, method: &Method<'_>, array: &str
         (None, [result]) if result.is_number() => format!("{array} | _np.{}", class.dtype()),
         (None, _) => array.to_owned(),
     };
-    let about = docstring(&class.about(method), "        ");
+    let about = docstring(&method.about, "        ");
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,

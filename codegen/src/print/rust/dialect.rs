@@ -83,7 +83,7 @@ impl Dialect {
         match (&self.generic, &self.world) {
             (Some(_), _) if self.prepared => None,
             (Some(generic), World::Runtime(runtime)) => Some(quote! { #generic: #runtime::Scalar }),
-            (Some(generic), World::Lanes(path)) => Some(quote! { #generic: #path::Number }),
+            (Some(generic), World::Lanes(path)) => Some(quote! { #generic: #path::number::Number }),
             _ => None,
         }
     }
@@ -148,7 +148,7 @@ impl Dialect {
             }
             (Some(number), World::Lanes(path), _) => {
                 let k = ident(&names.fresh("k"));
-                let statement = quote! { let #k = <#number as #path::Number>::constant; };
+                let statement = quote! { let #k = <#number as #path::number::Number>::constant; };
                 (Numerals::Through(k), statement)
             }
             (_, _, _) if self.bare => (Numerals::Bare, TokenStream::new()),
@@ -196,7 +196,7 @@ impl Dialect {
     pub fn sqrt(&self, a: &TokenStream) -> TokenStream {
         match &self.world {
             World::Runtime(runtime) => quote! { #runtime::Scalar::sqrt(#a) },
-            World::Lanes(path) => quote! { #path::Number::sqrt(#a) },
+            World::Lanes(path) => quote! { #path::number::Number::sqrt(#a) },
             World::Core(_) if self.real == Real::F32 => quote! { ::libm::sqrtf(#a) },
             World::Core(_) => quote! { ::libm::sqrt(#a) },
         }
@@ -208,7 +208,7 @@ impl Dialect {
         let number = &self.number;
         match &self.world {
             World::Runtime(runtime) => quote! { #runtime::Scalar::sgn(#a) },
-            World::Lanes(path) => quote! { #path::Number::sgn(#a) },
+            World::Lanes(path) => quote! { #path::number::Number::sgn(#a) },
             World::Core(_) => quote! { #number::from(i8::from(#a > 0.0) - i8::from(#a < 0.0)) },
         }
     }
@@ -223,7 +223,7 @@ impl Dialect {
     ) -> TokenStream {
         let number = match &self.world {
             World::Runtime(runtime) => quote! { #runtime::Scalar },
-            World::Lanes(path) => quote! { #path::Number },
+            World::Lanes(path) => quote! { #path::number::Number },
             World::Core(_) => TokenStream::new(),
         };
         match &self.world {

@@ -1,6 +1,6 @@
 //! Functions of numbers side by side.
 //!
-//! In: a [`Listing`], the struct that gets methods, and the path of a module with the trait `Number`. Out: the
+//! In: a [`Listing`], the struct that gets methods, and the path of a crate with a trait `number::Number`. Out: the
 //! struct, and a method for each function that takes and returns arrays of numbers, of every result one without
 //! arrays within it. It is Rust that no user reads first: what the functions mean is said where they are called.
 
@@ -14,6 +14,7 @@ use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::literal;
 use super::names::{ident, of_methods};
+use super::steps;
 use super::world::World;
 use crate::print::{Fields, Listed, Listing, c, documentation};
 use crate::schedule::Length;
@@ -30,7 +31,8 @@ pub fn lanes(listing: &Listing, item: &Item, path: &TokenStream) -> TokenStream 
     );
     let methods = listing.functions.iter().zip(of_methods(listing));
     let methods = methods.map(|(listed, name)| method(listing, item, listed, &name, &dialect));
-    let methods = methods.collect();
+    let mut methods: TokenStream = methods.collect();
+    methods.extend(steps::steps(listing, item, &dialect));
     let declaration = declaration::declaration(listing, item, &dialect);
     let block = declaration::block(item, &methods, &dialect);
     quote! { #declaration #block }
@@ -64,7 +66,7 @@ fn method(
     });
     let constant = |value: f64| {
         let value = Literal::f64_unsuffixed(value);
-        quote! { <#number as #path::Number>::constant(#value) }
+        quote! { <#number as #path::number::Number>::constant(#value) }
     };
     let mut rest = &*results;
     let quantities = c::results(&listed.functions);

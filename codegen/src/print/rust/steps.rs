@@ -1,9 +1,10 @@
-//! Steps of a robot some of whose coordinates are no angles and shifts: from a posture by velocities, and
-//! from one posture to another.
+//! The steps of a robot in Rust: `neutral`, `integrate`, `difference` and `normalize`.
 //!
-//! In: what moves each joint. Out: the methods `neutral`, `integrate`, `difference` and `normalize`, which
-//! leave to the runtime what takes more than a sum. Robots whose coordinates are all added to have none, and
-//! nor has code that cannot call the runtime.
+//! In: what moves each joint, and the functions that a robot has of these. Out: methods, which leave to kernels
+//! what takes more than a sum: those of the runtime, or those that stand beside functions of numbers side by side.
+//! Code for `core` alone has none of them.
+
+use std::ops::Range;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -11,132 +12,145 @@ use quote::{format_ident, quote};
 use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
-use super::lengths::literal;
+use super::lengths::{array, literal};
 use super::world::World;
 use crate::joint::Posture;
+use crate::print::steps::Step;
 use crate::print::{DataMotion, Listing};
 use crate::space::Space;
 
 /// The methods, where the robot needs them.
 pub(super) fn steps(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
-    let World::Runtime(runtime) = &dialect.world else {
-        return TokenStream::new();
-    };
-    let motions = &listing.data.motions;
-    let is_posture = |motion: &DataMotion| matches!(motion, DataMotion::Posture(_));
-    if !motions.iter().any(is_posture) {
+    let of_robot = Step::of(listing);
+    if of_robot.is_empty() {
         return TokenStream::new();
     }
+    let (kernels, neutral) = match &dialect.world {
+        World::Runtime(runtime) => (
+            quote! { #runtime::robot::posture },
+            neutral(listing, item, runtime, dialect),
+        ),
+        World::Lanes(path) => (quote! { #path::posture }, TokenStream::new()),
+        World::Core(_) => return TokenStream::new(),
+    };
     let steps = Steps {
-        motions,
-        runtime,
-        coordinates: listing.spaces.len(Space::Coordinates),
-        velocities: listing.spaces.len(Space::Velocities),
+        motions: &listing.data.motions,
+        kernels,
     };
-    let generics = dialect.bound().map(|bound| quote! { <#bound> });
-    let (number, visibility) = (&dialect.number, &item.visibility);
-    let [nq, nv] = [steps.coordinates, steps.velocities].map(literal);
-    let (q, v) = (quote! { &[#number; #nq] }, quote! { &[#number; #nv] });
-    let method = |about: [&str; 2], head: TokenStream, result: &TokenStream, body: TokenStream| {
-        let about = doc(&about.map(str::to_owned));
-        quote! { #about #[must_use] #visibility fn #head -> [#number; #result] { #body } }
-    };
-    let neutral = method(
-        [
-            "Coordinates at which every joint stands where it was placed.",
-            "Zeros, and 0, 0, 0, 1 of quaternions (x, y, z, w).",
-        ],
-        quote! { neutral #generics(&self) },
-        &nq,
-        steps.neutral(number),
-    );
-    let integrate = method(
-        [
-            "Where the robot gets to from `q` with velocities kept for one unit of time; of a time Δt, `v` is q̇ Δt.",
-            "Bodies whose velocities are seen in their own axes move along the screw that they keep.",
-        ],
-        quote! { integrate #generics(&self, q: #q, v: #v) },
-        &nq,
-        steps.integrate(),
-    );
-    let difference = method(
-        [
-            "The velocities that lead from `from` to `to` in one unit of time.",
-            "Turns of bodies whose velocities are seen in their own axes are the shortest, half a turn at most.",
-        ],
-        quote! { difference #generics(&self, from: #q, to: #q) },
-        &nv,
-        steps.difference(),
-    );
-    let normalize = method(
-        [
-            "The same coordinates with quaternions of length 1.",
-            "None of them may be zero.",
-        ],
-        quote! { normalize #generics(&self, q: #q) },
-        &nq,
-        steps.normalize(),
-    );
-    quote! { #neutral #integrate #difference #normalize }
+    let methods = of_robot.iter().map(|&step| {
+        let about = doc(&step.about().map(str::to_owned));
+        let visibility = &item.visibility;
+        let name = format_ident!("{}", step.name());
+        let generics = dialect.bound().map(|bound| quote! { <#bound> });
+        let row = |space| array(&dialect.number, &literal(listing.spaces.len(space)));
+        let arguments = step.arguments().iter().map(|&(argument, space)| {
+            let (argument, row) = (format_ident!("{argument}"), row(space));
+            quote! { #argument: &#row }
+        });
+        let head = quote! { #visibility fn #name #generics(&self, #(#arguments),*) };
+        let result = row(step.result());
+        let (statements, entries) = steps.body(step, listing);
+        match &dialect.world {
+            World::Lanes(_) => quote! {
+                #about #[inline(always)] #head -> (#result,) { #statements ([#(#entries),*],) }
+            },
+            World::Runtime(_) | World::Core(_) => quote! {
+                #about #[must_use] #head -> #result { #statements [#(#entries),*] }
+            },
+        }
+    });
+    quote! { #neutral #(#methods)* }
 }
 
-/// What moves each joint, and how many entries all have.
+/// The method `neutral`.
+fn neutral(
+    listing: &Listing,
+    item: &Item,
+    runtime: &TokenStream,
+    dialect: &Dialect,
+) -> TokenStream {
+    let about = doc(&[
+        "Coordinates at which every joint stands where it was placed.".to_owned(),
+        "Zeros, and 0, 0, 0, 1 of quaternions (x, y, z, w).".to_owned(),
+    ]);
+    let (number, visibility) = (&dialect.number, &item.visibility);
+    let generics = dialect.bound().map(|bound| quote! { <#bound> });
+    let row = array(number, &literal(listing.spaces.len(Space::Coordinates)));
+    let entries = joints(&listing.data.motions).flat_map(|own| {
+        let count = own.coordinates.len();
+        let is_one = move |k| k + 1 == count && quaternion(own.motion).is_some();
+        (0..count).map(move |k| {
+            if is_one(k) {
+                quote! { 1.0 }
+            } else {
+                quote! { 0.0 }
+            }
+        })
+    });
+    quote! {
+        #about
+        #[must_use]
+        #visibility fn neutral #generics(&self) -> #row {
+            [#(<#number as #runtime::Scalar>::constant(#entries)),*]
+        }
+    }
+}
+
+/// What moves each joint, and where functions of single joints are.
 struct Steps<'l> {
     motions: &'l [DataMotion],
-    runtime: &'l TokenStream,
-    coordinates: usize,
-    velocities: usize,
+    kernels: TokenStream,
 }
 
 /// The coordinates and velocities of a joint, and what moves it.
 struct Own {
     motion: DataMotion,
-    coordinates: std::ops::Range<usize>,
-    velocities: std::ops::Range<usize>,
+    coordinates: Range<usize>,
+    velocities: Range<usize>,
+}
+
+/// Those of each joint that has any.
+fn joints(motions: &[DataMotion]) -> impl Iterator<Item = Own> {
+    let (mut coordinate, mut velocity) = (0, 0);
+    let motions = motions.iter().map(move |&motion| {
+        let (coordinates, velocities) = motion.counts();
+        let own = Own {
+            motion,
+            coordinates: coordinate..coordinate + coordinates,
+            velocities: velocity..velocity + velocities,
+        };
+        (coordinate, velocity) = (own.coordinates.end, own.velocities.end);
+        own
+    });
+    motions.filter(|own| !own.coordinates.is_empty())
 }
 
 impl Steps<'_> {
-    /// Those of each joint that has any.
-    fn joints(&self) -> impl Iterator<Item = Own> {
-        let (mut coordinate, mut velocity) = (0, 0);
-        let motions = self.motions.iter().map(move |&motion| {
-            let (coordinates, velocities) = motion.counts();
-            let own = Own {
-                motion,
-                coordinates: coordinate..coordinate + coordinates,
-                velocities: velocity..velocity + velocities,
-            };
-            (coordinate, velocity) = (own.coordinates.end, own.velocities.end);
-            own
+    /// Statements, and the entries of the result.
+    fn body(&self, step: Step, listing: &Listing) -> (TokenStream, Vec<TokenStream>) {
+        let arguments = step.arguments().iter().map(|&(argument, space)| {
+            let entries = names(argument, 0..listing.spaces.len(space));
+            (format_ident!("{argument}"), entries)
         });
-        motions.filter(|own| !own.coordinates.is_empty())
+        let (arguments, entries): (Vec<_>, Vec<_>) = arguments.unzip();
+        let mut statements = quote! { #(let [#(#entries),*] = *#arguments;)* };
+        let results = match (step, &*entries) {
+            (Step::Integrate, [q, v]) => self.integrate(&mut statements, q, v),
+            (Step::Difference, [start, end]) => self.difference(&mut statements, start, end),
+            (_, entries) => self.normalize(&mut statements, &entries[0]),
+        };
+        (statements, results)
     }
 
-    fn neutral(&self, number: &TokenStream) -> TokenStream {
-        let runtime = self.runtime;
-        let entries = self.joints().flat_map(|own| {
-            let count = own.coordinates.len();
-            let is_one = move |k| k + 1 == count && quaternion(own.motion).is_some();
-            (0..count).map(move |k| {
-                if is_one(k) {
-                    quote! { 1.0 }
-                } else {
-                    quote! { 0.0 }
-                }
-            })
-        });
-        quote! { [#(<#number as #runtime::Scalar>::constant(#entries)),*] }
-    }
-
-    fn integrate(&self) -> TokenStream {
-        let (q, v) = (
-            names("q", 0..self.coordinates),
-            names("v", 0..self.velocities),
-        );
-        let mut statements = quote! { let [#(#q),*] = *q; let [#(#v),*] = *v; };
+    fn integrate(
+        &self,
+        statements: &mut TokenStream,
+        q: &[Ident],
+        v: &[Ident],
+    ) -> Vec<TokenStream> {
         let mut results = Vec::new();
-        for own in self.joints() {
-            let (q, v) = (&q[own.coordinates.clone()], &v[own.velocities.clone()]);
+        for own in joints(self.motions) {
+            let (q, v) = (&q[own.coordinates.clone()], &v[own.velocities]);
             if let DataMotion::Posture(posture) = own.motion {
                 let kernel = self.kernel("integrate", posture);
                 let moved = names("moved", own.coordinates);
@@ -146,46 +160,45 @@ impl Steps<'_> {
                 results.extend(q.iter().zip(v).map(|(q, v)| quote! { #q + #v }));
             }
         }
-        quote! { #statements [#(#results),*] }
+        results
     }
 
-    fn difference(&self) -> TokenStream {
-        let [from, to] = ["from", "to"].map(|name| names(name, 0..self.coordinates));
-        let mut statements = quote! { let [#(#from),*] = *from; let [#(#to),*] = *to; };
+    fn difference(
+        &self,
+        statements: &mut TokenStream,
+        q0: &[Ident],
+        q1: &[Ident],
+    ) -> Vec<TokenStream> {
         let mut results = Vec::new();
-        for own in self.joints() {
-            let [from, to] = [&from, &to].map(|names| &names[own.coordinates.clone()]);
+        for own in joints(self.motions) {
+            let [q0, q1] = [q0, q1].map(|names| &names[own.coordinates.clone()]);
             if let DataMotion::Posture(posture) = own.motion {
                 let kernel = self.kernel("difference", posture);
-                let apart = names("v", own.velocities);
-                statements
-                    .extend(quote! { let [#(#apart),*] = #kernel([#(#from),*], [#(#to),*]); });
-                results.extend(apart.iter().map(|entry| quote! { #entry }));
+                let v = names("v", own.velocities);
+                statements.extend(quote! { let [#(#v),*] = #kernel([#(#q0),*], [#(#q1),*]); });
+                results.extend(v.iter().map(|entry| quote! { #entry }));
             } else {
-                results.extend(from.iter().zip(to).map(|(from, to)| quote! { #to - #from }));
+                results.extend(q0.iter().zip(q1).map(|(q0, q1)| quote! { #q1 - #q0 }));
             }
         }
-        quote! { #statements [#(#results),*] }
+        results
     }
 
-    fn normalize(&self) -> TokenStream {
-        let runtime = self.runtime;
-        let q = names("q", 0..self.coordinates);
-        let mut statements = quote! { let [#(#q),*] = *q; };
-        for own in self.joints() {
+    fn normalize(&self, statements: &mut TokenStream, q: &[Ident]) -> Vec<TokenStream> {
+        let kernels = &self.kernels;
+        for own in joints(self.motions) {
             if let Some(first) = quaternion(own.motion) {
                 let quaternion = &q[own.coordinates][first..];
-                let kernel = quote! { #runtime::robot::posture::normalized };
-                let mended = quote! { #kernel([#(#quaternion),*]) };
+                let mended = quote! { #kernels::normalized([#(#quaternion),*]) };
                 statements.extend(quote! { let [#(#quaternion),*] = #mended; });
             }
         }
-        quote! { #statements [#(#q),*] }
+        q.iter().map(|entry| quote! { #entry }).collect()
     }
 
-    /// What the runtime has for a posture.
+    /// What there is for a posture.
     fn kernel(&self, verb: &str, posture: Posture) -> TokenStream {
-        let runtime = self.runtime;
+        let kernels = &self.kernels;
         let kernel = format_ident!(
             "{verb}_{}",
             match posture {
@@ -194,7 +207,7 @@ impl Steps<'_> {
                 Posture::Floating => "floating",
             }
         );
-        quote! { #runtime::robot::posture::#kernel }
+        quote! { #kernels::#kernel }
     }
 }
 
@@ -207,6 +220,6 @@ const fn quaternion(motion: DataMotion) -> Option<usize> {
     }
 }
 
-fn names(name: &str, entries: std::ops::Range<usize>) -> Vec<Ident> {
+fn names(name: &str, entries: Range<usize>) -> Vec<Ident> {
     entries.map(|k| format_ident!("{name}_{}", k + 1)).collect()
 }

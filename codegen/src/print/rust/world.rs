@@ -15,8 +15,8 @@ pub enum World {
     Runtime(TokenStream),
     /// Nothing but `core` and these functions: results are arrays.
     Core(Library),
-    /// A trait `Number` at this path, of numbers alone or side by side: arguments and results are arrays
-    /// without arrays within them.
+    /// At this path a trait `number::Number`, of numbers alone or side by side, and functions of single
+    /// joints in `posture`: arguments and results are arrays without arrays within them.
     Lanes(TokenStream),
 }
 

@@ -80,7 +80,7 @@ pub struct Curve {
     pub style: Style,
 }
 
-/// The palette of Okabe and Ito, without the yellow that white swallows.
+/// The palette of Okabe and Ito, without the yellow that white swallows, and some darker ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Color {
     /// Black.
@@ -99,6 +99,10 @@ pub enum Color {
     Purple,
     /// Wine, darker than all but black.
     Wine,
+    /// Brown, between orange and black.
+    Brown,
+    /// Olive, between yellow and green.
+    Olive,
     /// Grey, for what stays in the background.
     Grey,
 }
@@ -194,6 +198,8 @@ impl Color {
             Self::Vermilion => "#d55e00",
             Self::Purple => "#cc79a7",
             Self::Wine => "#882255",
+            Self::Brown => "#8c564b",
+            Self::Olive => "#a0a000",
             Self::Grey => "#9aa0a6",
         }
     }

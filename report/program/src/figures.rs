@@ -239,9 +239,9 @@ fn color(scene: &Scene, variant: &str) -> Color {
     }
     if let Some((maker, _)) = variant.split_once('/') {
         return match maker {
-            "pinocchio" => Color::Vermilion,
+            "pinocchio" => Color::Wine,
             "plain" => Color::Black,
-            _ => Color::Purple,
+            _ => Color::Green,
         };
     }
     let ours = scene.variants.iter().find(|ours| ours.name == variant);
@@ -268,9 +268,9 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
     let with_peers = of_scene.any(|point| point.key.is_of_a_peer());
     if with_peers {
         let square = Style::Points(Shape::Square { filled: true });
-        legend.push(sample("Pinocchio", Color::Vermilion, square));
+        legend.push(sample("Pinocchio", Color::Wine, square));
         legend.push(sample("CasADi C", Color::Black, square));
-        legend.push(sample("the same, tuned", Color::Purple, square));
+        legend.push(sample("the same, tuned", Color::Green, square));
     }
     legend.push(sample("f64", Color::Black, full(true)));
     legend.push(sample(

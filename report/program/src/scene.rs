@@ -178,7 +178,7 @@ pub fn formulations() -> Vec<Variant> {
             ..way(
                 "libm_sines",
                 "sines of libm",
-                Color::Orange,
+                Color::Brown,
                 &SINES,
                 |_, request| {
                     request.formulation.sines = Sines::Platform;
@@ -197,7 +197,7 @@ pub fn formulations() -> Vec<Variant> {
         way(
             "refined_2",
             "refined twice",
-            Color::Purple,
+            Color::Olive,
             &[ForwardDynamics],
             |_, request| {
                 request.formulation.forward = Some(Forward::MassMatrix { refinements: 2 });
@@ -235,7 +235,7 @@ fn unrefined() -> Variant {
         title: "unrefined",
         change: |_, request| request.formulation.forward = Some(Forward::UNREFINED),
         functions: &SOLUTIONS,
-        color: Color::Purple,
+        color: Color::Sky,
         scalars: &[Scalar::F64],
         ..Variant::DEFAULT
     }

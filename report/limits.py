@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""What holds each function of a robot up on a processor: says a model of its core, of the machine code.
+
+    report/limits.py ROBOT.urdf [OPTION…]      [HOMOGEN=PATH: the command, where it is built already]
+
+Compiles functions as the derive writes them, with optimisation for the processor at hand, and hands what each does
+until it returns to LLVM's model of that core (`llvm-mca`, of the package `llvm`). OPTION is one of `homogen generate`,
+as `--floating`. Prints a table; needs cargo and llvm-mca.
+
+Columns: operations, vectors or not, that compute with numbers, that load, and that store; the clock cycles that the
+ports of the core need (`ports`), that one call needs alone (`alone`), and that a call needs among a hundred
+independent ones (`each`); what the model says that these wait for. Where `each` is near to `ports`, only fewer
+operations help; where it is well above, a core looks too few operations ahead to overlap calls.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+FUNCTIONS = {
+    "forward_kinematics": ["q"],
+    "geometric_jacobian": ["q"],
+    "gravity": ["q"],
+    "inverse_dynamics": ["q", "qd", "qdd"],
+    "mass_matrix": ["q"],
+    "mass_matrix_inverse": ["q"],
+    "forward_dynamics": ["q", "qd", "tau"],
+    "inverse_dynamics_derivatives": ["q", "qd", "qdd"],
+    "forward_dynamics_derivatives": ["q", "qd", "tau"],
+    "coriolis_matrix": ["q", "qd"],
+}
+CALLS = 100
+
+
+def main():
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__.strip())
+    for tool in ("cargo", "llvm-mca"):
+        if shutil.which(tool) is None:
+            sys.exit(f"limits.py: {tool} is missing; please install it")
+    with tempfile.TemporaryDirectory() as folder:
+        text = compiled(pathlib.Path(folder), sys.argv[1:])
+    print(f"{processor()}; {said('rustc', '--version')}, opt-level 3, target-cpu native; {version()}")
+    print()
+    print("| function | numbers | vectors | loads | stores | ports | alone | each | waits for |")
+    print("|---|---:|---:|---:|---:|---:|---:|---:|---|")
+    for function in FUNCTIONS:
+        body = until_it_returns(text, function)
+        if body is None:
+            print(f"| `{function}` |" + " – |" * 7 + " it is cut into sections |")
+            continue
+        many, one = modelled(body, CALLS), modelled(body, 1)
+        row = [*counted(body), f"{many['ports']:.0f}", one["cycles"], f"{many['cycles'] / CALLS:.0f}"]
+        print(f"| `{function}` | {' | '.join(map(str, row))} | {many['waits']} |")
+
+
+def compiled(folder, robot):
+    """The machine code of the functions, as text."""
+    homogen = os.environ.get("HOMOGEN")
+    if homogen is None:
+        command = ["cargo", "build", "--quiet", "--locked", "-p", "homogen-codegen", "--features", "cli"]
+        subprocess.run([*command, "--bin", "homogen"], check=True, cwd=ROOT)
+        homogen = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/homogen"
+    generate = [homogen, "generate", *robot, "--runtime", "::homogen", "--scalar", "f64", "--name", "Robot"]
+    code = said(*generate, "--functions", ",".join(FUNCTIONS))
+    for function, arguments in FUNCTIONS.items():
+        # Arguments are of the lengths that the method has.
+        parameters = re.search(rf"pub fn {function}\(\s*&self,([^)]*)\)", code).group(1)
+        code += (
+            f"\n#[unsafe(no_mangle)]\npub fn limits_{function}({parameters}) -> impl Sized {{\n"
+            f"    Robot.{function}({', '.join(arguments)})\n}}\n"
+        )
+    manifest = (
+        '[package]\nname = "limits"\nversion = "0.1.0"\nedition = "2024"\n\n[workspace]\n\n'
+        f'[dependencies]\nhomogen = {{ path = "{ROOT / "runtime"}", default-features = false, features = ["std"] }}\n\n'
+        "[profile.release]\ncodegen-units = 1\n"
+    )
+    (folder / "src").mkdir()
+    (folder / "Cargo.toml").write_text(manifest)
+    shutil.copy(ROOT / "Cargo.lock", folder)
+    (folder / "src/lib.rs").write_text(code)
+    target = ROOT / "target/limits"
+    environment = {**os.environ, "RUSTFLAGS": "-C target-cpu=native", "CARGO_TARGET_DIR": str(target)}
+    command = ["cargo", "rustc", "--quiet", "--release", "--manifest-path", folder / "Cargo.toml", "--", "--emit", "asm"]
+    subprocess.run(command, check=True, env=environment)
+    files = (target / "release/deps").glob("limits-*.s")
+    return max(files, key=lambda file: file.stat().st_mtime).read_text()
+
+
+def until_it_returns(text, function):
+    """The lines of a function up to its return, behind which stands what is cold; none of one that calls its sections."""
+    body = text[re.search(rf"^\w+Robot\d+{function}17h\w+:$", text, re.MULTILINE).end() :]
+    body = body[: re.search(r"^\tretq$", body, re.MULTILINE).end()]
+    if "section_" in body:
+        return None
+    # Jumps to what is cold are not taken.
+    lines = [line for line in body.split("\n") if line.startswith("\t") and not line.startswith("\t.")]
+    return [line for line in lines if not re.match(r"\t(j\w+|call\w*|ret\w*)\b", line)]
+
+
+def counted(body):
+    """How many operations compute, how many of these on vectors, load, and store."""
+    computing = [line for line in body if re.match(r"\tv?\w*(add|sub|mul|div|sqrt)\w*[ps][sd]\b", line)]
+    vectors = [line for line in computing if re.search(r"p[sd]\b", line.split()[0])]
+    memory = [line for line in body if "(" in line and not line.startswith("\tlea")]
+    stores = [line for line in memory if line.rstrip().endswith(")")]
+    return len(computing), len(vectors), len(memory) - len(stores), len(stores)
+
+
+def modelled(body, calls):
+    """What the model says of so many calls."""
+    command = ["llvm-mca", "-mcpu=native", f"-iterations={calls}", "-bottleneck-analysis", "-instruction-info=false"]
+    answer = subprocess.run(command, input="\n".join(body), capture_output=True, text=True, check=True).stdout
+    number = lambda name: float(re.search(rf"{name}:? +\[? *([\d.]+)", answer).group(1))
+    reasons = {"ports": "Resource Pressure", "registers": "- Register Dependencies", "memory": "- Memory Dependencies"}
+    parts = [f"{number(name):.0f} % {reason}" for reason, name in reasons.items() if re.search(name, answer)]
+    return {"cycles": int(number("Total Cycles")), "ports": number("Block RThroughput"), "waits": ", ".join(parts)}
+
+
+def processor():
+    """Which one, and as which the model takes it."""
+    words = pathlib.Path("/proc/cpuinfo").read_text()
+    return re.search(r"model name\s*: (.*)", words).group(1)
+
+
+def version():
+    """Of the model, and of which core it is."""
+    text = said("llvm-mca", "--version")
+    release = re.search(r"LLVM version \S+", text).group(0)
+    return f"{release}, which takes the core for {re.search(r'Host CPU: (.*)', text).group(1)}"
+
+
+def said(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+if __name__ == "__main__":
+    main()

@@ -4,7 +4,7 @@
 //! thread and on all. It never says what they mean.
 
 use std::error::Error;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 use homogen_codegen::Function;
 use homogen_codegen::expand::expand;
@@ -176,16 +176,16 @@ pub fn measure<'a>(
                 let mut frax = peers.frax(run.scene, &run.truth, batches, STATES, scalar);
                 match said(&mut frax, Flags::Native) {
                     Ok(lines) => all.extend(lines),
-                    Err(reason) => {
-                        let reason = reason.to_string();
-                        let last = reason.trim().lines().last().unwrap_or_default();
-                        missing.push(format!("frax, {}: {last}", run.scene.title));
-                    }
+                    Err(reason) => missing.push(reason_of("frax", run.scene, &*reason)),
                 }
             }
             Ok(all)
         };
-        points.extend(rounds(run.scene, FUNCTION, effort, turn)?);
+        let found = rounds(run.scene, FUNCTION, effort, turn)?;
+        if run.peers.is_some() && !found.iter().any(|point| name_of(point) == "mujoco") {
+            missing.push(reason_of("MuJoCo", run.scene, &"it has no library"));
+        }
+        points.extend(found);
         progress.advance(&format!("{}, many states", run.scene.name));
     }
     missing.dedup();
@@ -199,4 +199,11 @@ pub fn measure<'a>(
         points,
         missing,
     })
+}
+
+/// Why another is missing beside a scene: the last line of what was said, in which programs tell what failed.
+fn reason_of(other: &str, scene: &Scene, reason: &dyn Display) -> String {
+    let reason = reason.to_string();
+    let last = reason.trim().lines().last().unwrap_or_default();
+    format!("{other} beside {}: {last}", scene.title)
 }

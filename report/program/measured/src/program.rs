@@ -115,11 +115,14 @@ impl<T: Copy + Send + Sync + 'static> Foreigners<T> {
     pub fn load(library: &Path, symbol: &str) -> Result<Self, Box<dyn Error>> {
         let mut copies = vec![Mutex::new(Foreign::load(library, symbol)?)];
         for thread in 1..rayon::current_num_threads() {
-            let name = format!("homogen-{}-{thread}.so", std::process::id());
+            // A name that was loaded before would be taken for the same library.
+            let name = library.file_name().unwrap_or_default().display();
+            let name = format!("homogen-{}-{thread}-{name}", std::process::id());
             let copy = std::env::temp_dir().join(name);
             fs::copy(library, &copy)?;
-            copies.push(Mutex::new(Foreign::load(&copy, symbol)?));
+            let loaded = Foreign::load(&copy, symbol);
             fs::remove_file(copy)?;
+            copies.push(Mutex::new(loaded?));
         }
         Ok(Self(copies))
     }

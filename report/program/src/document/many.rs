@@ -46,13 +46,14 @@ fn method(many: &Many<'_>) -> String {
     if !many.versions.is_empty() {
         let _ = writeln!(
             text,
-            "{}. Pinocchio, CasADi's C and MuJoCo are called for each state and write its results, for this processor. On all \
-             threads each has a copy of the library, and shares of 512 states go to whoever is \
-             free, as those of our batches do: CasADi's own `map` writes C that is a loop over \
-             the same function, split over threads by OpenMP or by pthreads that each call starts. MuJoCo's `mj_inverse` has the masses that \
-             Pinocchio has; constraints, contacts, passive forces, actuators and sensors are \
-             switched off, but it computes the mass matrix besides. frax's `rnea` is compiled by JAX for {STATES} states in a call, \
-             and takes the threads that it wants.\n",
+            "{}. Pinocchio and CasADi's C, compiled for this processor, and MuJoCo are called for \
+             each state, and write its results. On all threads each has a copy of the library, and \
+             shares of 512 states go to whoever is free, as those of our batches do. CasADi's own \
+             `map` writes C that does the same: a loop over the function, split over threads by \
+             OpenMP, or by threads that each call starts. MuJoCo has the masses that Pinocchio \
+             has; constraints, contacts, passive forces, actuators and sensors are switched off, \
+             and what else `mj_inverse` goes through is part of its time. frax's `rnea` is \
+             compiled by JAX for {STATES} states in a call, and takes the threads that it wants.\n",
             many.versions.lines().collect::<Vec<_>>().join("; ")
         );
     }
@@ -61,8 +62,8 @@ fn method(many: &Many<'_>) -> String {
     }
     text.push_str(
         "The limit is what fused products and sums take that do not wait for each other, on the \
-         widest vectors, measured in turns with the rest: a state takes its mul and add, and its \
-         sines not counted.\n\n",
+         widest vectors, measured in turns with the rest; a state has its mul and add, sines not \
+         counted.\n\n",
     );
     let limit = |scalar, all| {
         // The same for all robots, but for noise.
@@ -84,7 +85,7 @@ fn method(many: &Many<'_>) -> String {
     text
 }
 
-/// Ratios in which the clock of a machine cancels.
+/// Ratios between programs, and rates beside the limit.
 fn in_short(many: &Many<'_>) -> String {
     let mut text = String::from("| in short |");
     for scene in &many.scenes {
@@ -168,8 +169,7 @@ fn in_short(many: &Many<'_>) -> String {
     text.push_str(
         "\nWhat GPU libraries say of themselves: frax \"upwards of 100 million computations per \
          second, depending on your batch size\" \
-         ([README of 0.1.0](https://pypi.org/project/frax/0.1.0/)), from which the last row is; \
-         GRiD \"as much as a 7.2x speedup over a state-of-the-art, multi-threaded CPU \
+         ([README of 0.1.0](https://pypi.org/project/frax/0.1.0/)), the 10⁸ of the table; GRiD \"as much as a 7.2x speedup over a state-of-the-art, multi-threaded CPU \
          implementation\", 2.5 with transfers \
          ([Plancher et al.](https://a2r-lab.org/publication/grid/)).\n\n",
     );

@@ -1,8 +1,8 @@
 // The peer's C: Pinocchio's algorithms over CasADi's symbols, written out by CasADi.
 //
 // In: a robot that model.py has read from a URDF, a folder, the type of number in C, `plain` or
-// `snapped`. Out: a file peer_FUNCTION.c in the folder for each function, with results in the order
-// in which homogen has them. `snapped` gives CasADi what it cannot find itself: residues of right
+// `snapped`, and names of functions where not all are wanted. Out: a file peer_FUNCTION.c in the folder
+// for each function, with results in the order in which homogen has them. `snapped` gives CasADi what it cannot find itself: residues of right
 // angles below 1e-9 are zero, common subexpressions are merged.
 
 #include "generate.hpp"
@@ -23,13 +23,13 @@ namespace pin = pinocchio;
 
 int main(int count, char **words)
 {
-    if (count != 5) {
-        std::cerr << "usage: generate MODEL FOLDER (double | float) (plain | snapped)\n";
+    if (count < 5) {
+        std::cerr << "usage: generate MODEL FOLDER (double | float) (plain | snapped) [FUNCTION …]\n";
         return 2;
     }
     const bool snapped = words[4] == std::string("snapped");
     std::ifstream text(words[1]);
-    Writer to(robot_of({text, snapped}), words[2], words[3], snapped);
+    Writer to(robot_of({text, snapped}), words[2], words[3], snapped, {words + 5, words + count});
     const SX q = to.q, qd = to.qd, x = to.x;
     const Vector eq = to.eq, eqd = to.eqd, ex = to.ex;
     const auto &model = to.model;

@@ -1,7 +1,7 @@
 // A robot over CasADi's symbols, and C of what is computed of it.
 //
-// In: a robot of numbers, a folder, the type of number in C, whether common subexpressions are merged.
-// Out: a file peer_FUNCTION.c in the folder for each function that is written.
+// In: a robot of numbers, a folder, the type of number in C, whether common subexpressions are merged,
+// which functions are wanted. Out: a file peer_FUNCTION.c in the folder for each of these.
 #pragma once
 
 #include <casadi/casadi.hpp>
@@ -10,6 +10,7 @@
 #include "pinocchio/multibody.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,21 +21,26 @@ using Matrix6 = Eigen::Matrix<SX, 6, Eigen::Dynamic>;
 struct Writer {
     std::string folder, real;
     bool merges;
+    /* Names of functions; all where it is empty. */
+    std::set<std::string> wanted;
     pinocchio::ModelTpl<SX> model;
     pinocchio::DataTpl<SX> data;
     /* q, q̇, and q̈ or τ: as CasADi has them, and as Pinocchio takes them. */
     SX q, qd, x;
     Vector eq, eqd, ex;
 
-    Writer(const pinocchio::Model &numbers, std::string folder, std::string real, bool merges)
-        : folder(std::move(folder)), real(std::move(real)), merges(merges), model(numbers.cast<SX>()),
-          data(model), q(SX::sym("q", model.nq)), qd(SX::sym("qd", model.nv)),
+    Writer(const pinocchio::Model &numbers, std::string folder, std::string real, bool merges,
+        std::set<std::string> wanted)
+        : folder(std::move(folder)), real(std::move(real)), merges(merges), wanted(std::move(wanted)),
+          model(numbers.cast<SX>()), data(model), q(SX::sym("q", model.nq)), qd(SX::sym("qd", model.nv)),
           x(SX::sym("x", model.nv)), eq(entries(q)), eqd(entries(qd)), ex(entries(x))
     {
     }
 
     void write(const std::string &name, const std::vector<SX> &in, const std::vector<SX> &out) const
     {
+        if (!wanted.empty() && !wanted.count(name))
+            return;
         casadi::Dict options;
         options["cse"] = merges;
         const casadi::Function function("peer_" + name, in, {SX::densify(SX::vertcat(out))}, options);

@@ -3,11 +3,12 @@
 #
 #   setup.sh FOLDER     makes in FOLDER what is missing there, or older than what it is made from
 #
-# Fetches Pinocchio, CasADi and vendors' robots from PyPI, and compiles for minutes for the
-# processor at hand. What it leaves: with what it was made (versions.txt) and for which processor;
-# and in a folder a robot its description (robot.urdf), title, frame, base (fixed or floating) and
-# joints (model.joints), and a shared library for each maker and type of number (MAKER.TYPE.so). The
-# rest is intermediate.
+# Fetches Pinocchio, CasADi, MuJoCo, frax and vendors' robots from PyPI, and compiles for minutes for
+# the processor at hand. What it leaves: with what it was made (versions.txt, versions.many.txt) and
+# for which processor; in a folder a robot its description (robot.urdf), title, frame, base (fixed or
+# floating), joints (model.joints), the functions that are compared where these are not all
+# (functions), and a shared library for each maker and type of number (MAKER.TYPE.so); and Python with
+# frax (tools/frax). The rest is intermediate.
 set -euo pipefail
 
 say() { printf '%s\n' "$*" >&2; }
@@ -26,16 +27,23 @@ folder="$(cd "$1" && pwd)"
 cd "$(dirname "${BASH_SOURCE[0]}")"
 . ./tools.sh
 
-# The arms that ship; and two, and a quadruped with a free base, as their vendors describe them.
-robots=(ur5_class panda_class ur5 panda solo12)
+# The arms that ship; and two, a quadruped and a humanoid with free bases, as their vendors describe them.
+robots=(ur5_class panda_class ur5 panda solo12 g1)
 declare -A title=([ur5_class]='UR5 class' [panda_class]='Panda class'
-    [ur5]='UR5' [panda]='Panda with hand' [solo12]='Quadruped with a free base')
+    [ur5]='UR5' [panda]='Panda with hand' [solo12]='Quadruped with a free base'
+    [g1]='Humanoid with a free base')
 declare -A frame=([ur5_class]=tool0 [panda_class]=link8 [ur5]=tool0 [panda]=panda_hand_tcp
-    [solo12]=HR_FOOT)
-declare -A base=([solo12]=floating)
+    [solo12]=HR_FOOT [g1]=torso_link)
+declare -A base=([solo12]=floating [g1]=floating)
 declare -A vendors=([ur5]=ur_description/urdf/ur5_robot.urdf
-    [panda]=panda_description/urdf/panda.urdf [solo12]=solo_description/robots/solo12.urdf)
+    [panda]=panda_description/urdf/panda.urdf [solo12]=solo_description/robots/solo12.urdf
+    [g1]=g1_description/urdf/g1_29dof_rev_1_0.urdf)
+# Of many joints the C of matrices and derivatives grows out of hand.
+declare -A functions=([g1]=inverse_dynamics)
 collection=example-robot-data==6.0.0
+mujoco=mujoco-core==4.0.0
+# The version of JAX that frax's README recommends for processors.
+frax=(frax==0.1.0 jax==0.4.30 jaxlib==0.4.30 numpy==2.3.5)
 
 parts=(pinocchio pinocchio_derivatives)
 forms=(plain snapped restrict)
@@ -57,6 +65,33 @@ replace "$folder/versions.txt" <<<"$packages, GCC $(g++ -dumpfullversion) with \
 processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo 2>/dev/null | head -n 1)
 replace "$folder/processor" <<<"${processor:-$(uname -m)}"
 made_with=("$folder/versions.txt" "$folder/processor")
+
+# Both are for many states alone, and a machine for which they are not to be had goes without.
+many=()
+if [ ! -e "$folder/tools/mujoco" ]; then
+    say "=== $mujoco"
+    rm -rf "$folder/tools/mujoco.new"
+    if "$peer_venv/bin/pip" install --quiet --disable-pip-version-check --no-deps \
+        --target "$folder/tools/mujoco.new" "$mujoco"; then
+        mv "$folder/tools/mujoco.new" "$folder/tools/mujoco"
+    else
+        say "=== without MuJoCo"
+    fi
+fi
+mujoco_library=("$folder/tools/mujoco/mujoco"/libmujoco.so*)
+[ ! -e "${mujoco_library[0]}" ] || many+=("MuJoCo ${mujoco#*==}, as its makers compile it")
+if [ ! -e "$folder/tools/frax" ]; then
+    say "=== ${frax[*]}"
+    rm -rf "$folder/tools/frax.new"
+    python3 -m venv "$folder/tools/frax.new"
+    if "$folder/tools/frax.new/bin/pip" install --quiet --disable-pip-version-check "${frax[@]}"; then
+        mv "$folder/tools/frax.new" "$folder/tools/frax"
+    else
+        say "=== without frax"
+    fi
+fi
+[ ! -e "$folder/tools/frax" ] || many+=("frax ${frax[0]#*==} with JAX ${frax[1]#*==}")
+for part in "${many[@]}"; do echo "$part"; done | replace "$folder/versions.many.txt"
 
 for type in f64 f32; do
     for part in "${parts[@]}"; do
@@ -93,6 +128,7 @@ describe() { # robot: what the report must know of it
     replace "$to/title" <<<"${title[$1]}"
     replace "$to/frame" <<<"${frame[$1]}"
     replace "$to/base" <<<"$base"
+    [ -z "${functions[$1]:-}" ] || replace "$to/functions" <<<"${functions[$1]}"
     if [ -z "${vendors[$1]:-}" ]; then
         replace "$to/robot.urdf" <"../../robots/$1.urdf"
     elif [ ! -e "$to/robot.urdf" ]; then
@@ -107,7 +143,7 @@ casadi() { # robot type
     local to="$folder/$1" c="$folder/$1/$2" form library
     if peer_stale "$c/generated" "$to/model" "$peer_generator"; then
         say "=== $1, $2: CasADi's C"
-        peer_generate "$to/model" "${real[$2]}" "$c"
+        peer_generate "$to/model" "${real[$2]}" "$c" ${functions[$1]:-}
         touch "$c/generated"
     fi
     for form in "${forms[@]}"; do
@@ -132,8 +168,28 @@ pinocchio() { # robot type
     fi
 }
 
+mujoco() { # robot: where MuJoCo takes it
+    local to="$folder/$1" library="$folder/$1/mujoco.f64.so"
+    if [ -e "${mujoco_library[0]}" ] && peer_stale "$library" mujoco.c mjcf.py "$to/model" \
+        "$folder/versions.many.txt"; then
+        { echo 'const char peer_robot[] ='
+            python3 mjcf.py "$to/model" | sed 's/"/\\"/g; s/.*/"&\\n"/'
+            echo ';'; } | gcc -x c -fPIC -c - -o "$to/mjcf.o"
+        gcc "${flags[@]}" -fPIC -shared -I "$folder/tools/mujoco/mujoco/include" mujoco.c "$to/mjcf.o" \
+            "${mujoco_library[0]}" "-Wl,-rpath,$(dirname "${mujoco_library[0]}")" -o "$library.new"
+        if python3 -c 'import ctypes, sys
+sys.exit(not ctypes.CDLL(sys.argv[1]).peer_reads())' "$library.new"; then
+            mv "$library.new" "$library"
+        else
+            say "=== $1: without MuJoCo"
+            rm -f "$library.new" "$library"
+        fi
+    fi
+}
+
 for robot in "${robots[@]}"; do
     describe "$robot"
+    mujoco "$robot"
     for type in f64 f32; do
         pinocchio "$robot" "$type"
         casadi "$robot" "$type"

@@ -45,11 +45,11 @@ peer_model() { # urdf frame file [fixed | floating]: the numbers of a robot
 # CasADi writes one file a function: as they are, in `plain`; with right angles made exact and common
 # parts merged, in `snapped`; and those rid of a check for null at every number that is read or
 # written, in `restrict`. It calls the sines of double precision whatever its numbers are.
-peer_generate() { # model real folder
+peer_generate() { # model real folder [functions]
     local how
     for how in plain snapped; do
         mkdir -p "$3/$how"
-        "$peer_generator" "$1" "$3/$how" "$2" "$how"
+        "$peer_generator" "$1" "$3/$how" "$2" "$how" "${@:4}"
         [ "$2" = double ] || sed -i -E 's/\b(sin|cos|sqrt)\(/\1f(/g' "$3/$how"/*.c
     done
     mkdir -p "$3/restrict"

@@ -1,28 +1,51 @@
-//! Puts the generated robots where `main.rs` includes them.
+//! Puts the generated robots where `main.rs` and `many.rs` include them.
 //!
-//! In: the file that the variable `GENERATED` names; the report writes it. Out: `cases.rs` in
-//! `OUT_DIR`; without the variable one without robots, so that the crate compiles on its own.
+//! In: the folder that the variable `GENERATED` names; the report writes it. Out: `cases.rs` and `many.rs` in
+//! `OUT_DIR`; without the variable those without robots, so that the crate compiles on its own.
 
 use std::path::Path;
 use std::{env, fs, io};
 
-const NONE: &str = "\
+const NONE: [(&str, &str); 2] = [
+    (
+        "cases.rs",
+        "\
 /// No robot was given.
 fn cases(_: &str, _: &str, _: &Truths) -> Vec<Case> {
     Vec::new()
 }
-";
+",
+    ),
+    (
+        "many.rs",
+        "\
+/// No robot was given.
+fn in_f64(_: &str, _: &str) -> Vec<Program<f64>> {
+    Vec::new()
+}
+/// No robot was given.
+fn in_f32(_: &str, _: &str) -> Vec<Program<f32>> {
+    Vec::new()
+}
+",
+    ),
+];
 
 fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed=GENERATED");
     let out = env::var_os("OUT_DIR").expect("cargo sets it for build scripts");
-    let cases = match env::var_os("GENERATED") {
-        Some(path) => {
-            println!("cargo::rerun-if-changed={}", Path::new(&path).display());
-            fs::read_to_string(path)?
-        }
-        None => NONE.to_owned(),
-    };
-    fs::write(Path::new(&out).join("cases.rs"), cases)
+    let folder = env::var_os("GENERATED");
+    for (name, none) in NONE {
+        let text = match &folder {
+            Some(folder) => {
+                let path = Path::new(folder).join(name);
+                println!("cargo::rerun-if-changed={}", path.display());
+                fs::read_to_string(path)?
+            }
+            None => none.to_owned(),
+        };
+        fs::write(Path::new(&out).join(name), text)?;
+    }
+    Ok(())
 }

@@ -4,6 +4,7 @@
 //! holds the committed copy to them; times belong to the machine that the first paragraph names.
 
 mod cells;
+pub mod many;
 
 use std::fmt::Write;
 
@@ -15,6 +16,7 @@ use homogen_plot::heat::Map;
 use cells::{fastest, find, in_units, price, spread, time, units};
 
 use crate::growth::{self, Grown};
+use crate::many::Many;
 use crate::measure::{Effort, Point};
 use crate::peers::MAKERS;
 use crate::program::Flags;
@@ -38,6 +40,8 @@ pub struct Measured<'a> {
     pub points: &'a [Point],
     /// Scene, variant, function, price.
     pub prices: &'a [(String, &'static str, Function, Price)],
+    /// Many states at once.
+    pub many: &'a Many<'a>,
     /// Chains.
     pub grown: &'a [Grown],
     /// Hard cases by formulation.
@@ -53,6 +57,7 @@ pub fn write(measured: &Measured<'_>) -> String {
     if !measured.versions.is_empty() {
         text.push_str(&peers(measured));
     }
+    text.push_str(&many::write(measured.many));
     text.push_str(&hard(measured.hard));
     text.push_str(&models(measured));
     text.push_str(&grown(measured.grown));

@@ -3,6 +3,10 @@
 //! In: what was measured. Out: plots, as `homogen_plot` draws them. Colours tell what
 //! computes, symbols the type of number, and whether a symbol is full what it was compiled for.
 
+mod many;
+
+pub use many::many;
+
 use homogen_codegen::Function;
 use homogen_plot::grid::Grid;
 use homogen_plot::{Axis, Color, Curve, Panel, Scale, Shape, Style};
@@ -194,7 +198,8 @@ const COLORS: [Color; 5] = [
     Color::Vermilion,
 ];
 
-fn count(number: usize) -> f64 {
+/// A count as a number of an axis.
+pub fn count(number: usize) -> f64 {
     f64::from(u32::try_from(number).unwrap_or(u32::MAX))
 }
 

@@ -10,6 +10,7 @@ mod document;
 mod figures;
 mod growth;
 mod hard;
+mod many;
 mod measure;
 mod output;
 mod peers;
@@ -29,9 +30,10 @@ use std::{env, fs};
 use clap::Parser;
 use document::Measured;
 use measure::{Effort, Run};
-use peers::Peers;
+use peers::{MAKERS, MAKERS_OF_MANY, Peers};
 use program::Flags;
 use progress::Progress;
+use scene::Scene;
 
 /// Measure speed against error on this machine, and write tables and plots
 #[derive(Parser)]
@@ -96,15 +98,18 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     } else {
         GROWTH
     };
+    let of_many = of_many(&robots, &beside, options.smoke);
     let functions: usize = scenes().map(|scene| scene.functions.len()).sum();
-    let mut progress = Progress::new(functions + joints.len() * growth::FUNCTIONS.len());
+    let chains = joints.len() * growth::FUNCTIONS.len();
+    let mut progress = Progress::new(functions + chains + of_many.len());
 
     progress.stage("expanding the robots");
     let source = source::source(scenes())?;
-    let path = work.join("cases.rs");
-    fs::write(&path, &source.text)?;
+    fs::write(work.join("cases.rs"), &source.text)?;
+    let (text, prices_of_many) = many::source(&of_many)?;
+    fs::write(work.join("many.rs"), text)?;
     progress.stage("computing exact results");
-    let truth = |scene: &scene::Scene| work.join("truth").join(&scene.name);
+    let truth = |scene: &Scene| work.join("truth").join(&scene.name);
     for scene in scenes() {
         truth::write(scene, &truth(scene))?;
     }
@@ -113,21 +118,24 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     let mut executables = Vec::new();
     for flags in Flags::ALL {
         progress.stage(&format!("compiling, {}", flags.name()));
-        executables.push((
-            flags,
-            program::compile(&path, &target.join("measured"), flags)?,
-        ));
+        executables.push(program::compile(&work, &target.join("measured"), flags)?);
     }
     progress.stage("growing chains");
     let grown = growth::measure(joints, most, &work.join("growth"), &mut progress)?;
     progress.stage("measuring");
-    let run = |scene| Run {
+    let run = |scene, makers| Run {
         scene,
         truth: truth(scene),
         peers: peers.as_ref(),
+        makers,
     };
-    let runs: Vec<Run<'_>> = scenes().map(run).collect();
+    let runs: Vec<Run<'_>> = scenes().map(|scene| run(scene, &MAKERS)).collect();
     let points = measure::measure(&executables, &runs, effort, &mut progress)?;
+    progress.stage("measuring many states");
+    let runs: Vec<Run<'_>> = (of_many.into_iter())
+        .map(|scene| run(scene, &MAKERS_OF_MANY))
+        .collect();
+    let many = many::measure(&executables, &runs, effort, prices_of_many, &mut progress)?;
 
     let folder = options.output.unwrap_or_else(|| {
         if options.smoke {
@@ -146,9 +154,20 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
             versions: peers.as_ref().map_or("", |peers| &peers.versions),
             points: &points,
             prices: &source.prices,
+            many: &many,
             grown: &grown,
             hard: &hard,
         },
     )?;
     Ok(folder)
+}
+
+/// The robots of which many states are computed: those that stand beside others, or else those that ship, but for
+/// the smallest.
+fn of_many<'a>(robots: &'a [Scene], beside: &'a [Scene], smoke: bool) -> Vec<&'a Scene> {
+    match (beside, smoke) {
+        ([], true) => robots.iter().collect(),
+        ([], false) => robots.iter().skip(1).collect(),
+        (beside, _) => beside.iter().collect(),
+    }
 }

@@ -12,7 +12,7 @@ use std::process::Command;
 use homogen_codegen::Function;
 
 use crate::peers::Peers;
-use crate::program::Flags;
+use crate::program::{Executables, Flags};
 use crate::progress::Progress;
 use crate::scene::{Scalar, Scene};
 
@@ -88,14 +88,16 @@ pub struct Run<'a> {
     pub truth: PathBuf,
     /// What stands beside ours.
     pub peers: Option<&'a Peers>,
+    /// Those of its makers that do.
+    pub makers: &'static [&'static str],
 }
 
-/// Runs everything.
+/// Runs everything that is called for one state.
 ///
 /// # Errors
 /// Where a program fails or says what cannot be understood.
 pub fn measure(
-    executables: &[(Flags, PathBuf)],
+    executables: &[Executables],
     runs: &[Run<'_>],
     effort: Effort,
     progress: &mut Progress,
@@ -103,51 +105,85 @@ pub fn measure(
     let mut points = Vec::new();
     for run in runs {
         for &function in &run.scene.functions {
-            let mut said: BTreeMap<Key, Vec<[f64; 6]>> = BTreeMap::new();
-            for _ in 0..effort.rounds {
-                for (flags, executable) in executables {
-                    for (key, numbers) in once(executable, *flags, run, function, effort)? {
-                        said.entry(key).or_default().push(numbers);
-                    }
+            let turn = || {
+                let mut said = Vec::new();
+                for Executables {
+                    flags, measured, ..
+                } in executables
+                {
+                    said.extend(once(measured, *flags, run, function, &[effort.batches])?);
                 }
-            }
+                Ok(said)
+            };
+            points.extend(rounds(run.scene, function, effort, turn)?);
             progress.advance(&format!("{} {}", run.scene.name, function.name()));
-            points.extend(said.into_iter().map(|(key, rounds)| {
-                let middle = |k: usize| median(rounds.iter().map(|numbers| numbers[k]).collect());
-                Point {
-                    scene: run.scene.name.clone(),
-                    function,
-                    key,
-                    time: [middle(0), middle(1), middle(2)],
-                    median: middle(3),
-                    rare: middle(4),
-                    worst: middle(5),
-                }
-            }));
         }
     }
     Ok(points)
 }
 
-/// A program, and its line of numbers.
-type Said = (Key, [f64; 6]);
+/// Medians over the rounds of what is said in each turn.
+///
+/// # Errors
+/// Where a turn fails.
+pub fn rounds(
+    scene: &Scene,
+    function: Function,
+    effort: Effort,
+    mut turn: impl FnMut() -> Result<Vec<Said>, Box<dyn Error>>,
+) -> Result<Vec<Point>, Box<dyn Error>> {
+    let mut said: BTreeMap<Key, Vec<[f64; 6]>> = BTreeMap::new();
+    for _ in 0..effort.rounds {
+        for (key, numbers) in turn()? {
+            said.entry(key).or_default().push(numbers);
+        }
+    }
+    let point = |(key, rounds): (Key, Vec<[f64; 6]>)| {
+        let middle = |k: usize| median(rounds.iter().map(|numbers| numbers[k]).collect());
+        Point {
+            scene: scene.name.clone(),
+            function,
+            key,
+            time: [middle(0), middle(1), middle(2)],
+            median: middle(3),
+            rare: middle(4),
+            worst: middle(5),
+        }
+    };
+    Ok(said.into_iter().map(point).collect())
+}
 
-fn once(
+/// A program, and its line of numbers.
+pub type Said = (Key, [f64; 6]);
+
+/// What an executable says of a function, for so many batches and whatever else it is to know.
+///
+/// # Errors
+/// Where it fails or says what cannot be understood.
+pub fn once(
     executable: &Path,
     flags: Flags,
     run: &Run<'_>,
     function: Function,
-    effort: Effort,
+    numbers: &[usize],
 ) -> Result<Vec<Said>, Box<dyn Error>> {
     let mut command = Command::new(executable);
     command
         .args([&run.scene.name, function.name()])
         .arg(&run.truth)
-        .arg(effort.batches.to_string());
+        .args(numbers.iter().map(usize::to_string));
     // Others are compiled for one processor: they stand beside ours for this one.
     if let (Flags::Native, Some(peers)) = (flags, run.peers) {
-        command.args(peers.libraries(run.scene, function));
+        command.args(peers.libraries(run.scene, function, run.makers));
     }
+    said(&mut command, flags)
+}
+
+/// What a program says.
+///
+/// # Errors
+/// Where it fails or says what cannot be understood.
+pub fn said(command: &mut Command, flags: Flags) -> Result<Vec<Said>, Box<dyn Error>> {
     let output = command.output()?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into());

@@ -48,6 +48,7 @@ pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
     let shown: Vec<_> = shown.collect();
     svg("formulations", &figures::formulations(&shown, points))?;
     svg("models", &figures::models(models, points))?;
+    svg("many", &figures::many(measured.many))?;
     fs::write(folder.join("hard.svg"), heat::draw(measured.hard))?;
     svg("growth", &figures::growth(measured.grown))?;
     fs::write(folder.join("REPORT.md"), document::write(measured))

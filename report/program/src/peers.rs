@@ -6,6 +6,7 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::{fs, io};
 
 use homogen_codegen::Function;
@@ -18,11 +19,16 @@ use crate::truth::told;
 /// common parts merged; and then with pointers that do not alias in place of a check of each.
 pub const MAKERS: [&str; 4] = ["pinocchio", "plain", "snapped", "restrict"];
 
+/// The same and MuJoCo, whose inverse dynamics stands beside ours for many states.
+pub const MAKERS_OF_MANY: [&str; 5] = ["pinocchio", "plain", "snapped", "restrict", "mujoco"];
+
 /// What a set-up of peers left.
 pub struct Peers {
     folder: PathBuf,
     /// With what it was made.
     pub versions: String,
+    /// With what else for many states, a line each.
+    pub versions_of_many: String,
 }
 
 impl Peers {
@@ -40,6 +46,7 @@ impl Peers {
             })
         };
         let versions = read("versions.txt")?.trim().to_owned();
+        let versions_of_many = read("versions.many.txt")?.trim().to_owned();
         let processor = read("processor")?;
         if machine::processor_name() != processor.trim() {
             return Err(format!(
@@ -49,7 +56,11 @@ impl Peers {
             )
             .into());
         }
-        Ok(Self { folder, versions })
+        Ok(Self {
+            folder,
+            versions,
+            versions_of_many,
+        })
     }
 
     /// The robots that do not ship, in the order of their names; `root` is the repository.
@@ -80,9 +91,9 @@ impl Peers {
 
     /// What computes a function beside ours, as `measured` takes it: maker, type of number, symbol and
     /// library of each.
-    pub fn libraries(&self, scene: &Scene, function: Function) -> Vec<String> {
+    pub fn libraries(&self, scene: &Scene, function: Function, makers: &[&str]) -> Vec<String> {
         let mut libraries = Vec::new();
-        for maker in MAKERS {
+        for &maker in makers {
             for scalar in [Scalar::F64, Scalar::F32] {
                 let file = format!("{maker}.{}.so", scalar.name());
                 let library = self.folder.join(&scene.name).join(file);
@@ -98,6 +109,26 @@ impl Peers {
         }
         libraries
     }
+
+    /// frax on so many states of a robot at once, for so many batches: a program that says what `measured` does of
+    /// the inverse dynamics. `truth` is the folder of the robot's.
+    pub fn frax(
+        &self,
+        scene: &Scene,
+        truth: &Path,
+        batches: usize,
+        states: usize,
+        scalar: Scalar,
+    ) -> Command {
+        let mut command = Command::new(self.folder.join("tools/frax/bin/python"));
+        command
+            .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("../peer/in_jax.py"))
+            .arg(self.folder.join(&scene.name))
+            .arg(truth)
+            .args([batches, states].map(|number| number.to_string()))
+            .arg(scalar.name());
+        command
+    }
 }
 
 /// The robot in a folder, whose peers count its joints in the same order.
@@ -109,7 +140,13 @@ fn scene_of(name: &str, folder: &Path) -> Result<Scene, Box<dyn Error>> {
         &folder.join("robot.urdf"),
         base.trim() == "floating",
     );
-    let scene = scene.map_err(told)?;
+    let mut scene = scene.map_err(told)?;
+    if let Ok(functions) = read("functions") {
+        let compared: Vec<&str> = functions.split_whitespace().collect();
+        scene
+            .functions
+            .retain(|function| compared.contains(&function.name()));
+    }
     let joints = read("model.joints")?;
     if !joints.lines().eq(&scene.joints) {
         let (theirs, ours) = (joints.replace('\n', " "), scene.joints.join(" "));

@@ -1,11 +1,11 @@
-//! The measured program, compiled for the baseline and for this processor.
+//! The measured programs, compiled for the baseline and for this processor.
 //!
-//! In: its source. Out: one executable for each set of flags. It never runs them.
+//! In: their sources. Out: executables for each set of flags. It never runs them.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs};
+use std::{env, fs, io};
 
 /// What a program is compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,32 +36,43 @@ impl Flags {
     }
 }
 
-/// Compiles the measured program.
+/// What is run of one compilation.
+pub struct Executables {
+    /// What they are compiled for.
+    pub flags: Flags,
+    /// One state a call.
+    pub measured: PathBuf,
+    /// Many states at once.
+    pub many: PathBuf,
+}
+
+/// Compiles the measured programs, whose sources lie in a folder.
 ///
 /// # Errors
 /// Where cargo fails; what it says is shown.
-pub fn compile(source: &Path, target: &Path, flags: Flags) -> Result<PathBuf, Box<dyn Error>> {
+pub fn compile(sources: &Path, target: &Path, flags: Flags) -> Result<Executables, Box<dyn Error>> {
     let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("measured/Cargo.toml");
     let output = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
         .args(["build", "--release", "--quiet", "--manifest-path"])
         .arg(manifest)
         .arg("--target-dir")
         .arg(target)
-        .env("GENERATED", source)
+        .env("GENERATED", sources)
         .env("CARGO_ENCODED_RUSTFLAGS", flags.rustflags())
         .output()?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into());
     }
-    let built = target
-        .join("release")
-        .join(format!("measured{}", env::consts::EXE_SUFFIX));
-    let kept = target.join(format!(
-        "measured-{}{}",
-        flags.name(),
-        env::consts::EXE_SUFFIX
-    ));
-    // The other flags overwrite it.
-    fs::copy(built, &kept)?;
-    Ok(kept)
+    let kept = |name: &str| {
+        let file = |name: &str| format!("{name}{}", env::consts::EXE_SUFFIX);
+        let kept = target.join(file(&format!("{name}-{}", flags.name())));
+        // The other flags overwrite it.
+        fs::copy(target.join("release").join(file(name)), &kept)?;
+        Ok::<_, io::Error>(kept)
+    };
+    Ok(Executables {
+        flags,
+        measured: kept("measured")?,
+        many: kept("many")?,
+    })
 }

@@ -3,13 +3,14 @@
 //! In: a closure that calls it. Out: a batch over all states for the clock, and its results one by
 //! one for the errors. Calls inside a batch are direct, as in a controller.
 
+use std::array;
 use std::hint::black_box;
 use std::rc::Rc;
 
 use homogen::Scalar;
 
 use crate::entries::Entries;
-use crate::truth::Truths;
+use crate::truth::{Truth, Truths};
 
 /// Arguments of a robot with so many coordinates and velocities.
 #[derive(Clone, Copy)]
@@ -59,7 +60,7 @@ impl Case {
         R: Entries,
         F: Fn(&State<T, NQ, NV>) -> R + Copy + 'static,
     {
-        let states: Rc<[State<T, NQ, NV>]> = truths.of(scalar).states().into();
+        let states: Rc<[State<T, NQ, NV>]> = states(truths.of(scalar)).into();
         let same = Rc::clone(&states);
         Self {
             name: name.to_owned(),
@@ -78,4 +79,29 @@ impl Case {
             entries: entries.to_vec(),
         }
     }
+}
+
+/// The states in a type of number.
+///
+/// # Panics
+/// Where the robot has other numbers of coordinates and velocities.
+#[allow(
+    dead_code,
+    reason = "the generated robots need it, where there are any"
+)]
+fn states<T: Scalar, const NQ: usize, const NV: usize>(truth: &Truth) -> Vec<State<T, NQ, NV>> {
+    let lengths = (truth.coordinates, truth.velocities);
+    assert_eq!(lengths, (NQ, NV), "the scene was made for another robot");
+    let state = |numbers: &[f64]| {
+        let (q, rates) = numbers.split_at(NQ);
+        let part = |k: usize| array::from_fn(|i| T::constant(rates[k * NV + i]));
+        State {
+            q: array::from_fn(|i| T::constant(q[i])),
+            qd: part(0),
+            qdd: part(1),
+            tau: part(2),
+        }
+    };
+    let states = truth.arguments().chunks_exact(truth.length());
+    states.map(state).collect()
 }

@@ -8,6 +8,7 @@
 mod case;
 #[path = "../../../../examples/src/entries.rs"]
 mod entries;
+mod library;
 mod peer;
 #[path = "../../../../examples/src/timing.rs"]
 mod timing;

@@ -1,37 +1,26 @@
-//! Functions of others, loaded from shared libraries.
+//! Functions of others, one call a state.
 //!
-//! In: who made it, the type of its numbers, a symbol and a library. That names a C function with
-//! CasADi's calling convention, `int f(const real **arg, real **res, long long *iw, real *w, int mem)`,
-//! which returns numbers in the order in which ours do. Out: a [`Case`] that stands beside ours.
-#![expect(
-    unsafe_code,
-    reason = "code in a shared library can be called in no other way"
-)]
+//! In: who made it, the type of its numbers, a symbol and a library. Out: a [`Case`] that stands beside ours.
 
 use std::cell::RefCell;
 use std::error::Error;
-use std::ffi::{c_int, c_longlong};
-use std::ptr;
+use std::ops::Range;
 use std::rc::Rc;
 
 use homogen::Scalar;
-use libloading::Library;
 
 use crate::case::Case;
 use crate::entries::Entries;
+use crate::library::Foreign;
 use crate::truth::Truths;
 
-type Function<T> =
-    unsafe extern "C" fn(*const *const T, *const *mut T, *mut c_longlong, *mut T, c_int) -> c_int;
-
-/// A library, and what its function is called with.
+/// A function, and what it is called with.
 struct Peer<T> {
-    function: Function<T>,
+    function: Foreign<T>,
     states: Vec<T>,
-    /// Where the parts of a state begin that it takes.
-    arguments: [usize; 3],
+    /// Where the arguments stand in a state.
+    places: [Range<usize>; 3],
     result: RefCell<Vec<T>>,
-    _library: Library,
 }
 
 /// The program that MAKER, TYPE, SYMBOL and LIBRARY tell, for a function of ours.
@@ -49,23 +38,12 @@ fn load_of<T: Scalar + Entries + 'static>(
     function: &str,
     truths: &Truths,
 ) -> Result<Case, Box<dyn Error>> {
-    // SAFETY: the libraries are what `report/peer/setup.sh` compiled: loading them runs at most the
-    // constructor of a robot.
-    let library = unsafe { Library::new(path) }?;
-    // SAFETY: all functions in them have this signature.
-    let call: Function<T> = unsafe { *library.get(symbol.as_bytes())? };
     let truth = truths.of(scalar);
-    let rates = |k: usize| truth.coordinates + k * truth.velocities;
     let peer = Rc::new(Peer {
-        function: call,
+        function: Foreign::load(path, symbol)?,
         states: truth.arguments().iter().map(|x| T::constant(*x)).collect(),
-        arguments: if function.starts_with("forward_dynamics") {
-            [0, rates(0), rates(2)]
-        } else {
-            [0, rates(0), rates(1)]
-        },
+        places: truth.places(function),
         result: RefCell::new(vec![T::constant(0.0); truth.entries()]),
-        _library: library,
     });
     // Pinocchio's users read results where it leaves them: copies of them are not part of its time.
     let copies = maker != "pinocchio";
@@ -93,24 +71,9 @@ fn load_of<T: Scalar + Entries + 'static>(
 
 impl<T> Peer<T> {
     fn call(&self, state: &[T], copies: bool) {
-        let arguments = self.arguments.map(|start| state[start..].as_ptr());
+        let arguments = self.places.each_ref().map(|place| &state[place.clone()]);
         let mut result = self.result.borrow_mut();
-        let results = [if copies {
-            result.as_mut_ptr()
-        } else {
-            ptr::null_mut()
-        }];
-        // SAFETY: the function reads as many numbers of each argument as the robot has coordinates or velocities, and writes
-        // as many as our result has, or none where there is no place for them. It needs no work space:
-        // CasADi's functions of scalars keep all in local variables.
-        unsafe {
-            (self.function)(
-                arguments.as_ptr(),
-                results.as_ptr(),
-                ptr::null_mut(),
-                ptr::null_mut(),
-                0,
-            );
-        }
+        self.function
+            .call(arguments, copies.then(|| result.as_mut_slice()));
     }
 }

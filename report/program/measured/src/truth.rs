@@ -6,12 +6,9 @@
 //! has the same for single precision, where that does not see the same states. Out: states, and the
 //! errors of results.
 
+use std::ops::Range;
 use std::path::Path;
 use std::{fs, io};
-
-use homogen::Scalar;
-
-use crate::case::State;
 
 /// States and exact results of one function, for each type of number.
 pub struct Truths {
@@ -96,27 +93,14 @@ impl Truth {
         self.coordinates + 3 * self.velocities
     }
 
-    /// The states in a type of number.
-    ///
-    /// # Panics
-    /// Where the robot has other numbers of coordinates and velocities.
-    pub fn states<T: Scalar, const NQ: usize, const NV: usize>(&self) -> Vec<State<T, NQ, NV>> {
-        let lengths = (self.coordinates, self.velocities);
-        assert_eq!(lengths, (NQ, NV), "the scene was made for another robot");
-        let state = |numbers: &[f64]| {
-            let (q, rates) = numbers.split_at(NQ);
-            let part = |k: usize| std::array::from_fn(|i| T::constant(rates[k * NV + i]));
-            State {
-                q: std::array::from_fn(|i| T::constant(q[i])),
-                qd: part(0),
-                qdd: part(1),
-                tau: part(2),
-            }
+    /// Where in a state the arguments of a function stand: q, q̇, and q̈ or τ.
+    pub fn places(&self, function: &str) -> [Range<usize>; 3] {
+        let list = |k: usize| {
+            let start = self.coordinates + k * self.velocities;
+            start..start + self.velocities
         };
-        self.arguments
-            .chunks_exact(self.length())
-            .map(state)
-            .collect()
+        let last = usize::from(function.starts_with("forward_dynamics"));
+        [0..self.coordinates, list(0), list(1 + last)]
     }
 
     /// The errors of what is computed state by state; entry k of a result stands for entry

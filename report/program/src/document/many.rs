@@ -1,0 +1,291 @@
+//! The part of the report about many states.
+//!
+//! In: what was measured. Out: ratios in short, and a table for each robot.
+
+use std::fmt::Write;
+
+use homogen_codegen::schedule::Price;
+use homogen_examples::machine;
+
+use super::cells::units;
+use crate::figures::count;
+use crate::many::{ALL, ALONE, FUNCTION, LIMIT, Many, OTHERS, OURS, STATES, Way, name_of};
+use crate::measure::Point;
+use crate::program::Flags;
+use crate::scene::{Scalar, Scene};
+use crate::states;
+
+const SCALARS: [Scalar; 2] = [Scalar::F64, Scalar::F32];
+
+/// How many evaluations a second frax's README tells of a GPU.
+const OF_A_GPU: f64 = 1e8;
+
+/// The text of the part.
+pub fn write(many: &Many<'_>) -> String {
+    let mut text = method(many);
+    text.push_str(&in_short(many));
+    for (scene, price) in many.scenes.iter().zip(&many.prices) {
+        text.push_str(&robot(many, scene, price));
+    }
+    text
+}
+
+fn method(many: &Many<'_>) -> String {
+    let mut text = format!(
+        "## Many states\n\n\
+         Inverse dynamics of many states at once, on {processor}, in the same run: {STATES} states a \
+         thread, {different} random ones again and again, from arrays into arrays. A time is that of all states \
+         by the clock, divided by their number; where all threads work together it is that much \
+         shorter. An error is the worst of all entries.\n\
+         `Batch::of` has the bits of one state at a time, and chooses its vectors when it runs; \
+         `Batch::fused` fuses products with sums. Vectors of the build are those that its flags allow, SSE2 \
+         in a baseline of x86-64.\n\n",
+        processor = machine::processor(),
+        different = states::STATES,
+    );
+    if !many.versions.is_empty() {
+        let _ = writeln!(
+            text,
+            "{}. Pinocchio and CasADi's C, compiled for this processor, and MuJoCo are called for \
+             each state, and write its results. On all threads each has a copy of the library, and \
+             shares of 512 states go to whoever is free, as those of our batches do. CasADi's own \
+             `map` writes C that does the same: a loop over the function, split over threads by \
+             OpenMP, or by threads that each call starts. MuJoCo has the masses that Pinocchio \
+             has; constraints, contacts, passive forces, actuators and sensors are switched off, \
+             and what else `mj_inverse` goes through is part of its time. frax's `rnea` is \
+             compiled by JAX for {STATES} states in a call, and takes the threads that it wants.\n",
+            many.versions.lines().collect::<Vec<_>>().join("; ")
+        );
+    }
+    for missing in &many.missing {
+        let _ = writeln!(text, "Left out: {missing}.\n");
+    }
+    text.push_str(
+        "The limit is what fused products and sums take that do not wait for each other, on the \
+         widest vectors, measured in turns with the rest; a state has its mul and add, sines not \
+         counted.\n\n",
+    );
+    let limit = |scalar, all| {
+        // The same for all robots, but for noise.
+        let scene = many.scenes.first()?;
+        let point = many.find(scene, LIMIT.0, all, scalar, Flags::Native)?;
+        Some(LIMIT.1 / point.time[1])
+    };
+    let of = |scalar: Scalar| {
+        let [one, all] = [false, true].map(|all| limit(scalar, all));
+        Some(format!("{:.0} and {:.0} in {}", one?, all?, scalar.name()))
+    };
+    if let [Some(double), Some(single)] = SCALARS.map(of) {
+        let _ = writeln!(
+            text,
+            "Here that is {double}, {single}: 10⁹ operations a second on one thread and on all.\n"
+        );
+    }
+    text.push_str("![Many states: time per state against worst error](many.svg)\n\n");
+    text
+}
+
+/// Ratios between programs, and rates beside the limit.
+fn in_short(many: &Many<'_>) -> String {
+    let mut text = String::from("| in short |");
+    for scene in &many.scenes {
+        let _ = write!(text, " {} |", scene.title);
+    }
+    let _ = writeln!(text, "\n|---|{}", "---:|".repeat(many.scenes.len()));
+    let mut row = |title: &str, cell: &dyn Fn(&Scene, &Price) -> Option<f64>, digits: usize| {
+        let _ = write!(text, "| {title} |");
+        for (scene, price) in many.scenes.iter().zip(&many.prices) {
+            let _ = match cell(scene, price) {
+                Some(number) => write!(text, " {number:.digits$} |"),
+                None => write!(text, " – |"),
+            };
+        }
+        text.push('\n');
+    };
+    for scalar in SCALARS {
+        let name = scalar.name();
+        let time = |scene: &Scene, way: &str, flags| {
+            let point = many.find(scene, way, false, scalar, flags);
+            point.map(|point| point.time[1])
+        };
+        let avx2 = |scene: &Scene| {
+            let ways = ["avx2", "avx2_fused"].map(|way| time(scene, way, Flags::Native));
+            least(ways.into_iter().flatten())
+        };
+        row(
+            &format!("{name}, batch on AVX2 / one state at a time"),
+            &|scene, _| Some(avx2(scene)? / time(scene, ALONE, Flags::Native)?),
+            2,
+        );
+        row(
+            &format!("{name}, batch on AVX2 / best of others on one thread"),
+            &|scene, _| {
+                let others = OTHERS
+                    .iter()
+                    .filter_map(|way| time(scene, way.name, Flags::Native));
+                Some(avx2(scene)? / least(others)?)
+            },
+            2,
+        );
+        let best = |scene: &Scene, all, flags| fastest(many, scene, all, scalar, flags);
+        row(
+            &format!("{name}, fastest batch, baseline / native"),
+            &|scene, _| {
+                Some(best(scene, false, Flags::Baseline)? / best(scene, false, Flags::Native)?)
+            },
+            2,
+        );
+        for (other, title) in [("pinocchio", "Pinocchio"), ("frax", "frax")] {
+            row(
+                &format!("{name}, {title} / fastest batch, all threads"),
+                &|scene, _| {
+                    let other = many.find(scene, other, true, scalar, Flags::Native)?;
+                    Some(other.time[1] / best(scene, true, Flags::Native)?)
+                },
+                0,
+            );
+        }
+        row(
+            &format!("{name}, fastest batch, one thread, 10⁶ states a second"),
+            &|scene, _| Some(1e3 / best(scene, false, Flags::Native)?),
+            1,
+        );
+        row(
+            &format!("{name}, fastest batch, all threads, 10⁶ states a second and thread"),
+            &|scene, _| Some(1e3 / best(scene, true, Flags::Native)? / threads()),
+            1,
+        );
+        row(
+            &format!("{name}, limit, one thread, 10⁶ states a second"),
+            &|scene, price| Some(1e3 / limit(many, scene, price, false, scalar)?),
+            1,
+        );
+        row(
+            &format!("{name}, threads of this machine for 10⁸ states a second"),
+            &|scene, _| Some(OF_A_GPU * 1e-9 * best(scene, true, Flags::Native)? * threads()),
+            1,
+        );
+    }
+    text.push_str(
+        "\nWhat GPU libraries say of themselves: frax \"upwards of 100 million computations per \
+         second, depending on your batch size\" \
+         ([README of 0.1.0](https://pypi.org/project/frax/0.1.0/)), the 10⁸ of the table; GRiD \"as much as a 7.2x speedup over a state-of-the-art, multi-threaded CPU \
+         implementation\", 2.5 with transfers \
+         ([Plancher et al.](https://a2r-lab.org/publication/grid/)).\n\n",
+    );
+    text
+}
+
+fn robot(many: &Many<'_>, scene: &Scene, price: &Price) -> String {
+    let mut text = format!(
+        "### Many states: {}\n\n\
+         `{}`, {} mul, {} add, {} sin and cos; times in ns a state, rates in 10⁶ states a second.\n\n\
+         | program | build | f64, one thread | of one at a time | rate | all threads | rate a thread | f32, one thread | of one at a time | rate | all threads | rate a thread | error f64 | f32 |\n\
+         |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+        scene.title,
+        FUNCTION.name(),
+        price.mul,
+        price.add,
+        price.sin + price.cos,
+    );
+    for flags in Flags::ALL {
+        for way in &OURS {
+            text.push_str(&row(many, scene, way, flags));
+        }
+    }
+    for way in &OTHERS {
+        text.push_str(&row(many, scene, way, Flags::Native));
+    }
+    let _ = write!(text, "| limit | native |");
+    for scalar in SCALARS {
+        let [one, all] = [false, true].map(|all| limit(many, scene, price, all, scalar));
+        text.push_str(&times(one, None, all));
+    }
+    text.push_str(" – | – |\n\n");
+    text
+}
+
+/// A program in both types; nothing where it did not run.
+fn row(many: &Many<'_>, scene: &Scene, way: &Way, flags: Flags) -> String {
+    let find = |name, all, scalar| many.find(scene, name, all, scalar, flags);
+    let ran = |scalar| {
+        [false, true]
+            .iter()
+            .any(|all| find(way.name, *all, scalar).is_some())
+    };
+    if !SCALARS.into_iter().any(ran) {
+        return String::new();
+    }
+    let mut text = format!("| {} | {} |", way.title, flags.name());
+    for scalar in SCALARS {
+        let time = |name, all| find(name, all, scalar).map(|point| point.time[1]);
+        text.push_str(&times(
+            time(way.name, false),
+            time(ALONE, false),
+            time(way.name, true),
+        ));
+    }
+    for scalar in SCALARS {
+        let point = find(way.name, true, scalar).or(find(way.name, false, scalar));
+        let _ = write!(text, " {} |", units(point));
+    }
+    text.push('\n');
+    text
+}
+
+/// Five cells: on one thread the time, its ratio and the rate, on all the time and the rate of a thread.
+fn times(one: Option<f64>, alone: Option<f64>, all: Option<f64>) -> String {
+    let digits = |time: f64| usize::from(time < 99.95);
+    let time = |time: Option<f64>| time.map(|time| format!("{time:.0$}", digits(time)));
+    let rate = |time: Option<f64>, threads| {
+        let rate = time.map(|time| 1e3 / time / threads);
+        rate.map(|rate| format!("{rate:.0$}", 1 + digits(10.0 * rate)))
+    };
+    let ratio = one
+        .zip(alone)
+        .map(|(one, alone)| format!("{:.2}", one / alone));
+    let cells = [
+        time(one),
+        ratio,
+        rate(one, 1.0),
+        time(all),
+        rate(all, threads()),
+    ];
+    let cells = cells.map(|cell| format!(" {} |", cell.unwrap_or_else(|| "–".to_owned())));
+    cells.concat()
+}
+
+/// The least time of a batch of ours.
+fn fastest(many: &Many<'_>, scene: &Scene, all: bool, scalar: Scalar, flags: Flags) -> Option<f64> {
+    let is_batch = |point: &&Point| {
+        let ours = OURS.iter().any(|way| way.name == name_of(point));
+        ours && name_of(point) != ALONE
+    };
+    let points = many.points.iter().filter(is_batch).filter(|point| {
+        point.scene == scene.name
+            && point.key.variant.ends_with(ALL) == all
+            && point.key.scalar == scalar
+            && point.key.flags == flags
+    });
+    least(points.map(|point| point.time[1]))
+}
+
+/// What a state takes at least \[ns\].
+pub fn limit(
+    many: &Many<'_>,
+    scene: &Scene,
+    price: &Price,
+    all: bool,
+    scalar: Scalar,
+) -> Option<f64> {
+    let point = many.find(scene, LIMIT.0, all, scalar, Flags::Native)?;
+    Some(point.time[1] * count(price.mul + price.add) / LIMIT.1)
+}
+
+fn least(times: impl Iterator<Item = f64>) -> Option<f64> {
+    times.min_by(f64::total_cmp)
+}
+
+fn threads() -> f64 {
+    std::thread::available_parallelism().map_or(1.0, |threads| count(threads.get()))
+}

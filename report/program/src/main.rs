@@ -29,6 +29,7 @@ use std::{env, fs};
 
 use clap::Parser;
 use document::Measured;
+use homogen_codegen::space::Space;
 use measure::{Effort, Run};
 use peers::{MAKERS, MAKERS_OF_MANY, Peers};
 use program::Flags;
@@ -98,7 +99,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     } else {
         GROWTH
     };
-    let of_many = of_many(&robots, &beside, options.smoke);
+    let (of_many, too_large) = of_many(&robots, &beside, options.smoke);
     let functions: usize = scenes().map(|scene| scene.functions.len()).sum();
     let chains = joints.len() * growth::FUNCTIONS.len();
     let mut progress = Progress::new(functions + chains + of_many.len());
@@ -135,7 +136,10 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     let runs: Vec<Run<'_>> = (of_many.into_iter())
         .map(|scene| run(scene, &MAKERS_OF_MANY))
         .collect();
-    let many = many::measure(&executables, &runs, effort, prices_of_many, &mut progress)?;
+    let mut many = many::measure(&executables, &runs, effort, prices_of_many, &mut progress)?;
+    let reason =
+        |scene: &Scene| format!("{}, of which batches take minutes to compile", scene.title);
+    many.missing.extend(too_large.into_iter().map(reason));
 
     let folder = options.output.unwrap_or_else(|| {
         if options.smoke {
@@ -162,12 +166,22 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder)
 }
 
-/// The robots of which many states are computed: those that stand beside others, or else those that ship, but for
-/// the smallest.
-fn of_many<'a>(robots: &'a [Scene], beside: &'a [Scene], smoke: bool) -> Vec<&'a Scene> {
-    match (beside, smoke) {
-        ([], true) => robots.iter().collect(),
-        ([], false) => robots.iter().skip(1).collect(),
-        (beside, _) => beside.iter().collect(),
-    }
+/// The most velocities of a robot of which many states are computed here: batches of a humanoid, for each kind of
+/// vectors and type of number, take the compiler a quarter of an hour.
+const MOST_VELOCITIES: usize = 24;
+
+/// The robots of which many states are computed, which stand beside others, or else those that ship, but for the
+/// smallest; and those that are too large for it.
+fn of_many<'a>(
+    robots: &'a [Scene],
+    beside: &'a [Scene],
+    smoke: bool,
+) -> (Vec<&'a Scene>, Vec<&'a Scene>) {
+    let scenes = match (beside, smoke) {
+        ([], true) => &robots[..1],
+        ([], false) => &robots[1..],
+        (beside, _) => beside,
+    };
+    let is_small = |scene: &&Scene| scene.spaces.len(Space::Velocities) <= MOST_VELOCITIES;
+    scenes.iter().partition(is_small)
 }

@@ -4,6 +4,7 @@
 //! `--release`, since cargo builds procedural macros without optimisation:
 //! `cargo run -p homogen-examples --bin expansion`.
 
+use std::error::Error;
 use std::time::{Duration, Instant};
 
 use homogen_codegen::door::derive;
@@ -22,7 +23,7 @@ const ROBOTS: [(&str, &str); 9] = [
     ("quadruped", "fl_foot"),
 ];
 
-fn main() -> Result<(), proc_macro2::LexError> {
+fn main() -> Result<(), Box<dyn Error>> {
     println!("  robot                  ms  characters");
     for (robot, tip) in ROBOTS {
         let (time, text) = expand(robot, tip)?;
@@ -34,7 +35,10 @@ fn main() -> Result<(), proc_macro2::LexError> {
 }
 
 /// The best of three runs, and what came out.
-fn expand(robot: &str, tip: &str) -> Result<(Duration, String), proc_macro2::LexError> {
+///
+/// # Errors
+/// Where that is no code but what is wrong, as where files are looked for beside another manifest than cargo names.
+fn expand(robot: &str, tip: &str) -> Result<(Duration, String), Box<dyn Error>> {
     let item =
         format!("#[robot(urdf = \"../robots/{robot}.urdf\", tip = \"{tip}\")] struct Robot;");
     let tokens: TokenStream = item.parse()?;
@@ -46,5 +50,9 @@ fn expand(robot: &str, tip: &str) -> Result<(Duration, String), proc_macro2::Lex
     let runs = [once(), once(), once()];
     let best = runs.iter().map(|(time, _)| *time).min().unwrap_or_default();
     let [(_, code), ..] = runs;
-    Ok((best, code.to_string()))
+    let code = code.to_string();
+    if code.contains("compile_error") {
+        return Err(format!("{robot} was refused; is this run by cargo?").into());
+    }
+    Ok((best, code))
 }

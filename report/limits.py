@@ -23,18 +23,18 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-FUNCTIONS = {
-    "forward_kinematics": ["q"],
-    "geometric_jacobian": ["q"],
-    "gravity": ["q"],
-    "inverse_dynamics": ["q", "qd", "qdd"],
-    "mass_matrix": ["q"],
-    "mass_matrix_inverse": ["q"],
-    "forward_dynamics": ["q", "qd", "tau"],
-    "inverse_dynamics_derivatives": ["q", "qd", "qdd"],
-    "forward_dynamics_derivatives": ["q", "qd", "tau"],
-    "coriolis_matrix": ["q", "qd"],
-}
+FUNCTIONS = [
+    "forward_kinematics",
+    "geometric_jacobian",
+    "gravity",
+    "inverse_dynamics",
+    "mass_matrix",
+    "mass_matrix_inverse",
+    "forward_dynamics",
+    "inverse_dynamics_derivatives",
+    "forward_dynamics_derivatives",
+    "coriolis_matrix",
+]
 CALLS = 100
 
 
@@ -69,13 +69,6 @@ def compiled(folder, robot):
         homogen = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/homogen"
     generate = [homogen, "generate", *robot, "--runtime", "::homogen", "--scalar", "f64", "--name", "Robot"]
     code = said(*generate, "--functions", ",".join(FUNCTIONS))
-    for function, arguments in FUNCTIONS.items():
-        # Arguments are of the lengths that the method has.
-        parameters = re.search(rf"pub fn {function}\(\s*&self,([^)]*)\)", code).group(1)
-        code += (
-            f"\n#[unsafe(no_mangle)]\npub fn limits_{function}({parameters}) -> impl Sized {{\n"
-            f"    Robot.{function}({', '.join(arguments)})\n}}\n"
-        )
     manifest = (
         '[package]\nname = "limits"\nversion = "0.1.0"\nedition = "2024"\n\n[workspace]\n\n'
         f'[dependencies]\nhomogen = {{ path = "{ROOT / "runtime"}", default-features = false, features = ["std"] }}\n\n'
@@ -124,13 +117,13 @@ def modelled(body, calls):
 
 
 def processor():
-    """Which one, and as which the model takes it."""
+    """What it calls itself."""
     words = pathlib.Path("/proc/cpuinfo").read_text()
     return re.search(r"model name\s*: (.*)", words).group(1)
 
 
 def version():
-    """Of the model, and of which core it is."""
+    """Of the model, and which core it has."""
     text = said("llvm-mca", "--version")
     release = re.search(r"LLVM version \S+", text).group(0)
     return f"{release}, which takes the core for {re.search(r'Host CPU: (.*)', text).group(1)}"

@@ -15,6 +15,8 @@ use crate::space::VelocityId;
 const SOLVED: f64 = 1e3;
 const HARDLY_SOLVED: f64 = 1e6;
 
+const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
 /// The first joint that needs another torque for these accelerations than the one given.
 pub(super) fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
     let qdd = found.iter().copied().map(Approximate::as_found);
@@ -44,7 +46,8 @@ pub(super) fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<
 /// accelerations that ∂q̈/∂τ makes of τ; or of M ∂q̈/∂τ that is not of the identity.
 ///
 /// They are M⁻¹ times what torques change by, in a program as well: where large terms of that product cancel,
-/// M takes back of each of them what it takes back of M⁻¹, and no more.
+/// M takes back of each of them what it takes back of M⁻¹, and no more. A change that is nothing is nothing to a
+/// program but for its literals: next to the largest change of that torque.
 pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
     let size = found.len() / 3;
     let (by_motion, inverse) = found.split_at(2 * size);
@@ -69,6 +72,13 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
     parts.find_map(|(of, (needed, part))| {
         let sizes = needed.places().map(|place| needed[place].size());
         let largest = sizes.fold(0.0, f64::max);
+        let largest_of = |row: VelocityId| {
+            let sizes = needed.row(row).map(|change| change.size());
+            sizes.fold(0.0, f64::max)
+        };
+        let rounded: List<VelocityId, f64> = (needed.ids())
+            .map(|row| SOLVED * ROUNDOFF * largest_of(row))
+            .collect();
         let products = products(dense, &Square::of_rows(part));
         let mut places = products.places().enumerate();
         places.find_map(|(entry, (row, column))| {
@@ -76,7 +86,8 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
             let terms = put_back.ids();
             let taken = terms.map(|k| put_back[(row, k)].most * needed[(k, column)].size());
             let needed = -needed[(row, column)];
-            let most = most + taken.sum::<f64>() + SOLVED * needed.error + needed.noise();
+            let given = SOLVED * needed.error + needed.noise();
+            let most = most + taken.sum::<f64>() + rounded[row] + given;
             // Nothing, of what may be infinitely wrong.
             let most = if most.is_nan() {
                 UNBOUNDED * largest
@@ -124,7 +135,6 @@ fn most_unsolved(
     found: Approximate,
     solution: &List<VelocityId, Approximate>,
 ) -> f64 {
-    const ROUNDOFF: f64 = f64::EPSILON / 2.0;
     let matrix = dense.mass_matrix();
     let diagonal = |k: VelocityId| matrix[(k, k)].size();
     let mut most = SOLVED * found.error + found.noise();

@@ -323,3 +323,26 @@ fn derivatives_whose_terms_cancel_are_put_back_term_by_term() {
         panic!("{errors}");
     }
 }
+
+/// A load that slides along the axis of a joint that turns it: nothing changes by that, and a program, whose numbers
+/// are rounded, finds nearly nothing.
+#[test]
+fn derivatives_that_are_nothing_are_nothing_but_for_rounding() {
+    let text = r#"<robot name="column"><link name="base"/><link name="column"/><link name="slide"><inertial>
+        <mass value="0.9"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial></link>
+        <link name="load"><inertial><mass value="2"/>
+        <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial></link>
+        <joint name="turn" type="continuous"><parent link="base"/><child link="column"/><axis xyz="0 0 -1"/></joint>
+        <joint name="lift" type="prismatic"><parent link="column"/><child link="slide"/>
+        <axis xyz="-0.03373079732639429 -0.9799569155749697 -0.1963330765014325"/></joint>
+        <joint name="stage" type="translation"><parent link="slide"/><child link="load"/></joint></robot>"#;
+    let mut errors = Errors::new();
+    let description = read_text(text, "column.urdf", None, &mut errors).expect("a robot");
+    let request = Request {
+        functions: vec![vec![Function::ForwardDynamicsDerivatives]],
+        ..Request::default()
+    };
+    if let Err(errors) = expand(&description, &request) {
+        panic!("{errors}");
+    }
+}

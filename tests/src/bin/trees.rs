@@ -1,18 +1,19 @@
 //! Tens of thousands of random trees.
 //!
-//! `cargo run --release -p homogen-tests --bin trees -- --long [--seed N] [--robots N]`, or `-- --robot N` for the one
-//! whose seed a failure names
+//! `cargo run --release -p homogen-tests --bin trees -- --long [--seed N] [--robots N] [--plain]`, or `-- --robot N`
+//! for the one whose seed a failure names
 //!
-//! In: a seed; without `--long` a few hundred robots. Out: the worst error of each function, every
-//! failure in the smallest robot that shows it, and a status that says whether there was one.
+//! In: a seed; without `--long` a few hundred robots; with `--plain` those without residues alone. Out: the worst
+//! error of each function, every failure in the smallest robot that shows it, and a status that says whether there
+//! was one.
 
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 
 use homogen_tests::trees::cases::Effort;
-use homogen_tests::trees::features::FEATURES;
+use homogen_tests::trees::features::{FEATURES, is_plain};
 use homogen_tests::trees::prepared::TOLERANCE;
-use homogen_tests::trees::{numbered, try_seed};
+use homogen_tests::trees::{numbered, of_seed, try_seed};
 
 fn main() -> ExitCode {
     match Wanted::read(std::env::args().skip(1)) {
@@ -27,6 +28,8 @@ fn main() -> ExitCode {
 struct Wanted {
     seed: u64,
     robots: u64,
+    /// Whether residues are left out.
+    plain: bool,
     /// The seed of a robot that is to be examined alone.
     robot: Option<u64>,
 }
@@ -34,8 +37,10 @@ struct Wanted {
 impl Wanted {
     /// The seeds of the robots.
     fn seeds(&self) -> impl Iterator<Item = u64> {
-        let run = (0..self.robots).map(|index| numbered(self.seed, index));
-        let run = run.filter(|_| self.robot.is_none());
+        let run = (0..).map(|index| numbered(self.seed, index));
+        let run = run.filter(|seed| !self.plain || is_plain(&of_seed(*seed)));
+        let robots = if self.robot.is_some() { 0 } else { self.robots };
+        let run = (0..robots).zip(run).map(|(_, seed)| seed);
         self.robot.into_iter().chain(run)
     }
 }
@@ -45,6 +50,7 @@ impl Wanted {
         let mut wanted = Self {
             seed: 1,
             robots: 300,
+            plain: false,
             robot: None,
         };
         let mut given = None;
@@ -55,6 +61,7 @@ impl Wanted {
             };
             match word.as_str() {
                 "--long" => wanted.robots = 20_000,
+                "--plain" => wanted.plain = true,
                 "--seed" => wanted.seed = number()?,
                 "--robot" => wanted.robot = Some(number()?),
                 "--robots" => given = Some(number()?),

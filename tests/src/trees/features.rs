@@ -258,8 +258,14 @@ pub const FEATURES: [Feature; 76] = [
     ("masses of 1e3", |robot| {
         weighs(robot, |inertial| inertial.mass.value() > 50.0)
     }),
-    ("no residue at all", |robot| robot.bodies.iter().all(plain)),
+    ("no residue at all", is_plain),
 ];
+
+/// Whether a robot has no residue at all.
+#[must_use]
+pub fn is_plain(robot: &Robot) -> bool {
+    robot.bodies.iter().all(plain)
+}
 
 fn any(robot: &Robot, has: impl Fn(&Body) -> bool) -> bool {
     robot.bodies.iter().any(has)

@@ -40,7 +40,7 @@ use crate::chain::BodyId;
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::list::{self, List, Square};
-use crate::matrix::{Action, Screw, Vector};
+use crate::matrix::{Action, Inertia, Screw, Vector};
 use crate::space::{FrameId, ParameterId, Variable, VelocityId};
 
 /// What a function is built from: bodies with their frames, a state, and the way.
@@ -88,14 +88,13 @@ impl<'s, 'g> Scene<'s, 'g> {
         carry::joints(self.bodies, &self.state, self.way)
     }
 
-    /// The same, but seen from the body at the root where that is one and carries all mass: for what is the same
-    /// wherever the origin of frame 0 is. So nothing is lost of a robot that is far from there, and its way there is
-    /// not computed.
-    pub(crate) fn joints_seen_from_root(&self) -> carry::Joints<'g> {
-        if self.way.frame == Frame::Link && self.bodies.base.mass.is_zero() {
-            carry::from_root(self.link_joints())
-        } else {
-            self.joints()
+    /// The same with what is left to the base, but seen from the root: for what is the same wherever the origin of
+    /// frame 0 is. So nothing is lost of a robot that is far from there, and its way there is not computed.
+    pub(crate) fn seen_from_root(&self) -> (carry::Joints<'g>, Inertia<Term<'g>>) {
+        let base = self.bodies.base;
+        match self.way.frame {
+            Frame::Link => carry::from_root(self.link_joints(), base),
+            Frame::Base => (self.joints(), base),
         }
     }
 

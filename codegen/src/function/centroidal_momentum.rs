@@ -35,8 +35,8 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let joints = scene.joints_seen_from_root();
-    let center = MassCenter::of(&joints, &scene.bodies.base).point();
+    let (joints, base) = scene.seen_from_root();
+    let center = MassCenter::of(&joints, &base).point();
     let all = momentum::momentum(&joints, &scene.state);
     all.about(center).entries().to_vec()
 }

@@ -34,8 +34,8 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let joints = scene.joints_seen_from_root();
-    let center = MassCenter::of(&joints, &scene.bodies.base).point();
+    let (joints, base) = scene.seen_from_root();
+    let center = MassCenter::of(&joints, &base).point();
     let columns = momentum::columns(&joints, center);
     scene.gathered(&columns.map(|column| column.entries()))
 }

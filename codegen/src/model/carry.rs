@@ -295,16 +295,33 @@ pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Joints<'g
         .collect()
 }
 
-/// The same joints, seen from the body at the root where that is one.
-pub fn from_root(mut joints: Joints<'_>) -> Joints<'_> {
-    let mut roots = joints.iter_mut().filter(|joint| joint.parent.is_none());
-    if let (Some(root), None) = (roots.next(), roots.next()) {
-        root.stay();
-        for joint in &mut joints {
-            joint.from_root = true;
-        }
+/// The same joints and base, with the origin of frame 0 moved: to the body at the root where that is one and carries
+/// all mass, or else to where the first root is placed.
+pub fn from_root<'g>(
+    mut joints: Joints<'g>,
+    base: Inertia<Term<'g>>,
+) -> (Joints<'g>, Inertia<Term<'g>>) {
+    for joint in &mut joints {
+        joint.from_root = true;
     }
-    joints
+    let mut roots: Vec<&mut Joint<'g>> = joints
+        .iter_mut()
+        .filter(|joint| joint.parent.is_none())
+        .collect();
+    match roots.as_mut_slice() {
+        [root] if base.mass.is_zero() => {
+            root.stay();
+            (joints, base)
+        }
+        [first, ..] => {
+            let origin = first.placement.translation;
+            for root in roots {
+                root.placement.translation = root.placement.translation - origin;
+            }
+            (joints, base.translate(-origin))
+        }
+        [] => (joints, base),
+    }
 }
 
 /// The way from the base to a frame.
@@ -323,6 +340,30 @@ impl<'g> Path<'g> {
     /// The joints from the base outwards, each with M₀ of its body.
     pub fn outwards(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
         placed(&self.joints)
+    }
+
+    /// The joints from the base outwards, each with M₀ of its body but seen from the origin of the frame at the end.
+    ///
+    /// What lies between them is summed, and not two ways from the base subtracted: that would lose what is short
+    /// beside these.
+    pub fn outwards_from_end(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
+        let mut placed = self.outwards();
+        let graph = self.end.translation.x().graph();
+        let mut between = match placed.last() {
+            Some((_, last)) => last.rotation * self.end.translation,
+            None => self.end.translation,
+        };
+        for k in (0..placed.len()).rev() {
+            let outer = match k {
+                0 => Rotation::identity(graph),
+                _ => placed[k - 1].1.rotation,
+            };
+            let (joint, pose) = &mut placed[k];
+            pose.translation = -between;
+            let step = (joint.placement * joint.displacement()).translation;
+            between = between + outer * step;
+        }
+        placed
     }
 
     /// The joints from the frame inwards, each with M of its body seen from the frame.

@@ -4,7 +4,7 @@ use super::carry::Path;
 use crate::chain::BodyId;
 use crate::expression::Term;
 use crate::list::List;
-use crate::matrix::{Pose, Screw, Vector};
+use crate::matrix::{Screw, Vector};
 
 /// Columns in frame 0, pole at its origin.
 pub fn spatial<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
@@ -17,16 +17,11 @@ pub fn spatial<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
 
 /// Columns in the axes of frame 0, pole at the origin of the frame at the end.
 pub fn geometric<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
-    let steps = path.outwards();
-    let tip = path.pose().translation;
-    let seen = steps.into_iter().map(|(joint, pose)| {
-        let from_tip = Pose {
-            translation: pose.translation - tip,
-            ..pose
-        };
-        (joint.body, joint.screw.change_frame(from_tip))
-    });
-    columns(path, seen)
+    let seen = path.outwards_from_end().into_iter();
+    columns(
+        path,
+        seen.map(|(joint, from_tip)| (joint.body, joint.screw.change_frame(from_tip))),
+    )
 }
 
 /// Columns in the frame at the end, pole at its origin.

@@ -19,7 +19,7 @@ pub fn spatial<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Ter
     let mut w = Velocity::zero(state.graph);
     let mut found = Vec::new();
     for together in path.outwards().chunk_by(|_, (next, _)| next.taken) {
-        let screws = seen(together, |pose| pose);
+        let screws = seen(together);
         let outer = w;
         w = w + own(&screws, state);
         let w = if screws.len() == 1 { outer } else { w };
@@ -71,15 +71,10 @@ fn geometric_in_links<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Sc
 
 /// Where all matrices are in frame 0, about the tip.
 fn geometric_in_frame_0<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
-    let tip = path.pose().translation;
     let mut omega = Vector::zero(state.graph);
     let mut outwards = Vec::new();
-    for together in path.outwards().chunk_by(|_, (next, _)| next.taken) {
-        let from_tip = |pose: Pose<Term<'g>>| Pose {
-            translation: pose.translation - tip,
-            ..pose
-        };
-        let screws = seen(together, from_tip);
+    for together in path.outwards_from_end().chunk_by(|_, (next, _)| next.taken) {
+        let screws = seen(together);
         let outer = omega;
         omega = omega + own(&screws, state).omega;
         let omega = if screws.len() == 1 { outer } else { omega };
@@ -117,13 +112,10 @@ pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'
 }
 
 /// The screws of some bodies, each with its index, seen from where their poses are given.
-fn seen<'g>(
-    bodies: &[(Joint<'g>, Pose<Term<'g>>)],
-    from: impl Fn(Pose<Term<'g>>) -> Pose<Term<'g>>,
-) -> Vec<(BodyId, Screw<Term<'g>>)> {
+fn seen<'g>(bodies: &[(Joint<'g>, Pose<Term<'g>>)]) -> Vec<(BodyId, Screw<Term<'g>>)> {
     let bodies = bodies.iter();
     bodies
-        .map(|(joint, pose)| (joint.body, joint.screw.change_frame(from(*pose))))
+        .map(|(joint, pose)| (joint.body, joint.screw.change_frame(*pose)))
         .collect()
 }
 

@@ -200,9 +200,9 @@ const MUTATIONS: [Mutation; 40] = [
     },
     Mutation {
         name: "jacobian: the pole on the other side",
-        file: "codegen/src/model/jacobian.rs",
-        from: "translation: pose.translation - tip",
-        to: "translation: pose.translation + tip",
+        file: "codegen/src/model/carry.rs",
+        from: "pose.translation = -between;",
+        to: "pose.translation = between;",
         noticed_by: engine(CHECKED),
     },
     Mutation {

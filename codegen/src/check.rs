@@ -90,7 +90,7 @@ impl Check {
         scalar: Real,
     ) -> Result<(), Errors> {
         let mut errors = self.source.errors();
-        if let Some(refusal) = literals(program, scalar) {
+        if let Some(refusal) = unprintable(literals(program), scalar) {
             errors.push_with_hint(self.place, refusal.message, refusal.hint);
             return Err(errors);
         }
@@ -149,7 +149,7 @@ impl Check {
     pub fn judge_data(&self, data: &ChainData) -> Result<(), Errors> {
         let mut errors = self.source.errors();
         for program in [&data.program, &data.loops.program] {
-            if let Some(refusal) = literals(program, Real::F64) {
+            if let Some(refusal) = unprintable(literals(program), Real::F64) {
                 errors.push_with_hint(self.place, refusal.message, refusal.hint);
                 return Err(errors);
             }
@@ -184,12 +184,19 @@ impl Check {
     }
 
     /// Holds the values of base parameters against the description: with the base regressor they make its
-    /// torques.
+    /// torques. With fields they are of the description, and not of a state.
     ///
     /// # Errors
-    /// Where they make others.
-    pub fn judge_base_parameters(&self, values: &[f64]) -> Result<(), Errors> {
+    /// Where they make others, or where one is not a number in the type that it is printed for.
+    pub fn judge_base_parameters(&self, values: &[f64], request: &Request) -> Result<(), Errors> {
         let mut errors = self.source.errors();
+        if let Some(refusal) = unprintable(values.iter().copied(), request.scalar) {
+            errors.push_with_hint(self.place, refusal.message, refusal.hint);
+            return Err(errors);
+        }
+        if !request.parameters.is_empty() {
+            return Ok(());
+        }
         for dense in &self.states {
             let torques = dense.torques(Motion::Driven);
             let rows = dense.base_regressor();
@@ -252,12 +259,16 @@ struct Refusal {
     hint: &'static str,
 }
 
-/// The first literal that is not a number in the type that it is printed for.
-fn literals(program: &Program, scalar: Real) -> Option<Refusal> {
-    let numbers = program.operands().filter_map(|operand| match operand {
+/// The numbers that stand in a program.
+fn literals(program: &Program) -> impl Iterator<Item = f64> {
+    program.operands().filter_map(|operand| match operand {
         Operand::Literal(number) => Some(number),
         _ => None,
-    });
+    })
+}
+
+/// The first number that is not one in the type that it is printed for.
+fn unprintable(numbers: impl Iterator<Item = f64>, scalar: Real) -> Option<Refusal> {
     for number in numbers {
         if !number.is_finite() {
             return Some(Refusal {

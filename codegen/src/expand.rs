@@ -77,10 +77,8 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     let base = &chain.base_parameters;
     let base_values: Vec<f64> = base.groups.iter().map(|group| group.value).collect();
     let asked = |listed: &Listed| listed.functions.contains(&Function::BaseRegressor);
-    // With fields they are of the description, and not of a state.
     if functions.iter().any(asked)
-        && request.parameters.is_empty()
-        && let Err(refusal) = check.judge_base_parameters(&base_values)
+        && let Err(refusal) = check.judge_base_parameters(&base_values, request)
     {
         errors.append(refusal);
     }

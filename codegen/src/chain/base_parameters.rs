@@ -12,8 +12,6 @@
 mod columns;
 mod span;
 
-use std::collections::BTreeMap;
-
 use super::Chain;
 use crate::list::List;
 use crate::random::Random;
@@ -53,8 +51,8 @@ impl Group {
     }
 }
 
-/// So much of each parameter, where there is any of it.
-type Form = BTreeMap<ParameterId, f64>;
+/// So much of each parameter, where there is any of it, in the order of the parameters.
+type Form = Vec<(ParameterId, f64)>;
 
 /// Of chains of more joints no function is generated, and nothing is looked for.
 const MOST: usize = 1000;
@@ -66,7 +64,7 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
     }
     let columns = Columns::of(chain);
     let described = columns.described();
-    let unit = |parameter: ParameterId| Form::from([(parameter, 1.0)]);
+    let unit = |parameter: ParameterId| vec![(parameter, 1.0)];
     // What torques see in the place of each parameter: it, and what outboard links hand on.
     let mut seen: List<ParameterId, Form> = described.ids().map(unit).collect();
     if chain.all_lead() {
@@ -136,14 +134,23 @@ fn hand_on<'c>(own: &'c [Column], span: &mut Span<'c>, seen: &mut List<Parameter
     }
 }
 
+/// Adds so much of another form: forms of long chains are long, and are gone through once.
 fn add(sum: &mut Form, other: &Form, factor: f64) {
-    for (&parameter, other) in other {
-        *sum.entry(parameter).or_default() += factor * other;
+    let mut others = other.iter().map(|&(k, x)| (k, factor * x)).peekable();
+    let mut all = Form::with_capacity(sum.len() + other.len());
+    for &(parameter, x) in sum.iter() {
+        all.extend(std::iter::from_fn(|| {
+            others.next_if(|&(k, _)| k < parameter)
+        }));
+        let same = others.next_if(|&(k, _)| k == parameter);
+        all.push((parameter, same.map_or(x, |(_, y)| x + y)));
     }
+    all.extend(others);
+    *sum = all;
 }
 
 fn group(leader: ParameterId, form: &Form, described: &List<ParameterId, f64>) -> Group {
-    let others = form.iter().map(|(&parameter, &factor)| (parameter, factor));
+    let others = form.iter().copied();
     let others = others.filter(|&(parameter, factor)| parameter != leader && factor != 0.0);
     let members: Vec<(ParameterId, f64)> = [(leader, 1.0)].into_iter().chain(others).collect();
     let value = members.iter().map(|&(k, factor)| factor * described[k]);

@@ -285,9 +285,12 @@ fn a_number_that_f32_has_no_room_for_is_refused() {
         <axis xyz="0 0 1"/></joint></robot>"#;
     let mut errors = Errors::new();
     let description = read_text(text, "arm.urdf", None, &mut errors).expect("a robot");
-    for (scalar, refused) in [(crate::Real::F32, true), (crate::Real::F64, false)] {
+    // Of the one it stands in the code, of the other beside it.
+    let functions = [Function::MassMatrix, Function::BaseRegressor];
+    let types = [(crate::Real::F32, true), (crate::Real::F64, false)];
+    for (function, (scalar, refused)) in functions.iter().flat_map(|f| types.map(|t| (*f, t))) {
         let request = Request {
-            functions: vec![vec![Function::MassMatrix]],
+            functions: vec![vec![function]],
             scalar,
             ..Request::default()
         };

@@ -11,19 +11,17 @@ is not part of the time.
 
 import os
 import sys
-import tempfile
 import time
-import xml.etree.ElementTree as xml
 from pathlib import Path
 
 robot, truth, batches, count, scalar = sys.argv[1:]
 robot, truth, batches, count = Path(robot), Path(truth), int(batches), int(count)
 os.environ["JAX_PLATFORMS"] = "cpu"  # read by what is imported next
 
+import in_frax
 import jax
 import jax.numpy as jnp
 import numpy as np
-from frax import Robot
 
 jax.config.update("jax_enable_x64", scalar == "f64")
 # Rounds of a report start it anew, and compiling takes longer than running.
@@ -31,21 +29,6 @@ jax.config.update("jax_compilation_cache_dir", str(robot / "jax"))
 jax.config.update("jax_persistent_cache_min_compile_time_secs", 0)
 
 FREE = "root"
-GRAVITY = [0.0, 0.0, 9.81, 0.0, 0.0, 0.0]
-
-
-def description(moving):
-    """The robot's file as frax wants it: what does not move is fixed, and nothing is to be seen or touched."""
-    tree = xml.parse(robot / "robot.urdf")
-    for joint in tree.getroot().findall("joint"):
-        if joint.get("name") not in moving:
-            joint.set("type", "fixed")
-            for part in joint.findall("mimic"):
-                joint.remove(part)
-    for link in tree.getroot().findall("link"):
-        for part in [*link.findall("visual"), *link.findall("collision")]:
-            link.remove(part)
-    return tree
 
 
 def rotation(quaternion):
@@ -62,11 +45,7 @@ def rotation(quaternion):
 moving = (robot / "model.joints").read_text().split()
 free = moving[0] == FREE
 moving = [name for name in moving if name != FREE]
-with tempfile.NamedTemporaryFile(suffix=".urdf") as file:
-    description(moving).write(file)
-    file.flush()
-    base = "quaternion" if free else None
-    model = Robot(file.name, joint_ordering=moving, floating_base=base)
+model = in_frax.robot(robot / "robot.urdf", moving, free)
 
 of_type = truth / "f32" if scalar == "f32" and (truth / "f32").exists() else truth
 coordinates, velocities = map(int, (of_type / "lengths").read_text().split())
@@ -82,7 +61,7 @@ if free:
 
 
 def inverse_dynamics(q, qd, qdd):
-    return model.rnea(q, qd, qdd, jnp.array(GRAVITY), None)
+    return model.rnea(q, qd, qdd, jnp.array(in_frax.GRAVITY), None)
 
 
 many = jax.jit(jax.vmap(inverse_dynamics))

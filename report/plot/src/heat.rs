@@ -24,7 +24,9 @@ pub struct Map {
     pub scale: [f64; 2],
 }
 
+/// The least width of the labels of rows, and that of a letter.
 const LABELS: f64 = 190.0;
+const LETTER: f64 = 6.8;
 const CELL: f64 = 24.0;
 const TOP: f64 = 96.0;
 
@@ -33,10 +35,12 @@ const TOP: f64 = 96.0;
 pub fn draw(map: &Map) -> String {
     let mut svg = String::new();
     let count = |length: usize| f64::from(u32::try_from(length).unwrap_or(u32::MAX));
-    let width = (WIDTH - LABELS - 24.0) / count(map.columns.len()).max(1.0);
+    let letters = map.rows.iter().map(|(label, _)| label.chars().count());
+    let labels = LABELS.max(32.0 + LETTER * count(letters.max().unwrap_or(0)));
+    let width = (WIDTH - labels - 24.0) / count(map.columns.len()).max(1.0);
     let small = "font-size=\"12\"";
     text(&mut svg, [24.0, 52.0], "start", small, &map.unit);
-    let mut x = LABELS;
+    let mut x = labels;
     for label in &map.columns {
         // Words of a label stand one below the other, the last one at the map.
         let words: Vec<&str> = label.split(' ').collect();
@@ -48,8 +52,8 @@ pub fn draw(map: &Map) -> String {
     }
     let mut y = TOP;
     for (label, numbers) in &map.rows {
-        text(&mut svg, [LABELS - 8.0, y + 16.5], "end", small, label);
-        let mut x = LABELS;
+        text(&mut svg, [labels - 8.0, y + 16.5], "end", small, label);
+        let mut x = labels;
         for number in numbers {
             cell(&mut svg, [x, y, width], *number, map.scale);
             x += width;

@@ -16,6 +16,7 @@ use homogen_plot::heat::Map;
 use cells::{fastest, find, in_units, price, spread, time, units};
 
 use crate::growth::{self, Grown};
+use crate::hard::functions::TYPES;
 use crate::many::Many;
 use crate::measure::{Effort, Point};
 use crate::peers::MAKERS;
@@ -46,6 +47,8 @@ pub struct Measured<'a> {
     pub grown: &'a [Grown],
     /// Hard cases by formulation.
     pub hard: &'a Map,
+    /// Worst errors of every function of hard robots, one map a type of [`TYPES`].
+    pub every: &'a [Map; 2],
 }
 
 /// The text of the report.
@@ -58,7 +61,7 @@ pub fn write(measured: &Measured<'_>) -> String {
         text.push_str(&peers(measured));
     }
     text.push_str(&many::write(measured.many));
-    text.push_str(&hard(measured.hard));
+    text.push_str(&hard(measured));
     text.push_str(&models(measured));
     text.push_str(&grown(measured.grown));
     text
@@ -258,20 +261,37 @@ fn row_of_peers(
     )
 }
 
-fn hard(hard: &Map) -> String {
+fn hard(measured: &Measured<'_>) -> String {
     let mut text = String::from(
         "## Hard cases\n\n\
          Worst error over 200 states, in units of rounding of the type, of programs that are run \
          as they stand; a dash where a formulation makes no difference or is refused. Errors of \
          forward dynamics are in relation to the largest acceleration. The tests hold these \
          robots, and more states of them, to limits against 256 bits.\n\n\
-         ![Hard cases by formulation](hard.svg)\n\n| case |",
+         ![Hard cases by formulation](hard.svg)\n\n",
     );
-    for column in &hard.columns {
+    table(&mut text, "case", measured.hard);
+    text.push_str(
+        "Every function, as the engine chooses it, over 40 states of each robot. What solves with \
+         the mass matrix is in relation to the largest entry, all else entry by entry to the sum \
+         of the sizes of its terms; a dash where a function is refused by name, for rounding \
+         would leave too few of its digits.\n\n",
+    );
+    for (scalar, map) in TYPES.iter().zip(measured.every) {
+        let _ = writeln!(text, "![{}](hard_{scalar}.svg)\n", map.title);
+        table(&mut text, &format!("function, {scalar}"), map);
+    }
+    text
+}
+
+/// Numbers in units of rounding.
+fn table(text: &mut String, corner: &str, map: &Map) {
+    let _ = write!(text, "| {corner} |");
+    for column in &map.columns {
         let _ = write!(text, " {column} |");
     }
-    let _ = writeln!(text, "\n|---|{}", "---:|".repeat(hard.columns.len()));
-    for (title, numbers) in &hard.rows {
+    let _ = writeln!(text, "\n|---|{}", "---:|".repeat(map.columns.len()));
+    for (title, numbers) in &map.rows {
         let _ = write!(text, "| {title} |");
         for number in numbers {
             let _ = match number {
@@ -282,7 +302,6 @@ fn hard(hard: &Map) -> String {
         text.push('\n');
     }
     text.push('\n');
-    text
 }
 
 fn models(measured: &Measured<'_>) -> String {

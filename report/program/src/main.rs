@@ -115,7 +115,8 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
         truth::write(scene, &truth(scene))?;
     }
     progress.stage("computing hard cases");
-    let hard = hard::map();
+    let hard = hard::formulations::map();
+    let every = hard::functions::maps();
     let mut executables = Vec::new();
     for flags in Flags::ALL {
         progress.stage(&format!("compiling, {}", flags.name()));
@@ -161,6 +162,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
             many: &many,
             grown: &grown,
             hard: &hard,
+            every: &every,
         },
     )?;
     Ok(folder)

@@ -11,6 +11,7 @@ use homogen_plot::heat;
 
 use crate::document::{self, Measured};
 use crate::figures;
+use crate::hard::functions::TYPES;
 use crate::scene::Scene;
 
 /// Writes them all.
@@ -50,6 +51,10 @@ pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
     svg("models", &figures::models(models, points))?;
     svg("many", &figures::many(measured.many))?;
     fs::write(folder.join("hard.svg"), heat::draw(measured.hard))?;
+    for (scalar, map) in TYPES.iter().zip(measured.every) {
+        let path = folder.join(format!("hard_{scalar}.svg"));
+        fs::write(path, heat::draw(map))?;
+    }
     svg("growth", &figures::growth(measured.grown))?;
     fs::write(folder.join("REPORT.md"), document::write(measured))
 }

@@ -73,7 +73,7 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
         let sizes = needed.places().map(|place| needed[place].size());
         let largest = sizes.fold(0.0, f64::max);
         let largest_of = |row: VelocityId| {
-            let sizes = needed.row(row).map(|change| change.size());
+            let sizes = needed.row(row).map(Approximate::size);
             sizes.fold(0.0, f64::max)
         };
         let rounded: List<VelocityId, f64> = (needed.ids())

@@ -89,11 +89,8 @@ impl Check {
         program: &Program,
         scalar: Real,
     ) -> Result<(), Errors> {
+        self.printable(literals(program), scalar)?;
         let mut errors = self.source.errors();
-        if let Some(refusal) = unprintable(literals(program), scalar) {
-            errors.push_with_hint(self.place, refusal.message, refusal.hint);
-            return Err(errors);
-        }
         for dense in &self.states {
             let found = run(program, |input| Approximate::exact(dense.state.get(input)));
             let mut found = found.as_slice();
@@ -147,13 +144,10 @@ impl Check {
     /// # Errors
     /// Where one of them is another, or where a number is not one.
     pub fn judge_data(&self, data: &ChainData) -> Result<(), Errors> {
-        let mut errors = self.source.errors();
         for program in [&data.program, &data.loops.program] {
-            if let Some(refusal) = unprintable(literals(program), Real::F64) {
-                errors.push_with_hint(self.place, refusal.message, refusal.hint);
-                return Err(errors);
-            }
+            self.printable(literals(program), Real::F64)?;
         }
+        let mut errors = self.source.errors();
         for dense in &self.states {
             let numbers =
                 |program| run(program, |input| Approximate::exact(dense.state.get(input)));
@@ -189,14 +183,11 @@ impl Check {
     /// # Errors
     /// Where they make others, or where one is not a number in the type that it is printed for.
     pub fn judge_base_parameters(&self, values: &[f64], request: &Request) -> Result<(), Errors> {
-        let mut errors = self.source.errors();
-        if let Some(refusal) = unprintable(values.iter().copied(), request.scalar) {
-            errors.push_with_hint(self.place, refusal.message, refusal.hint);
-            return Err(errors);
-        }
+        self.printable(values.iter().copied(), request.scalar)?;
         if !request.parameters.is_empty() {
             return Ok(());
         }
+        let mut errors = self.source.errors();
         for dense in &self.states {
             let torques = dense.torques(Motion::Driven);
             let rows = dense.base_regressor();
@@ -219,6 +210,31 @@ impl Check {
                     return Err(errors);
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Refuses the first number that is not one in the type that it is printed for.
+    fn printable(&self, numbers: impl Iterator<Item = f64>, scalar: Real) -> Result<(), Errors> {
+        let mut errors = self.source.errors();
+        for number in numbers {
+            let (message, hint) = if !number.is_finite() {
+                (
+                    "a number of the code would be too large for 64 bits, or the quotient of two \
+                     that vanish"
+                        .to_owned(),
+                    "give lengths in m, masses in kg and inertias in kg m²",
+                )
+            } else if scalar == Real::F32 && number.abs() > f64::from(f32::MAX) {
+                (
+                    format!("a number of the code, {number:e}, is too large for f32"),
+                    "generate it for f64, or give lengths in m and masses in kg",
+                )
+            } else {
+                continue;
+            };
+            errors.push_with_hint(self.place, message, hint);
+            return Err(errors);
         }
         Ok(())
     }
@@ -253,39 +269,12 @@ impl Check {
     }
 }
 
-/// A number that cannot be printed.
-struct Refusal {
-    message: String,
-    hint: &'static str,
-}
-
 /// The numbers that stand in a program.
 fn literals(program: &Program) -> impl Iterator<Item = f64> {
     program.operands().filter_map(|operand| match operand {
         Operand::Literal(number) => Some(number),
         _ => None,
     })
-}
-
-/// The first number that is not one in the type that it is printed for.
-fn unprintable(numbers: impl Iterator<Item = f64>, scalar: Real) -> Option<Refusal> {
-    for number in numbers {
-        if !number.is_finite() {
-            return Some(Refusal {
-                message: "a number of the code would be too large for 64 bits, or the quotient of \
-                          two that vanish"
-                    .to_owned(),
-                hint: "give lengths in m, masses in kg and inertias in kg m²",
-            });
-        }
-        if scalar == Real::F32 && number.abs() > f64::from(f32::MAX) {
-            return Some(Refusal {
-                message: format!("a number of the code, {number:e}, is too large for f32"),
-                hint: "generate it for f64, or give lengths in m and masses in kg",
-            });
-        }
-    }
-    None
 }
 
 /// An entry that is not what it should be.

@@ -12,7 +12,7 @@ mod robot;
 
 use std::cell::OnceCell;
 
-pub(crate) use approximate::Approximate;
+pub(crate) use approximate::{Approximate, ROUNDOFF};
 pub(crate) use matrix::Matrix;
 pub(crate) use robot::{Body, BodyId, Closed, Freedom, Moved, Robot};
 

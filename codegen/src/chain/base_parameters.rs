@@ -150,8 +150,8 @@ fn add(sum: &mut Form, other: &Form, factor: f64) {
 }
 
 fn group(leader: ParameterId, form: &Form, described: &List<ParameterId, f64>) -> Group {
-    let others = form.iter().copied();
-    let others = others.filter(|&(parameter, factor)| parameter != leader && factor != 0.0);
+    let others =
+        (form.iter().copied()).filter(|&(parameter, factor)| parameter != leader && factor != 0.0);
     let members: Vec<(ParameterId, f64)> = [(leader, 1.0)].into_iter().chain(others).collect();
     let value = members.iter().map(|&(k, factor)| factor * described[k]);
     Group {

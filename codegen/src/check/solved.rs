@@ -6,7 +6,7 @@
 //! asked. It never solves anything.
 
 use super::{UNBOUNDED, Wrong, wrong};
-use crate::dense::{Approximate, Dense};
+use crate::dense::{Approximate, Dense, ROUNDOFF};
 use crate::list::{Id, List, Square};
 use crate::space::VelocityId;
 
@@ -14,8 +14,6 @@ use crate::space::VelocityId;
 /// description's own numbers account for; and at most, where factors lose more than that.
 const SOLVED: f64 = 1e3;
 const HARDLY_SOLVED: f64 = 1e6;
-
-const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 /// The first joint that needs another torque for these accelerations than the one given.
 pub(super) fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
@@ -70,15 +68,8 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
     let parts = needed.iter().zip(by_motion.chunks(size));
     let mut parts = parts.enumerate();
     parts.find_map(|(of, (needed, part))| {
-        let sizes = needed.places().map(|place| needed[place].size());
-        let largest = sizes.fold(0.0, f64::max);
-        let largest_of = |row: VelocityId| {
-            let sizes = needed.row(row).map(Approximate::size);
-            sizes.fold(0.0, f64::max)
-        };
-        let rounded: List<VelocityId, f64> = (needed.ids())
-            .map(|row| SOLVED * ROUNDOFF * largest_of(row))
-            .collect();
+        let row = |row| needed.row(row).map(Approximate::size).fold(0.0, f64::max);
+        let largest: List<VelocityId, f64> = needed.ids().map(row).collect();
         let products = products(dense, &Square::of_rows(part));
         let mut places = products.places().enumerate();
         places.find_map(|(entry, (row, column))| {
@@ -86,11 +77,11 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
             let terms = put_back.ids();
             let taken = terms.map(|k| put_back[(row, k)].most * needed[(k, column)].size());
             let needed = -needed[(row, column)];
-            let given = SOLVED * needed.error + needed.noise();
-            let most = most + taken.sum::<f64>() + rounded[row] + given;
+            let given = SOLVED * (needed.error + ROUNDOFF * largest[row]) + needed.noise();
+            let most = most + taken.sum::<f64>() + given;
             // Nothing, of what may be infinitely wrong.
             let most = if most.is_nan() {
-                UNBOUNDED * largest
+                UNBOUNDED * largest.iter().copied().fold(0.0, f64::max)
             } else {
                 most
             };

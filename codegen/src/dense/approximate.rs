@@ -15,7 +15,8 @@ pub(crate) struct Approximate {
     pub(crate) error: f64,
 }
 
-const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+/// What rounding a number once may change of it.
+pub(crate) const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 impl Approximate {
     /// What is meant as it stands.

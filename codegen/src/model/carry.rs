@@ -32,7 +32,7 @@ pub struct Joint<'g> {
     pub motion: Motion,
     /// Where its matrices are.
     pub frame: Frame,
-    /// Whether what is placed in frame 0 is seen from the body at the root, in the axes of frame 0.
+    /// Whether what is placed in frame 0 is seen from the root, in the axes of frame 0.
     pub from_root: bool,
     /// M from the parent's frame to where the displacement starts.
     pub placement: Pose<Term<'g>>,

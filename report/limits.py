@@ -21,7 +21,7 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from command import ROOT, homogen, said
 
 FUNCTIONS = [
     "forward_kinematics",
@@ -62,12 +62,7 @@ def main():
 
 def compiled(folder, robot):
     """The machine code of the functions, as text."""
-    homogen = os.environ.get("HOMOGEN")
-    if homogen is None:
-        command = ["cargo", "build", "--quiet", "--locked", "-p", "homogen-codegen", "--features", "cli"]
-        subprocess.run([*command, "--bin", "homogen"], check=True, cwd=ROOT)
-        homogen = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/homogen"
-    generate = [homogen, "generate", *robot, "--runtime", "::homogen", "--scalar", "f64", "--name", "Robot"]
+    generate = [homogen(), "generate", *robot, "--runtime", "::homogen", "--scalar", "f64", "--name", "Robot"]
     code = said(*generate, "--functions", ",".join(FUNCTIONS))
     manifest = (
         '[package]\nname = "limits"\nversion = "0.1.0"\nedition = "2024"\n\n[workspace]\n\n'
@@ -127,10 +122,6 @@ def version():
     text = said("llvm-mca", "--version")
     release = re.search(r"LLVM version \S+", text).group(0)
     return f"{release}, which takes the core for {re.search(r'Host CPU: (.*)', text).group(1)}"
-
-
-def said(*command):
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
 
 
 if __name__ == "__main__":

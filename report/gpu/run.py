@@ -15,8 +15,8 @@ of the host by the same source. Products are fused with sums where the source sa
 """
 
 import array
+import importlib.util
 import json
-import os
 import pathlib
 import random
 import re
@@ -25,7 +25,9 @@ import subprocess
 import sys
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path += [str(pathlib.Path(__file__).resolve().parent.parent / folder) for folder in (".", "peer")]
+from command import ROOT, homogen, said
+
 FUNCTIONS = ["inverse_dynamics", "forward_dynamics"]
 TYPES = {"float": "f32", "double": "f64"}
 GIVEN, COUNT, ROUNDS = 10_000, 4_000_000, 21
@@ -46,28 +48,18 @@ def main():
 
 def write(folder, urdf, options):
     """A robot's source for both types of number, what its coordinates are called, and states."""
-    homogen = command()
-    told = json.loads(said(homogen, "check", urdf, *options, "--format", "json"))
+    command = homogen()
+    told = json.loads(said(command, "check", urdf, *options, "--format", "json"))
     to = folder / urdf.stem
     to.mkdir(parents=True, exist_ok=True)
     for scalar in TYPES.values():
         for function in FUNCTIONS:
-            generate = [homogen, "generate", urdf, *options, "--language", "c", "--name", "arm", "--scalar", scalar]
+            generate = [command, "generate", urdf, *options, "--language", "c", "--name", "arm", "--scalar", scalar]
             generate += ["--processor", "x86-64-v3", "--functions", function]
             said(*generate, "-o", to / f"{function}_{scalar}.c")
     shutil.copy(urdf, to / "robot.urdf")
     (to / "names.json").write_text(json.dumps({key: told[key] for key in ("coordinates", "velocities")}))
     states(told["coordinates"], told["velocities"]).tofile((to / "states").open("wb"))
-
-
-def command():
-    """Where the command line is, which is built unless it is told."""
-    homogen = os.environ.get("HOMOGEN")
-    if homogen is None:
-        build = ["cargo", "build", "--quiet", "--locked", "-p", "homogen-codegen", "--features", "cli"]
-        subprocess.run([*build, "--bin", "homogen"], check=True, cwd=ROOT)
-        homogen = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/homogen"
-    return homogen
 
 
 def states(coordinates, velocities):
@@ -105,15 +97,13 @@ def measure(folder):
         for function in FUNCTIONS:
             for real, scalar in TYPES.items():
                 print(row(robot, function, real, scalar), flush=True)
-    try:
-        import frax
-    except ImportError:
+    if importlib.util.find_spec("frax") is None:
         print("\nfrax is not installed")
         return
     for robot in robots:
         names = json.loads((robot / "names.json").read_text())
         if names["coordinates"] == names["velocities"]:
-            in_frax(robot, names["coordinates"])
+            by_frax(robot, names["coordinates"])
 
 
 def row(robot, function, real, scalar):
@@ -128,9 +118,9 @@ def row(robot, function, real, scalar):
         "NQ": coordinates,
         "NV": velocities,
     }
-    compile = ["nvcc", "-O3", "-arch=native", "-fmad=false", "-Xcompiler", "-mfma,-ffp-contract=off"]
-    compile += [f"-D{name}={value}" for name, value in macros.items()]
-    subprocess.run([*compile, ROOT / "report/gpu/many.cu", "-o", program], check=True)
+    build = ["nvcc", "-O3", "-arch=native", "-fmad=false", "-Xcompiler", "-mfma,-ffp-contract=off"]
+    build += [f"-D{name}={value}" for name, value in macros.items()]
+    subprocess.run([*build, ROOT / "report/gpu/many.cu", "-o", program], check=True)
     words = said(program, robot / "states", COUNT, ROUNDS).split()
     registers, local = words[:2]
     alone, copied = [[1e6 / float(time) for time in words[k : k + 3]] for k in (2, 5)]
@@ -141,19 +131,17 @@ def row(robot, function, real, scalar):
     return f"| {' | '.join(cells)} |"
 
 
-def in_frax(robot, joints):
+def by_frax(robot, joints):
     """The same states by frax: prints how many it does in a second, for both types and growing batches."""
-    sys.path.append(str(ROOT / "report/peer"))
+    import in_frax
     import jax
     import jax.numpy as jnp
     import numpy as np
 
-    import in_frax as peer
-
     for scalar in TYPES.values():
         jax.config.update("jax_enable_x64", scalar == "f64")
-        model = peer.robot(robot / "robot.urdf", joints, False)
-        gravity = jnp.array(peer.GRAVITY)
+        model = in_frax.robot(robot / "robot.urdf", joints, False)
+        gravity = jnp.array(in_frax.GRAVITY)
         many = jax.jit(jax.vmap(lambda q, qd, qdd: model.rnea(q, qd, qdd, gravity, None)))
         given = np.fromfile(robot / "states").reshape(GIVEN, 3, len(joints))
         for count in (16_384, 1_048_576, COUNT):
@@ -166,11 +154,6 @@ def in_frax(robot, joints):
                 times.append(time.perf_counter() - start)
             rate = count / sorted(times)[ROUNDS // 2] / 1e6
             print(f"frax on {jax.devices()[0]}: {robot.name}, inverse dynamics, {scalar}, {count} states: {rate:.1f} · 10⁶/s")
-
-
-def said(*words):
-    """What a command prints."""
-    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=True).stdout.strip()
 
 
 if __name__ == "__main__":

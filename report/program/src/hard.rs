@@ -10,18 +10,16 @@ pub mod functions;
 
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expand::program_as;
-use homogen_codegen::expression::{Arithmetic, Evaluation, Expr, Input, Term};
+use homogen_codegen::expression::Arithmetic;
 use homogen_codegen::formulation::Formulation;
-use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::list::Id;
-use homogen_codegen::model::Way;
 use homogen_codegen::schedule::{Program, run};
-use homogen_codegen::space::{FrameId, Space, Variable};
+use homogen_codegen::space::{FrameId, Space};
 use homogen_codegen::{Function, Real};
 use homogen_random::Random;
 use homogen_tests::subjects::subject;
 
-use crate::truth::{Exact, exact};
+use crate::states::{in_single_precision, make_upright, single};
+use crate::truth::{evaluation, exact, given};
 
 /// A robot, and what is hard about its states.
 #[derive(Clone, Copy)]
@@ -73,70 +71,98 @@ pub const MANY_TURNS: fn(f64) -> f64 = |x| (1e5 * x).round() * std::f64::consts:
 /// Up to 10⁴ rad/s.
 pub const FAST: fn(f64) -> f64 = |x| 8192.0 * x;
 
-/// What a function of a robot should return in hard states, as a type of number has them.
+impl Hard {
+    /// q, q̇, q̈ and τ of so many states, one after the other. Both types see the same, but for quaternions, which have
+    /// unit length here.
+    fn states(&self, chain: &Chain, count: usize) -> Vec<f64> {
+        let mut random = Random::new(1);
+        let changes: [fn(f64) -> f64; 4] = [self.angle, self.rate, |x| 8.0 * x, |x| 16.0 * x];
+        let spaces = chain.spaces();
+        let [coordinates, velocities] =
+            [Space::Coordinates, Space::Velocities].map(|space| spaces.len(space));
+        let lengths = [coordinates, velocities, velocities, velocities];
+        let mut states = Vec::new();
+        for _ in 0..count {
+            let start = states.len();
+            for (change, length) in changes.into_iter().zip(lengths) {
+                states.extend((0..length).map(|_| change(f64::from(random.coarse()))));
+            }
+            let state = &mut states[start..];
+            if let Some(metres) = self.free {
+                for place in &mut state[..3] {
+                    *place *= metres;
+                }
+            }
+            for number in &mut *state {
+                *number = single(*number);
+            }
+            make_upright(spaces, state);
+        }
+        states
+    }
+}
+
+/// What a function of a robot should return in hard states.
 pub struct Truth {
     chain: Chain,
     function: Function,
-    scalar: Real,
-    /// q, q̇, q̈ and τ of each, exact in the type.
-    states: Vec<Vec<f64>>,
-    /// High part, low part and magnitude of each result.
-    results: Vec<Vec<[f64; 3]>>,
+    states: Vec<State>,
+    /// Those that single precision sees, where it sees others.
+    in_single: Option<Vec<State>>,
+}
+
+/// A state, and high part, low part and magnitude of each result there.
+struct State {
+    numbers: Vec<f64>,
+    results: Vec<[f64; 3]>,
 }
 
 impl Truth {
     /// Computes it in so many states.
-    pub fn of(hard: &Hard, function: Function, scalar: Real, states: usize) -> Self {
+    pub fn of(hard: &Hard, function: Function, count: usize) -> Self {
         let mut subject = subject(hard.label);
         subject.request.floating = hard.free.is_some();
         let chain = subject.chain();
-        let states = hard.states(&chain, scalar, states);
-        let graph = chain.graph.clone();
-        let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
-        let results = function.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN);
-        let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
-        let evaluation: Evaluation<Exact> = Evaluation::of(&graph, &results);
+        let evaluation = evaluation(&chain, function);
         let coordinates = chain.spaces().len(Space::Coordinates);
-        let results = states
-            .iter()
-            .map(|state| exact(&evaluation, function, coordinates, state));
+        let states = hard.states(&chain, count);
+        let length = states.len() / count;
+        let known = |states: &[f64]| -> Vec<State> {
+            let states = states.chunks(length).map(|numbers| State {
+                results: exact(&evaluation, function, coordinates, numbers),
+                numbers: numbers.to_vec(),
+            });
+            states.collect()
+        };
         Self {
-            results: results.collect(),
+            states: known(&states),
+            in_single: in_single_precision(&states).as_deref().map(known),
             chain,
             function,
-            scalar,
-            states,
         }
     }
 
-    /// The worst error in units of rounding of the type, of what is not refused.
-    pub fn worst(&self, formulation: Formulation) -> Option<f64> {
+    /// The worst error in units of rounding of a type, of what is not refused.
+    pub fn worst(&self, formulation: Formulation, scalar: Real) -> Option<f64> {
         let (function, frame) = ([self.function], FrameId::FIRST);
-        let program = program_as(formulation, &self.chain, &function, frame, self.scalar);
+        let program = program_as(formulation, &self.chain, &function, frame, scalar);
         let program = program.ok()?;
-        Some(match self.scalar {
-            Real::F32 => self.worst_in::<f32>(&program) / 2_f64.powi(-24),
-            _ => self.worst_in::<f64>(&program) / 2_f64.powi(-53),
+        Some(match scalar {
+            Real::F32 => {
+                let states = self.in_single.as_ref().unwrap_or(&self.states);
+                self.worst_in::<f32>(&program, states) / 2_f64.powi(-24)
+            }
+            _ => self.worst_in::<f64>(&program, &self.states) / 2_f64.powi(-53),
         })
     }
 
-    fn worst_in<T: Arithmetic + Into<f64>>(&self, program: &Program) -> f64 {
-        let spaces = self.chain.spaces();
-        let [coordinates, velocities] =
-            [Space::Coordinates, Space::Velocities].map(|space| spaces.len(space));
-        let error = |(state, exact): (&Vec<f64>, &Vec<[f64; 3]>)| {
+    fn worst_in<T: Arithmetic + Into<f64>>(&self, program: &Program, states: &[State]) -> f64 {
+        let coordinates = self.chain.spaces().len(Space::Coordinates);
+        let error = |state: &State| {
             let found = run(program, |input| {
-                T::literal(match input {
-                    Input::Variable(Variable::Q, k) => state[usize::from(k)],
-                    // A state lists the others in their order.
-                    Input::Variable(variable, k) => {
-                        let before = coordinates + (variable as usize - 1) * velocities;
-                        state[before + usize::from(k)]
-                    }
-                    Input::Parameter(..) => unreachable!("no number was left open"),
-                })
+                T::literal(given(&state.numbers, coordinates, input))
             });
-            let errors = found.into_iter().zip(exact);
+            let errors = found.into_iter().zip(&state.results);
             let errors = errors.map(|(found, [high, low, magnitude])| {
                 let found: f64 = found.into();
                 let distance = (found - high - low).abs();
@@ -149,54 +175,8 @@ impl Truth {
             });
             errors.fold(0.0, worse)
         };
-        let states = self.states.iter().zip(&self.results);
-        states.map(error).fold(0.0, worse)
+        states.iter().map(error).fold(0.0, worse)
     }
-}
-
-impl Hard {
-    /// Numbers that are exact in single precision, so that both types see the same; but for quaternions, which have
-    /// unit length in the type that sees them.
-    fn states(&self, chain: &Chain, scalar: Real, count: usize) -> Vec<Vec<f64>> {
-        let mut random = Random::new(1);
-        let changes: [fn(f64) -> f64; 4] = [self.angle, self.rate, |x| 8.0 * x, |x| 16.0 * x];
-        let spaces = chain.spaces();
-        let [coordinates, velocities] =
-            [Space::Coordinates, Space::Velocities].map(|space| spaces.len(space));
-        let lengths = [coordinates, velocities, velocities, velocities];
-        let mut state = || {
-            let numbers = changes.iter().zip(lengths);
-            let numbers = numbers.flat_map(|(change, length)| std::iter::repeat_n(change, length));
-            let numbers = numbers.map(|change| change(f64::from(random.coarse())));
-            let mut numbers: Vec<f64> = numbers.collect();
-            if let Some(metres) = self.free {
-                for place in &mut numbers[..3] {
-                    *place *= metres;
-                }
-            }
-            let mut numbers: Vec<f64> = numbers.into_iter().map(single).collect();
-            for place in spaces.quaternions() {
-                let quaternion = &mut numbers[place.index()..][..4];
-                let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
-                for entry in quaternion {
-                    *entry /= length;
-                    if scalar == Real::F32 {
-                        *entry = single(*entry);
-                    }
-                }
-            }
-            numbers
-        };
-        (0..count).map(|_| state()).collect()
-    }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "rounding is what is asked for"
-)]
-fn single(number: f64) -> f64 {
-    f64::from(number as f32)
 }
 
 /// The larger; what is no number counts as infinite.

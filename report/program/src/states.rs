@@ -53,15 +53,20 @@ pub fn states(spaces: &Spaces, range: Range) -> Vec<f64> {
                 if (range.moves)(joint) { number } else { 0.0 }
             }));
         }
-        for place in spaces.quaternions() {
-            let quaternion = &mut states[start + place.index()..][..4];
-            let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
-            for entry in quaternion {
-                *entry /= length;
-            }
-        }
+        make_upright(spaces, &mut states[start..]);
     }
     states
+}
+
+/// Gives the quaternions of a state unit length.
+pub fn make_upright(spaces: &Spaces, state: &mut [f64]) {
+    for place in spaces.quaternions() {
+        let quaternion = &mut state[place.index()..][..4];
+        let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+        for entry in quaternion {
+            *entry /= length;
+        }
+    }
 }
 
 /// What single precision sees of them, where it sees anything else.
@@ -70,10 +75,11 @@ pub fn in_single_precision(states: &[f64]) -> Option<Vec<f64>> {
     (seen != states).then_some(seen)
 }
 
+/// The nearest number of single precision.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "rounding is what is asked for"
 )]
-fn single(number: f64) -> f64 {
+pub fn single(number: f64) -> f64 {
     f64::from(number as f32)
 }

@@ -65,11 +65,7 @@ fn write_of(scene: &Scene, chain: &Chain, states: &[f64], folder: &Path) -> io::
     save(&folder.join("states"), states)?;
     for &function in &scene.functions {
         let mut numbers = Vec::new();
-        let graph = chain.graph.clone();
-        let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-        let results = function.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN);
-        let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
-        let evaluation = Evaluation::of(&graph, &results);
+        let evaluation = evaluation(chain, function);
         for state in states.chunks_exact(coordinates + 3 * velocities) {
             let exact = exact(&evaluation, function, coordinates, state);
             numbers.extend(exact.into_iter().flatten());
@@ -85,27 +81,37 @@ pub fn told(errors: Errors) -> Box<dyn std::error::Error> {
     errors.to_string().into()
 }
 
-/// High part, low part and magnitude of each result at a state: so many coordinates, and as many
-/// velocities as accelerations and torques. What is found by division has the
-/// largest result for its magnitude, since its terms may be far larger than itself; so has what is
-/// always zero.
+/// A function in the frames and with the parameters of the description, before anything is simplified.
+pub fn evaluation(chain: &Chain, function: Function) -> Evaluation<Exact> {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, Layout::DESCRIBED);
+    let results = function.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN);
+    let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
+    Evaluation::of(&graph, &results)
+}
+
+/// The number of a state that an input is: so many coordinates, and as many velocities as accelerations and torques.
+pub fn given(state: &[f64], coordinates: usize, input: Input) -> f64 {
+    let (q, rates) = state.split_at(coordinates);
+    match input {
+        Input::Variable(Variable::Q, k) => q[usize::from(k)],
+        // A state lists the others in their order.
+        Input::Variable(variable, k) => {
+            rates[(variable as usize - 1) * (rates.len() / 3) + usize::from(k)]
+        }
+        Input::Parameter(..) => unreachable!("no number was left open"),
+    }
+}
+
+/// High part, low part and magnitude of each result at a state. What is found by division has the largest
+/// result for its magnitude, since its terms may be far larger than itself; so has what is always zero.
 pub fn exact(
     evaluation: &Evaluation<Exact>,
     function: Function,
     coordinates: usize,
     state: &[f64],
 ) -> Vec<[f64; 3]> {
-    let (q, rates) = state.split_at(coordinates);
-    let results = evaluation.at(|input| {
-        Exact::given(match input {
-            Input::Variable(Variable::Q, k) => q[usize::from(k)],
-            // A state lists the others in their order.
-            Input::Variable(variable, k) => {
-                rates[(variable as usize - 1) * (rates.len() / 3) + usize::from(k)]
-            }
-            Input::Parameter(..) => unreachable!("no number was left open"),
-        })
-    });
+    let results = evaluation.at(|input| Exact::given(given(state, coordinates, input)));
     let sizes = results.iter().map(|x| x.value().to_f64().abs());
     let largest = sizes.fold(0.0, f64::max);
     let divides = matches!(

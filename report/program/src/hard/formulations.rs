@@ -11,39 +11,34 @@ use Function::{ForwardDynamics, Gravity, InverseDynamics};
 
 fn cases() -> Vec<(Function, Hard)> {
     let balanced = |x| std::f64::consts::FRAC_PI_2 + x / 1024.0;
-    let inverse = |title, label| (InverseDynamics, Hard::new(title, label));
-    let forward = |title, label| (ForwardDynamics, Hard::new(title, label));
-    let with = |(function, hard), change: fn(Hard) -> Hard| (function, change(hard));
-    let straight = |case| with(case, |hard| hard.at(STRAIGHT));
-    vec![
-        inverse("arm at its base", "panda_class/0"),
-        inverse("arm 100 m away", "panda_class/100"),
-        inverse("arm 10 km away", "panda_class/1e4"),
-        inverse("8 joints, nothing zero", "spatial/8"),
-        inverse("payload of 1 t", "payload/1e3"),
-        with(inverse("angles to 10⁵ rad", "panda_class/0"), |hard| {
-            hard.at(MANY_TURNS)
-        }),
-        with(inverse("rates to 10⁴ rad/s", "panda_class/0"), |hard| {
-            hard.moving(FAST)
-        }),
-        (
-            Gravity,
-            Hard::new("nearly balanced", "planar/6").at(balanced),
-        ),
-        forward("arm at its base", "panda_class/0"),
-        forward("8 rods", "planar/8"),
-        straight(forward("8 rods, straight", "planar/8")),
-        straight(forward("16 rods, straight", "planar/16")),
-        forward("payload of 1 t", "payload/1e3"),
-        forward("tip of 1 t", "heavy_tip/1e3"),
-        forward("tip of 1000 t", "heavy_tip/1e6"),
-        forward("base of 1000 t", "heavy_base/1e6"),
-        forward("shrinking rods", "shrinking/8"),
-        forward("growing rods", "growing/8"),
-        forward("a rod of 0.1 mm", "short_link/1e-4"),
-        forward("thin rods", "thin_rod/0"),
-    ]
+    let inverse = [
+        Hard::new("arm at its base", "panda_class/0"),
+        Hard::new("arm 100 m away", "panda_class/100"),
+        Hard::new("arm 10 km away", "panda_class/1e4"),
+        Hard::new("8 joints, nothing zero", "spatial/8"),
+        Hard::new("payload of 1 t", "payload/1e3"),
+        Hard::new("angles to 10⁵ rad", "panda_class/0").at(MANY_TURNS),
+        Hard::new("rates to 10⁴ rad/s", "panda_class/0").moving(FAST),
+    ];
+    let gravity = [Hard::new("nearly balanced", "planar/6").at(balanced)];
+    let forward = [
+        Hard::new("arm at its base", "panda_class/0"),
+        Hard::new("8 rods", "planar/8"),
+        Hard::new("8 rods, straight", "planar/8").at(STRAIGHT),
+        Hard::new("16 rods, straight", "planar/16").at(STRAIGHT),
+        Hard::new("payload of 1 t", "payload/1e3"),
+        Hard::new("tip of 1 t", "heavy_tip/1e3"),
+        Hard::new("tip of 1000 t", "heavy_tip/1e6"),
+        Hard::new("base of 1000 t", "heavy_base/1e6"),
+        Hard::new("shrinking rods", "shrinking/8"),
+        Hard::new("growing rods", "growing/8"),
+        Hard::new("a rod of 0.1 mm", "short_link/1e-4"),
+        Hard::new("thin rods", "thin_rod/0"),
+    ];
+    let inverse = inverse.map(|hard| (InverseDynamics, hard));
+    let gravity = gravity.map(|hard| (Gravity, hard));
+    let forward = forward.map(|hard| (ForwardDynamics, hard));
+    inverse.into_iter().chain(gravity).chain(forward).collect()
 }
 
 /// The columns: a title, a formulation, a type.
@@ -90,14 +85,13 @@ pub fn map() -> Map {
             Gravity => "gravity",
             _ => "inverse",
         };
-        let truths =
-            [Real::F64, Real::F32].map(|scalar| Truth::of(&hard, function, scalar, STATES));
+        let truth = Truth::of(&hard, function, STATES);
         let cell = |(_, formulation, scalar): &(&str, Formulation, Real)| {
             let solves = function == ForwardDynamics;
             if formulation.forward.is_some() && !solves {
                 return None;
             }
-            truths[usize::from(*scalar == Real::F32)].worst(*formulation)
+            truth.worst(*formulation, *scalar)
         };
         let cells = formulations.iter().map(cell).collect();
         (format!("{of}: {}", hard.title), cells)

@@ -34,11 +34,10 @@ pub const TYPES: [&str; 2] = ["f64", "f32"];
 pub fn maps() -> [Map; 2] {
     let mut maps = TYPES.map(empty);
     for function in Function::ALL {
+        let truths = CASES.map(|hard| Truth::of(&hard, function, STATES));
         for (map, scalar) in maps.iter_mut().zip([Real::F64, Real::F32]) {
-            let cells = CASES.iter().map(|hard| {
-                let truth = Truth::of(hard, function, scalar, STATES);
-                truth.worst(Formulation::default())
-            });
+            let cells = truths.iter();
+            let cells = cells.map(|truth| truth.worst(Formulation::default(), scalar));
             map.rows.push((function.name().to_owned(), cells.collect()));
         }
     }

@@ -126,8 +126,10 @@ pub(super) fn cheapest(
         found
     };
     let mut tried: Vec<Tried> = Vec::new();
+    // Other layouts of forms that lose too much in their lightest one.
+    let mut heavier: Vec<(usize, Found)> = Vec::new();
+    let mut best: Option<(usize, Found)> = None;
     for forms in forward::rounds(chain, functions, formulation) {
-        let mut best: Option<(usize, Found)> = None;
         for form in forms {
             // Of a form that is far from accurate in one layout, no other need be looked at.
             if let Some((_, before)) = tried.first() {
@@ -138,7 +140,8 @@ pub(super) fn cheapest(
                     continue;
                 }
             }
-            let (weight, found) = search.best(form);
+            let mut layouts = search.by_weight(form).into_iter();
+            let (weight, found) = layouts.next().expect("there is at least one layout");
             if best.as_ref().is_some_and(|(least, _)| *least <= weight) {
                 continue;
             }
@@ -147,11 +150,22 @@ pub(super) fn cheapest(
                 best = Some((weight, found));
             } else {
                 tried.push((Some(weight), found));
+                heavier.extend(layouts);
             }
         }
-        if let Some((_, found)) = best {
-            return Ok(found);
+        if best.is_some() {
+            break;
         }
+    }
+    // Where frames stand away from their bodies, that may be what costs the digits.
+    if let Some((least, _)) = &best {
+        heavier.retain(|(weight, _)| weight < least);
+    }
+    heavier.sort_by_key(|(weight, _)| *weight);
+    let mut heavier = heavier.into_iter().map(|(_, found)| measured(found));
+    let nearer = heavier.find(|found| found.off.worst <= ENOUGH);
+    if let Some(found) = nearer.or(best.map(|(_, found)| found)) {
+        return Ok(found);
     }
     // None is accurate enough.
     let least = (tried.iter()).fold(Off::INFINITE, |least, (_, found)| least.least(found.off));
@@ -258,7 +272,17 @@ impl<'a> Search<'a> {
         self.within(form, &self.layouts, &self.ways)
     }
 
-    /// The same, of some layouts and ways.
+    /// That of each layout, the lightest first.
+    fn by_weight(&self, form: Form) -> Vec<(usize, Found)> {
+        let layouts = self.layouts.chunks(1);
+        let mut found: Vec<_> = layouts
+            .map(|layout| self.within(form, layout, &self.ways))
+            .collect();
+        found.sort_by_key(|(weight, _)| *weight);
+        found
+    }
+
+    /// The same as [`best`](Self::best), of some layouts and ways.
     fn within(&self, form: Form, layouts: &[Layout], ways: &[Way]) -> (usize, Found) {
         let schedule = match self.formulation.products {
             Products::Fused if self.processor.fuses(self.scalar) => schedule,

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Span};
 
 use super::super::choice::cheapest;
+use super::super::measured::{ENOUGH, Measure};
 use super::super::program::program_by;
 use super::super::understand;
 use crate::chain::{self, Chain};
@@ -103,6 +104,53 @@ fn a_heavy_tip_is_refined_wherever_that_brings_the_digits_back() {
             );
         }
     }
+}
+
+/// Balls of a centimetre at joints that turn about z, x and y, of which two in three meet. Frames at common normals
+/// are lighter, and stand so far from the balls that these are lost beside their distance.
+#[test]
+fn a_form_is_given_up_only_where_it_loses_digits_in_every_layout() {
+    let at = ["0 0.3 0", "0 0 0", "0.3 0 0"];
+    let axes = ["0 0 1", "1 0 0", "0 1 0"];
+    let balls = (1..=8).map(|k: usize| {
+        let (at, axis, parent) = (at[(k - 1) % 3], axes[(k - 1) % 3], k - 1);
+        format!(
+            r#"<link name="{k}"><inertial><mass value="0.1"/>
+            <inertia ixx="1e-6" ixy="0" ixz="0" iyy="1e-6" iyz="0" izz="1e-6"/></inertial></link>
+            <joint name="turns {k}" type="continuous"><parent link="{parent}"/><child link="{k}"/>
+            <origin xyz="{at}"/><axis xyz="{axis}"/></joint>"#
+        )
+    });
+    let balls: String = balls.collect();
+    let text = format!(r#"<robot name="balls"><link name="0"/>{balls}</robot>"#);
+    let description = read_text(&text, "balls.urdf", None, &mut Errors::new());
+    let description = description.expect("no mistakes, so a description");
+    let chain = chain::build(&description, &Request::default()).expect("a tree");
+    let mut measure = Measure::of(&chain, &[ForwardDynamics], 1.0);
+    let mut worst = |forward| {
+        let formulation = Formulation {
+            forward,
+            ..Formulation::default()
+        };
+        let (processor, functions) = (Processor::Portable, &[ForwardDynamics]);
+        let found = cheapest(
+            processor,
+            formulation,
+            &chain,
+            functions,
+            FrameId::FIRST,
+            Real::F64,
+        );
+        let found = found.expect("regular");
+        (
+            found.way.forward,
+            measure.error(&found.program, Real::F64).worst,
+        )
+    };
+    let (lightest, chosen) = (worst(Some(Forward::Articulated)), worst(None));
+    assert!(lightest.1 > ENOUGH, "{lightest:?}");
+    assert_eq!(chosen.0, Forward::Articulated);
+    assert!(chosen.1 <= ENOUGH, "{chosen:?}");
 }
 
 #[test]

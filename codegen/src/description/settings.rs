@@ -87,11 +87,14 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
     let text = key.to_string();
     if !WORDS[..KEYS].contains(&text.as_str()) {
         let message = format!("unknown key {}", quoted(&text));
-        return Err(complaint_with_hint(
-            key.span(),
-            message,
-            known(&text, "keys", &WORDS),
-        ));
+        // The command line's word.
+        let meant = if text == "functions" {
+            "generate"
+        } else {
+            &text
+        };
+        let hint = known(meant, "keys", &WORDS);
+        return Err(complaint_with_hint(key.span(), message, hint));
     }
     if settings.span(&text).is_some() {
         let message = format!("the key {} is given twice", quoted(&text));

@@ -195,6 +195,13 @@ fn all_mistakes_are_reported_at_once() {
 }
 
 #[test]
+fn the_word_that_the_command_line_has_for_a_key_is_understood() {
+    let (_, said) = try_read("pub struct Arm { functions: gravity }\nlink base;");
+    let meant = "1:18: unknown key \"functions\"\n  hint: did you mean \"generate\"? ";
+    assert!(said.starts_with(meant), "{said}");
+}
+
+#[test]
 fn joints_are_refused_with_what_to_write() {
     assert_eq!(
         errors_in_joint("joint j: revolute { from: a, to: b }"),

@@ -1,9 +1,9 @@
-//! The statements of a function, and regressors that they fill as they go.
+//! The statements of a function, and large matrices that they fill as they go.
 //!
-//! In: statements with the names that they bind, and results. Out: one after the other; or, of a large matrix
-//! that is zero for the most part, with each result stored where it is returned as soon as it is found.
-//! Hundreds of numbers that nothing reads any more would otherwise wait on the stack for the end, as no compiler
-//! brings stores forward so far. It never changes a statement, only what stands between two.
+//! In: statements with the names that they bind, and results. Out: one after the other; or, of a large matrix,
+//! with each result stored where it is returned as soon as it is found. Hundreds of numbers that nothing reads any
+//! more would otherwise wait on the stack for the end, as no compiler brings stores forward so far. It never
+//! changes a statement, only what stands between two.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use quote::{ToTokens, quote};
 use super::names::ident;
 use crate::function::Function;
 use crate::schedule::{LONGEST_SCOPE, Names};
-use crate::space::{Outcome, Space, Spaces};
+use crate::space::{Outcome, Spaces};
 
 /// What comes before the result of a function.
 pub(super) struct Statements {
@@ -34,8 +34,8 @@ impl ToTokens for Statements {
     }
 }
 
-/// How long the rows are of what `functions` return, where they are those of a regressor with more numbers than a
-/// scope has.
+/// How long the rows are of what `functions` return, where they are those of a matrix with more numbers than a
+/// scope has, none of which is read again: what is solved for is made of what was found before.
 pub(super) fn columns(functions: &[Function], spaces: &Spaces) -> Option<usize> {
     let [function] = functions else {
         return None;
@@ -43,9 +43,9 @@ pub(super) fn columns(functions: &[Function], spaces: &Spaces) -> Option<usize> 
     let Outcome::One(quantity) = function.result() else {
         return None;
     };
-    let [_, Space::Parameters | Space::BaseParameters] = quantity.over else {
+    if function.solves() || function.is_constrained() {
         return None;
-    };
+    }
     let [rows, columns] = quantity.lengths(spaces)[..] else {
         return None;
     };
@@ -103,17 +103,24 @@ mod tests {
     use crate::schedule::Names;
     use crate::space::Spaces;
 
-    fn spaces(robot: &str) -> Spaces {
+    fn spaces(robot: &str, request: &Request) -> Spaces {
         let path = format!("{}/../robots/{robot}.urdf", env!("CARGO_MANIFEST_DIR"));
         let description = description::read_file(path.as_ref(), None, &mut Errors::new());
         let description = description.expect("a robot that ships");
-        let chain = chain::build(&description, &Request::default()).expect("no mistakes");
+        let chain = chain::build(&description, request).expect("no mistakes");
         chain.spaces().clone()
     }
 
     #[test]
-    fn regressors_with_more_numbers_than_a_scope_has_are_filled() {
-        let (two_link, ur5) = (spaces("two_link"), spaces("ur5_class"));
+    fn matrices_with_more_numbers_than_a_scope_has_are_filled_but_where_they_are_solved_for() {
+        let fixed = Request::default();
+        let [two_link, ur5, quadruped] =
+            ["two_link", "ur5_class", "quadruped"].map(|robot| spaces(robot, &fixed));
+        let floating = Request {
+            floating: true,
+            ..fixed
+        };
+        let free = spaces("quadruped", &floating);
         assert_eq!(columns(&[Function::Regressor], &ur5), Some(60));
         assert_eq!(columns(&[Function::BaseRegressor], &ur5), Some(36));
         assert_eq!(columns(&[Function::Regressor], &two_link), None);
@@ -122,6 +129,11 @@ mod tests {
             None
         );
         assert_eq!(columns(&[Function::InverseDynamicsDerivatives], &ur5), None);
+        for function in [Function::MassMatrix, Function::CoriolisMatrix] {
+            assert_eq!(columns(&[function], &free), Some(18));
+            assert_eq!(columns(&[function], &quadruped), None);
+        }
+        assert_eq!(columns(&[Function::MassMatrixInverse], &free), None);
     }
 
     fn statements(one: Option<TokenStream>) -> Statements {

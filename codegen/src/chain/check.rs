@@ -84,7 +84,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     let locked = |joint: JointId| locks.contains_key(&joint);
     let follows = mimic::follows(description, &tree.branches, locked, &joints, &mut errors);
     choose_tip(description, request, &follows, &mut tree, &mut errors);
-    mimic::hold(&mut tree.branches, &follows);
+    mimic::hold(&mut tree.branches, &follows, &locks);
     check_moving(description, request, &tree, &links, &mut errors);
     check_size(description, &tree, &mut errors);
     numbers::check(description, request, &tree, &mut errors);

@@ -4,12 +4,15 @@
 //! others, the one whose coordinate moves it, and by how much; mistakes, where that is no joint that can
 //! lead; and which of them stand still with their leader. It never moves anything.
 
+use std::collections::HashMap;
+
 use super::names::Names;
 use super::tree::{Branch, Follow, Tree};
 use crate::description::{Description, JointId, Number};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::Double;
 use crate::list::List;
+use crate::request::Request;
 use crate::wording::quoted;
 
 /// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are locked
@@ -113,10 +116,16 @@ fn refuse_cycles(
     refused
 }
 
-/// Notes what each joint follows, and holds what follows a joint that is held or not there (a
-/// coordinate that is not there counts as zero), or follows it by nothing.
-pub fn hold(branches: &mut [Branch], follows: &List<JointId, Option<Follow>>) {
-    let mut held: List<JointId, Option<f64>> = follows.map(|_| Some(0.0));
+/// Notes what each joint follows, and holds what follows a joint that is held or not there, or follows it by
+/// nothing. A joint that is not there stands where it is locked, or at zero.
+pub fn hold(
+    branches: &mut [Branch],
+    follows: &List<JointId, Option<Follow>>,
+    locks: &HashMap<JointId, Number>,
+) {
+    let stands = |joint: JointId| locks.get(&joint).map_or(0.0, |at| at.value);
+    let mut held: List<JointId, Option<f64>> =
+        follows.ids().map(|joint| Some(stands(joint))).collect();
     for branch in branches.iter() {
         held[branch.joint] = branch.held.map(|held| held.value);
     }
@@ -137,10 +146,14 @@ pub fn hold(branches: &mut [Branch], follows: &List<JointId, Option<Follow>>) {
 
 /// That a joint is held whose leader was left out, or never moves; that one has its own coordinate whose
 /// leader is nowhere.
-pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
+pub fn doubts(description: &Description, request: &Request, tree: &Tree) -> Vec<Complaint> {
     let moves = |joint: JointId| {
         let mut there = tree.branches.iter();
         there.any(|branch| branch.joint == joint) && description[joint].kind.moves()
+    };
+    let is_locked = |joint: JointId| {
+        let mut locks = request.lock.iter();
+        locks.any(|(name, _)| name.text == description[joint].name.text)
     };
     let orphans = tree.branches.iter().filter(|branch| branch.held.is_none());
     let orphans = orphans.filter_map(|branch| {
@@ -157,7 +170,7 @@ pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
     });
     let follow = |branch: &Branch| Some((branch.joint, branch.follows?));
     let follows = tree.branches.iter().filter_map(follow);
-    let alone = follows.filter(|(_, follow)| !moves(follow.leader));
+    let alone = follows.filter(|(_, follow)| !(moves(follow.leader) || is_locked(follow.leader)));
     let alone = alone.map(|(joint, follow)| {
         let name = |joint: JointId| quoted(&description[joint].name.text);
         let (own, leader) = (name(joint), name(follow.leader));

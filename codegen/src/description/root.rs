@@ -32,11 +32,6 @@ pub fn freed<'a>(
         return (Cow::Borrowed(description), Cow::Borrowed(request));
     };
     let mut description = description.clone();
-    let carrier = description
-        .joints
-        .iter()
-        .find(|joint| joint.child.text == base.text);
-    let carrier = carrier.map(|joint| joint.name.text.clone());
     let links: Vec<&Name> = description.links.iter().map(|link| &link.name).collect();
     let joints: Vec<&Name> = description.joints.iter().map(|joint| &joint.name).collect();
     let ground = new_name(&LINKS, &links, &base);
@@ -65,16 +60,9 @@ pub fn freed<'a>(
         drive: Parts::default(),
         place,
     });
-    // What carried the base is not there to be locked.
-    let is_there = |lock: &&(Name, Option<Number>)| {
-        let name = &lock.0.text;
-        Some(name) != carrier.as_ref()
-    };
-    let lock = request.lock.iter().filter(is_there).cloned().collect();
     let request = Request {
         base: Some(ground),
         floating: false,
-        lock,
         ..request.clone()
     };
     (Cow::Owned(description), Cow::Owned(request))

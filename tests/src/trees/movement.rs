@@ -46,9 +46,8 @@ impl Movement {
                 },
             };
         }
-        // What is not there, or is held off the path, counts as zero.
-        let stands = robot.locked(first).filter(|_| robot.models(first.id));
-        Self::Held(factor * Big::new(stands.unwrap_or(0.0)) + offset)
+        // What is not there stands where it is locked; that and what is off the path else counts as zero.
+        Self::Held(factor * Big::new(robot.locked(first).unwrap_or(0.0)) + offset)
     }
 
     /// Whether it moves.

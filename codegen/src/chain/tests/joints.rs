@@ -276,6 +276,13 @@ fn a_free_base_hangs_on_a_frame_of_no_link() {
     let led = fine(&hand("floating, base = palm", "mimic: wrist, offset: 0.1"));
     assert_eq!(led.report.joints, ["root", "one"]);
     assert_eq!(led.report.locked, [("other".to_owned(), 0.1)]);
+    // Where that stands, a lock tells as ever.
+    for floating in ["", "floating, "] {
+        let asked = format!("{floating}base = palm, lock(wrist = 0.3)");
+        let locked = fine(&hand(&asked, "mimic: wrist, offset: 0.1"));
+        assert_eq!(locked.report.locked, [("other".to_owned(), 0.4)]);
+        assert!(doubts(&locked).is_empty(), "{:?}", doubts(&locked));
+    }
     // Names that are taken are not taken again.
     let taken = hand("floating", "")
         .replace("base", "world")

@@ -81,9 +81,8 @@ impl<'d> Reader<'d> {
             Motion::Own if there && !along.is_zero() => {
                 Motion::Follows(&at.name.text, factor, offset)
             }
-            Motion::Held(held) if there => {
-                Motion::Held((along * Double::from(held) + value).to_f64())
-            }
+            // Also where a joint stands that is not kept, a lock tells.
+            Motion::Held(held) => Motion::Held((along * Double::from(held) + value).to_f64()),
             _ => Motion::Held(value.to_f64()),
         }
     }

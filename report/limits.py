@@ -5,12 +5,15 @@
 
 Compiles functions as the derive writes them, with optimisation for the processor at hand, and hands what each does
 until it returns to LLVM's model of that core (`llvm-mca`, of the package `llvm`). OPTION is one of `homogen generate`,
-as `--floating`. Prints a table; needs cargo and llvm-mca.
+as `--floating`. Prints a table; needs cargo, llvm-mca and nm (`binutils`).
 
-Columns: operations, vectors or not, that compute with numbers, that load, and that store; the clock cycles that the
-ports of the core need (`ports`), that one call needs alone (`alone`), and that a call needs among a hundred
-independent ones (`each`); what the model says that these wait for. Where `each` is near to `ports`, only fewer
-operations help; where it is well above, a core looks too few operations ahead to overlap calls.
+Columns: operations, vectors or not, that compute with numbers, that load, and that store; the bytes of machine code;
+the clock cycles that the ports of the core need (`ports`), that one call needs alone (`alone`), and that a call needs
+among a hundred independent ones (`each`); what the model says that these wait for. Where `each` is near to `ports`,
+only fewer operations help; where it is well above, a core looks too few operations ahead to overlap calls.
+
+The model takes machine code for being at hand. A loop over more of it than the core holds (`bytes` in bold) fetches all
+of it anew each time round, and takes up to twice as long as the model says.
 """
 
 import os
@@ -41,27 +44,30 @@ CALLS = 100
 def main():
     if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
         sys.exit(__doc__.strip())
-    for tool in ("cargo", "llvm-mca"):
+    for tool in ("cargo", "llvm-mca", "nm"):
         if shutil.which(tool) is None:
             sys.exit(f"limits.py: {tool} is missing; please install it")
     with tempfile.TemporaryDirectory() as folder:
-        text = compiled(pathlib.Path(folder), sys.argv[1:])
-    print(f"{processor()}; {said('rustc', '--version')}, opt-level 3, target-cpu native; {version()}")
+        text, sizes = compiled(pathlib.Path(folder), sys.argv[1:])
+    held = int(said("getconf", "LEVEL1_ICACHE_SIZE"))
+    print(f"{processor()}; {said('rustc', '--version')}, opt-level 3, target-cpu native; {version()}; {held} bytes of instructions")
     print()
-    print("| function | numbers | vectors | loads | stores | ports | alone | each | waits for |")
-    print("|---|---:|---:|---:|---:|---:|---:|---:|---|")
+    print("| function | numbers | vectors | loads | stores | bytes | ports | alone | each | waits for |")
+    print("|---|---:|---:|---:|---:|---:|---:|---:|---:|---|")
     for function in FUNCTIONS:
         body = until_it_returns(text, function)
         if body is None:
-            print(f"| `{function}` |" + " – |" * 7 + " it is cut into sections |")
+            print(f"| `{function}` |" + " – |" * 8 + " it is cut into sections |")
             continue
         many, one = modelled(body, CALLS), modelled(body, 1)
-        row = [*counted(body), f"{many['ports']:.0f}", one["cycles"], f"{many['cycles'] / CALLS:.0f}"]
+        size = next(size for symbol, size in sizes.items() if re.search(rf"Robot\d+{function}17h", symbol))
+        size = str(size) if size <= held or held == 0 else f"**{size}**"
+        row = [*counted(body), size, f"{many['ports']:.0f}", one["cycles"], f"{many['cycles'] / CALLS:.0f}"]
         print(f"| `{function}` | {' | '.join(map(str, row))} | {many['waits']} |")
 
 
 def compiled(folder, robot):
-    """The machine code of the functions, as text."""
+    """The machine code of the functions, as text, and how many bytes each has, by its symbol."""
     generate = [homogen(), "generate", *robot, "--runtime", "::homogen", "--scalar", "f64", "--name", "Robot"]
     code = said(*generate, "--functions", ",".join(FUNCTIONS))
     manifest = (
@@ -75,10 +81,16 @@ def compiled(folder, robot):
     (folder / "src/lib.rs").write_text(code)
     target = ROOT / "target/limits"
     environment = {**os.environ, "RUSTFLAGS": "-C target-cpu=native", "CARGO_TARGET_DIR": str(target)}
-    command = ["cargo", "rustc", "--quiet", "--release", "--manifest-path", folder / "Cargo.toml", "--", "--emit", "asm"]
+    command = ["cargo", "rustc", "--quiet", "--release", "--manifest-path", folder / "Cargo.toml", "--", "--emit", "asm,obj"]
     subprocess.run(command, check=True, env=environment)
-    files = (target / "release/deps").glob("limits-*.s")
-    return max(files, key=lambda file: file.stat().st_mtime).read_text()
+    text, code = (newest(target / "release/deps", f"limits-*.{kind}") for kind in ("s", "o"))
+    symbols = [line.split() for line in said("nm", "--print-size", code).splitlines()]
+    return text.read_text(), {words[3]: int(words[1], 16) for words in symbols if len(words) == 4}
+
+
+def newest(folder, pattern):
+    """Of the files that fit a pattern."""
+    return max(folder.glob(pattern), key=lambda file: file.stat().st_mtime)
 
 
 def until_it_returns(text, function):

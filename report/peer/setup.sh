@@ -38,8 +38,9 @@ declare -A base=([solo12]=floating [g1]=floating)
 declare -A vendors=([ur5]=ur_description/urdf/ur5_robot.urdf
     [panda]=panda_description/urdf/panda.urdf [solo12]=solo_description/robots/solo12.urdf
     [g1]=g1_description/urdf/g1_29dof_rev_1_0.urdf)
-# Of many joints the C of matrices and derivatives grows out of hand.
-declare -A functions=([g1]=inverse_dynamics)
+# Of many joints the C of derivatives and inverses grows out of hand.
+declare -A functions=([g1]='forward_kinematics geometric_jacobian gravity inverse_dynamics
+    mass_matrix mass_matrix_world forward_dynamics forward_dynamics_world')
 collection=example-robot-data==6.0.0
 mujoco=mujoco-core==4.0.0
 # The version of JAX that frax's README recommends for processors.
@@ -128,7 +129,7 @@ describe() { # robot: what the report must know of it
     replace "$to/title" <<<"${title[$1]}"
     replace "$to/frame" <<<"${frame[$1]}"
     replace "$to/base" <<<"$base"
-    [ -z "${functions[$1]:-}" ] || replace "$to/functions" <<<"${functions[$1]}"
+    [ -z "${functions[$1]:-}" ] || replace "$to/functions" < <(printf '%s\n' ${functions[$1]})
     if [ -z "${vendors[$1]:-}" ]; then
         replace "$to/robot.urdf" <"../../robots/$1.urdf"
     elif [ ! -e "$to/robot.urdf" ]; then

@@ -27,10 +27,10 @@ use homogen_tests::oracle::{frame_0, link_frames};
 use homogen_tests::states::Random;
 use homogen_tests::tested::F64;
 
-const STATES: usize = 5;
+const STATES: usize = 10;
 
 /// Of what differs from a robot that has been looked at by its drives or by what acts on it.
-const FEW_STATES: usize = 2;
+const FEW_STATES: usize = 4;
 
 const TOLERANCE: f64 = 1e-50;
 

@@ -46,7 +46,7 @@ impl Movement {
                 },
             };
         }
-        // What is not there stands where it is locked; that and what is off the path else counts as zero.
+        // What is not there, or off the path, stands where it is locked, or at zero.
         Self::Held(factor * Big::new(robot.locked(first).unwrap_or(0.0)) + offset)
     }
 

@@ -13,7 +13,7 @@ among a hundred independent ones (`each`); what the model says that these wait f
 only fewer operations help; where it is well above, a core looks too few operations ahead to overlap calls.
 
 The model takes machine code for being at hand. A loop over more of it than the core holds (`bytes` in bold) fetches all
-of it anew each time round, and takes up to twice as long as the model says.
+of it anew each time round, and takes longer than the model says.
 """
 
 import os

@@ -146,6 +146,9 @@ impl<'r> Prepared<'r> {
                 }
                 return Err(format!("{bad} of a finite state"));
             }
+            if self.is_left_to_fields(case.function, state) {
+                continue;
+            }
             let error = self.error(case, frame, &found, arguments);
             // Not a number is no error within anything.
             if error.partial_cmp(&TOLERANCE) != Some(std::cmp::Ordering::Less) {
@@ -170,12 +173,15 @@ impl<'r> Prepared<'r> {
             .judge(functions, FrameId::FIRST, &program, Real::F64);
         judged.map_err(|errors| format!("refused: {errors}"))?;
         let mut worst: f64 = 0.0;
-        for arguments in &self.states {
+        for (state, arguments) in self.states.iter().enumerate() {
             let found = run::<f64>(&program, |input| self.input(input, arguments));
             let mut found = found.as_slice();
             for &function in functions {
                 let (these, rest) = found.split_at(function.result().size(self.chain.spaces()));
                 found = rest;
+                if self.is_left_to_fields(function, state) {
+                    continue;
+                }
                 let case = Case {
                     function,
                     frame: 0,
@@ -260,6 +266,16 @@ impl<'r> Prepared<'r> {
     /// Whether a function of accelerations may be none: where the mass matrix is singular or nearly.
     fn is_singular(&self, function: Function, state: usize) -> bool {
         function.solves() && self.sinks(state) < regular(function)
+    }
+
+    /// Whether it is a field that leaves next to nothing of the mass matrix: what is in it then, nobody knew who could
+    /// have refused it.
+    fn is_left_to_fields(&self, function: Function, state: usize) -> bool {
+        let has_fields = !self.robot.asked.fields.is_empty();
+        let at = &self.states[state];
+        has_fields
+            && self.is_singular(function, state)
+            && pivot(&self.dense, at) < regular(function)
     }
 
     /// How far an entry of the mass matrix sinks by elimination in a state, with what is in the fields, with what is

@@ -4,6 +4,7 @@
 //! frames of the links (structure rules 1 to 3), or, with joints whose matrices are all there, in frame
 //! 0. It knows no function, and never counts, orders or prints.
 
+mod alike;
 pub(crate) mod articulated;
 mod carry;
 mod composite;
@@ -28,6 +29,7 @@ pub(crate) mod twist;
 mod velocities;
 mod way;
 
+pub(crate) use self::alike::alike;
 pub(crate) use self::articulated::{
     INERTIA as ARTICULATED_INERTIA, MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP,
 };

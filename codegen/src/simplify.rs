@@ -60,6 +60,7 @@ pub fn simplify(graph: &Graph, results: &[Expr]) -> (Graph, Vec<Expr>) {
             Node::Sign(a) => at(a).sign(),
             Node::Sin(a) => at(a).sin_cos().0,
             Node::Cos(a) => at(a).sin_cos().1,
+            Node::Taken(a, by) => at(a).taken_by(by),
         };
         let term = rules::apply(&site, plain);
         if let Some(label) = graph.label(expr) {

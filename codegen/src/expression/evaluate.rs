@@ -121,6 +121,7 @@ impl<T: Arithmetic> Values<T> {
             Node::Sign(a) => self.at(a).sign(),
             Node::Sin(a) => self.turn(a).0,
             Node::Cos(a) => self.turn(a).1,
+            Node::Taken(a, _) => self.at(a),
         };
         self.nodes[expr.index()] = Some(value);
     }

@@ -7,7 +7,8 @@
 //! * a sum or product has its constant first, then the older operand; of a − b and b − a only the
 //!   one that starts with the older operand exists, the other is its `Neg`;
 //! * a product holds at most one constant factor, folded at 106 bits;
-//! * k x ± l x is (k ± l) x, and so where one of k and l is 1.
+//! * k x ± l x is (k ± l) x, and so where one of k and l is 1;
+//! * nothing looks through a [`Node::Taken`]: what is made of it is the same, whatever it holds.
 
 #[cfg(test)]
 mod tests;
@@ -63,6 +64,8 @@ pub enum Node {
     Sin(Expr),
     /// cos a.
     Cos(Expr),
+    /// a, as the one of several equal computations takes it that has this number.
+    Taken(Expr, u16),
 }
 
 /// Scalars in the order in which they were made.
@@ -207,6 +210,10 @@ impl Graph {
     pub(super) fn sin_cos(&self, a: Expr) -> (Expr, Expr) {
         self.inner.borrow_mut().sin_cos(a)
     }
+
+    pub(super) fn taken(&self, a: Expr, by: u16) -> Expr {
+        self.inner.borrow_mut().taken(a, by)
+    }
 }
 
 /// The name of the entry with the other sign.
@@ -223,7 +230,12 @@ impl Node {
     pub fn operands(self) -> Vec<Expr> {
         match self {
             Self::Literal(_) | Self::Input(_) => Vec::new(),
-            Self::Neg(a) | Self::Sqrt(a) | Self::Sign(a) | Self::Sin(a) | Self::Cos(a) => vec![a],
+            Self::Neg(a)
+            | Self::Sqrt(a)
+            | Self::Sign(a)
+            | Self::Sin(a)
+            | Self::Cos(a)
+            | Self::Taken(a, _) => vec![a],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
         }
     }
@@ -434,6 +446,15 @@ impl Inner {
         let sine = self.intern_signed(Node::Sin(a), values.map(|(sine, _)| sine));
         let cosine = self.intern_signed(Node::Cos(a), values.map(|(_, cosine)| cosine));
         (self.signed(negative, sine), cosine)
+    }
+
+    /// Zero is taken for what it is; other numbers are not known any more.
+    fn taken(&mut self, a: Expr, by: u16) -> Expr {
+        if self.is_zero(a) {
+            a
+        } else {
+            self.intern(Node::Taken(a, by), None)
+        }
     }
 
     /// A node whose value may be anything: zero becomes the literal.

@@ -42,6 +42,13 @@ impl<'g> Term<'g> {
         self.value().is_some_and(Double::is_zero)
     }
 
+    /// The same, as the one of several computations takes it that has this number, so that they become equal,
+    /// step by step: no rule looks through it, and no sign floats out. Zero stays a zero that rules see.
+    #[must_use]
+    pub fn taken_by(self, number: u16) -> Self {
+        Self::new(self.graph, self.graph.taken(self.expr, number))
+    }
+
     /// Says what it is an entry of.
     pub fn label(self, name: impl FnOnce() -> String) {
         self.graph.set_label(self.expr, name);

@@ -6,7 +6,7 @@ use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_derivatives, mass_matrix_inverse, quantities};
 use crate::expression::Term;
 use crate::formulation::Forward;
-use crate::list::Square;
+use crate::list::{List, Square};
 use crate::model::{self, Scene};
 use crate::space::{Variable, VelocityId};
 
@@ -38,31 +38,34 @@ fn dense(size: Size) -> Tally {
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let accelerations = forward_dynamics::accelerations(scene);
     let inverse = mass_matrix_inverse::inverse(scene);
-    let [dq, dqd] = scene.torque_derivatives(&accelerations).map(|needed| {
-        let found = match scene.way.forward {
-            Forward::UNREFINED => {
-                model::forward_dynamics::solved(&scene.mass_matrix(), &scene.parents(), &needed)
-            }
-            _ => product(&inverse, &needed),
-        };
-        let entries = Vec::from(found).into_iter();
-        entries.map(|entry| -entry).collect::<Vec<_>>()
+    let changes = scene.torque_derivatives(&accelerations);
+    let columns = changes.iter().flat_map(|change| {
+        let columns = change.ids().map(|column| change.column(column));
+        columns.map(|column| column.map(|&entry| -entry))
     });
-    [dq, dqd, inverse.into()].concat()
+    let columns: Vec<List<VelocityId, Term<'g>>> = columns.collect();
+    let found = match scene.way.forward {
+        Forward::UNREFINED => {
+            model::forward_dynamics::solved(&scene.mass_matrix(), &scene.parents(), &columns)
+        }
+        _ => model::alike(&columns, |column| product(&inverse, column)),
+    };
+    let by_rows = found.chunks(inverse.ids().len()).flat_map(|columns| {
+        let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
+        inverse.ids().flat_map(row).collect::<Vec<_>>()
+    });
+    by_rows.chain(Vec::from(inverse.clone())).collect()
 }
 
-/// A B.
+/// A b.
 fn product<'g>(
     a: &Square<VelocityId, Term<'g>>,
-    b: &Square<VelocityId, Term<'g>>,
-) -> Square<VelocityId, Term<'g>> {
-    let mut found = b.clone();
-    for row in a.ids() {
-        for column in b.ids() {
-            let terms = a.ids().map(|k| a[(row, k)] * b[(k, column)]);
-            let entry = terms.reduce(|sum, term| sum + term);
-            found[(row, column)] = entry.expect("as many terms as rows");
-        }
-    }
-    found
+    b: &List<VelocityId, Term<'g>>,
+) -> List<VelocityId, Term<'g>> {
+    let rows = a.ids().map(|row| {
+        let terms = a.row(row).zip(b).map(|(a, &b)| a * b);
+        let entry = terms.reduce(|sum, term| sum + term);
+        entry.expect("as many terms as rows")
+    });
+    rows.collect()
 }

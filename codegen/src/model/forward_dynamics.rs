@@ -5,6 +5,7 @@
 //! takes the inverse dynamics of what was found as the residual, which brings back the digits that
 //! forming the mass matrix lost. It never knows in which frame either was computed.
 
+use super::alike::alike;
 use super::factor::factor;
 use crate::expression::Term;
 use crate::list::{Id, List, Square};
@@ -63,21 +64,14 @@ pub fn mass_matrix_inverse<'g>(
     entries
 }
 
-/// M⁻¹ of a square matrix, column by column from the factors: on a tree they have zeros that
-/// the inverse has not.
+/// M⁻¹ of each of some columns, from the factors: on a tree they have zeros that the inverse has not.
 pub fn solved<'g>(
     matrix: &Square<VelocityId, Term<'g>>,
     parents: &List<VelocityId, Option<VelocityId>>,
-    of: &Square<VelocityId, Term<'g>>,
-) -> Square<VelocityId, Term<'g>> {
+    columns: &[List<VelocityId, Term<'g>>],
+) -> Vec<List<VelocityId, Term<'g>>> {
     let factors = factor(matrix, parents);
-    let mut found = of.clone();
-    for column in of.ids() {
-        for (row, &entry) in factors.solve(&of.column(column)).numbered() {
-            found[(row, column)] = entry;
-        }
-    }
-    found
+    alike(columns, |column| factors.solve(column))
 }
 
 /// For each joint the diagonal entry of the mass matrix and the pivot left of it.

@@ -113,6 +113,7 @@ impl Placing<'_> {
         let operation = match self.graph.node(expr) {
             Node::Input(input) => return Operand::Input(input),
             Node::Neg(a) => return self.at(a),
+            Node::Taken(a, _) => return self.positive(a),
             Node::Add(a, b) => self.sum(expr, a, (b, false)),
             Node::Sub(a, b) => self.sum(expr, a, (b, true)),
             Node::Mul(a, b) => match (self.at(a), self.signs.of_product(a, b, expr)) {

@@ -98,6 +98,7 @@ fn wishes(graph: &Graph, needed: &[Expr], results: &[Expr]) -> Vec<Option<bool>>
                 pass_on(b, wish);
             }
             Node::Neg(a) => pass_on(a, !wish),
+            Node::Taken(a, _) => pass_on(a, false),
             Node::Mul(_, b) => pass_on(b, wish),
             _ => {}
         }

@@ -1,0 +1,136 @@
+//! Equal computations for several columns.
+//!
+//! In: columns, and what is made of each. Out: the columns that were made, those with the same zeros one after the
+//! other and step by step the same, so that they can be written once for all of them. It never looks at what is
+//! computed.
+
+use crate::expression::Term;
+use crate::list::List;
+use crate::space::VelocityId;
+
+/// How many operations columns have to save by being the same: a column takes one or two for each square of its
+/// length, and shares none any more with others that it is a multiple of.
+const WORTH: usize = 300;
+
+type Column<'g> = List<VelocityId, Term<'g>>;
+
+/// What `of` makes of each column; one whose zeros too few others have is taken as it is.
+pub fn alike<'g>(
+    columns: &[Column<'g>],
+    of: impl Fn(&Column<'g>) -> Column<'g>,
+) -> Vec<Column<'g>> {
+    let zeros = |column: &Column<'g>| -> Vec<bool> {
+        let zeros = column.iter().map(|entry| entry.is_zero());
+        zeros.collect()
+    };
+    let zeros: Vec<Vec<bool>> = columns.iter().map(zeros).collect();
+    let is_worth = |k: usize| {
+        let others = zeros.iter().filter(|other| **other == zeros[k]).count() - 1;
+        others * columns[k].len().pow(2) >= WORTH
+    };
+    // All are taken before anything is made of the first: changes of signs stand before all of them.
+    let taken = columns.iter().zip(0_u16..).enumerate();
+    let taken = taken.map(|(k, (column, number))| {
+        is_worth(k).then(|| column.map(|entry| entry.taken_by(number)))
+    });
+    let taken: Vec<Option<Column<'g>>> = taken.collect();
+    let mut made: Vec<Option<Column<'g>>> = vec![None; columns.len()];
+    for first in 0..columns.len() {
+        if taken[first].is_none() {
+            made[first] = Some(of(&columns[first]));
+        }
+        for k in first..columns.len() {
+            if let (Some(column), None, true) = (&taken[k], &made[k], zeros[k] == zeros[first]) {
+                made[k] = Some(of(column));
+            }
+        }
+    }
+    made.into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::mem::{Discriminant, discriminant};
+
+    use super::alike;
+    use crate::expression::{Graph, Input, Term};
+    use crate::list::List;
+    use crate::schedule::{Operand, Operation, Program, run, schedule};
+    use crate::simplify::simplify;
+    use crate::space::{Variable, VelocityId};
+
+    fn q(graph: &Graph, k: u16) -> Term<'_> {
+        graph.input(Input::Variable(Variable::Q, k))
+    }
+
+    /// How long columns are: as long as is worth it for two.
+    const LENGTH: u16 = 18;
+
+    /// Columns of which the second is the first but for signs, and the third has a zero.
+    fn columns<'g>(graph: &'g Graph) -> Vec<List<VelocityId, Term<'g>>> {
+        let [a, b, zero] = [q(graph, 1), q(graph, 2), graph.constant(0.0)];
+        let of_each: [&dyn Fn(u16, Term<'g>) -> Term<'g>; 3] = [
+            &|_, x| a * x,
+            &|k, x| if k % 2 == 0 { -(b + x) } else { b * x },
+            &|k, x| if k == 0 { zero } else { x },
+        ];
+        let column = |of: &dyn Fn(u16, Term<'g>) -> Term<'g>| {
+            let entries = (0..LENGTH).map(|k| of(k, q(graph, 3 + k)));
+            entries.collect()
+        };
+        of_each.map(column).into()
+    }
+
+    /// Each entry less the last one l times.
+    fn solved<'g>(graph: &'g Graph, x: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
+        let last = x.iter().copied().last().expect("entries");
+        x.map(|&entry| entry - q(graph, 0) * last)
+    }
+
+    fn program(of_each: bool) -> Program {
+        let graph = Graph::new();
+        let columns = columns(&graph);
+        let found: Vec<_> = if of_each {
+            columns
+                .iter()
+                .map(|column| solved(&graph, column))
+                .collect()
+        } else {
+            alike(&columns, |column| solved(&graph, column))
+        };
+        let results: Vec<_> = found.iter().flatten().map(|term| term.expr()).collect();
+        let (graph, results) = simplify(&graph, &results);
+        schedule(&graph, &results)
+    }
+
+    /// The kinds of operations that the entries of two columns are the results of.
+    fn kinds(program: &Program) -> [Vec<Discriminant<Operation>>; 2] {
+        let kind = |result: &Operand| match *result {
+            Operand::Step(step) => discriminant(&program.steps[step as usize].operation),
+            _ => unreachable!("{result:?}"),
+        };
+        let mut columns = program.results.chunks(usize::from(LENGTH));
+        [(); 2].map(|()| columns.next().expect("a column").iter().map(kind).collect())
+    }
+
+    #[test]
+    fn columns_with_the_same_zeros_are_computed_the_same() {
+        let [first, second] = kinds(&program(false));
+        assert_eq!(first, second);
+        // By themselves signs float out.
+        let [first, second] = kinds(&program(true));
+        assert_ne!(first, second);
+    }
+
+    #[test]
+    fn nothing_else_changes() {
+        let [alike, each] = [program(false), program(true)].map(|program| {
+            run::<f64>(&program, |input| match input {
+                Input::Variable(Variable::Q, k) => f64::from(k).sin() + 0.3,
+                _ => unreachable!("only q is used"),
+            })
+        });
+        assert_eq!(alike, each);
+        assert_eq!(alike.len(), 3 * usize::from(LENGTH));
+    }
+}

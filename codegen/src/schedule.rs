@@ -12,6 +12,8 @@ mod names;
 mod once;
 mod order;
 mod price;
+mod readers;
+mod repeats;
 mod routine;
 mod run;
 mod sections;
@@ -23,7 +25,7 @@ pub(crate) use names::sanitize;
 pub use once::{Parts, part};
 pub use order::{schedule, schedule_unfused};
 pub use price::Price;
-pub use routine::{Angle, Apart, Entries, Readable, Routine, Statement, Value, Work};
+pub use routine::{Angle, Apart, Entries, Readable, Rounds, Routine, Statement, Value, Work};
 pub use run::run;
 pub use sections::{Length, Sections, sections};
 

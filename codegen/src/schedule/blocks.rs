@@ -12,7 +12,9 @@
 
 use std::ops::Range;
 
-use super::{Operand, Program, Step};
+use super::Program;
+use super::readers::{note_readers, read_until};
+use super::repeats::Repeat;
 
 /// A program of up to so many steps and angles is one scope: a third of what a compiler bears.
 const FLAT: usize = 900;
@@ -44,17 +46,41 @@ pub struct Block {
     pub handed_on: Vec<u32>,
 }
 
-/// The steps before the sines and cosines, and those after them.
+/// The steps of a program that stays whole.
+pub struct Nested {
+    /// Those before the sines and cosines.
+    pub before: Vec<Part>,
+    /// Those after them: before the first repeat, between two, and behind the last.
+    pub after: Vec<Vec<Part>>,
+}
+
+/// The steps of a program whose repeats are loops.
 #[must_use]
-pub fn nested(program: &Program) -> [Vec<Part>; 2] {
-    let steps = (0_u32..).take(program.steps.len());
-    let mut before: Vec<_> = steps.map(Part::Step).collect();
-    let after = before.split_off(program.before_angles);
-    if program.steps.len() + program.angles.len() <= FLAT {
-        return [before, after];
+pub fn nested(program: &Program, repeats: &[Repeat]) -> Nested {
+    let steps = (0_u32..).take(program.steps.len()).map(Part::Step);
+    let mut steps: Vec<_> = steps.collect();
+    let mut after = Vec::new();
+    for repeat in repeats.iter().rev() {
+        let all = repeat.steps();
+        after.push(steps.split_off(all.end as usize));
+        steps.truncate(all.start as usize);
     }
-    let read_until = read_until(program);
-    [before, after].map(|parts| in_blocks(parts, &read_until))
+    after.push(steps.split_off(program.before_angles));
+    after.reverse();
+    let mut nested = Nested {
+        before: steps,
+        after,
+    };
+    let stretches = std::iter::once(&mut nested.before).chain(&mut nested.after);
+    let stretches: Vec<_> = stretches.collect();
+    let written: usize = stretches.iter().map(|parts| parts.len()).sum();
+    if written + program.angles.len() > FLAT {
+        let read_until = read_until(program);
+        for parts in stretches {
+            *parts = in_blocks(std::mem::take(parts), &read_until);
+        }
+    }
+    nested
 }
 
 /// The steps before the sines and cosines of a program in sections.
@@ -64,9 +90,10 @@ pub fn before(program: &Program) -> Vec<Part> {
     in_blocks(steps.map(Part::Step).collect(), &read_until(program))
 }
 
-/// The steps of a section, which are read outside of it where they wait and not where they are bound.
+/// The steps of a section, or of the first round of a repeat: of these only some are read outside where they are
+/// bound, the others where they wait.
 #[must_use]
-pub fn within(program: &Program, section: Range<u32>) -> Vec<Part> {
+pub fn within(program: &Program, section: Range<u32>, bound: &[u32]) -> Vec<Part> {
     let parts = section.clone().map(Part::Step).collect();
     if section.len() <= FLAT {
         return parts;
@@ -74,6 +101,9 @@ pub fn within(program: &Program, section: Range<u32>) -> Vec<Part> {
     let mut read_until = vec![0; program.steps.len()];
     let steps = &program.steps[section.start as usize..section.end as usize];
     note_readers(section.zip(steps), &mut read_until);
+    for &step in bound {
+        read_until[step as usize] = u32::MAX;
+    }
     in_blocks(parts, &read_until)
 }
 
@@ -99,30 +129,6 @@ impl Part {
         match self {
             Self::Step(step) => step + 1,
             Self::Block(block) => block.parts.last().map_or(0, Self::end),
-        }
-    }
-}
-
-/// The last step that reads each step; what sines and results are of is read behind every block.
-fn read_until(program: &Program) -> Vec<u32> {
-    let mut read_until = vec![0; program.steps.len()];
-    note_readers((0_u32..).zip(&program.steps), &mut read_until);
-    for operand in program.angles.iter().chain(&program.results) {
-        if let Operand::Step(step) = *operand {
-            read_until[step as usize] = u32::MAX;
-        }
-    }
-    read_until
-}
-
-/// Notes of each step which of these is the last that reads it.
-fn note_readers<'s>(steps: impl Iterator<Item = (u32, &'s Step)>, read_until: &mut [u32]) {
-    for (at, step) in steps {
-        for operand in step.operation.operands() {
-            if let Operand::Step(step) = operand {
-                // Later steps come later.
-                read_until[step as usize] = at;
-            }
         }
     }
 }
@@ -181,7 +187,7 @@ fn cuts(parts: &[Part], read_until: &[u32]) -> Vec<Range<usize>> {
 mod tests {
     use homogen_random::Random;
 
-    use super::{Block, FLAT, LONGEST_SCOPE, Part, SHORTEST, nested};
+    use super::{Block, FLAT, LONGEST_SCOPE, Nested, Part, SHORTEST, nested};
     use crate::expression::Input;
     use crate::schedule::{Operand, Operation, Program, Step};
     use crate::space::Variable;
@@ -293,7 +299,8 @@ mod tests {
                 next: 0,
                 visible: vec![false; program.steps.len()],
             };
-            let [before, after] = nested(program);
+            let Nested { before, after } = nested(program, &[]);
+            let after = after.concat();
             walk.scope(&before);
             walk.read(&program.angles);
             let (_, deepest) = walk.scope(&after);
@@ -322,7 +329,8 @@ mod tests {
             }
         }
         let [program, _] = long();
-        for parts in nested(&program) {
+        let Nested { before, after } = nested(&program, &[]);
+        for parts in [before, after.concat()] {
             check(&parts, &program);
         }
     }
@@ -330,10 +338,11 @@ mod tests {
     #[test]
     fn a_short_program_is_one_scope() {
         let is_step = |part: &Part| matches!(part, Part::Step(_));
-        let [before, after] = nested(&tangled(FLAT));
+        let Nested { before, after } = nested(&tangled(FLAT), &[]);
+        let after = after.concat();
         assert_eq!((before.len(), after.len()), (0, FLAT));
         assert!(after.iter().all(is_step));
-        let [_, after] = nested(&tangled(FLAT + 1));
+        let after = nested(&tangled(FLAT + 1), &[]).after.concat();
         assert!(!after.iter().any(is_step));
     }
 
@@ -346,7 +355,7 @@ mod tests {
             1 if k > 1 => [k - 2, k - 1],
             since => [k - since, k - 1],
         });
-        let [_, after] = nested(&program);
+        let after = nested(&program, &[]).after.concat();
         let handed_on: Vec<_> = after.iter().map(|part| part.handed_on().to_vec()).collect();
         let last_of_each = (1..=10).map(|k| vec![k * stretch - 1]);
         assert_eq!(handed_on, last_of_each.collect::<Vec<_>>());

@@ -4,14 +4,17 @@
 //! language, never names what nobody reads, and changes no operation.
 
 mod apart;
+mod rounds;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 pub use self::apart::{Apart, Work};
+pub use self::rounds::Rounds;
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
+use super::repeats::repeats;
 use super::sections::{Length, sections};
 use super::{Operand, Operation, Program, Step};
 use crate::expression::Input;
@@ -67,8 +70,10 @@ pub enum Statement {
         /// The names that are read behind it.
         handed_on: Vec<String>,
     },
-    /// What is bound to the name is put into the work array, at that place.
-    Left(usize, String),
+    /// The value is put into the work array, at that place.
+    Left(usize, Value),
+    /// The same statements in each of several rounds.
+    Rounds(Rounds),
 }
 
 /// An angle, and the names of its sine and cosine; none where it is not read.
@@ -91,6 +96,8 @@ pub enum Value {
     Name(String),
     /// What waits at a place of the work array.
     Waiting(usize),
+    /// What stands in a table of rounds: its name, the row, and the round.
+    Entry(String, usize, usize),
 }
 
 impl Routine {
@@ -117,6 +124,7 @@ impl Routine {
             sums: Vec::with_capacity(program.steps.len()),
             unnamed: 0,
             left: BTreeMap::new(),
+            taken: HashMap::new(),
         };
         let arguments = readable.arguments.iter().map(|&argument| {
             let entries = 0..readable.spaces.len(argument.space());
@@ -133,10 +141,16 @@ impl Routine {
         if let Some(sections) = sections(program, length) {
             return naming.in_sections(&sections, arguments, fields);
         }
-        let [before, after] = nested(program);
-        let mut statements = naming.statements(&before);
+        let repeats = repeats(program);
+        let parts = nested(program, &repeats);
+        let mut statements = naming.statements(&parts.before);
         statements.extend(naming.sines_and_cosines());
-        statements.extend(naming.statements(&after));
+        let mut repeats = repeats.iter();
+        for parts in &parts.after {
+            statements.extend(naming.statements(parts));
+            let rounds = repeats.next().map(|repeat| naming.rounds(repeat));
+            statements.extend(rounds.map(Statement::Rounds));
+        }
         let results = program.results.iter();
         let is_literal = |read| matches!(read, Operand::Literal(_));
         Self {
@@ -174,12 +188,15 @@ struct Naming<'p> {
     /// All inputs that are read, with their names once they are bound.
     inputs: BTreeMap<Input, Option<String>>,
     angles: Vec<Angle>,
-    steps: Vec<String>,
+    /// Where the result of each step is found.
+    steps: Vec<Value>,
     /// The coordinates that a step is the sum of.
     sums: Vec<Option<Vec<u16>>>,
     unnamed: usize,
     /// The steps that are put into the work array, and where.
     left: BTreeMap<u32, usize>,
+    /// Of the round that is written, what a step takes as one of its operands; nothing outside of rounds.
+    taken: HashMap<(u32, usize), String>,
 }
 
 impl Naming<'_> {
@@ -202,7 +219,10 @@ impl Naming<'_> {
             Operand::Input(input) => self.inputs[&input].as_ref(),
             Operand::Sin(angle) => self.angles[angle as usize].sine.as_ref(),
             Operand::Cos(angle) => self.angles[angle as usize].cosine.as_ref(),
-            Operand::Step(step) => self.steps.get(step as usize),
+            Operand::Step(step) => {
+                let value = self.steps.get(step as usize);
+                return value.expect("what is read is computed before").clone();
+            }
         };
         Value::Name(name.expect("what is read is bound before").clone())
     }
@@ -214,14 +234,13 @@ impl Naming<'_> {
                 Part::Step(step) => {
                     statements.push(self.operation(&self.program.steps[*step as usize]));
                     if let Some(&place) = self.left.get(step) {
-                        statements.push(Statement::Left(place, self.steps[*step as usize].clone()));
+                        let value = self.steps[*step as usize].clone();
+                        statements.push(Statement::Left(place, value));
                     }
                 }
                 Part::Block(Block { parts, handed_on }) => {
                     let inside = self.statements(parts);
-                    let handed_on = handed_on
-                        .iter()
-                        .map(|&step| self.steps[step as usize].clone());
+                    let handed_on = handed_on.iter().map(|&step| self.name(step));
                     statements.push(Statement::Block {
                         statements: inside,
                         handed_on: handed_on.collect(),
@@ -232,23 +251,46 @@ impl Naming<'_> {
         statements
     }
 
+    /// The name that the result of a step is bound to.
+    fn name(&self, step: u32) -> String {
+        match &self.steps[step as usize] {
+            Value::Name(name) => name.clone(),
+            _ => unreachable!("a step outside of rounds is bound to a name"),
+        }
+    }
+
     /// An operation whose result is called as its entry of a matrix, or after the coordinates
     /// that it is the sum of, or by a number.
     fn operation(&mut self, step: &Step) -> Statement {
-        let operation = step.operation.map(|operand| self.value(operand));
-        let sum = self.sum(step.operation);
-        let wish = match (&step.label, &sum) {
-            (Some(label), _) => label.clone(),
-            (None, Some(coordinates)) => format!("q_{}", numbers(coordinates)),
-            (None, None) => {
-                self.unnamed += 1;
-                format!("t_{}", self.unnamed)
-            }
+        let mut operand = 0;
+        let operation = step.operation.map(|of| {
+            let taken = self.taken.get(&(self.next(), operand));
+            operand += 1;
+            taken.map_or_else(|| self.value(of), |name| Value::Name(name.clone()))
+        });
+        // What is computed for several is an entry of none of them.
+        let by_itself = self.taken.is_empty();
+        let label = step.label.as_ref().filter(|_| by_itself);
+        let sum = self.sum(step.operation).filter(|_| by_itself);
+        let name = match (label, &sum) {
+            (Some(label), _) => self.names.fresh(label),
+            (None, Some(coordinates)) => self.names.fresh(&format!("q_{}", numbers(coordinates))),
+            (None, None) => self.unnamed(),
         };
-        let name = self.names.fresh(&wish);
         self.sums.push(sum);
-        self.steps.push(name.clone());
+        self.steps.push(Value::Name(name.clone()));
         Statement::Operation(name, operation)
+    }
+
+    /// The step that has no name yet.
+    fn next(&self) -> u32 {
+        u32::try_from(self.steps.len()).expect("fewer than 2³² steps")
+    }
+
+    /// The next name of what is no entry of anything.
+    fn unnamed(&mut self) -> String {
+        self.unnamed += 1;
+        self.names.fresh(&format!("t_{}", self.unnamed))
     }
 
     /// All sines and cosines, called after the coordinates that the angles are sums of.
@@ -276,7 +318,7 @@ impl Naming<'_> {
     fn subject(&self, angle: Operand) -> String {
         match (self.coordinates_of(angle), angle) {
             (Some(coordinates), _) => numbers(&coordinates),
-            (None, Operand::Step(step)) => self.steps[step as usize].clone(),
+            (None, Operand::Step(step)) => self.name(step),
             (None, Operand::Input(input)) => self.inputs[&input].clone().unwrap_or_default(),
             (None, _) => "a".to_owned(),
         }

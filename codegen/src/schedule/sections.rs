@@ -2,7 +2,7 @@
 //!
 //! In: a [`Program`], and how long a function may be. Out: its steps behind the sines in sections, in the
 //! order in which they run, and where in a work array each value waits that is read in another section
-//! than its own. It never changes or moves a step, and knows no language.
+//! than its own. A repeat is a section by itself. It never changes or moves a step, and knows no language.
 //!
 //! Compilers take more than twice as long for a function twice as long: they look at all values that are
 //! alive at a time, and at all pairs of some. Sections make time and memory linear. A value that waits in
@@ -11,13 +11,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use super::repeats::{Repeat, repeats};
 use super::{Operand, Program};
 use crate::expression::Input;
 
 /// How long a function is that compilers see.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Length {
-    /// The most steps of a program that stays whole.
+    /// The most steps of a program that stays whole, those of a repeat counted once.
     whole: usize,
     /// The most steps of a section of one that does not.
     section: usize,
@@ -116,6 +117,8 @@ pub struct Section {
     pub taken: Vec<(Waiting, usize)>,
     /// The steps whose results they put into it.
     pub left: Vec<(u32, usize)>,
+    /// The repeat that they are, if they are one.
+    pub repeat: Option<Repeat>,
 }
 
 /// The sections of a program; none where it is short enough to stay whole.
@@ -124,8 +127,13 @@ pub fn sections(program: &Program, length: Length) -> Option<Sections> {
     if program.steps.len() <= length.whole {
         return None;
     }
-    let first = index(program.before_angles);
-    let ranges = ranges(program, first, length.section);
+    let mut repeats = repeats(program);
+    repeats.retain(|repeat| repeat.first.len() <= length.section);
+    let saved: usize = repeats.iter().map(Repeat::saved).sum();
+    if program.steps.len() - saved <= length.whole {
+        return None;
+    }
+    let (ranges, repeats) = ranges(program, repeats, length.section);
     // The section that computes a step; none before the sines.
     let mut home: Vec<Option<usize>> = vec![None; program.steps.len()];
     for (number, range) in ranges.iter().enumerate() {
@@ -156,8 +164,8 @@ pub fn sections(program: &Program, length: Length) -> Option<Sections> {
     let mut places = Places::default();
     let given = until.keys().filter(|value| home(value).is_none());
     let given = given.map(|&value| (value, places.take(value))).collect();
-    let sections = ranges.into_iter().zip(taken).enumerate();
-    let sections = sections.map(|(number, (steps, taken))| {
+    let sections = ranges.into_iter().zip(taken).zip(repeats).enumerate();
+    let sections = sections.map(|(number, ((steps, taken), repeat))| {
         let left = steps
             .clone()
             .filter(|&step| until.contains_key(&Waiting::Step(step)));
@@ -173,7 +181,12 @@ pub fn sections(program: &Program, length: Length) -> Option<Sections> {
                 places.free.insert(*place);
             }
         }
-        Section { steps, taken, left }
+        Section {
+            steps,
+            taken,
+            left,
+            repeat,
+        }
     });
     let sections = sections.collect();
     let results = program.results.iter().map(result);
@@ -204,15 +217,36 @@ impl Places {
     }
 }
 
-/// The steps from the first one, in ranges of at most so many: cut where the fewest values are read behind
-/// the cut that were computed before it, in the second half of what a section can be.
-fn ranges(program: &Program, first: u32, most: usize) -> Vec<Range<u32>> {
-    let crossing = crossing(program, first);
-    let (mut ranges, mut start, count) = (Vec::new(), first as usize, program.steps.len());
-    while start < count {
+/// The steps behind the sines in ranges, and which of these are repeats; others hold at most so many.
+fn ranges(
+    program: &Program,
+    repeats: Vec<Repeat>,
+    most: usize,
+) -> (Vec<Range<u32>>, Vec<Option<Repeat>>) {
+    let crossing = crossing(program, index(program.before_angles));
+    let (mut ranges, mut of) = (Vec::new(), Vec::new());
+    let mut start = program.before_angles;
+    for repeat in repeats {
+        let steps = repeat.steps();
+        cut(start..steps.start as usize, most, &crossing, &mut ranges);
+        start = steps.end as usize;
+        of.resize(ranges.len(), None);
+        ranges.push(steps);
+        of.push(Some(repeat));
+    }
+    cut(start..program.steps.len(), most, &crossing, &mut ranges);
+    of.resize(ranges.len(), None);
+    (ranges, of)
+}
+
+/// Cuts a stretch where the fewest values are read behind the cut that were computed before it, in the second half
+/// of what a section can be.
+fn cut(stretch: Range<usize>, most: usize, crossing: &[usize], ranges: &mut Vec<Range<u32>>) {
+    let mut start = stretch.start;
+    while start < stretch.end {
         let farthest = start.saturating_add(most);
-        let end = if farthest >= count {
-            count
+        let end = if farthest >= stretch.end {
+            stretch.end
         } else {
             let ends = (start + most.div_ceil(2)..=farthest).rev();
             ends.min_by_key(|&end| crossing[end]).unwrap_or(farthest)
@@ -220,7 +254,6 @@ fn ranges(program: &Program, first: u32, most: usize) -> Vec<Range<u32>> {
         ranges.push(index(start)..index(end));
         start = end;
     }
-    ranges
 }
 
 /// How many results of steps from the first one on are computed before each step, and read by it or behind it.

@@ -1,8 +1,8 @@
 //! From a routine to statements.
 //!
-//! In: a [`Listed`] function of a [`Listing`], or what is computed once for all of them, and how it is written. Out: a constant for each statement
-//! of its [`Routine`], and its results in the arrays of the caller. It never branches, and calls
-//! nothing but sines, cosines, roots and fused products.
+//! In: a [`Listed`] function of a [`Listing`], or what is computed once for all of them, and how it is written. Out: a
+//! constant for each statement of its [`Routine`], and its results in the arrays of the caller. It never branches, but
+//! from the end of a round to the next one, and calls nothing but sines, cosines, roots and fused products.
 
 use std::fmt::Write;
 
@@ -11,9 +11,12 @@ use super::declarations::{VALUES, argument_lengths, lengths, members, number, re
 use super::literals::literal;
 use super::names::unscoped;
 use crate::formulation::Sines;
+use crate::print::review::filled;
 use crate::print::{Fields, Listed, Listing, Prepared};
 use crate::real::Real;
-use crate::schedule::{Angle, Names, Operation, Program, Readable, Routine, Statement, Value};
+use crate::schedule::{
+    Angle, Names, Operation, Program, Readable, Rounds, Routine, Statement, Value,
+};
 use crate::space::{Quantity, Variable};
 
 /// A function, and those of its own that it calls.
@@ -185,9 +188,44 @@ impl<'w> Writer<'w> {
                     }
                 }
                 Statement::Block { statements, .. } => self.statements(statements),
-                Statement::Left(place, name) => self.put(*place, name),
+                Statement::Left(place, value) => {
+                    let value = self.read(value);
+                    self.put(*place, &value);
+                }
+                Statement::Rounds(rounds) => self.rounds(rounds),
             }
         }
+    }
+
+    /// A table, and a loop over its columns.
+    fn rounds(&mut self, rounds: &Rounds) {
+        let Rounds { table, round, .. } = rounds;
+        let number = number(self.real);
+        let rows = rounds.rows.iter().map(|row| {
+            let row: Vec<String> = row.iter().map(|value| self.read(value)).collect();
+            format!("{{{}}}", row.join(", "))
+        });
+        let rows: Vec<String> = rows.collect();
+        let [height, count] = [rows.len(), rounds.rows.first().map_or(0, Vec::len)];
+        let start = format!("    {number} {table}[{height}][{count}] = {{");
+        let filled = filled((&start, "        "), &rows, "};");
+        let _ = writeln!(self.text, "{filled}");
+        self.line(&format!(
+            "for (int {round} = 0; {round} < {count}; {round}++) {{"
+        ));
+        let before = std::mem::take(&mut self.text);
+        for (row, name) in rounds.taken.iter().enumerate() {
+            self.constant(name, &format!("{table}[{row}][{round}]"));
+        }
+        self.statements(&rounds.statements);
+        for (row, name) in rounds.left.iter().enumerate() {
+            self.line(&format!("{table}[{row}][{round}] = {name};"));
+        }
+        let inside = std::mem::replace(&mut self.text, before);
+        for line in inside.lines() {
+            let _ = writeln!(self.text, "    {line}");
+        }
+        self.line("}");
     }
 
     /// A value as an expression that binds tighter than any infix operator.
@@ -196,6 +234,7 @@ impl<'w> Writer<'w> {
             Value::Literal(value) => literal(*value, self.real),
             Value::Name(name) => name.clone(),
             Value::Waiting(place) => self.place(*place),
+            Value::Entry(table, row, round) => format!("{table}[{row}][{round}]"),
         }
     }
 

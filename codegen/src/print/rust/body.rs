@@ -1,10 +1,10 @@
 //! From a routine to statements.
 //!
 //! In: a [`Program`] and what it reads. Out: a `let` for each statement of its [`Routine`], and its
-//! results as expressions. It never branches, or calls anything but sines, cosines, roots
-//! and fused products.
+//! results as expressions. It never branches, but from the end of a round to
+//! the next one, or calls anything but sines, cosines, roots and fused products.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
 use super::arguments::{pattern, unpack};
@@ -16,8 +16,8 @@ use super::world::World;
 use crate::print::Fields;
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Routine, Statement,
-    Value,
+    Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Rounds, Routine,
+    Statement, Value,
 };
 use crate::space::{Spaces, Variable};
 
@@ -103,8 +103,9 @@ pub(super) fn body(
         Some(operation) => vec![writer.operation(&operation)],
         None => results.collect(),
     };
-    let is_whole = routine.work.is_none();
-    let one = (is_whole && routine.has_literals).then(|| writer.numerals.write(1.0));
+    let in_table = |statement: &Statement| matches!(statement, Statement::Rounds(_));
+    let waits = routine.work.is_some() || routine.statements.iter().any(in_table);
+    let one = (!waits && routine.has_literals).then(|| writer.numerals.write(1.0));
     Body {
         statements: Statements {
             head: statements,
@@ -125,7 +126,7 @@ fn bound(statement: &Statement) -> Vec<String> {
             names.flatten().cloned().collect()
         }
         Statement::Block { handed_on, .. } => handed_on.clone(),
-        Statement::Left(..) => Vec::new(),
+        Statement::Left(..) | Statement::Rounds(_) => Vec::new(),
     }
 }
 
@@ -176,7 +177,37 @@ impl Writer<'_> {
                 let inside = self.statements(statements);
                 block(&inside, handed_on.iter())
             }
-            Statement::Left(place, name) => self.put(*place, &ident(name).into_token_stream()),
+            Statement::Left(place, value) => self.put(*place, &self.read(value)),
+            Statement::Rounds(rounds) => self.rounds(rounds),
+        }
+    }
+
+    /// A table, and a loop over its columns.
+    fn rounds(&mut self, rounds: &Rounds) -> TokenStream {
+        let [table, round] = [&rounds.table, &rounds.round].map(|name| ident(name));
+        let rows = rounds.rows.iter().map(|row| {
+            let row = row.iter().map(|value| self.read(value));
+            quote! { [#(#row),*] }
+        });
+        let rows: Vec<_> = rows.collect();
+        let count = rounds.rows.first().map_or(0, Vec::len);
+        let count = Literal::usize_unsuffixed(count);
+        let places = (0..).map(|row| {
+            let row = Literal::usize_unsuffixed(row);
+            quote! { #table[#row][#round] }
+        });
+        let taken = rounds.taken.iter().map(|name| ident(name));
+        let takes = taken
+            .zip(places.clone())
+            .map(|(name, place)| quote! { let #name = #place; });
+        let inside = self.statements(&rounds.statements);
+        let left = rounds.left.iter().map(|name| ident(name));
+        let leaves = left
+            .zip(places)
+            .map(|(name, place)| quote! { #place = #name; });
+        quote! {
+            let mut #table = [#(#rows),*];
+            for #round in 0..#count { #(#takes)* #inside #(#leaves)* }
         }
     }
 
@@ -186,6 +217,11 @@ impl Writer<'_> {
             Value::Literal(value) => self.numerals.write(*value),
             Value::Name(name) => ident(name).into_token_stream(),
             Value::Waiting(place) => self.place(*place),
+            Value::Entry(table, row, round) => {
+                let table = ident(table);
+                let [row, round] = [*row, *round].map(Literal::usize_unsuffixed);
+                quote! { #table[#row][#round] }
+            }
         }
     }
 

@@ -23,7 +23,7 @@ pub(super) struct Statements {
     pub steps: Vec<(TokenStream, Vec<String>)>,
     /// All names that are taken.
     pub names: Names,
-    /// A one, where numbers can be written and no result waits in a work array.
+    /// A one, where numbers can be written and no result waits in an array.
     pub one: Option<TokenStream>,
 }
 

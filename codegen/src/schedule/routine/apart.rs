@@ -5,6 +5,7 @@
 
 use super::{Entries, Naming, Routine, Statement, Value};
 use crate::schedule::blocks::{before, within};
+use crate::schedule::repeats::Repeat;
 use crate::schedule::sections::{Section, Sections};
 use crate::schedule::{Operand, Step};
 use crate::space::Variable;
@@ -89,9 +90,12 @@ impl Naming<'_> {
         });
         let taken = taken.collect();
         let steps = section.steps.clone();
-        let parts = within(self.program, steps.clone());
-        self.left = section.left.iter().copied().collect();
-        let statements = self.statements(&parts);
+        let statements = if let Some(repeat) = &section.repeat {
+            self.rounds_apart(repeat, &section.left)
+        } else {
+            self.left = section.left.iter().copied().collect();
+            self.statements(&within(self.program, steps.clone(), &[]))
+        };
         let steps = &self.program.steps[steps.start as usize..steps.end as usize];
         let mut read = steps.iter().flat_map(|step| step.operation.operands());
         Apart {
@@ -101,6 +105,19 @@ impl Naming<'_> {
             has_literals: read.any(|operand| matches!(operand, Operand::Literal(_))),
             is_fused: is_fused(steps),
         }
+    }
+
+    /// Rounds, and what they leave in the work array.
+    fn rounds_apart(&mut self, repeat: &Repeat, left: &[(u32, usize)]) -> Vec<Statement> {
+        let mut statements = vec![Statement::Rounds(self.rounds(repeat))];
+        for &(step, place) in left {
+            let name = self.unnamed();
+            let step = &mut self.steps[step as usize];
+            // Other sections take it by a name.
+            let value = std::mem::replace(step, Value::Name(name));
+            statements.push(Statement::Left(place, value));
+        }
+        statements
     }
 }
 

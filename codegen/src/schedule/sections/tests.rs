@@ -74,7 +74,10 @@ fn in_sections(program: &Program, length: Length, q: &dyn Fn(Input) -> f64) -> V
     for &(value, place) in &cut.given {
         work[place] = whole(value.operand());
     }
-    for Section { steps, taken, left } in &cut.sections {
+    for Section {
+        steps, taken, left, ..
+    } in &cut.sections
+    {
         let mut known: BTreeMap<Waiting, f64> = taken
             .iter()
             .map(|&(value, place)| (value, work[place]))

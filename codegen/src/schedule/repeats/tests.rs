@@ -1,0 +1,99 @@
+//! What is found again where it is known to be, and what is not taken for it.
+
+use homogen_random::Random;
+
+use super::{Repeat, SAVED, SHORTEST, repeats};
+use crate::expression::Input;
+use crate::schedule::{Operand, Operation, Program, Step};
+use crate::space::Variable;
+
+/// How many steps there are before the first round.
+pub const HEAD: u32 = 900;
+const ROUNDS: u32 = 9;
+/// How many steps a round has.
+pub const LENGTH: u32 = 60;
+/// How many results of a round are read behind it, and how many values it reads that others do not.
+const CROSSING: u32 = 4;
+
+/// Steps that compute anything, rounds of equal operations, and steps that read their results.
+pub fn program(head: u32, length: u32) -> Program {
+    let mut random = Random::new(3);
+    let mut below = move |end: u32| {
+        let drawn = random.below(end as usize);
+        u32::try_from(drawn).expect("below a u32")
+    };
+    let q = Operand::Input(Input::Variable(Variable::Q, 0));
+    let operation = |kind, a, b| match kind {
+        0 => Operation::Add(a, b),
+        1 => Operation::Sub(a, b),
+        // What is multiplied again and again overflows.
+        2 => Operation::Mul(a, Operand::Literal(0.5)),
+        _ => Operation::MulSub(Operand::Literal(0.25), a, b),
+    };
+    let mut operations = vec![Operation::Neg(q)];
+    for k in 1..head {
+        let [a, b] = [(); 2].map(|()| Operand::Step(below(k)));
+        operations.push(operation(below(4), a, b));
+    }
+    let body: Vec<_> = (0..length)
+        .map(|k| (below(4), below(k.max(1)), below(head)))
+        .collect();
+    for round in 0..ROUNDS {
+        let start = head + round * length;
+        for (k, &(kind, own, shared)) in (0..).zip(&body) {
+            let own = match k {
+                0..CROSSING => Operand::Step(10 * k + round),
+                _ => Operand::Step(start + own),
+            };
+            operations.push(operation(kind, own, Operand::Step(shared)));
+        }
+    }
+    let left = |k| Operand::Step(head + length - 1 - k % CROSSING + length * (k % ROUNDS));
+    for k in 0..30 {
+        operations.push(operation(0, left(k), left(k + 7)));
+    }
+    let last = u32::try_from(operations.len() - 1).expect("few steps");
+    let step = |operation| Step {
+        label: None,
+        operation,
+    };
+    Program {
+        angles: Vec::new(),
+        before_angles: 0,
+        steps: operations.into_iter().map(step).collect(),
+        results: vec![Operand::Step(last), Operand::Step(last - 1), left(2)],
+    }
+}
+
+#[test]
+fn rounds_are_found_with_what_differs_between_them() {
+    let found = repeats(&program(HEAD, LENGTH));
+    let [repeat] = &*found else {
+        panic!("{} repeats", found.len());
+    };
+    assert_eq!(repeat.first, HEAD..HEAD + LENGTH);
+    assert_eq!(repeat.rounds, ROUNDS);
+    assert_eq!(repeat.taken.len(), CROSSING as usize);
+    assert_eq!(repeat.left.len(), CROSSING as usize);
+    assert!(repeat.saved() >= SAVED);
+}
+
+#[test]
+fn a_round_that_reads_another_is_none() {
+    let mut program = program(HEAD, LENGTH);
+    let [reads, of] = [3, 2].map(|round| HEAD + round * LENGTH + 20);
+    program.steps[reads as usize].operation = Operation::Add(Operand::Step(of), Operand::Step(of));
+    let across = |repeat: &Repeat| [reads, of].iter().all(|step| repeat.steps().contains(step));
+    assert!(!repeats(&program).iter().any(across));
+}
+
+#[test]
+fn what_saves_little_is_left_as_it_is() {
+    let mut all_read = program(HEAD, LENGTH);
+    let steps = 0..u32::try_from(all_read.steps.len()).expect("few steps");
+    all_read.results = steps.map(Operand::Step).collect();
+    assert_eq!(repeats(&all_read), []);
+    let short = program(100, LENGTH);
+    assert!(short.steps.len() < SHORTEST);
+    assert_eq!(repeats(&short), []);
+}

@@ -55,13 +55,14 @@ def main():
     print("| function | numbers | vectors | loads | stores | bytes | ports | alone | each | waits for |")
     print("|---|---:|---:|---:|---:|---:|---:|---:|---:|---|")
     for function in FUNCTIONS:
-        body = until_it_returns(text, function)
-        if body is None:
-            print(f"| `{function}` |" + " – |" * 8 + " it is cut into sections |")
-            continue
-        many, one = modelled(body, CALLS), modelled(body, 1)
+        listing = until_it_returns(text, function)
         size = next(size for symbol, size in sizes.items() if re.search(rf"Robot\d+{function}17h", symbol))
         size = str(size) if size <= held or held == 0 else f"**{size}**"
+        if reason := unmodelled(listing):
+            print(f"| `{function}` |" + " – |" * 4 + f" {size} |" + " – |" * 3 + f" {reason} |")
+            continue
+        body = straight(listing)
+        many, one = modelled(body, CALLS), modelled(body, 1)
         row = [*counted(body), size, f"{many['ports']:.0f}", one["cycles"], f"{many['cycles'] / CALLS:.0f}"]
         print(f"| `{function}` | {' | '.join(map(str, row))} | {many['waits']} |")
 
@@ -94,13 +95,24 @@ def newest(folder, pattern):
 
 
 def until_it_returns(text, function):
-    """The lines of a function up to its return, behind which stands what is cold; none of one that calls its sections."""
+    """The listing of a function up to its return, behind which stands what is cold."""
     body = text[re.search(rf"^\w+Robot\d+{function}17h\w+:$", text, re.MULTILINE).end() :]
-    body = body[: re.search(r"^\tretq$", body, re.MULTILINE).end()]
-    if "section_" in body:
-        return None
-    # Jumps to what is cold are not taken.
-    lines = [line for line in body.split("\n") if line.startswith("\t") and not line.startswith("\t.")]
+    return body[: re.search(r"^\tretq$", body, re.MULTILINE).end()]
+
+
+def unmodelled(listing):
+    """Why the model has nothing to say: it knows one stretch of operations, each of them once."""
+    if "section_" in listing:
+        return "it is cut into sections"
+    for jump in re.finditer(r"^\tj\w+\s+(\.\w+)", listing, re.MULTILINE):
+        if f"\n{jump.group(1)}:" in listing[: jump.start()]:
+            return "a loop goes round in it"
+    return None
+
+
+def straight(listing):
+    """The operations of a listing; jumps to what is cold are not taken."""
+    lines = [line for line in listing.split("\n") if line.startswith("\t") and not line.startswith("\t.")]
     return [line for line in lines if not re.match(r"\t(j\w+|call\w*|ret\w*)\b", line)]
 
 

@@ -39,7 +39,7 @@ pub fn all() -> impl Iterator<Item = &'static Mutation> {
 }
 
 /// Those of the engine and of geometry, grouped by the crate that is built again.
-const MUTATIONS: [Mutation; 40] = [
+const MUTATIONS: [Mutation; 43] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
@@ -283,6 +283,29 @@ const MUTATIONS: [Mutation; 40] = [
         from: "(false, true) => Operation::MulSub(x, y, rest)",
         to: "(false, true) => Operation::MulAdd(x, y, rest)",
         noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "columns: a value taken without its sign",
+        file: "codegen/src/schedule/order.rs",
+        from: "Node::Taken(a, _) => return self.positive(a)",
+        to: "Node::Taken(a, _) => return self.at(a)",
+        noticed_by: engine(CHECKED),
+    },
+    Mutation {
+        name: "columns: a round that reads another",
+        file: "codegen/src/schedule/repeats.rs",
+        from: "own(one).map(|step| step + behind) == own(other)",
+        to: "own(one).is_some() == own(other).is_some()",
+        noticed_by: engine("schedule::repeats::tests::a_round_that_reads_another_is_none"),
+    },
+    Mutation {
+        name: "columns: a result found in the row of another",
+        file: "codegen/src/schedule/routine/rounds.rs",
+        from: "let row = row.unwrap_or_default();",
+        to: "let row = row.map_or(0, |row| row ^ 1);",
+        noticed_by: engine(
+            "schedule::routine::rounds::tests::rounds_compute_what_all_steps_do_one_after_the_other",
+        ),
     },
     Mutation {
         name: "sine: the last digits of a coefficient",

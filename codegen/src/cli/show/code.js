@@ -1,7 +1,7 @@
 // Code as it is read: which name is defined where, by what, and what reads it; and what it is worth.
 //
 // In: the text of a function, as it is printed. Out: its parts, its names, their values. Only what the engine prints
-// is understood: `let`, blocks, operations, entries of the result that are stored. It never changes a letter of the text.
+// is understood: `let`, blocks, loops, operations, entries that are stored. It never changes a letter of the text.
 
 const TOKEN = /\/\/[^\n]*|[\p{L}_][\p{L}\p{N}_]*|\d[\d._]*(?:e[-+]?\d+)?(?:_?f(?:32|64))?|\s+|::|->|./gu;
 
@@ -21,7 +21,7 @@ async function unpacked(packed) {
 }
 
 // The tokens of a text, with the line of each, and its names: of each the token that defines it, the tokens
-// of its value, and the names in whose values it is read.
+// of its value, the names in whose values it is read, and whether a loop gives it another value each time round.
 function analysed(code) {
   const tokens = code.match(TOKEN) || [];
   const names = new Map();
@@ -50,13 +50,30 @@ function analysed(code) {
     while (at < tokens.length && /^\s/.test(tokens[at])) at += 1;
     return at;
   };
+  let loop = false;
   const define = (defined, at, from, to) => {
-    if (!names.has(defined)) names.set(defined, { name: defined, at, from, to, readers: new Set(), reads: new Set() });
+    if (!names.has(defined)) names.set(defined, { name: defined, at, from, to, loop, readers: new Set(), reads: new Set() });
   };
   const stores = [];
   const statements = (from, to) => {
     let k = skip(from);
     while (k < to) {
+      // An attribute.
+      if (tokens[k] === "#") {
+        k = skip(find(find(k, "[", to) + 1, "]", to) + 1);
+        continue;
+      }
+      if (tokens[k] === "for") {
+        const [count, open] = [skip(k + 1), find(k, "{", to)];
+        const close = find(open + 1, "}", to);
+        const first = skip(tokens.indexOf("in", count) + 1);
+        loop = true;
+        define(tokens[count], count, first, first + 1);
+        statements(open + 1, close);
+        loop = false;
+        k = skip(close + 1);
+        continue;
+      }
       if (tokens[k] !== "let") {
         const end = find(k, ";", to);
         if (end === to) break;
@@ -134,7 +151,8 @@ function tree(tokens, from, to, helpers) {
     }
     if (token === "[") return { call: "list", of: list() };
     at += 1;
-    if (/^\d/.test(token)) return { number: Number(token.replace(/_?f(32|64)$/, "").replace(/_/g, "")) };
+    // A range counts by its beginning.
+    if (/^\d/.test(token)) return { number: Number(token.replace(/\.\..*$|_?f(32|64)$/, "").replace(/_/g, "")) };
     // A path counts by its last word.
     let word = token;
     if (token === "::" || token === "<") {
@@ -147,7 +165,11 @@ function tree(tokens, from, to, helpers) {
         at += 2;
       }
     }
-    if (own[at] !== "(") return { name: word };
+    if (own[at] !== "(") {
+      const of = [{ name: word }];
+      while (own[at] === "[") of.push(...list());
+      return of.length > 1 ? { call: "entry", of } : of[0];
+    }
     const of = list();
     const meant = helpers.get(word) || word;
     return meant === "constant" ? of[0] : { call: meant, of };
@@ -194,7 +216,8 @@ function helpersOf(analysis) {
   return helpers;
 }
 
-// What names are worth at some arguments, each a list of numbers by its name; NaN where that is not known.
+// What names are worth at some arguments, each a list of numbers by its name, and in a loop the first time round; NaN
+// where that is not known.
 function worth(analysis, helpers, given) {
   const known = new Map();
   const entry = (name) => {
@@ -212,6 +235,8 @@ function worth(analysis, helpers, given) {
     mul_add: (a, b, c) => a * b + c,
     sqrt: (a) => Math.sqrt(a),
     sign: (a) => Math.sign(a),
+    list: (...of) => of,
+    entry: (table, ...indices) => indices.reduce((rest, index) => rest[index], table),
   };
   const valued = (value) => {
     if (value === null) return NaN;

@@ -34,6 +34,7 @@ function mathematics(robot, analysis, helpers, own) {
         const turned = c.call === "neg" ? c.of[0] : c.number < 0 ? { number: -c.number } : null;
         return bracket([show(a, 2), "\u2009·\u2009", show(b, 2), turned ? " − " : " + ", show(turned || c, turned ? 2 : 1)]);
       }
+      case "entry": return [show(a, 3), value.of.slice(1).map((index) => ["[", show(index, 0), "]"])];
       case "sqrt": return ["√(", show(a, 0), ")"];
       default: return [value.call, "(", value.of.map((part, k) => [k ? ", " : "", show(part, 0)]), ")"];
     }
@@ -88,6 +89,8 @@ function saying(robot, name, said, owner) {
     default:
       if (owner === "constant") return ["Makes a number of the description one of the type T."];
       if (owner === "mul_add") return ["a · b + c, rounded once where the processor can."];
+      if (/^columns_*$/.test(name)) return ["A table, of which the loop below takes a column each time round, and puts results in its place."];
+      if (/^column_*$/.test(name)) return ["Counts the columns, from 0."];
       return ["A list that is taken apart below."];
   }
 }
@@ -119,7 +122,8 @@ function explanation(robot, open, name, given) {
     el("dl", {},
       computed ? [el("dt", {}, "is"), el("dd", { class: "mathematics" }, mathematics(robot, analysis, helpers, own))] : null,
       Number.isFinite(value) ? [el("dt", {}, "now"), el("dd", {}, el("output", { id: "worth", "data-value": String(value) }, short(value, 6)),
-        el("small", {}, " with the joints where they are", open.moves ? (given.qd[0] ? ", each at a rate of 1" : ", at rest") : null))] : null,
+        el("small", {}, " with the joints where they are", open.moves ? (given.qd[0] ? ", each at a rate of 1" : ", at rest") : null,
+          own?.loop ? ", in the first column" : null))] : null,
       own ? [el("dt", {}, "line"), el("dd", {}, el("button", { type: "button", class: "reference", "data-name": name, "data-go": "1" }, String(analysis.lines[own.at] + 1)))] : null,
       list.length ? [el("dt", {}, "read by"), el("dd", {}, list)] : null),
   ];

@@ -205,7 +205,7 @@ impl Writer<'_> {
         let leaves = left
             .zip(places)
             .map(|(name, place)| quote! { #place = #name; });
-        // The rows are what a processor with vectors reads at a time: clippy would go through what is no row.
+        // A processor with vectors reads of a row; clippy would rather have a loop over the rows.
         quote! {
             let mut #table = [#(#rows),*];
             #[allow(clippy::needless_range_loop)]

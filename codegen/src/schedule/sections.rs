@@ -11,6 +11,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use super::readers::note_readers;
 use super::repeats::{Repeat, repeats};
 use super::{Operand, Program};
 use crate::expression::Input;
@@ -258,24 +259,19 @@ fn cut(stretch: Range<usize>, most: usize, crossing: &[usize], ranges: &mut Vec<
 
 /// How many results of steps from the first one on are computed before each step, and read by it or behind it.
 fn crossing(program: &Program, first: u32) -> Vec<usize> {
-    let mut last_read: Vec<usize> = (0..program.steps.len()).collect();
-    for (at, step) in program.steps.iter().enumerate() {
-        for operand in step.operation.operands() {
-            if let Operand::Step(step) = operand {
-                // Later steps come later.
-                last_read[step as usize] = at;
-            }
-        }
-    }
+    let steps = (0_u32..).zip(&program.steps);
+    // What nobody reads ends where it is computed.
+    let mut last_read: Vec<u32> = steps.clone().map(|(at, _)| at).collect();
+    note_readers(steps, &mut last_read);
     let mut ending = vec![0; program.steps.len() + 1];
     let (mut crossing, mut alive) = (Vec::with_capacity(ending.len()), 0);
-    for (at, &last) in last_read.iter().enumerate() {
+    for (at, &last) in (0_u32..).zip(&last_read) {
         crossing.push(alive);
-        if at >= first as usize && last > at {
+        if at >= first && last > at {
             alive += 1;
-            ending[last] += 1;
+            ending[last as usize] += 1;
         }
-        alive -= ending[at];
+        alive -= ending[at as usize];
     }
     crossing.push(alive);
     crossing

@@ -206,7 +206,7 @@ impl<'w> Writer<'w> {
             format!("{{{}}}", row.join(", "))
         });
         let rows: Vec<String> = rows.collect();
-        let [height, count] = [rows.len(), rounds.rows.first().map_or(0, Vec::len)];
+        let [height, count] = [rows.len(), rounds.count()];
         let start = format!("    {number} {table}[{height}][{count}] = {{");
         let filled = filled((&start, "        "), &rows, "};");
         let _ = writeln!(self.text, "{filled}");

@@ -190,8 +190,7 @@ impl Writer<'_> {
             quote! { [#(#row),*] }
         });
         let rows: Vec<_> = rows.collect();
-        let count = rounds.rows.first().map_or(0, Vec::len);
-        let count = Literal::usize_unsuffixed(count);
+        let count = Literal::usize_unsuffixed(rounds.count());
         let places = (0..).map(|row| {
             let row = Literal::usize_unsuffixed(row);
             quote! { #table[#row][#round] }

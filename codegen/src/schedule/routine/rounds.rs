@@ -25,6 +25,14 @@ pub struct Rounds {
     pub left: Vec<String>,
 }
 
+impl Rounds {
+    /// How many rounds there are: entries of each row.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.rows.first().map_or(0, Vec::len)
+    }
+}
+
 impl Naming<'_> {
     /// The rounds of a repeat.
     pub(super) fn rounds(&mut self, repeat: &Repeat) -> Rounds {

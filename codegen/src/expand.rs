@@ -1,10 +1,11 @@
 //! The way through the house: from a description to everything that is printed for it.
 //!
 //! In: a description and a request. Out: a [`Listing`]. It only connects the stages: where they offer
-//! more than one way, `choice` decides by count, between those that `forward` finds accurate enough by
-//! what has been `measured`.
+//! more than one way, `choice` decides by count, and where something is solved for, between those that
+//! are `accurate` enough by what has been `measured`.
 
 mod about;
+mod accurate;
 mod batches;
 mod choice;
 mod closure;
@@ -14,6 +15,7 @@ mod identifiable;
 mod measured;
 mod program;
 mod review;
+mod search;
 mod solvable;
 mod weighable;
 
@@ -38,8 +40,9 @@ use crate::request::Request;
 use crate::schedule::Price;
 use crate::space::FrameId;
 use about::about;
-use choice::{Found, cheapest};
+use choice::cheapest;
 use data::data;
+use search::Found;
 
 /// Expands a robot.
 ///

@@ -70,6 +70,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         frames,
         external: Vec::new(),
         dropped,
+        locks,
     };
     check_kept(description, request, &tree, &links, &mut errors);
     for clash in request.clashes() {
@@ -81,10 +82,9 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     for name in &request.actuated {
         joints.find(name, &mut errors);
     }
-    let locked = |joint: JointId| locks.contains_key(&joint);
-    let follows = mimic::follows(description, &tree.branches, locked, &joints, &mut errors);
+    let follows = mimic::follows(description, &tree, &joints, &mut errors);
     choose_tip(description, request, &follows, &mut tree, &mut errors);
-    mimic::hold(&mut tree.branches, &follows, &locks);
+    mimic::hold(&mut tree, &follows);
     check_moving(description, request, &tree, &links, &mut errors);
     check_size(description, &tree, &mut errors);
     numbers::check(description, request, &tree, &mut errors);

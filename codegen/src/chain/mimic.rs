@@ -4,35 +4,31 @@
 //! others, the one whose coordinate moves it, and by how much; mistakes, where that is no joint that can
 //! lead; and which of them stand still with their leader. It never moves anything.
 
-use std::collections::HashMap;
-
 use super::names::Names;
 use super::tree::{Branch, Follow, Tree};
 use crate::description::{Description, JointId, Number};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::Double;
 use crate::list::List;
-use crate::request::Request;
 use crate::wording::quoted;
 
 /// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are locked
 /// follow nothing; those that are not there pass on what they follow.
 pub fn follows(
     description: &Description,
-    branches: &[Branch],
-    locked: impl Fn(JointId) -> bool,
+    tree: &Tree,
     joints: &Names<'_, JointId>,
     errors: &mut Errors,
 ) -> List<JointId, Option<Follow>> {
     let mut leaders: List<JointId, Option<JointId>> = List::filled(None, description.joints.len());
-    let there = branches.iter().filter(|branch| branch.held.is_none());
+    let there = tree.branches.iter().filter(|branch| branch.held.is_none());
     let mut waiting: Vec<JointId> = there.map(|branch| branch.joint).collect();
     while let Some(follower) = waiting.pop() {
         let joint = &description[follower];
         let Some(mimic) = joint.mimic.as_ref().filter(|_| joint.kind.moves()) else {
             continue;
         };
-        if locked(follower) || leaders[follower].is_some() {
+        if tree.locks.contains_key(&follower) || leaders[follower].is_some() {
             continue;
         }
         let Some(leader) = joints.get(&mimic.leader) else {
@@ -118,18 +114,15 @@ fn refuse_cycles(
 
 /// Notes what each joint follows, and holds what follows a joint that is held or not there, or follows it by
 /// nothing. A joint that is not there stands where it is locked, or at zero.
-pub fn hold(
-    branches: &mut [Branch],
-    follows: &List<JointId, Option<Follow>>,
-    locks: &HashMap<JointId, Number>,
-) {
-    let stands = |joint: JointId| locks.get(&joint).map_or(0.0, |at| at.value);
+pub fn hold(tree: &mut Tree, follows: &List<JointId, Option<Follow>>) {
+    let stands = |joint: JointId| tree.locks.get(&joint).map_or(0.0, |at| at.value);
     let mut held: List<JointId, Option<f64>> =
         follows.ids().map(|joint| Some(stands(joint))).collect();
-    for branch in branches.iter() {
+    for branch in &tree.branches {
         held[branch.joint] = branch.held.map(|held| held.value);
     }
-    for branch in branches.iter_mut().filter(|branch| branch.held.is_none()) {
+    let branches = tree.branches.iter_mut();
+    for branch in branches.filter(|branch| branch.held.is_none()) {
         branch.follows = follows[branch.joint];
         let Some(follow) = branch.follows else {
             continue;
@@ -146,14 +139,10 @@ pub fn hold(
 
 /// That a joint is held whose leader was left out, or never moves; that one has its own coordinate whose
 /// leader is nowhere.
-pub fn doubts(description: &Description, request: &Request, tree: &Tree) -> Vec<Complaint> {
+pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
     let moves = |joint: JointId| {
         let mut there = tree.branches.iter();
         there.any(|branch| branch.joint == joint) && description[joint].kind.moves()
-    };
-    let is_locked = |joint: JointId| {
-        let mut locks = request.lock.iter();
-        locks.any(|(name, _)| name.text == description[joint].name.text)
     };
     let orphans = tree.branches.iter().filter(|branch| branch.held.is_none());
     let orphans = orphans.filter_map(|branch| {
@@ -170,7 +159,8 @@ pub fn doubts(description: &Description, request: &Request, tree: &Tree) -> Vec<
     });
     let follow = |branch: &Branch| Some((branch.joint, branch.follows?));
     let follows = tree.branches.iter().filter_map(follow);
-    let alone = follows.filter(|(_, follow)| !(moves(follow.leader) || is_locked(follow.leader)));
+    let alone = follows
+        .filter(|(_, follow)| !(moves(follow.leader) || tree.locks.contains_key(&follow.leader)));
     let alone = alone.map(|(joint, follow)| {
         let name = |joint: JointId| quoted(&description[joint].name.text);
         let (own, leader) = (name(joint), name(follow.leader));

@@ -31,7 +31,7 @@ pub fn check(
     doubts.append(&mut chain.report.warnings);
     doubts.extend(drive::doubts(description, request, tree));
     doubts.extend(limits::doubts(description, tree));
-    doubts.extend(mimic::doubts(description, request, tree));
+    doubts.extend(mimic::doubts(description, tree));
     // Whether the body that a link belongs to moves, and whether any of its links has a mass.
     let mut body = List::filled(None, description.links.len());
     let mut carried: Vec<(LinkId, bool)> = Vec::new();

@@ -1,5 +1,7 @@
 //! How links hang on the base: what is left of a description's names once they refer to each other.
 
+use std::collections::HashMap;
+
 use crate::description::{JointId, LinkId, Number};
 use crate::expression::Double;
 
@@ -19,6 +21,8 @@ pub struct Tree {
     pub external: Vec<LinkId>,
     /// Links that are not modelled.
     pub dropped: Vec<LinkId>,
+    /// Joints that the request locks, those outside the tree among them, and where \[rad or m\].
+    pub locks: HashMap<JointId, Number>,
 }
 
 /// A joint of the tree.

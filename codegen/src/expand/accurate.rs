@@ -1,0 +1,145 @@
+//! Where something is solved for, the lightest program that loses little enough.
+//!
+//! In: a [`Search`]; what the mass matrix loses at worst. Out: of the rounds of forms that [`forward`] names, the
+//! lightest program that is accurate enough by its [`Measure`]; where none is, the lightest of those that lose
+//! little more than the best; or the mistake that none leaves half of the digits.
+
+use super::forward::{self, Form};
+use super::measured::{ENOUGH, Measure, Off};
+use super::search::{Found, Search};
+use super::solvable::Worst;
+use crate::error::Errors;
+
+/// How many times the error that is enough is far from it.
+const FAR: f64 = 16.0;
+
+/// The lightest program that is accurate enough, or as accurate as can be had.
+///
+/// # Errors
+/// Where no form leaves half of the digits.
+pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Errors> {
+    let mut trial = Trial::of(search, worst);
+    for forms in forward::rounds(search.chain, search.functions, search.formulation) {
+        for form in forms {
+            trial.look_at(form);
+        }
+        if trial.best.is_some() {
+            break;
+        }
+    }
+    if let Some(found) = trial.accurate() {
+        return Ok(found);
+    }
+    let least =
+        (trial.tried.iter()).fold(Off::INFINITE, |least, tried| least.least(tried.found.off));
+    if forward::keeps_half(least.eighth, search.scalar) {
+        Ok(trial.nearly_as_good(least.worst))
+    } else {
+        let of = (search.scalar, search.formulation.frame);
+        let (chain, functions) = (search.chain, search.functions);
+        Err(forward::hopeless(chain, worst, least.worst, functions, of))
+    }
+}
+
+/// What has been found so far.
+struct Trial<'s> {
+    search: &'s Search<'s>,
+    measure: Measure<'s>,
+    /// The lightest that is accurate enough, with its weight.
+    best: Option<(usize, Found)>,
+    /// Programs that are not, in the order in which they were looked at.
+    tried: Vec<Tried>,
+    /// The same forms in heavier layouts, with their weights; not measured yet.
+    heavier: Vec<(usize, Found)>,
+}
+
+/// A program that is not accurate enough.
+struct Tried {
+    /// Its weight, where all layouts have been looked at.
+    weight: Option<usize>,
+    found: Found,
+}
+
+impl<'s> Trial<'s> {
+    fn of(search: &'s Search<'s>, worst: Worst) -> Self {
+        Self {
+            search,
+            measure: Measure::of(search.chain, search.functions, worst.loss),
+            best: None,
+            tried: Vec::new(),
+            heavier: Vec::new(),
+        }
+    }
+
+    fn measured(&mut self, mut found: Found) -> Found {
+        found.off = self.measure.error(&found.program, self.search.scalar);
+        found
+    }
+
+    /// Measures a form in its lightest layout, where it can still be the lightest.
+    fn look_at(&mut self, form: Form) {
+        // Of a form that is far from accurate in one layout, no other need be looked at.
+        if let Some(before) = self.tried.first() {
+            let (layout, way) = (before.found.layout, before.found.way);
+            let (_, glimpse) = self.search.within(form, &[layout], &[way]);
+            let found = self.measured(glimpse);
+            if found.off.worst > FAR * ENOUGH {
+                let weight = None;
+                return self.tried.push(Tried { weight, found });
+            }
+        }
+        let mut layouts = self.search.by_weight(form).into_iter();
+        let (weight, found) = layouts.next().expect("there is at least one layout");
+        if (self.best.as_ref()).is_some_and(|(least, _)| *least <= weight) {
+            return;
+        }
+        let found = self.measured(found);
+        if found.off.worst <= ENOUGH {
+            self.best = Some((weight, found));
+        } else {
+            let weight = Some(weight);
+            self.tried.push(Tried { weight, found });
+            self.heavier.extend(layouts);
+        }
+    }
+
+    /// The lightest that is accurate enough. Where frames stand away from their bodies, that may be what costs the
+    /// digits of a form, so that it is looked at in others before a dearer one is taken.
+    fn accurate(&mut self) -> Option<Found> {
+        let mut heavier = std::mem::take(&mut self.heavier);
+        if let Some((least, _)) = &self.best {
+            heavier.retain(|(weight, _)| weight < least);
+        }
+        heavier.sort_by_key(|(weight, _)| *weight);
+        let mut heavier = heavier.into_iter().map(|(_, found)| self.measured(found));
+        let lighter = heavier.find(|found| found.off.worst <= ENOUGH);
+        lighter.or_else(|| Some(self.best.take()?.1))
+    }
+
+    /// The lightest of those that lose little more than the best, where none is accurate enough.
+    fn nearly_as_good(mut self, least: f64) -> Found {
+        let good = nearly_as_good(std::mem::take(&mut self.tried), least);
+        let weighed = good.into_iter().map(|Tried { weight, found }| {
+            if let Some(weight) = weight {
+                return (weight, found);
+            }
+            let (weight, found) = self.search.best(Form::of(found.way));
+            (weight, self.measured(found))
+        });
+        let best = weighed.min_by_key(|(weight, _)| *weight);
+        best.expect("the least is among them").1
+    }
+}
+
+/// Those that lose little more than the best, where none is accurate enough. What is lost near singular postures
+/// is lost by all, and a few times more of it is less than an inverse that does not invert.
+fn nearly_as_good(mut tried: Vec<Tried>, least: f64) -> Vec<Tried> {
+    let solves = |found: &Found| found.off.worst <= FAR * least && found.off.unsolved <= ENOUGH;
+    if tried.iter().any(|tried| solves(&tried.found)) {
+        tried.retain(|tried| solves(&tried.found));
+    }
+    let worst = tried.iter().map(|tried| tried.found.off.worst);
+    let least = worst.fold(f64::INFINITY, f64::min);
+    tried.retain(|tried| tried.found.off.worst <= 2.0 * least);
+    tried
+}

@@ -1,0 +1,143 @@
+//! Of programs that compute the same by one form of forward dynamics, the lightest.
+//!
+//! In: a chain, the functions that are asked for together, a formulation, a processor. Out: of each form
+//! that is asked about, the program of least weight, of all layouts of the frames and all ways or of some.
+//! It never looks at values: what a program loses is noted in a [`Found`] by those who measure it.
+
+use super::forward::Form;
+use super::measured::Off;
+use super::program::expressions_by;
+use crate::chain::Chain;
+use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
+use crate::function::Function;
+use crate::layout::Layout;
+use crate::model::Way;
+use crate::processor::Processor;
+use crate::real::Real;
+use crate::schedule::{Price, Program, schedule, schedule_unfused};
+use crate::space::FrameId;
+
+/// A program, and how it came about.
+pub(super) struct Found {
+    pub(super) program: Program,
+    pub(super) layout: Layout,
+    pub(super) way: Way,
+    /// How far off it was measured to be, where the form was chosen by it.
+    pub(super) off: Off,
+}
+
+/// Where the program of least weight is looked for.
+pub(super) struct Search<'a> {
+    processor: Processor,
+    pub(super) formulation: Formulation,
+    pub(super) chain: &'a Chain,
+    pub(super) functions: &'a [Function],
+    frame: FrameId,
+    pub(super) scalar: Real,
+    layouts: Vec<Layout>,
+    ways: Vec<Way>,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(
+        processor: Processor,
+        formulation: Formulation,
+        chain: &'a Chain,
+        functions: &'a [Function],
+        frame: FrameId,
+        scalar: Real,
+    ) -> Self {
+        let dynamic = functions.iter().any(|function| !function.of_a_frame());
+        Self {
+            processor,
+            formulation,
+            chain,
+            functions,
+            frame,
+            scalar,
+            layouts: if dynamic {
+                Layout::for_dynamics(chain)
+            } else {
+                Layout::for_kinematics(chain)
+            },
+            ways: ways(formulation, functions),
+        }
+    }
+
+    /// The program of least weight in a form of forward dynamics, of all layouts and ways; its error has
+    /// not been measured.
+    pub(super) fn best(&self, form: Form) -> (usize, Found) {
+        self.within(form, &self.layouts, &self.ways)
+    }
+
+    /// That of each layout, the lightest first.
+    pub(super) fn by_weight(&self, form: Form) -> Vec<(usize, Found)> {
+        let layouts = self.layouts.chunks(1);
+        let mut found: Vec<_> = layouts
+            .map(|layout| self.within(form, layout, &self.ways))
+            .collect();
+        found.sort_by_key(|(weight, _)| *weight);
+        found
+    }
+
+    /// The same as [`best`](Self::best), of some layouts and ways.
+    pub(super) fn within(&self, form: Form, layouts: &[Layout], ways: &[Way]) -> (usize, Found) {
+        let schedule = match self.formulation.products {
+            Products::Fused if self.processor.fuses(self.scalar) => schedule,
+            Products::Fused | Products::Unfused => schedule_unfused,
+        };
+        // What a body opposes to an acceleration must be a body's; and a refinement is as good as its
+        // residual: a literal that has taken in a heavy neighbour's mass is rounded to the size of
+        // that.
+        let physical =
+            form.forward != Forward::UNREFINED || self.formulation.parameters == Parameters::Raw;
+        let mut best: Option<(usize, Found)> = None;
+        for &layout in layouts {
+            let regroup = layout.regroup && !physical;
+            let layout = Layout { regroup, ..layout };
+            for &way in ways {
+                let scalar = self.scalar;
+                let way = Way {
+                    scalar,
+                    ..form.along(way)
+                };
+                let (chain, functions) = (self.chain, self.functions);
+                let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);
+                let program = schedule(&graph, &results);
+                let weight = Price::of(&program).weight(self.processor, self.scalar);
+                if best.as_ref().is_none_or(|(least, _)| weight < *least) {
+                    let found = Found {
+                        program,
+                        layout,
+                        way,
+                        off: Off::NONE,
+                    };
+                    best = Some((weight, found));
+                }
+            }
+        }
+        best.expect("there is at least one layout and one way")
+    }
+}
+
+/// The ways between which the count decides.
+fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
+    let apart = match formulation.frame {
+        Frame::Link => functions
+            .iter()
+            .map(|&function| function.ways())
+            .max_by_key(Vec::len)
+            .unwrap_or_default(),
+        Frame::Base => vec![Way::IN_FRAME_0],
+    };
+    match formulation.angles {
+        Angles::Apart => apart,
+        Angles::Merged => {
+            let merged = apart.iter().map(|&way| Way {
+                angles: Angles::Merged,
+                ..way
+            });
+            merged.chain(apart.iter().copied()).collect()
+        }
+    }
+}

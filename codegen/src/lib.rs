@@ -46,6 +46,7 @@ pub mod error;
 pub mod formulation;
 pub mod function;
 pub mod processor;
+mod quaternion;
 mod random;
 pub mod real;
 pub mod request;

@@ -43,6 +43,16 @@ impl Real {
         }
     }
 
+    /// The nearest number of the type; of `f64` where any type is meant.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
+    pub const fn rounded(self, x: f64) -> f64 {
+        match self {
+            Self::F32 => x as f32 as f64,
+            Self::F64 | Self::Generic => x,
+        }
+    }
+
     /// The largest number; of `f64` where any type is meant.
     #[must_use]
     pub const fn largest(self) -> f64 {

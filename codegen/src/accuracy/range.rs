@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use crate::chain::Chain;
 use crate::expression::Input;
-use crate::list::{Id, List};
+use crate::list::List;
 use crate::request::FieldId;
 use crate::space::{CoordinateId, Entry, Kind, Spaces, Variable, VelocityId};
 
@@ -22,8 +22,6 @@ pub struct Range {
     pub qdd: List<VelocityId, [f64; 2]>,
     /// Of the entries of each action from outside \[N m, N\].
     pub actions: Vec<[f64; 2]>,
-    /// Where the quaternions of q begin.
-    pub(super) quaternions: Vec<CoordinateId>,
     /// Of the entries of each struct field, in the units of what it stands for.
     pub fields: List<FieldId, Vec<[f64; 2]>>,
 }
@@ -67,7 +65,6 @@ impl Range {
     pub fn of(chain: &Chain) -> Self {
         let spaces = chain.spaces();
         Self {
-            quaternions: spaces.quaternions().collect(),
             q: ranges(spaces, Variable::Q),
             qd: ranges(spaces, Variable::Qd),
             qdd: ranges(spaces, Variable::Qdd),
@@ -84,16 +81,6 @@ impl Range {
         const FARTHEST: f64 = 1e6;
         let ends = |ends: &[f64; 2]| ends.map(|end| end.clamp(-FARTHEST, FARTHEST));
         self.q.iter().map(ends).collect()
-    }
-
-    /// Makes of the quaternions of some coordinates ones that have length 1 to the last digit: all entries are
-    /// ½ or −½, as their signs were.
-    pub fn upright(&self, q: &mut [f64]) {
-        for &first in &self.quaternions {
-            for entry in &mut q[first.index()..][..4] {
-                *entry = 0.5_f64.copysign(*entry);
-            }
-        }
     }
 
     /// The range of one input; none where nothing is known of it.

@@ -7,6 +7,7 @@ use crate::chain::Chain;
 use crate::dense::State;
 use crate::expression::Double;
 use crate::list::Id;
+use crate::quaternion::normalize;
 use crate::random::Random;
 use crate::request::Request;
 use crate::space::{Entry, Kind};
@@ -29,14 +30,7 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
     }
     for quaternion in spaces.quaternions() {
         let q: &mut [Double] = &mut state.q;
-        let entries = &mut q[quaternion.index()..][..4];
-        let squares = entries.iter().map(|&entry| entry * entry);
-        let length = squares
-            .fold(Double::ZERO, |sum, square| sum + square)
-            .sqrt();
-        for entry in entries {
-            *entry = *entry / length;
-        }
+        normalize(&mut q[quaternion.index()..][..4]);
     }
     for _ in &spaces.velocities {
         state.qd.push(4.0 * random.unit() - 2.0);

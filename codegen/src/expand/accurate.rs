@@ -64,7 +64,7 @@ impl<'s> Trial<'s> {
     fn of(search: &'s Search<'s>, worst: Worst) -> Self {
         Self {
             search,
-            measure: Measure::of(search.chain, search.functions, worst.loss),
+            measure: Measure::of(search.chain, search.functions, worst.loss, search.scalar),
             best: None,
             tried: Vec::new(),
             heavier: Vec::new(),
@@ -72,7 +72,7 @@ impl<'s> Trial<'s> {
     }
 
     fn measured(&mut self, mut found: Found) -> Found {
-        found.off = self.measure.error(&found.program, self.search.scalar);
+        found.off = self.measure.error(&found.program);
         found
     }
 

@@ -258,11 +258,11 @@ fn least_error(
     scalar: Real,
     ways: impl IntoIterator<Item = Way>,
 ) -> Off {
-    let mut measure = Measure::of(chain, functions, worst.loss);
+    let mut measure = Measure::of(chain, functions, worst.loss, scalar);
     let mut least = Off::INFINITE;
     for way in ways {
         let program = program_by(chain, functions, FrameId::FIRST, Layout::DESCRIBED, way);
-        least = least.least(measure.error(&program, scalar));
+        least = least.least(measure.error(&program));
         if least.worst <= ENOUGH {
             break;
         }

@@ -13,7 +13,9 @@ use crate::expression::{Arithmetic, Double, Evaluation, Input};
 use crate::formulation::Forward;
 use crate::function::{Function, Given, Truth};
 use crate::layout::Layout;
+use crate::list::Id;
 use crate::model::Way;
+use crate::quaternion::of_length_1;
 use crate::real::Real;
 use crate::schedule::{Program, run};
 use crate::space::{FrameId, Variable};
@@ -47,6 +49,7 @@ const TORQUE: f64 = 4.0;
 /// States of a chain, and what its functions are there.
 pub(super) struct Measure<'c> {
     chain: &'c Chain,
+    scalar: Real,
     range: Range,
     solved: Vec<Solved>,
     /// The mass matrix, where an inverse of it is among the results.
@@ -122,7 +125,7 @@ struct State {
     mass: Vec<Double>,
 }
 
-/// The arguments of all functions, exact in every type of number.
+/// The arguments of all functions, exact in the type of number.
 struct Arguments {
     q: Vec<f64>,
     qd: Vec<f64>,
@@ -131,8 +134,9 @@ struct Arguments {
 }
 
 impl<'c> Measure<'c> {
-    /// Of a chain whose mass matrix loses so much: the largest ratio of a diagonal entry to its pivot.
-    pub(super) fn of(chain: &'c Chain, functions: &[Function], loss: f64) -> Self {
+    /// Of programs in a type of number, of a chain whose mass matrix loses so much: the largest ratio of a
+    /// diagonal entry to its pivot.
+    pub(super) fn of(chain: &'c Chain, functions: &[Function], loss: f64, scalar: Real) -> Self {
         // A hundred bits bear the mass matrix as it is where it leaves most of them.
         const BORNE: f64 = 1e12;
         let refinements = usize::from(loss > BORNE);
@@ -168,6 +172,7 @@ impl<'c> Measure<'c> {
         let inverts = functions.iter().any(|function| function.inverts());
         Self {
             chain,
+            scalar,
             range: Range::of(chain),
             solved,
             mass: inverts.then(|| exactly(Function::MassMatrix)),
@@ -177,7 +182,8 @@ impl<'c> Measure<'c> {
 
     /// The error of the worst of a thousand states, as far as a few tell: beside the largest result, in
     /// units of the type's roundoff. Infinite where a result is no number.
-    pub(super) fn error(&mut self, program: &Program, scalar: Real) -> Off {
+    pub(super) fn error(&mut self, program: &Program) -> Off {
+        let scalar = self.scalar;
         let mut errors: Vec<f64> = Vec::new();
         let mut results = Vec::new();
         for number in 0..STATES {
@@ -213,7 +219,7 @@ impl<'c> Measure<'c> {
     }
 
     fn state(&self, number: u32) -> State {
-        let arguments = Arguments::new(&self.range, number);
+        let arguments = Arguments::new(self.chain, &self.range, number, self.scalar);
         let input = |input| Double::from(arguments.at(self.chain, input));
         let exact = self.solved.iter().map(|solved| solved.exactly.at(input));
         State {
@@ -284,23 +290,24 @@ impl<'c> Measure<'c> {
 impl Arguments {
     /// Of a sequence that fills the range evenly: multiples of the golden ratio and of roots. Every eighth
     /// state is near the posture of the description, in which axes and links are in line.
-    fn new(range: &Range, number: u32) -> Self {
+    fn new(chain: &Chain, range: &Range, number: u32, scalar: Real) -> Self {
+        let is_near = number % 8 == 7;
         let near = |&[lower, upper]: &[f64; 2]| {
             let zero = 0.0_f64.clamp(lower, upper);
             [lower, upper].map(|end| zero + NEAR * (end - zero))
         };
         let q = range.turns_with_digits();
-        let q: Vec<[f64; 2]> = if number % 8 == 7 {
+        let q: Vec<[f64; 2]> = if is_near {
             q.iter().map(near).collect()
         } else {
             q
         };
-        let number = f64::from(number + 1);
+        let step = f64::from(number + 1);
         let mut entry = 0.0_f64;
         let mut next = |[lower, upper]: [f64; 2]| {
             entry += 1.0;
-            let share = 0.5 + number * 0.618_033_988_749_895 * entry.sqrt();
-            single(lower + (upper - lower) * share.fract())
+            let share = 0.5 + step * 0.618_033_988_749_895 * entry.sqrt();
+            Real::F32.rounded(lower + (upper - lower) * share.fract())
         };
         let mut all = |ranges: &[[f64; 2]]| ranges.iter().map(|&ends| next(ends)).collect();
         let mut arguments = Self {
@@ -309,7 +316,16 @@ impl Arguments {
             tau: all(&vec![[-TORQUE, TORQUE]; range.qd.len()]),
             actions: all(&vec![[-TORQUE, TORQUE]; range.actions.len()]),
         };
-        range.upright(&mut arguments.q);
+        for first in chain.spaces().quaternions() {
+            let entries = arguments.q[first.index()..].first_chunk_mut();
+            let entries: &mut [f64; 4] = entries.expect("a quaternion has four entries");
+            // x, y, z, w: all zeros but w is no rotation.
+            let small = if is_near { 0 } else { number % 4 };
+            if is_near {
+                entries[3] = 1.0;
+            }
+            *entries = of_length_1(*entries, small as usize, scalar);
+        }
         arguments
     }
 
@@ -321,7 +337,7 @@ impl Arguments {
             Input::Variable(Variable::Actions, k) => self.actions[usize::from(k)],
             // No function that solves something reads accelerations; one beside it may.
             Input::Variable(Variable::Qdd, _) => 1.0,
-            Input::Parameter(..) => single(field(chain, input)),
+            Input::Parameter(..) => Real::F32.rounded(field(chain, input)),
         }
     }
 }
@@ -335,12 +351,6 @@ fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
             most.max(number.abs())
         }
     })
-}
-
-/// The nearest number of single precision.
-#[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
-fn single(x: f64) -> f64 {
-    f64::from(x as f32)
 }
 
 /// A type of number that gives the same bits on every platform.

@@ -13,6 +13,7 @@ use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
 use crate::layout::{Layout, arrange};
 use crate::list::{Id, List};
 use crate::model;
+use crate::quaternion::normalize;
 use crate::request::FieldId;
 use crate::space::{Variable, VelocityId};
 use crate::wording::{list, quoted};
@@ -171,13 +172,13 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     for posture in 0..POSTURES {
         let coordinates = (0..).zip(range.turns_with_digits());
         let coordinates = coordinates.map(|(k, ends)| coordinate(ends, k, posture));
-        let mut q: Vec<f64> = coordinates.collect();
-        range.upright(&mut q);
-        let values = pivots.at(|input| {
-            Double::from(match input {
-                Input::Variable(Variable::Q, k) => q[usize::from(k)],
-                _ => field(input),
-            })
+        let mut q: Vec<Double> = coordinates.map(Double::from).collect();
+        for first in chain.spaces().quaternions() {
+            normalize(&mut q[first.index()..][..4]);
+        }
+        let values = pivots.at(|input| match input {
+            Input::Variable(Variable::Q, k) => q[usize::from(k)],
+            _ => Double::from(field(input)),
         });
         for (velocity, pair) in velocities.ids().zip(values.chunks(2)) {
             let (entry, pivot) = (pair[0].to_f64(), pair[1].to_f64());

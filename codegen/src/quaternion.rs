@@ -1,0 +1,42 @@
+//! Quaternions of states at which something is looked at.
+//!
+//! In: four numbers, any. Out: a quaternion of length 1 that points nearly where they do. It knows
+//! nothing of joints.
+
+use crate::expression::Double;
+use crate::real::Real;
+
+/// Gives four numbers the length 1, to a hundred bits.
+pub fn normalize(entries: &mut [Double]) {
+    let squares = entries.iter().map(|&entry| entry * entry);
+    let length = squares.fold(Double::ZERO, |sum, square| sum + square);
+    let length = length.sqrt();
+    for entry in entries {
+        *entry = *entry / length;
+    }
+}
+
+/// Four numbers of a type whose length is 1 to ten bits more than the type has: what rotation each
+/// formula makes of them is the same.
+///
+/// In no type are there other quaternions of length 1 to the last digit than the 24 whose entries are ±½, or
+/// ±1 and zeros, and these turn every axis into an axis. So three entries are cut to half of the digits, and
+/// one, at the place `small`, is what they leave: so small that its rounding is next to nothing.
+pub fn of_length_1(direction: [f64; 4], small: usize, scalar: Real) -> [f64; 4] {
+    let grid = match scalar {
+        Real::F32 => f64::from(1_u32 << 12),
+        Real::F64 | Real::Generic => f64::from(1_u32 << 24),
+    };
+    let mut entries = direction;
+    entries[small] = 0.0;
+    let squares = |entries: [f64; 4]| entries.iter().map(|entry| entry * entry).sum::<f64>();
+    let length = squares(entries).sqrt();
+    entries = entries.map(|entry| (entry / length * grid).trunc() / grid);
+    // Squares of so few digits, and their sum, are exact.
+    let left = (1.0 - squares(entries)).max(0.0).sqrt();
+    entries[small] = scalar.rounded(left).copysign(direction[small]);
+    entries
+}
+
+#[cfg(test)]
+mod tests;

@@ -116,9 +116,17 @@ impl<'s> Trial<'s> {
         lighter.or_else(|| Some(self.best.take()?.1))
     }
 
-    /// The lightest of those that lose little more than the best, where none is accurate enough.
+    /// The lightest of those that lose little more than the best, where none is accurate enough. What is lost near
+    /// singular postures is lost by all, and a few times more of it is less than an inverse that does not invert.
     fn nearly_as_good(mut self, least: f64) -> Found {
-        let good = nearly_as_good(std::mem::take(&mut self.tried), least);
+        let mut good = std::mem::take(&mut self.tried);
+        let solves = |off: Off| off.worst <= FAR * least && off.unsolved <= ENOUGH;
+        if good.iter().any(|tried| solves(tried.found.off)) {
+            good.retain(|tried| solves(tried.found.off));
+        }
+        let worst = good.iter().map(|tried| tried.found.off.worst);
+        let least = worst.fold(f64::INFINITY, f64::min);
+        good.retain(|tried| tried.found.off.worst <= 2.0 * least);
         let weighed = good.into_iter().map(|Tried { weight, found }| {
             if let Some(weight) = weight {
                 return (weight, found);
@@ -129,17 +137,4 @@ impl<'s> Trial<'s> {
         let best = weighed.min_by_key(|(weight, _)| *weight);
         best.expect("the least is among them").1
     }
-}
-
-/// Those that lose little more than the best, where none is accurate enough. What is lost near singular postures
-/// is lost by all, and a few times more of it is less than an inverse that does not invert.
-fn nearly_as_good(mut tried: Vec<Tried>, least: f64) -> Vec<Tried> {
-    let solves = |found: &Found| found.off.worst <= FAR * least && found.off.unsolved <= ENOUGH;
-    if tried.iter().any(|tried| solves(&tried.found)) {
-        tried.retain(|tried| solves(&tried.found));
-    }
-    let worst = tried.iter().map(|tried| tried.found.off.worst);
-    let least = worst.fold(f64::INFINITY, f64::min);
-    tried.retain(|tried| tried.found.off.worst <= 2.0 * least);
-    tried
 }

@@ -18,7 +18,8 @@ pub struct Spread {
 }
 
 /// Runs all in turns, `batches` times each. A batch repeats its `calls` until it takes at least
-/// `shortest`, so that reading the clock does not count.
+/// `shortest`, so that reading the clock does not count; and is run once before the clock starts, for what
+/// the programs before it leave of its states and its code in the caches is not its time.
 pub fn alternate(
     batches: usize,
     calls: u32,
@@ -30,13 +31,14 @@ pub fn alternate(
     for _ in 0..batches {
         for ((batch, repeats), times) in programs.iter().zip(&repeats).zip(&mut times) {
             let calls = f64::from(*repeats) * f64::from(calls);
+            batch();
             times.push(time(batch, *repeats).as_secs_f64() * 1e9 / calls);
         }
     }
     times.into_iter().map(spread).collect()
 }
 
-/// How often a batch must be repeated to take long enough; running it so often also warms it up.
+/// How often a batch must be repeated to take long enough.
 fn repeats(batch: &dyn Fn(), shortest: Duration) -> u32 {
     let mut repeats = 1;
     while time(batch, repeats) < shortest {

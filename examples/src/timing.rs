@@ -18,33 +18,49 @@ pub struct Spread {
 }
 
 /// Runs all in turns, `batches` times each. A batch repeats its `calls` until it takes at least
-/// `shortest`, so that reading the clock does not count; and is run once before the clock starts, for what
-/// the programs before it leave of its states and its code in the caches is not its time.
+/// `shortest`, so that reading the clock does not count. One that takes less than [`SLOW`] is run once
+/// before the clock starts, for what the programs before it leave of its states and its code in the
+/// caches is not its time.
 pub fn alternate(
     batches: usize,
     calls: u32,
     shortest: Duration,
     programs: &[&dyn Fn()],
 ) -> Vec<Spread> {
-    let repeats: Vec<u32> = programs.iter().map(|run| repeats(run, shortest)).collect();
+    let turns: Vec<Turn> = programs.iter().map(|run| turn(run, shortest)).collect();
     let mut times = vec![Vec::with_capacity(batches); programs.len()];
     for _ in 0..batches {
-        for ((batch, repeats), times) in programs.iter().zip(&repeats).zip(&mut times) {
-            let calls = f64::from(*repeats) * f64::from(calls);
-            batch();
-            times.push(time(batch, *repeats).as_secs_f64() * 1e9 / calls);
+        for ((batch, turn), times) in programs.iter().zip(&turns).zip(&mut times) {
+            if turn.warm {
+                batch();
+            }
+            let calls = f64::from(turn.repeats) * f64::from(calls);
+            times.push(time(batch, turn.repeats).as_secs_f64() * 1e9 / calls);
         }
     }
     times.into_iter().map(spread).collect()
 }
 
-/// How often a batch must be repeated to take long enough.
-fn repeats(batch: &dyn Fn(), shortest: Duration) -> u32 {
+/// A batch that takes this long takes a hundred times what its states take to come from memory: some
+/// hundred kB, at some 10 GB/s.
+const SLOW: Duration = Duration::from_millis(5);
+
+/// How a program's turn goes.
+struct Turn {
+    /// How often its batch is run on the clock.
+    repeats: u32,
+    /// Whether it is run once before.
+    warm: bool,
+}
+
+/// Repeats a batch until it takes long enough.
+fn turn(batch: &dyn Fn(), shortest: Duration) -> Turn {
+    let warm = time(batch, 1) < SLOW;
     let mut repeats = 1;
     while time(batch, repeats) < shortest {
         repeats *= 2;
     }
-    repeats
+    Turn { repeats, warm }
 }
 
 fn time(batch: &dyn Fn(), repeats: u32) -> Duration {

@@ -12,9 +12,8 @@ pub mod range;
 mod solved;
 
 pub use self::articulated::of_articulated;
-pub use self::promise::{Accuracy, Bound, Means, Promise};
-pub use self::solved::{of_accelerations, of_derivatives, of_inverse};
-pub use crate::function::Given;
+pub use self::promise::{Accuracy, Bound, Means, Perturbed, Promise};
+pub use self::solved::{of_accelerations, of_derivatives, of_inverse, of_refined_inverse};
 
 use self::promise::{Owner, Worst, computed, error, owners, promise};
 use self::range::Range;

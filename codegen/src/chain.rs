@@ -271,13 +271,6 @@ impl Chain {
         drives.any(is_there)
     }
 
-    /// Whether every body has a coordinate of its own as well.
-    #[must_use]
-    pub fn is_plain(&self) -> bool {
-        let along = |joint: &Joint| matches!(joint.position, Position::Along { .. });
-        self.all_lead() && self.joints.iter().all(along)
-    }
-
     /// L of a joint in its body's frame: u, b.
     #[must_use]
     pub fn screw(&self, joint: &Joint) -> [Term<'_>; 6] {

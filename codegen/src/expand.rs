@@ -21,7 +21,7 @@ mod weighable;
 
 pub use choice::{program, program_as, program_for};
 pub use closure::settled;
-use program::equation_by;
+use program::{equation_at_rest_by, equation_by};
 pub use program::{expressions_by, program_by};
 
 use std::cell::LazyCell;
@@ -345,11 +345,18 @@ fn accuracy_of(
         (Given::MassMatrix, Forward::UNREFINED) => {
             accuracy::of_inverse(chain, &parts(&[Function::MassMatrix]), means)
         }
+        (Given::MassMatrix, Forward::MassMatrix { refinements }) => {
+            let at_rest = equation_at_rest_by(chain, found.layout, found.way);
+            accuracy::of_refined_inverse(chain, &at_rest, refinements, means)
+        }
         (Given::TorqueDerivatives, Forward::UNREFINED) => {
             let derivatives = parts(&[Function::InverseDynamicsDerivatives]);
             accuracy::of_derivatives(chain, &equation, &derivatives, means)
         }
-        (Given::MassMatrix | Given::TorqueDerivatives, _) => Accuracy::Unknown(
+        (Given::MassMatrix, Forward::Articulated) => {
+            Accuracy::Unknown("none is derived of an inverse that is made of articulated bodies")
+        }
+        (Given::TorqueDerivatives, _) => Accuracy::Unknown(
             "none is derived of an inverse that is refined or made of articulated bodies",
         ),
     };

@@ -313,6 +313,19 @@ pub(crate) fn equation<'g>(
     terms
 }
 
+/// What the inverse of M is refined from: M, row by row, and M q̈ of no q̈ and of any.
+pub(crate) fn equation_at_rest<'g>(
+    graph: &'g Graph,
+    bodies: &Bodies<'g>,
+    way: Way,
+) -> Vec<Term<'g>> {
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
+    let mut terms = Vec::from(scene.mass_matrix());
+    terms.extend(scene.coasting());
+    terms.extend(scene.inertial(&scene.qdd()));
+    terms
+}
+
 /// What the articulated-body recursion takes from a motion: see [`articulated::motion`].
 pub(crate) fn articulated_motion<'g>(
     graph: &'g Graph,

@@ -13,13 +13,12 @@ mod tests;
 
 use self::inertias::{FROBENIUS, Outboard, TRUST, around_zero, errors, outboard};
 use self::sizes::{Link, Pair};
-use super::promise::{Accuracy, Means, Worst, backward, computed, error, value};
+use super::promise::{Accuracy, Means, Perturbed, Worst, backward, computed, error, value};
 use super::solved::{DOUBTFUL, caused, stays, tried, underflow, widened};
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::range::Range;
 use crate::chain::{BodyId, Chain};
 use crate::expression::{Expr, Graph, Input, Term};
-use crate::function::Given;
 use crate::layout::{Layout, arrange};
 use crate::list::List;
 use crate::model::{self, ARTICULATED_INERTIA, ARTICULATED_MOTION, Way};
@@ -34,10 +33,8 @@ const LEAST_MARGIN: f64 = 1e-3;
 /// Of accelerations by articulated bodies.
 #[must_use]
 pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> Accuracy {
-    if !chain.is_plain() {
-        return Accuracy::Unknown(
-            "none is derived of articulated bodies with a quaternion, in a plane or that follow others",
-        );
+    if !chain.all_lead() {
+        return Accuracy::Unknown("none is derived of articulated bodies that follow others");
     }
     let range = Range::of(chain);
     let mobility = match mobility(chain, layout, &range) {
@@ -108,7 +105,7 @@ pub fn of_articulated(chain: &Chain, layout: Layout, way: Way, means: Means) -> 
         };
         tried(LEAST_MARGIN, attempt)
     };
-    backward(chain, Given::Torques, &[&motion], means, worst)
+    backward(chain, Perturbed::Torques, &[&motion], means, worst)
 }
 
 /// The place of an entry of a step among the fields, of which the chain has none.

@@ -4,7 +4,10 @@
 //! In: a chain, where its frames are and the range of its fields. Out: bounds of the rates of joints
 //! and bodies. It never looks at a posture: the rate of a joint is the difference of what two bodies
 //! do about its axis, or along it, and their share of the kinetic energy is there whatever the
-//! others do. A mass in a field is taken at its least: more of it only adds energy.
+//! others do. A mass in a field is taken at its least: more of it only adds energy. Quaternions are taken to
+//! be of length 1, but for their rounding.
+
+use std::iter::successors;
 
 use super::range::Range;
 use crate::chain::{BodyId, Chain, Position};
@@ -13,14 +16,16 @@ use crate::joint::Motion;
 use crate::layout::{Body, Layout, arrange};
 use crate::list::{Id, List};
 use crate::request::Target;
+use crate::schedule::bound;
+use crate::space::VelocityId;
 
 /// Bounds of the squares of rates by twice the kinetic energy; infinite where a body has no inertia of
 /// the kind.
 #[derive(Clone, Debug)]
 pub struct Mobility {
-    /// Of each joint's rate: bounds of the diagonal entries of M⁻¹ \[1/(kg m²), of joints that slide
+    /// Of each velocity: bounds of the diagonal entries of M⁻¹ \[1/(kg m²), of joints that slide
     /// 1/kg\].
-    pub joints: List<BodyId, f64>,
+    pub joints: List<VelocityId, f64>,
     /// Of each body's ω \[1/(kg m²)\] and of the velocity of its frame's origin \[1/kg\].
     pub bodies: List<BodyId, [f64; 2]>,
 }
@@ -29,15 +34,13 @@ pub struct Mobility {
 ///
 /// (M⁻¹)ₖₖ is the greatest q̇ₖ²/(q̇ᵗM q̇). With x and y what the two bodies of a joint do, q̇ₖ = x − y,
 /// and q̇ᵗM q̇ ≥ x²/a + y²/b, this is at most a + b; with an armature c, which adds c q̇ₖ² to it, at most
-/// 1/(1/(a + b) + c).
+/// 1/(1/(a + b) + c). A velocity that moves several joints, each by a factor of its own, is as slow as
+/// each of them demands.
 ///
 /// # Errors
 /// Why it is not known: kinetic energy may be negative with an inertia that no body has; centres of
 /// mass, inertias and offsets are known at run time only.
 pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility, &'static str> {
-    if !chain.all_lead() {
-        return Err("joints that follow others are not followed");
-    }
     let moves = |target: &Target| {
         use Target::{BasePlacement, CenterOfMassOf, InertiaOf, OriginOf, PlacementOf};
         let is_turned = matches!(target, BasePlacement | PlacementOf(_));
@@ -68,9 +71,6 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     });
     let mut solids: List<BodyId, Solid> = List::new();
     for (body, numbers) in bodies.iter().zip(numbers.chunks(NUMBERS)) {
-        if matches!(body.position, Position::Posture(..)) && body.parent.is_some() {
-            return Err("joints with quaternions or in a plane are followed on the base alone");
-        }
         let carrier = body
             .parent
             .map_or(Spin::Still, |parent| solids[parent].spin);
@@ -84,14 +84,30 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         k.plus(taken.count())
     };
     let whole: Vec<&Solid> = bodies.ids().map(|k| &solids[last(k)]).collect();
-    let joint = |(body, solid): (&Body<'_>, &&Solid)| match solid.parent {
+    // What the first of them hangs on, seen from anywhere within reach of it.
+    let carrier = |k: BodyId| {
+        let taken = |k: &BodyId| matches!(bodies[*k].position, Position::Taken);
+        let mut inwards = successors(Some(k), |k| bodies[*k].parent.filter(|_| taken(k)));
+        let first = &bodies[inwards.find(|k| !taken(k))?];
+        Some((&solids[first.parent?], reach(first, range)))
+    };
+    let joint = |(k, solid): (BodyId, &&Solid)| match solid.parent {
         _ if solid.free => {
-            let axis = AXES[body.axis];
-            if body.motion.slides() {
+            let (axis, slides) = (AXES[bodies[k].axis], bodies[k].motion.slides());
+            let of_carrier = carrier(k).map_or(0.0, |(solid, reach)| {
+                let [turns, origin] = solid.fastest();
+                match slides {
+                    true if reach > 0.0 => (origin.sqrt() + reach * turns.sqrt()).powi(2),
+                    true => origin,
+                    false => turns,
+                }
+            });
+            let own = if slides {
                 solid.slides(axis, [0.0; 3])
             } else {
                 solid.turns(axis)
-            }
+            };
+            own + ROUNDED * of_carrier
         }
         None => solid.on_the_base,
         Some(parent) => {
@@ -107,7 +123,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
             }
         }
     };
-    let joints = bodies.iter().zip(&whole).map(joint);
+    let joints = bodies.ids().zip(&whole).map(joint);
     // What an armature has of the energy comes on top.
     let joints = joints.zip(&solids).map(|(bodies, solid)| {
         if solid.armature > 0.0 {
@@ -116,14 +132,28 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
             bodies
         }
     });
-    let joints = joints.collect();
-    let body = |solid: &&Solid| {
-        let turns = AXES.iter().map(|&axis| solid.turns(axis));
-        let slides = AXES.iter().map(|&axis| solid.slides(axis, [0.0; 3]));
-        [turns.sum(), slides.sum()]
+    let mut of_velocities = List::filled(f64::INFINITY, chain.spaces().velocities.len());
+    for (body, most) in bodies.iter().zip(joints) {
+        let factor = body.factor().and_then(|factor| graph.term(factor).value());
+        let factor = factor.map_or(1.0, Double::to_f64);
+        let of_velocity = &mut of_velocities[body.velocity];
+        // A joint that follows with a factor of 0 does not move, and demands nothing.
+        *of_velocity = f64::min(*of_velocity, most / (factor * factor));
+    }
+    Ok(Mobility {
+        joints: of_velocities,
+        bodies: whole.into_iter().map(Solid::fastest).collect(),
+    })
+}
+
+/// How far the origin of a body that is taken anywhere may be from that of the body it hangs on.
+fn reach(body: &Body<'_>, range: &Range) -> f64 {
+    let slides = match body.position {
+        Position::Posture(posture, first) => posture.reach(|entry| range.q[first.plus(entry)]),
+        Position::Along { .. } | Position::Taken => 0.0,
     };
-    let bodies = whole.iter().map(body).collect();
-    Ok(Mobility { joints, bodies })
+    let number = |entry: Term<'_>| entry.value().map_or(f64::INFINITY, Double::to_f64);
+    slides + bound::root(body.placement.translation.0.map(number))
 }
 
 /// The axis of a joint in the frame of its body.
@@ -131,6 +161,9 @@ const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// The axes of a frame.
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], Z];
+
+/// What a quaternion that is rounded, in `f32`, makes of the axes that it turns, and more.
+const ROUNDED: f64 = 1.0 + 1e-6;
 
 /// How far from parallel axes may be that are taken for parallel: a rounding in extended precision.
 const PARALLEL: f64 = 1e-28;
@@ -237,6 +270,13 @@ impl Solid {
             armature: numbers[22].to_f64(),
             on_the_base,
         })
+    }
+
+    /// Both of its rates, whatever their directions: ω, and the velocity of its origin.
+    fn fastest(&self) -> [f64; 2] {
+        let turns = AXES.iter().map(|&axis| self.turns(axis));
+        let slides = AXES.iter().map(|&axis| self.slides(axis, [0.0; 3]));
+        [turns.sum(), slides.sum()]
     }
 
     /// a of ω² ≤ 2a T, where ω is the body's rate about an axis and T its kinetic energy.

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use super::range::{self, Range};
 use crate::chain::Chain;
 use crate::expression::Input;
-use crate::function::{Function, Given};
+use crate::function::Function;
 use crate::real::{Real, Trigonometry};
 use crate::request::FieldId;
 use crate::schedule::bound::{self, Conditions, Reason, Value};
@@ -23,9 +23,22 @@ pub enum Accuracy {
     Within(Promise),
     /// In every state of a range, what is found is the exact solution for something that is no farther
     /// from what was given (backward error).
-    Backward(Given, Promise),
+    Backward(Perturbed, Promise),
     /// Nothing, for a reason.
     Unknown(&'static str),
+}
+
+/// What a solution is exact for, but for a backward error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Perturbed {
+    /// τ, of which accelerations are the solution.
+    Torques,
+    /// M, of which each column of the inverse is one, from the diagonal up: each for another M.
+    MassMatrix,
+    /// Forces and torques of 1, each of which a column of the inverse is one for, from the diagonal up.
+    UnitForces,
+    /// ∂τ/∂q and ∂τ/∂q̇ at the accelerations found, of which each column of the derivatives of accelerations is one.
+    TorqueDerivatives,
 }
 
 /// Bounds, and what they are for.
@@ -156,7 +169,7 @@ impl Accuracy {
         };
         match self {
             Self::Within(promise) => Self::Within(without(promise)),
-            Self::Backward(given, promise) => Self::Backward(given, without(promise)),
+            Self::Backward(of, promise) => Self::Backward(of, without(promise)),
             Self::Unknown(reason) => Self::Unknown(reason),
         }
     }
@@ -192,19 +205,25 @@ impl Promise {
 /// What is promised of a solution, where something is.
 pub(super) fn backward(
     chain: &Chain,
-    given: Given,
+    perturbed: Perturbed,
     programs: &[&Program],
     means: Means,
     worst: impl Fn(Real) -> Worst,
 ) -> Accuracy {
-    let of = match given {
-        Given::Torques => Function::InverseDynamics,
-        Given::MassMatrix => Function::MassMatrix,
-        Given::TorqueDerivatives => Function::InverseDynamicsDerivatives,
+    let of = match perturbed {
+        Perturbed::Torques | Perturbed::UnitForces => Function::InverseDynamics,
+        Perturbed::MassMatrix => Function::MassMatrix,
+        Perturbed::TorqueDerivatives => Function::InverseDynamicsDerivatives,
     };
-    let arguments = &of.arguments_with(chain.spaces().actions() > 0);
+    let arguments = match perturbed {
+        Perturbed::UnitForces => vec![Variable::Q],
+        _ => of.arguments_with(chain.spaces().actions() > 0),
+    };
     match promise(chain, means, &owners(chain, of), worst) {
-        Ok(promise) => Accuracy::Backward(given, promise.within(chain, arguments, programs, means)),
+        Ok(promise) => Accuracy::Backward(
+            perturbed,
+            promise.within(chain, &arguments, programs, means),
+        ),
         Err(reason) => Accuracy::Unknown(reason),
     }
 }

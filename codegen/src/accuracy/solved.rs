@@ -16,11 +16,10 @@
 //! Pivots are positive where M + ΔM is positive definite: with a bound S of |ΔM|, and
 //! xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
-use super::promise::{Accuracy, Means, Worst, backward, computed, error};
+use super::promise::{Accuracy, Means, Perturbed, Worst, backward, computed, error};
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::range::Range;
 use crate::chain::Chain;
-use crate::function::Given;
 use crate::layout::Layout;
 use crate::real::Real;
 use crate::schedule::Program;
@@ -47,7 +46,63 @@ pub fn of_inverse(chain: &Chain, program: &Program, means: Means) -> Accuracy {
         let entry = |k| parts.lost(k / count, k % count);
         Ok((0..count * count).map(entry).collect())
     };
-    backward(chain, Given::MassMatrix, &[program], means, worst)
+    backward(chain, Perturbed::MassMatrix, &[program], means, worst)
+}
+
+/// Of the inverse of the mass matrix, refined so often: of each column from the diagonal up, as the accelerations
+/// of a unit force. The program computes the mass matrix, and twice what accelerations take at rest and without
+/// gravity: none, and given ones.
+#[must_use]
+pub fn of_refined_inverse(
+    chain: &Chain,
+    program: &Program,
+    refinements: usize,
+    means: Means,
+) -> Accuracy {
+    let range = Range::of(chain);
+    let mobility = mobility(chain, Layout::DESCRIBED, &range);
+    let worst = |scalar: Real| -> Worst {
+        let joints: &[f64] = &mobility.as_ref().map_err(|reason| *reason)?.joints;
+        // An entry of M⁻¹ is at most the root of the product of two diagonal ones.
+        let column = |of: &f64| {
+            let most = joints.iter().map(|most| (most * of).sqrt());
+            let qdd = most.map(|most| [-most, most]).collect();
+            Range {
+                qdd,
+                ..range.clone()
+            }
+        };
+        let columns: Vec<Range> = joints.iter().map(column).collect();
+        tried(0.0, |margin| {
+            let parts = columns.iter().map(|range| {
+                let parts = Parts::of(program, &widened(range, margin), joints, means, scalar)?;
+                parts.check(joints).map(|()| parts)
+            });
+            let parts = parts.collect::<Result<Vec<Parts>, _>>()?;
+            let mut left: Vec<Vec<f64>> = parts.iter().map(Parts::unrefined).collect();
+            for _ in 0..refinements {
+                let off: Vec<Vec<f64>> = left.iter().map(|left| caused(joints, left)).collect();
+                // Below the diagonal a column begins with what others have found.
+                let before = |row: usize, column: usize| off[row.max(column)][row.min(column)];
+                let columns = parts.iter().enumerate().map(|(column, parts)| {
+                    let off: Vec<f64> = (0..joints.len()).map(|row| before(row, column)).collect();
+                    parts.refined(joints, &off, margin)
+                });
+                left = columns.collect::<Result<_, _>>()?;
+            }
+            let mut worst = vec![0.0; joints.len()];
+            for (range, left) in columns.iter().zip(left) {
+                if !stays(range, margin, &caused(joints, &left)) {
+                    return Err(DOUBTFUL);
+                }
+                for (worst, left) in worst.iter_mut().zip(left) {
+                    *worst = f64::max(*worst, left);
+                }
+            }
+            Ok(worst)
+        })
+    };
+    backward(chain, Perturbed::UnitForces, &[program], means, worst)
 }
 
 /// Of accelerations by the factors of the mass matrix, refined so often. The program computes the
@@ -65,7 +120,7 @@ pub fn of_accelerations(
         let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
         solved(program, &range, joints, refinements, means, scalar)
     };
-    backward(chain, Given::Torques, &[program], means, worst)
+    backward(chain, Perturbed::Torques, &[program], means, worst)
 }
 
 /// Of the derivatives of accelerations by coordinates and rates: what the derivatives of τ are off by, at the
@@ -97,7 +152,7 @@ pub fn of_derivatives(
         })
     };
     let programs = [equation, derivatives];
-    backward(chain, Given::TorqueDerivatives, &programs, means, worst)
+    backward(chain, Perturbed::TorqueDerivatives, &programs, means, worst)
 }
 
 /// The greatest accelerations that forces can cause: an entry of M⁻¹ is at most the root of the
@@ -123,9 +178,6 @@ pub(super) fn widened(range: &Range, margin: f64) -> Range {
 }
 
 /// What is left after some refinements.
-///
-/// Each leaves what rounding takes from its residual and from the sum with the correction, and ΔM
-/// times the correction c. That is at most M⁻¹ (r + ΔM c), where r bounds the residual.
 fn solved(
     program: &Program,
     range: &Range,
@@ -150,24 +202,7 @@ fn solved(
         };
         let mut left = parts.unrefined();
         for _ in 0..refinements {
-            let residual: Vec<f64> = (left.iter().zip(&parts.needed))
-                .map(|(left, needed)| left + needed.error)
-                .collect();
-            // Twice M⁻¹ r, so that M⁻¹ ΔM c may be as much again.
-            let correction = caused(mobility, &residual).into_iter().map(|c| 2.0 * c);
-            let correction: Vec<f64> = correction.collect();
-            let spoilt = parts.lost_times(&correction);
-            let again = caused(mobility, &spoilt);
-            let most = range.qdd.iter().map(|[_, most]| margin / 4.0 * most);
-            let mut all = correction.iter().zip(again).zip(most);
-            // What is not a number is not within anything.
-            if !all.all(|((&c, again), most)| again <= c / 2.0 && c <= most) {
-                return Err(DOUBTFUL);
-            }
-            let sums = parts.roundings_of_sums();
-            left = (parts.needed.iter().zip(spoilt).zip(sums))
-                .map(|((needed, spoilt), sum)| needed.error + spoilt + sum)
-                .collect();
+            left = parts.refined(mobility, &caused(mobility, &left), margin)?;
         }
         let stays = stays(range, margin, &caused(mobility, &left));
         if stays { Ok(left) } else { Err(DOUBTFUL) }
@@ -334,6 +369,36 @@ impl Parts {
         lost.zip(&self.bias)
             .map(|(lost, bias)| lost + bias.error + self.vanishes)
             .collect()
+    }
+
+    /// What a refinement leaves where the accelerations before it are off by so much and, as those after it,
+    /// in a range that is wider than that of the exact ones by a margin.
+    ///
+    /// It leaves what rounding takes from its residual r and from the sum with the correction c, and ΔM c. The
+    /// correction is M⁻¹ (r − ΔM c), of which M⁻¹ r is what they were off by, and M⁻¹ times what r is off by.
+    fn refined(&self, mobility: &[f64], off: &[f64], margin: f64) -> Worst {
+        let rounded: Vec<f64> = self.needed.iter().map(|needed| needed.error).collect();
+        // Twice M⁻¹ r, so that M⁻¹ ΔM c may be as much again.
+        let correction = caused(mobility, &rounded).into_iter().zip(off);
+        let correction: Vec<f64> = correction
+            .map(|(by_residual, off)| 2.0 * (by_residual + off))
+            .collect();
+        let spoilt = self.lost_times(&correction);
+        let again = caused(mobility, &spoilt);
+        let most = self
+            .most
+            .iter()
+            .map(|most| margin / 4.0 * most / (1.0 + margin));
+        let mut all = correction.iter().zip(again).zip(most);
+        // What is not a number is not within anything.
+        if !all.all(|((&c, again), most)| again <= c / 2.0 && c <= most) {
+            return Err(DOUBTFUL);
+        }
+        let sums = self.roundings_of_sums();
+        let left = rounded.into_iter().zip(spoilt).zip(sums);
+        Ok(left
+            .map(|((rounded, spoilt), sum)| rounded + spoilt + sum)
+            .collect())
     }
 
     /// What the accelerations take when they are rounded, once a correction has been added.

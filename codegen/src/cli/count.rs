@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 use super::functions::Functions;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
-use crate::accuracy::{Accuracy, Bound, Given};
+use crate::accuracy::{Accuracy, Bound, Perturbed};
 use crate::error::Complaint;
 use crate::expand::{expand, understand};
 use crate::print::{LeftOut, Listed, Listing};
@@ -131,9 +131,10 @@ fn error(accuracy: &Accuracy) -> Value {
     let (of, promise) = match accuracy {
         Accuracy::Unknown(reason) => return json!({ "unknown": reason }),
         Accuracy::Within(promise) => ("results", promise),
-        Accuracy::Backward(Given::Torques, promise) => ("tau", promise),
-        Accuracy::Backward(Given::MassMatrix, promise) => ("M", promise),
-        Accuracy::Backward(Given::TorqueDerivatives, promise) => ("tau derivatives", promise),
+        Accuracy::Backward(Perturbed::Torques, promise) => ("tau", promise),
+        Accuracy::Backward(Perturbed::MassMatrix, promise) => ("M", promise),
+        Accuracy::Backward(Perturbed::UnitForces, promise) => ("unit forces", promise),
+        Accuracy::Backward(Perturbed::TorqueDerivatives, promise) => ("tau derivatives", promise),
     };
     let by_unit = |of: fn(&Bound) -> Option<f64>| {
         let mut worst: Map<String, Value> = Map::new();

@@ -53,6 +53,18 @@ impl Posture {
         }
     }
 
+    /// How far it takes the origin of the body at most, where each coordinate has a range \[m\].
+    #[must_use]
+    pub fn reach(self, range: impl Fn(usize) -> [f64; 2]) -> f64 {
+        let kinds = self.coordinates().iter().enumerate();
+        let slides = kinds.filter(|(_, (_, kind))| matches!(kind, Kind::Slide));
+        let farthest = slides.map(|(entry, _)| {
+            let [least, most] = range(entry);
+            least.abs().max(most.abs())
+        });
+        farthest.map(|far| far * far).sum::<f64>().sqrt()
+    }
+
     /// Q: from where the body is at rest to where these coordinates have taken it.
     #[must_use]
     pub fn displacement<'g>(self, q: impl Fn(usize) -> Term<'g>) -> Pose<Term<'g>> {

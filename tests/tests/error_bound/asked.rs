@@ -3,13 +3,15 @@
 //! In: a name, options. Out: descriptions with requests, and chains.
 
 use homogen_codegen::chain::{self, Chain};
-use homogen_codegen::description::{Description, Name, read_file};
+use homogen_codegen::description::{Description, Name, freed, read_file, read_text};
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::request::{Parameter, Request, Target};
 use homogen_tests::drives::driven;
 use homogen_tests::subjects::{Subject, subject};
 use quote::format_ident;
+
+use crate::jointed;
 
 /// A number that is a field, and the link or the joint that it is of.
 pub type Free = (fn(Name) -> Target, &'static str);
@@ -26,6 +28,8 @@ pub struct Asked {
     pub free: &'static [Free],
     /// Whether its joints have drives, and the surroundings act on its tip.
     pub driven: bool,
+    /// Whether its root is free.
+    pub floating: bool,
     /// How many times the worst error that was measured a bound may be.
     pub farthest: f64,
 }
@@ -41,12 +45,19 @@ pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
         loads: &[],
         free: &[],
         driven: false,
+        floating: false,
         farthest: 150.0,
     }
 }
 
-/// A robot that ships, by its name, or one made to be hard, by its label.
+/// A robot that ships, by its name, one with joints of other kinds, or one made to be hard, by its label.
 pub fn described(asked: Asked) -> (Description, Request) {
+    let (description, request) = as_asked(asked);
+    let (description, request) = freed(&description, &request);
+    (description.into_owned(), request.into_owned())
+}
+
+fn as_asked(asked: Asked) -> (Description, Request) {
     if asked.robot.contains('/') {
         let Subject {
             description,
@@ -61,13 +72,15 @@ pub fn described(asked: Asked) -> (Description, Request) {
             },
         );
     }
-    let path = format!(
-        "{}/../robots/{}.urdf",
-        env!("CARGO_MANIFEST_DIR"),
-        asked.robot
-    );
     let mut errors = Errors::new();
-    let description = read_file(path.as_ref(), None, &mut errors).expect("it is a robot");
+    let description = if let Some(text) = jointed::text(asked.robot) {
+        read_text(&text, asked.robot, None, &mut errors)
+    } else {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots");
+        let path = format!("{folder}/{}.urdf", asked.robot);
+        read_file(path.as_ref(), None, &mut errors)
+    };
+    let description = description.unwrap_or_else(|| panic!("{errors}"));
     let loads = asked.loads.iter().map(|&link| Parameter {
         field: format_ident!("{link}"),
         target: Target::MassOf(Name::from(link)),
@@ -83,6 +96,7 @@ pub fn described(asked: Asked) -> (Description, Request) {
         tip: Some(Name::from(asked.tip)),
         parameters: loads.chain(others).collect(),
         formulation: asked.formulation,
+        floating: asked.floating,
         ..Request::default()
     };
     let request = if asked.driven {

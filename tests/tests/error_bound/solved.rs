@@ -16,7 +16,7 @@ use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 use homogen_tests::states::Random;
-use homogen_tests::tested::Tested;
+use homogen_tests::tested::{F64, Tested};
 
 use crate::asked::{Asked, chain_of, described};
 use crate::bounds::{holds, number};
@@ -107,9 +107,9 @@ pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
     let needed = exactly(&chain, function);
     let range = Range::of(&chain);
     let mut random = Random::new(37);
-    let mut worst = vec![0.0_f64; chain.joints.len()];
+    let mut worst = vec![0.0_f64; chain.spaces().velocities.len()];
     for _ in 0..STATES {
-        let state = state::<T>(&range, &mut random);
+        let state = state::<T>(&chain, &range, &mut random);
         let (tau, found) = of_needed::<T>(&program, &needed, &state);
         let needed = needed.at(|input| moving(&state, |k| found[k].to_f64(), input));
         for ((worst, needed), tau) in worst.iter_mut().zip(needed).zip(&tau) {
@@ -154,7 +154,7 @@ pub fn check_derivatives<T: Tested>(asked: Asked) {
     let mass_off = of_entries(&chain, Function::MassMatrix, mass_off);
     let mut worst = 0.0_f64;
     for _ in 0..STATES / 4 {
-        let state = state::<T>(&range, &mut random);
+        let state = state::<T>(&chain, &range, &mut random);
         let (_, found) = of_needed::<T>(&program, &needed, &state);
         let (qdd, found) = found.split_at(count);
         let [changes, mass] = [&changes, &mass]
@@ -198,21 +198,39 @@ fn of_entries(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f64> {
     of_entry.collect()
 }
 
+/// That no velocity is faster than its bound for the energy that the robot has: diagonal entries of the inverse of
+/// the mass matrix.
+pub fn check_mobility(asked: Asked) {
+    let chain = chain_of(asked);
+    let count = chain.spaces().velocities.len();
+    let inverse = exactly(&chain, Function::MassMatrixInverse);
+    let range = Range::of(&chain);
+    let most = mobility(&chain, Layout::DESCRIBED, &range).expect("bodies have inertias");
+    let mut random = Random::new(53);
+    for _ in 0..STATES / 4 {
+        let state = state::<F64>(&chain, &range, &mut random);
+        let inverse = inverse.at(|input| Double::from(state(input)));
+        for (k, most) in most.joints.iter().enumerate() {
+            let found = inverse[k * (count + 1)].to_f64();
+            assert!(found <= *most, "{} {k}: {found:e} of {most:e}", asked.robot);
+        }
+    }
+}
+
 /// The inverse of the mass matrix. Where each column solves a matrix that is off by up to B, its
 /// entries are off by up to |M⁻¹| B |M⁻¹|, to first order.
 pub fn check_inverse<T: Tested>(asked: Asked) {
     let found = solved(asked, Function::MassMatrixInverse, T::REAL);
     let (program, bounds) = found.expect("M is provably regular");
     let chain = chain_of(asked);
-    let count = chain.joints.len();
+    let count = chain.spaces().velocities.len();
     let lost = of_entries(&chain, Function::MassMatrix, &bounds);
     let inverse = exactly(&chain, Function::MassMatrixInverse);
     let range = Range::of(&chain);
-    let most = mobility(&chain, Layout::DESCRIBED, &range).expect("bodies have inertias");
     let mut random = Random::new(41);
     let mut worst = 0.0_f64;
     for _ in 0..STATES {
-        let state = state::<T>(&range, &mut random);
+        let state = state::<T>(&chain, &range, &mut random);
         let exact = inverse.at(|input| Double::from(state(input)));
         let found = run(&program, |input| T::literal(state(input)));
         let size = |row: usize, column: usize| exact[row * count + column].to_f64().abs();
@@ -225,9 +243,6 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
                 .sum();
             worst = worst.max(error / most);
         }
-        for (k, most) in most.joints.iter().enumerate() {
-            assert!(size(k, k) <= *most, "{} {k} {most:e}", asked.robot);
-        }
     }
     println!(
         "{} {}: {worst:.1e} of what M may be off by",
@@ -238,4 +253,41 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
     // default, of the seven-joint arm.
     let farthest = 8.0 * asked.farthest;
     assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
+}
+
+/// The inverse of the mass matrix where it is refined: each column is that of a unit force which is off by up to B,
+/// so that its entries are off by up to |M⁻¹| B; whether there are bounds.
+pub fn check_refined_inverse<T: Tested>(asked: Asked) -> bool {
+    let Some((program, bounds)) = solved(asked, Function::MassMatrixInverse, T::REAL) else {
+        return false;
+    };
+    let chain = chain_of(asked);
+    let count = chain.spaces().velocities.len();
+    let lost = of_entries(&chain, Function::InverseDynamics, &bounds);
+    let inverse = exactly(&chain, Function::MassMatrixInverse);
+    let range = Range::of(&chain);
+    let mut random = Random::new(47);
+    let mut worst = 0.0_f64;
+    for _ in 0..STATES {
+        let state = state::<T>(&chain, &range, &mut random);
+        let exact = inverse.at(|input| Double::from(state(input)));
+        let found = run(&program, |input| T::literal(state(input)));
+        for (k, (found, entry)) in found.iter().zip(&exact).enumerate() {
+            let error = (Double::from(found.to_f64()) - *entry).to_f64().abs();
+            let row = exact[k / count * count..].iter().zip(&lost);
+            let most: f64 = row.map(|(entry, lost)| entry.to_f64().abs() * lost).sum();
+            // It is symmetric, and each pair of entries of the column that is solved for to its diagonal.
+            if k / count <= k % count {
+                worst = worst.max(error / most);
+            }
+        }
+    }
+    println!(
+        "{} {}: {worst:.1e} of what unit forces may be off by",
+        asked.robot,
+        T::NAME
+    );
+    let farthest = 8.0 * asked.farthest;
+    assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
+    true
 }

@@ -1,9 +1,13 @@
 //! States within the range that bounds are for.
 //!
-//! In: a range, random numbers. Out: inputs that are numbers of a type, ends of the range among them.
+//! In: a chain, a range of it, random numbers. Out: inputs that are numbers of a type, ends of the range among
+//! them.
 
 use homogen_codegen::accuracy::range::Range;
+use homogen_codegen::chain::{Chain, Position};
 use homogen_codegen::expression::Input;
+use homogen_codegen::joint::Posture;
+use homogen_codegen::list::Id;
 use homogen_codegen::space::Variable;
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
@@ -20,8 +24,12 @@ fn within<T: Tested>(x: f64, [lo, hi]: [f64; 2]) -> f64 {
 }
 
 /// Every input somewhere in its range, one in three at an end of it. Fields are of `f64`; all others
-/// are numbers of the type.
-pub fn state<T: Tested>(range: &Range, random: &mut Random) -> impl Fn(Input) -> f64 + use<T> {
+/// are numbers of the type, and quaternions of length 1 but for that.
+pub fn state<T: Tested>(
+    chain: &Chain,
+    range: &Range,
+    random: &mut Random,
+) -> impl Fn(Input) -> f64 + use<T> {
     let mut any = |[lo, hi]: [f64; 2]| match random.below(6) {
         0 => lo,
         1 => hi,
@@ -37,7 +45,19 @@ pub fn state<T: Tested>(range: &Range, random: &mut Random) -> impl Fn(Input) ->
             .map(|&range| within::<T>(any(range), range))
             .collect()
     };
-    let [q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(&mut rounded);
+    let [mut q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(&mut rounded);
+    for joint in &chain.joints {
+        let first = match joint.position {
+            Position::Posture(Posture::Spherical, first) => first.index(),
+            Position::Posture(Posture::Floating, first) => first.index() + 3,
+            _ => continue,
+        };
+        let quaternion = &mut q[first..][..4];
+        let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+        for x in quaternion {
+            *x = T::literal(*x / length).to_f64();
+        }
+    }
     let actions = rounded(&range.actions);
     let fields = range.fields.iter();
     let fields: Vec<Vec<f64>> = fields

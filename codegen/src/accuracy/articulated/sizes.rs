@@ -8,6 +8,7 @@ use crate::chain::{BodyId, Position};
 use crate::expression::{Double, Term};
 use crate::joint::Motion;
 use crate::layout::Body;
+use crate::list::Id;
 use crate::schedule::bound;
 use crate::space::VelocityId;
 
@@ -28,17 +29,19 @@ pub(super) struct Link {
 }
 
 impl Link {
-    /// None where it is no body, moves on a screw, or not by one coordinate.
+    /// None where it is no body, or moves on a screw.
     pub(super) fn of(body: &Body<'_>, range: &Range) -> Option<Self> {
-        let Position::Along { coordinate, .. } = body.position else {
-            return None;
-        };
-        let [lo, hi] = range.q[coordinate];
         let number = |term: Term<'_>| term.value().map(Double::to_f64);
-        let slide = match body.motion {
-            Motion::Revolute => 0.0,
-            Motion::Prismatic => lo.abs().max(hi.abs()),
-            Motion::Screw(_) => return None,
+        let slide = match (body.position, body.motion) {
+            (_, Motion::Screw(_)) => return None,
+            (Position::Along { coordinate, .. }, Motion::Prismatic) => {
+                let [lo, hi] = range.q[coordinate];
+                lo.abs().max(hi.abs())
+            }
+            (Position::Posture(posture, first), _) => {
+                posture.reach(|entry| range.q[first.plus(entry)])
+            }
+            (Position::Along { .. }, Motion::Revolute) | (Position::Taken, _) => 0.0,
         };
         let [x, y, z] = body.placement.translation.0.map(number);
         let [xx, yy, zz, ..] = body.inertia.second.0.map(number);

@@ -4,7 +4,7 @@
 //! list of groups of joints, the least exact first. Numbers are never less than the bound. It never
 //! decides what is bounded.
 
-use crate::accuracy::{Accuracy, Bound, Given, Promise};
+use crate::accuracy::{Accuracy, Bound, Perturbed, Promise};
 use crate::wording::code;
 
 /// The most groups of joints that a reader wants to see.
@@ -15,11 +15,15 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
     let (what, promise) = match accuracy {
         Accuracy::Unknown(reason) => return vec![format!("Error: no bound: {reason}.")],
         Accuracy::Within(promise) => ("", promise),
-        Accuracy::Backward(Given::Torques, promise) => ("as if τ were off by ", promise),
-        Accuracy::Backward(Given::MassMatrix, promise) => {
+        Accuracy::Backward(Perturbed::Torques, promise) => ("as if τ were off by ", promise),
+        Accuracy::Backward(Perturbed::MassMatrix, promise) => {
             ("each column is exact for an M of its own, off by ", promise)
         }
-        Accuracy::Backward(Given::TorqueDerivatives, promise) => (
+        Accuracy::Backward(Perturbed::UnitForces, promise) => (
+            "each column, down to its diagonal entry, as if its unit force were off by ",
+            promise,
+        ),
+        Accuracy::Backward(Perturbed::TorqueDerivatives, promise) => (
             "∂q̈/∂q and ∂q̈/∂q̇ as if the derivatives of τ at the q̈ found were off by ",
             promise,
         ),
@@ -217,7 +221,7 @@ fn upwards(size: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::{lines, upwards};
-    use crate::accuracy::{Accuracy, Bound, Given, Promise};
+    use crate::accuracy::{Accuracy, Bound, Perturbed, Promise};
 
     #[test]
     fn two_digits_are_never_less_than_the_number() {
@@ -309,7 +313,7 @@ mod tests {
     fn a_sentence_says_what_it_bounds() {
         let torques = promise(vec![bound("a", "N m", 2.1e-12, 0.0)]);
         assert_eq!(
-            lines(&Accuracy::Backward(Given::Torques, torques)),
+            lines(&Accuracy::Backward(Perturbed::Torques, torques)),
             ["Error: as if τ were off by at most 2.1e-12 N m in f64; q within its limits."]
         );
         let moments = Promise {
@@ -317,7 +321,7 @@ mod tests {
             ..promise(vec![bound("a", "kg m²", 1e-15, f64::INFINITY)])
         };
         assert_eq!(
-            lines(&Accuracy::Backward(Given::MassMatrix, moments)),
+            lines(&Accuracy::Backward(Perturbed::MassMatrix, moments)),
             [
                 "Error: each column is exact for an M of its own, off by at most 1.0e-15 kg m² in \
                  f64; q within its limits; no bound in f32: rounding may outweigh it."

@@ -1,0 +1,66 @@
+//! Robots whose joints have quaternions, move in a plane, or follow others.
+//!
+//! In: a name. Out: a description, each kind of these joints in the middle of it.
+
+use std::fmt::Write;
+
+/// A joint and the link that it carries: type, where it is, axis and what else is said of it, mass.
+type Row = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+    f64,
+);
+
+/// Two fingers on a wrist that slide as one, and a thumb that a rack turns.
+const GRIPPER: &[Row] = &[
+    ("base", "revolute", "0 0.1 0.2", "0 0 1", LIMIT, 0.6),
+    ("l1", "revolute", "0 0.05 0.3", "0 1 0", LIMIT, 0.4),
+    ("l2", "prismatic", "0 0.03 0.1", "0 1 0", SLIDE, 0.05),
+    ("l2", "prismatic", "0 -0.03 0.1", "0 1 0", FOLLOWS, 0.05),
+    ("l2", "revolute", "0.04 0 0.08", "1 0 0", TURNS, 0.04),
+    ("l5", "revolute", "0 0 0.05", "0.6 0 0.8", TURNS_BACK, 0.02),
+];
+
+const LIMIT: &str = r#"<limit lower="-2" upper="2" velocity="3" effort="9"/>"#;
+const SLIDE: &str = r#"<limit lower="0" upper="0.04" velocity="0.3" effort="9"/>"#;
+const FOLLOWS: &str = r#"<limit lower="-1" upper="1" velocity="3" effort="9"/>
+    <mimic joint="j3" multiplier="-1" offset="0.002"/>"#;
+const TURNS: &str = r#"<limit lower="-3" upper="3" velocity="9" effort="9"/>
+    <mimic joint="j3" multiplier="25" offset="0.1"/>"#;
+const TURNS_BACK: &str = r#"<limit lower="-3" upper="3" velocity="9" effort="9"/>
+    <mimic joint="j5" multiplier="-0.5" offset="0"/>"#;
+
+/// A puck in a plane, an arm on it whose shoulder is a ball, and what flies about the puck with a slide on it.
+const EVERY_POSTURE: &[Row] = &[
+    ("base", "planar", "0.2 0 0.1", "0 0.6 0.8", "", 3.0),
+    ("l1", "spherical", "0.1 -0.2 0.3", "0 0 1", "", 2.0),
+    ("l2", "revolute", "0 0.05 0.4", "0 1 0", LIMIT, 1.0),
+    ("l1", "floating", "0 0 1", "0 0 1", "", 1.2),
+    ("l4", "prismatic", "0 0 -0.1", "0 0.6 0.8", LIMIT, 0.3),
+];
+
+/// The description of a robot of this name, where it is one of these.
+pub fn text(name: &str) -> Option<String> {
+    let rows = match name {
+        "gripper" => GRIPPER,
+        "every_posture" => EVERY_POSTURE,
+        _ => return None,
+    };
+    let mut text = format!(r#"<robot name="{name}"><link name="base"/>"#);
+    for (k, (parent, kind, at, axis, more, mass)) in (1..).zip(rows) {
+        let moment = mass * 0.02;
+        write!(
+            text,
+            r#"<joint name="j{k}" type="{kind}"><origin xyz="{at}" rpy="0.3 -0.2 0.4"/>
+            <parent link="{parent}"/><child link="l{k}"/><axis xyz="{axis}"/>{more}</joint>
+            <link name="l{k}"><inertial><origin xyz="0.01 -0.02 0.1"/><mass value="{mass}"/>
+            <inertia ixx="{moment}" ixy="0.0001" ixz="-0.0002" iyy="{moment}" iyz="0.0001" izz="{moment}"/>
+            </inertial></link>"#
+        )
+        .expect("a string takes everything");
+    }
+    Some(text + "</robot>")
+}

@@ -68,10 +68,15 @@ impl Big {
         (Self(sine), Self(cosine))
     }
 
-    /// The angle of the point (`x`, `self`) from the x axis, in (−π, π].
+    /// The angle of the point (`x`, `self`) from the x axis, in (−π, π]; 0 of the origin.
     #[must_use]
     pub fn atan2(&self, x: &Self) -> Self {
-        Self(self.0.atan2(&x.0))
+        let origin = [self, x].iter().all(|entry| **entry == Self::zero());
+        if origin {
+            Self::zero()
+        } else {
+            Self(self.0.atan2(&x.0))
+        }
     }
 
     /// The nearest `f64`.
@@ -190,6 +195,7 @@ mod tests {
             (&sine * &sine + &cosine * &cosine, Big::one()),
             (sine.atan2(&cosine), tenth.clone()),
             (Big::zero().atan2(&-Big::one()), Big::pi()),
+            (Big::zero().atan2(&Big::zero()), Big::zero()),
             (&tenth - &seventh + &seventh, tenth.clone()),
             ((-&tenth).abs().max(-seventh), tenth),
         ] {

@@ -8,7 +8,9 @@
 //! was one.
 
 use std::collections::BTreeMap;
+use std::panic;
 use std::process::ExitCode;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use homogen_tests::trees::cases::Effort;
 use homogen_tests::trees::features::{FEATURES, is_plain};
@@ -17,7 +19,7 @@ use homogen_tests::trees::{numbered, of_seed, try_seed};
 
 fn main() -> ExitCode {
     match Wanted::read(std::env::args().skip(1)) {
-        Ok(wanted) => examine(&wanted),
+        Ok(wanted) => told(&wanted),
         Err(message) => {
             eprintln!("error: {message}");
             ExitCode::FAILURE
@@ -73,9 +75,21 @@ impl Wanted {
     }
 }
 
+/// Panics are failures like others, and are told with the robot; one that nobody expects ends the run, in words.
+fn told(wanted: &Wanted) -> ExitCode {
+    let last = Arc::new(Mutex::new(String::new()));
+    let heard = Arc::clone(&last);
+    panic::set_hook(Box::new(move |panic| {
+        *heard.lock().unwrap_or_else(PoisonError::into_inner) = panic.to_string();
+    }));
+    panic::catch_unwind(|| examine(wanted)).unwrap_or_else(|_| {
+        let last = last.lock().unwrap_or_else(PoisonError::into_inner);
+        eprintln!("error: the judge itself fails: {last}");
+        ExitCode::FAILURE
+    })
+}
+
 fn examine(wanted: &Wanted) -> ExitCode {
-    // Panics are failures like others, and are told with the robot.
-    std::panic::set_hook(Box::new(|_| {}));
     let effort = Effort {
         states: 3,
         all_up_to: 20,

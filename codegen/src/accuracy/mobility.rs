@@ -96,11 +96,17 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
             let (axis, slides) = (AXES[bodies[k].axis], bodies[k].motion.slides());
             let of_carrier = carrier(k).map_or(0.0, |(solid, reach)| {
                 let [turns, origin] = solid.fastest();
-                match slides {
-                    true if reach > 0.0 => (origin.sqrt() + reach * turns.sqrt()).powi(2),
-                    true => origin,
-                    false => turns,
+                if !slides {
+                    return turns;
                 }
+                // Where the reach is none, nothing is added even of what turns without any energy.
+                let across = if reach > 0.0 {
+                    reach * turns.sqrt()
+                } else {
+                    0.0
+                };
+                let speed = origin.sqrt() + across;
+                speed * speed
             });
             let own = if slides {
                 solid.slides(axis, [0.0; 3])

@@ -94,20 +94,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     let joint = |(k, solid): (BodyId, &&Solid)| match solid.parent {
         _ if solid.free => {
             let (axis, slides) = (AXES[bodies[k].axis], bodies[k].motion.slides());
-            let of_carrier = carrier(k).map_or(0.0, |(solid, reach)| {
-                let [turns, origin] = solid.fastest();
-                if !slides {
-                    return turns;
-                }
-                // Where the reach is none, nothing is added even of what turns without any energy.
-                let across = if reach > 0.0 {
-                    reach * turns.sqrt()
-                } else {
-                    0.0
-                };
-                let speed = origin.sqrt() + across;
-                speed * speed
-            });
+            let of_carrier = carrier(k).map_or(0.0, |(solid, reach)| solid.within(reach, slides));
             let own = if slides {
                 solid.slides(axis, [0.0; 3])
             } else {
@@ -283,6 +270,22 @@ impl Solid {
         let turns = AXES.iter().map(|&axis| self.turns(axis));
         let slides = AXES.iter().map(|&axis| self.slides(axis, [0.0; 3]));
         [turns.sum(), slides.sum()]
+    }
+
+    /// The square of its ω, or of the velocity of what is within reach of its origin, by twice the energy.
+    fn within(&self, reach: f64, slides: bool) -> f64 {
+        let [turns, origin] = self.fastest();
+        if !slides {
+            return turns;
+        }
+        // Where the reach is none, nothing is added even of what turns without any energy.
+        let across = if reach > 0.0 {
+            reach * turns.sqrt()
+        } else {
+            0.0
+        };
+        let speed = origin.sqrt() + across;
+        speed * speed
     }
 
     /// a of ω² ≤ 2a T, where ω is the body's rate about an axis and T its kinetic energy.

@@ -18,7 +18,7 @@ pub struct Spread {
 }
 
 /// Runs all in turns, `batches` times each. A batch repeats its `calls` until it takes at least
-/// `shortest`, so that reading the clock does not count. One that takes less than 5 ms is run once
+/// `shortest`, so that reading the clock does not count. One that takes less than [`SLOW`] is run once
 /// before the clock starts, for what the programs before it leave of its states and its code in the
 /// caches is not its time.
 pub fn alternate(
@@ -43,7 +43,7 @@ pub fn alternate(
 
 /// A batch that takes this long takes a hundred times what its states take to come from memory: some
 /// hundred kB, at some 10 GB/s.
-const SLOW: Duration = Duration::from_millis(5);
+pub const SLOW: Duration = Duration::from_millis(5);
 
 /// How a program's turn goes.
 struct Turn {

@@ -139,14 +139,20 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     })
 }
 
-/// How far the origin of a body that is taken anywhere may be from that of the body it hangs on.
-fn reach(body: &Body<'_>, range: &Range) -> f64 {
-    let slides = match body.position {
-        Position::Posture(posture, first) => posture.reach(|entry| range.q[first.plus(entry)]),
-        Position::Along { .. } | Position::Taken => 0.0,
+/// How far the origin of a body can be from that of the body it hangs on; infinite where that is not known, as on a
+/// screw, which is not followed.
+pub(super) fn reach(body: &Body<'_>, range: &Range) -> f64 {
+    let slide = match (body.position, body.motion) {
+        (_, Motion::Screw(_)) => f64::INFINITY,
+        (Position::Along { coordinate, .. }, Motion::Prismatic) => {
+            let [lo, hi] = range.q[coordinate];
+            lo.abs().max(hi.abs())
+        }
+        (Position::Posture(posture, first), _) => posture.reach(|entry| range.q[first.plus(entry)]),
+        (Position::Along { .. }, Motion::Revolute) | (Position::Taken, _) => 0.0,
     };
     let number = |entry: Term<'_>| entry.value().map_or(f64::INFINITY, Double::to_f64);
-    slides + bound::root(body.placement.translation.0.map(number))
+    slide + bound::root(body.placement.translation.0.map(number))
 }
 
 /// The axis of a joint in the frame of its body.

@@ -36,17 +36,13 @@ const SPOILT: f64 = 0.5;
 /// itself. The program computes the mass matrix.
 #[must_use]
 pub fn of_inverse(chain: &Chain, program: &Program, means: Means) -> Accuracy {
-    let range = Range::of(chain);
     let count = chain.spaces().velocities.len();
-    let mobility = mobility(chain, Layout::DESCRIBED, &range);
-    let worst = |scalar: Real| -> Worst {
-        let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
-        let parts = Parts::of(program, &range, joints, means, scalar)?;
-        parts.check(joints)?;
+    let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
+        let parts = Parts::of(program, range, joints, means, scalar)?;
         let entry = |k| parts.lost(k / count, k % count);
         Ok((0..count * count).map(entry).collect())
     };
-    backward(chain, Perturbed::MassMatrix, &[program], means, worst)
+    of_solution(chain, Perturbed::MassMatrix, &[program], means, worst)
 }
 
 /// Of the inverse of the mass matrix, refined so often: of each column from the diagonal up, as the accelerations
@@ -59,10 +55,7 @@ pub fn of_refined_inverse(
     refinements: usize,
     means: Means,
 ) -> Accuracy {
-    let range = Range::of(chain);
-    let mobility = mobility(chain, Layout::DESCRIBED, &range);
-    let worst = |scalar: Real| -> Worst {
-        let joints: &[f64] = &mobility.as_ref().map_err(|reason| *reason)?.joints;
+    let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
         // An entry of M⁻¹ is at most the root of the product of two diagonal ones.
         let column = |of: &f64| {
             let most = joints.iter().map(|most| (most * of).sqrt());
@@ -74,10 +67,9 @@ pub fn of_refined_inverse(
         };
         let columns: Vec<Range> = joints.iter().map(column).collect();
         tried(0.0, |margin| {
-            let parts = columns.iter().map(|range| {
-                let parts = Parts::of(program, &widened(range, margin), joints, means, scalar)?;
-                parts.check(joints).map(|()| parts)
-            });
+            let parts = columns
+                .iter()
+                .map(|range| Parts::of(program, &widened(range, margin), joints, means, scalar));
             let parts = parts.collect::<Result<Vec<Parts>, _>>()?;
             let mut left: Vec<Vec<f64>> = parts.iter().map(Parts::unrefined).collect();
             for _ in 0..refinements {
@@ -102,7 +94,7 @@ pub fn of_refined_inverse(
             Ok(worst)
         })
     };
-    backward(chain, Perturbed::UnitForces, &[program], means, worst)
+    of_solution(chain, Perturbed::UnitForces, &[program], means, worst)
 }
 
 /// Of accelerations by the factors of the mass matrix, refined so often. The program computes the
@@ -114,13 +106,10 @@ pub fn of_accelerations(
     refinements: usize,
     means: Means,
 ) -> Accuracy {
-    let range = Range::of(chain);
-    let mobility = mobility(chain, Layout::DESCRIBED, &range);
-    let worst = |scalar: Real| -> Worst {
-        let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
-        solved(program, &range, joints, refinements, means, scalar)
+    let worst = |range: &Range, joints: &[f64], scalar: Real| {
+        solved(program, range, joints, refinements, means, scalar)
     };
-    backward(chain, Perturbed::Torques, &[program], means, worst)
+    of_solution(chain, Perturbed::Torques, &[program], means, worst)
 }
 
 /// Of the derivatives of accelerations by coordinates and rates: what the derivatives of τ are off by, at the
@@ -134,16 +123,12 @@ pub fn of_derivatives(
     derivatives: &Program,
     means: Means,
 ) -> Accuracy {
-    let range = Range::of(chain);
-    let mobility = mobility(chain, Layout::DESCRIBED, &range);
-    let worst = |scalar: Real| -> Worst {
-        let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
-        let narrow = Parts::of(equation, &range, joints, means, scalar)?;
-        narrow.check(joints)?;
+    let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
+        let narrow = Parts::of(equation, range, joints, means, scalar)?;
         tried(0.0, |margin| {
-            let wider = widened(&range, margin);
+            let wider = widened(range, margin);
             let off = narrow.over(&wider).unrefined();
-            if !stays(&range, margin, &caused(joints, &off)) {
+            if !stays(range, margin, &caused(joints, &off)) {
                 return Err(DOUBTFUL);
             }
             let found = computed(derivatives, &wider, means, scalar).into_iter();
@@ -152,7 +137,24 @@ pub fn of_derivatives(
         })
     };
     let programs = [equation, derivatives];
-    backward(chain, Perturbed::TorqueDerivatives, &programs, means, worst)
+    of_solution(chain, Perturbed::TorqueDerivatives, &programs, means, worst)
+}
+
+/// What is promised of a solution, where `worst` bounds it in a range, from how much each velocity can move for the
+/// energy.
+fn of_solution(
+    chain: &Chain,
+    perturbed: Perturbed,
+    programs: &[&Program],
+    means: Means,
+    worst: impl Fn(&Range, &[f64], Real) -> Worst,
+) -> Accuracy {
+    let range = Range::of(chain);
+    let mobility = mobility(chain, Layout::DESCRIBED, &range);
+    backward(chain, perturbed, programs, means, |scalar| {
+        let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
+        worst(&range, joints, scalar)
+    })
 }
 
 /// The greatest accelerations that forces can cause: an entry of M⁻¹ is at most the root of the
@@ -186,11 +188,7 @@ fn solved(
     means: Means,
     scalar: Real,
 ) -> Worst {
-    let parts = |range: &Range| -> Result<Parts, &'static str> {
-        let parts = Parts::of(program, range, mobility, means, scalar)?;
-        parts.check(mobility)?;
-        Ok(parts)
-    };
+    let parts = |range: &Range| Parts::of(program, range, mobility, means, scalar);
     let narrow = parts(range)?;
     let attempt = |margin: f64| -> Worst {
         let wider = widened(range, margin);
@@ -274,6 +272,8 @@ struct Parts {
 }
 
 impl Parts {
+    /// # Errors
+    /// Where something of it has no bound, or pivots may not be positive.
     fn of(
         program: &Program,
         range: &Range,
@@ -292,7 +292,7 @@ impl Parts {
             * largest(mobility.iter().map(|most| 2.0 * most));
         let given = bias.iter().chain(&needed).map(|value| value.reach());
         let size = factors * solution(&most, given);
-        Ok(Self {
+        let parts = Self {
             roundoff: scalar.roundoff(),
             vanishes: underflow(size, count, scalar)?,
             factors,
@@ -300,7 +300,9 @@ impl Parts {
             mass,
             bias,
             needed,
-        })
+        };
+        parts.check(mobility)?;
+        Ok(parts)
     }
 
     /// The same for accelerations of another range, of which nothing here is computed.

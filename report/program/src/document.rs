@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 use homogen_codegen::Function;
 use homogen_codegen::schedule::Price;
-use homogen_examples::machine;
+use homogen_examples::{machine, timing};
 use homogen_plot::heat::Map;
 
 use cells::{fastest, find, in_units, price, spread, time, units};
@@ -74,7 +74,7 @@ fn method(measured: &Measured<'_>) -> String {
          processor of the architecture (baseline) and once with `-C target-cpu=native`.\n\
          One thread. A time is the median of {rounds} rounds, in each of which all programs of a \
          function take turns {batches} times, and each turn goes through {STATES} random states, once \
-         before the clock starts, where that takes less than 5 ms, and then by the clock; \
+         before the clock starts, where that takes less than {slow} ms, and then by the clock; \
          only ratios carry over to another machine.\n\
          An error is the worst over all entries of a result at all states, against the same \
          function in 106 bits, in relation to the sum of the magnitudes of the terms that the \
@@ -84,6 +84,7 @@ fn method(measured: &Measured<'_>) -> String {
          those of `homogen::generic`.\n\n",
         processor = machine::processor(),
         rustc = machine::COMPILER,
+        slow = timing::SLOW.as_millis(),
     )
 }
 

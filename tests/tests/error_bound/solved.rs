@@ -207,7 +207,7 @@ pub fn check_mobility(asked: Asked) {
     let range = Range::of(&chain);
     let most = mobility(&chain, Layout::DESCRIBED, &range).expect("bodies have inertias");
     let mut random = Random::new(53);
-    for _ in 0..STATES / 4 {
+    for _ in 0..STATES {
         let state = state::<F64>(&chain, &range, &mut random);
         let inverse = inverse.at(|input| Double::from(state(input)));
         for (k, most) in most.joints.iter().enumerate() {
@@ -225,69 +225,58 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
     let chain = chain_of(asked);
     let count = chain.spaces().velocities.len();
     let lost = of_entries(&chain, Function::MassMatrix, &bounds);
-    let inverse = exactly(&chain, Function::MassMatrixInverse);
-    let range = Range::of(&chain);
-    let mut random = Random::new(41);
-    let mut worst = 0.0_f64;
-    for _ in 0..STATES {
-        let state = state::<T>(&chain, &range, &mut random);
-        let exact = inverse.at(|input| Double::from(state(input)));
-        let found = run(&program, |input| T::literal(state(input)));
-        let size = |row: usize, column: usize| exact[row * count + column].to_f64().abs();
-        for (k, (found, exact)) in found.iter().zip(&exact).enumerate() {
-            let error = (Double::from(found.to_f64()) - *exact).to_f64().abs();
-            let (row, column) = (k / count, k % count);
-            let pairs = (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
-            let most: f64 = pairs
-                .map(|(i, j)| size(row, i) * lost[i * count + j] * size(j, column))
-                .sum();
-            worst = worst.max(error / most);
-        }
-    }
-    println!(
-        "{} {}: {worst:.1e} of what M may be off by",
-        asked.robot,
-        T::NAME
-    );
-    // Eight times as far as other bounds: it is one number for entries of all sizes. 590 times by
-    // default, of the seven-joint arm.
-    let farthest = 8.0 * asked.farthest;
-    assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
+    // 590 times by default, of the seven-joint arm.
+    check_entries::<T>(asked, &chain, &program, 41, |size, row, column| {
+        let pairs = (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
+        pairs
+            .map(|(i, j)| size(row, i) * lost[i * count + j] * size(j, column))
+            .sum()
+    });
 }
 
 /// The inverse of the mass matrix where it is refined: each column is that of a unit force which is off by up to B,
-/// so that its entries are off by up to |M⁻¹| B; whether there are bounds.
+/// so that its entries down to the diagonal are off by up to |M⁻¹| B; whether there are bounds.
 pub fn check_refined_inverse<T: Tested>(asked: Asked) -> bool {
     let Some((program, bounds)) = solved(asked, Function::MassMatrixInverse, T::REAL) else {
         return false;
     };
     let chain = chain_of(asked);
-    let count = chain.spaces().velocities.len();
     let lost = of_entries(&chain, Function::InverseDynamics, &bounds);
-    let inverse = exactly(&chain, Function::MassMatrixInverse);
-    let range = Range::of(&chain);
-    let mut random = Random::new(47);
+    check_entries::<T>(asked, &chain, &program, 47, |size, row, column| {
+        // What stands below the diagonal is of the column that it stands above it in.
+        let row = row.min(column);
+        let terms = lost.iter().enumerate();
+        terms.map(|(k, lost)| size(row, k) * lost).sum()
+    });
+    true
+}
+
+/// That entries of M⁻¹ are off by no more than `most` says, from the sizes of all, and not far less.
+fn check_entries<T: Tested>(
+    asked: Asked,
+    chain: &Chain,
+    program: &Program,
+    seed: u64,
+    most: impl Fn(&dyn Fn(usize, usize) -> f64, usize, usize) -> f64,
+) {
+    let count = chain.spaces().velocities.len();
+    let inverse = exactly(chain, Function::MassMatrixInverse);
+    let range = Range::of(chain);
+    let mut random = Random::new(seed);
     let mut worst = 0.0_f64;
     for _ in 0..STATES {
-        let state = state::<T>(&chain, &range, &mut random);
+        let state = state::<T>(chain, &range, &mut random);
         let exact = inverse.at(|input| Double::from(state(input)));
-        let found = run(&program, |input| T::literal(state(input)));
-        for (k, (found, entry)) in found.iter().zip(&exact).enumerate() {
-            let error = (Double::from(found.to_f64()) - *entry).to_f64().abs();
-            let row = exact[k / count * count..].iter().zip(&lost);
-            let most: f64 = row.map(|(entry, lost)| entry.to_f64().abs() * lost).sum();
-            // It is symmetric, and each pair of entries of the column that is solved for to its diagonal.
-            if k / count <= k % count {
-                worst = worst.max(error / most);
-            }
+        let found = run(program, |input| T::literal(state(input)));
+        let size = |row: usize, column: usize| exact[row * count + column].to_f64().abs();
+        for (k, (found, exact)) in found.iter().zip(&exact).enumerate() {
+            let error = (Double::from(found.to_f64()) - *exact).to_f64().abs();
+            worst = worst.max(error / most(&size, k / count, k % count));
         }
     }
-    println!(
-        "{} {}: {worst:.1e} of what unit forces may be off by",
-        asked.robot,
-        T::NAME
-    );
+    let (robot, name) = (asked.robot, T::NAME);
+    println!("{robot} {name}: {worst:.1e} of what the inverse may be off by");
+    // Eight times as far as other bounds: it is one number for entries of all sizes.
     let farthest = 8.0 * asked.farthest;
     assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
-    true
 }

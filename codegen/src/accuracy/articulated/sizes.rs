@@ -3,12 +3,11 @@
 //! In: the bodies of a chain. Out: a [`Link`] of each, and the arithmetic of [`Pair`]. It never looks at
 //! a posture.
 
+use crate::accuracy::mobility::reach;
 use crate::accuracy::range::Range;
-use crate::chain::{BodyId, Position};
+use crate::chain::BodyId;
 use crate::expression::{Double, Term};
-use crate::joint::Motion;
 use crate::layout::Body;
-use crate::list::Id;
 use crate::schedule::bound;
 use crate::space::VelocityId;
 
@@ -32,25 +31,14 @@ impl Link {
     /// None where it is no body, or moves on a screw.
     pub(super) fn of(body: &Body<'_>, range: &Range) -> Option<Self> {
         let number = |term: Term<'_>| term.value().map(Double::to_f64);
-        let slide = match (body.position, body.motion) {
-            (_, Motion::Screw(_)) => return None,
-            (Position::Along { coordinate, .. }, Motion::Prismatic) => {
-                let [lo, hi] = range.q[coordinate];
-                lo.abs().max(hi.abs())
-            }
-            (Position::Posture(posture, first), _) => {
-                posture.reach(|entry| range.q[first.plus(entry)])
-            }
-            (Position::Along { .. }, Motion::Revolute) | (Position::Taken, _) => 0.0,
-        };
-        let [x, y, z] = body.placement.translation.0.map(number);
+        let reach = reach(body, range);
         let [xx, yy, zz, ..] = body.inertia.second.0.map(number);
         let [armature, damping, friction] = body.drive.map(number).entries();
         Some(Self {
             parent: body.parent,
             velocity: body.velocity,
             slides: body.motion.slides(),
-            reach: slide + bound::root([x?, y?, z?]),
+            reach: reach.is_finite().then_some(reach)?,
             spread: spread([xx?, yy?, zz?])?,
             mass: number(body.inertia.mass)?.max(0.0),
             armature: armature?,

@@ -11,7 +11,7 @@ mod promise;
 pub mod range;
 mod solved;
 
-pub use self::articulated::of_articulated;
+pub use self::articulated::Articulated;
 pub use self::promise::{Accuracy, Bound, Means, Perturbed, Promise};
 pub use self::solved::{of_accelerations, of_derivatives, of_inverse, of_refined_inverse};
 

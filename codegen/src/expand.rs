@@ -26,7 +26,7 @@ pub use program::{expressions_by, program_by};
 
 use std::cell::LazyCell;
 
-use crate::accuracy::{self, Accuracy, Means};
+use crate::accuracy::{self, Accuracy, Articulated, Means};
 use crate::chain::{self, Chain};
 use crate::check::Check;
 use crate::description::{Description, freed};
@@ -277,7 +277,9 @@ fn list(
     // What would be refused in f32, where it loses as many units, promises nothing there.
     if request.scalar == Real::Generic && !forward::keeps_half(found.off.worst, Real::F32) {
         let promised = accuracy.into_iter().map(|accuracy| match accuracy {
-            solved @ Accuracy::Backward(..) => solved.without_single(UNDONE),
+            solved @ (Accuracy::Backward(..) | Accuracy::BesideDiagonal(_)) => {
+                solved.without_single(UNDONE)
+            }
             other => other,
         });
         accuracy = promised.collect();
@@ -331,16 +333,22 @@ fn accuracy_of(
         program_by(chain, functions, FrameId::FIRST, found.layout, found.way)
     };
     let forward = found.way.forward;
-    let equation = LazyCell::new(|| {
-        let has_residual = matches!(forward, Forward::MassMatrix { refinements: 1.. });
-        equation_by(chain, found.layout, found.way, has_residual)
-    });
+    let has_residual = matches!(forward, Forward::MassMatrix { refinements: 1.. });
+    let equation = LazyCell::new(|| equation_by(chain, found.layout, found.way, has_residual));
+    let bodies = LazyCell::new(|| Articulated::of(chain, found.layout, found.way));
+    let of_bodies = |promised: &dyn Fn(&Articulated<'_>) -> Accuracy| match &*bodies {
+        Ok(bodies) => promised(bodies),
+        Err(reason) => Accuracy::Unknown(reason),
+    };
     let solution = |given: Given| match (given, forward) {
         (Given::Torques, Forward::MassMatrix { refinements }) => {
             accuracy::of_accelerations(chain, &equation, refinements, means)
         }
-        (Given::Torques, Forward::Articulated) => {
-            accuracy::of_articulated(chain, found.layout, found.way, means)
+        (Given::Torques, Forward::Articulated) => of_bodies(&|bodies| bodies.accelerations(means)),
+        (Given::MassMatrix, Forward::Articulated) => of_bodies(&|bodies| bodies.inverse(means)),
+        (Given::TorqueDerivatives, Forward::Articulated) => {
+            let derivatives = parts(&[Function::InverseDynamicsDerivatives]);
+            of_bodies(&|bodies| bodies.derivatives(&derivatives, means))
         }
         (Given::MassMatrix, Forward::UNREFINED) => {
             accuracy::of_inverse(chain, &parts(&[Function::MassMatrix]), means)
@@ -353,12 +361,9 @@ fn accuracy_of(
             let derivatives = parts(&[Function::InverseDynamicsDerivatives]);
             accuracy::of_derivatives(chain, &equation, &derivatives, means)
         }
-        (Given::MassMatrix, Forward::Articulated) => {
-            Accuracy::Unknown("none is derived of an inverse that is made of articulated bodies")
+        (Given::TorqueDerivatives, _) => {
+            Accuracy::Unknown("none is derived of an inverse that is refined")
         }
-        (Given::TorqueDerivatives, _) => Accuracy::Unknown(
-            "none is derived of an inverse that is refined or made of articulated bodies",
-        ),
     };
     // What several functions solve is said once.
     let mut said = Vec::new();
@@ -371,7 +376,7 @@ fn accuracy_of(
         // Derivatives are of accelerations that are found, and M⁻¹ is one of them. Of what is made with an inverse no
         // more can be said than of that.
         let givens = match given {
-            Given::TorqueDerivatives if forward == Forward::UNREFINED => {
+            Given::TorqueDerivatives if !has_residual => {
                 vec![Given::Torques, Given::TorqueDerivatives, Given::MassMatrix]
             }
             given => vec![given],

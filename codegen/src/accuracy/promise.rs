@@ -24,6 +24,9 @@ pub enum Accuracy {
     /// In every state of a range, what is found is the exact solution for something that is no farther
     /// from what was given (backward error).
     Backward(Perturbed, Promise),
+    /// In every state of a range, no entry (i, j) of the inverse of the mass matrix is farther from the exact one
+    /// than so many times √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ); a bound for each row.
+    BesideDiagonal(Promise),
     /// Nothing, for a reason.
     Unknown(&'static str),
 }
@@ -170,6 +173,7 @@ impl Accuracy {
         match self {
             Self::Within(promise) => Self::Within(without(promise)),
             Self::Backward(of, promise) => Self::Backward(of, without(promise)),
+            Self::BesideDiagonal(promise) => Self::BesideDiagonal(without(promise)),
             Self::Unknown(reason) => Self::Unknown(reason),
         }
     }
@@ -224,6 +228,25 @@ pub(super) fn backward(
             perturbed,
             promise.within(chain, &arguments, programs, means),
         ),
+        Err(reason) => Accuracy::Unknown(reason),
+    }
+}
+
+/// What is promised of the rows of an inverse of the mass matrix, where something is.
+pub(super) fn beside_diagonal(
+    chain: &Chain,
+    programs: &[&Program],
+    means: Means,
+    worst: impl Fn(Real) -> Worst,
+) -> Accuracy {
+    let rows = chain.spaces().velocities.len();
+    let owners: Vec<Owner> = (0..rows)
+        .map(|row| (Some((Space::Velocities, row)), "1"))
+        .collect();
+    match promise(chain, means, &owners, worst) {
+        Ok(promise) => {
+            Accuracy::BesideDiagonal(promise.within(chain, &[Variable::Q], programs, means))
+        }
         Err(reason) => Accuracy::Unknown(reason),
     }
 }

@@ -250,7 +250,7 @@ fn solution(x: &[f64], given: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// The largest of some sizes and 1.
-fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
     sizes.fold(1.0, f64::max)
 }
 

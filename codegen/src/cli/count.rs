@@ -131,6 +131,7 @@ fn error(accuracy: &Accuracy) -> Value {
     let (of, promise) = match accuracy {
         Accuracy::Unknown(reason) => return json!({ "unknown": reason }),
         Accuracy::Within(promise) => ("results", promise),
+        Accuracy::BesideDiagonal(promise) => ("diagonal", promise),
         Accuracy::Backward(Perturbed::Torques, promise) => ("tau", promise),
         Accuracy::Backward(Perturbed::MassMatrix, promise) => ("M", promise),
         Accuracy::Backward(Perturbed::UnitForces, promise) => ("unit forces", promise),

@@ -51,7 +51,7 @@ fn all_solved(
     let listed = listing.functions.into_iter().next();
     let listed = listed.expect("one item was asked for");
     let bounds = listed.accuracy.into_iter().map(|accuracy| match accuracy {
-        Accuracy::Backward(_, promise) => Some(promise.bounds),
+        Accuracy::Backward(_, promise) | Accuracy::BesideDiagonal(promise) => Some(promise.bounds),
         Accuracy::Unknown(_) => None,
         other @ Accuracy::Within(_) => panic!("{other:?}"),
     });
@@ -132,56 +132,126 @@ pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
     true
 }
 
+/// A column of the derivatives of accelerations, in a state.
+struct Column<'a> {
+    /// What it is solved with, by rows.
+    matrix: &'a [Double],
+    found: Vec<f64>,
+    /// What changes of q or q̇ do to the torques that produce the accelerations found, and what that may be off by.
+    changes: Vec<Double>,
+    off: Vec<f64>,
+}
+
+impl Column<'_> {
+    fn row(&self, row: usize) -> &[Double] {
+        let count = self.found.len();
+        &self.matrix[row * count..][..count]
+    }
+}
+
 /// Derivatives of accelerations of τ that the inverse of a state needs: by how much M times each column misses what
 /// changes of q and q̇ do to the torques that produce the accelerations found, beside what both may be off by.
 pub fn check_derivatives<T: Tested>(asked: Asked) {
+    let of_mass = |column: &Column<'_>, row: usize, lost: &[f64]| {
+        let terms = column.row(row).iter().zip(&column.found);
+        let missed = terms.fold(column.changes[row], |sum, (m, x)| {
+            sum + *m * Double::from(*x)
+        });
+        let lost = &lost[row * column.found.len()..];
+        let terms = lost.iter().zip(&column.found);
+        let most = terms.fold(column.off[row], |most, (lost, x)| most + lost * x.abs());
+        (missed, most)
+    };
+    let farthest = 8.0 * asked.farthest;
+    let found = check_columns::<T>(asked, Function::MassMatrix, farthest, of_mass);
+    assert!(found, "{}: M is provably regular", asked.robot);
+}
+
+/// So many times as far as other bounds is that of an inverse made of articulated bodies from the worst error: up to
+/// 54000 times of seven joints in a row, where what each inertia loses would have to take energy from the same motion.
+const BY_BODIES: f64 = 40.0;
+
+/// The same where the inverse of M is made of articulated bodies: by how much each column misses M⁻¹ times these
+/// changes, beside what both may be off by; whether there are bounds.
+pub fn check_articulated_derivatives<T: Tested>(asked: Asked) -> bool {
+    let of_inverse = |column: &Column<'_>, row: usize, shares: &[f64]| {
+        let (inverse, count) = (column.row(row), column.found.len());
+        let terms = inverse.iter().zip(&column.changes);
+        let found = Double::from(column.found[row]);
+        let missed = terms.fold(found, |sum, (entry, change)| sum + *entry * *change);
+        let most = (0..count).map(|k| {
+            let diagonals = inverse[row].to_f64() * column.row(k)[k].to_f64();
+            let lost = shares[row * count + k] * diagonals.sqrt();
+            let change = column.changes[k].to_f64().abs() + column.off[k];
+            inverse[k].to_f64().abs() * column.off[k] + lost * change
+        });
+        (missed, most.sum())
+    };
+    let farthest = BY_BODIES * asked.farthest;
+    check_columns::<T>(asked, Function::MassMatrixInverse, farthest, of_inverse)
+}
+
+/// That no column misses its changes by more than it may, as `compared` has both for a row from what its matrix may be
+/// off by, and not by far less; whether there are bounds.
+fn check_columns<T: Tested>(
+    asked: Asked,
+    matrix: Function,
+    farthest: f64,
+    compared: impl Fn(&Column<'_>, usize, &[f64]) -> (Double, f64),
+) -> bool {
     let functions = [
         Function::ForwardDynamics,
         Function::ForwardDynamicsDerivatives,
     ];
     let (program, bounds) = all_solved(asked, &functions, T::REAL);
-    let [Some(_), Some(changes_off), Some(mass_off)] = &*bounds else {
-        panic!("{}: M is provably regular", asked.robot);
+    let [Some(_), Some(changes_off), Some(lost)] = &*bounds else {
+        return false;
     };
     let chain = chain_of(asked);
     let function = Function::InverseDynamicsDerivatives;
-    let [needed, mass, changes] =
-        [Function::InverseDynamics, Function::MassMatrix, function].map(|f| exactly(&chain, f));
+    let [needed, exact, changes] =
+        [Function::InverseDynamics, matrix, function].map(|f| exactly(&chain, f));
     let count = chain.spaces().velocities.len();
     let range = Range::of(&chain);
     let mut random = Random::new(43);
     let changes_off = of_entries(&chain, function, changes_off);
-    let mass_off = of_entries(&chain, Function::MassMatrix, mass_off);
+    let lost = of_entries(&chain, matrix, lost);
     let mut worst = 0.0_f64;
     for _ in 0..STATES / 4 {
         let state = state::<T>(&chain, &range, &mut random);
         let (_, found) = of_needed::<T>(&program, &needed, &state);
         let (qdd, found) = found.split_at(count);
-        let [changes, mass] = [&changes, &mass]
+        let [changes, exact] = [&changes, &exact]
             .map(|exactly| exactly.at(|input| moving(&state, |k| qdd[k].to_f64(), input)));
-        for (k, change) in changes.into_iter().enumerate() {
-            let (matrix, row, column) = (k / (count * count), k / count % count, k % count);
-            let of_column = found[matrix * count * count + column..]
-                .iter()
-                .step_by(count);
-            let x: Vec<f64> = of_column.take(count).map(|x| x.to_f64()).collect();
-            let terms = mass[row * count..].iter().zip(&x);
-            let off = terms.fold(change, |sum, (m, x)| sum + *m * Double::from(*x));
-            let terms = mass_off[row * count..].iter().zip(&x);
-            let most = terms.fold(changes_off[k], |most, (off, x)| most + off * x.abs());
-            let share = off.to_f64().abs() / most;
-            assert!(
-                share.is_finite(),
-                "{}: derivatives that are no number",
-                asked.robot
-            );
-            worst = worst.max(share);
+        let squares = changes
+            .chunks(count * count)
+            .zip(changes_off.chunks(count * count));
+        for ((changes, off), found) in squares.zip(found.chunks(count * count)) {
+            for column in 0..count {
+                let entries = (column..count * count).step_by(count);
+                let column = Column {
+                    matrix: &exact,
+                    found: entries.clone().map(|k| found[k].to_f64()).collect(),
+                    changes: entries.clone().map(|k| changes[k]).collect(),
+                    off: entries.map(|k| off[k]).collect(),
+                };
+                for row in 0..count {
+                    let (missed, most) = compared(&column, row, &lost);
+                    let share = missed.to_f64().abs() / most;
+                    assert!(
+                        share.is_finite(),
+                        "{}: derivatives that are no number",
+                        asked.robot
+                    );
+                    worst = worst.max(share);
+                }
+            }
         }
     }
     let (robot, name) = (asked.robot, T::NAME);
     println!("{robot} {name}: derivatives {worst:.1e} of what they may be off by");
-    let farthest = 8.0 * asked.farthest;
     assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
+    true
 }
 
 /// For each result of a function the bound that holds of it.
@@ -191,7 +261,9 @@ fn of_entries(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f64> {
     let of_entry = units.map(|(k, unit)| {
         let owner = result.owner(spaces, k);
         let joint = owner.map(|(space, entry)| &spaces.entries(space)[entry].name);
-        let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == joint;
+        // A bound in relation to others is of any unit.
+        let of =
+            |bound: &&Bound| ["1", unit].contains(&bound.unit) && bound.joint.as_ref() == joint;
         let bound = bounds.iter().find(of).map(number);
         bound.expect("each row and unit has a bound in the type")
     });
@@ -226,12 +298,19 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
     let count = chain.spaces().velocities.len();
     let lost = of_entries(&chain, Function::MassMatrix, &bounds);
     // 590 times by default, of the seven-joint arm.
-    check_entries::<T>(asked, &chain, &program, 41, |size, row, column| {
-        let pairs = (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
-        pairs
-            .map(|(i, j)| size(row, i) * lost[i * count + j] * size(j, column))
-            .sum()
-    });
+    // Eight times as far as other bounds: it is one number for entries of all sizes.
+    let farthest = 8.0 * asked.farthest;
+    check_entries::<T>(
+        &chain,
+        &program,
+        (41, asked.robot, farthest),
+        |size, row, column| {
+            let pairs = (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
+            pairs
+                .map(|(i, j)| size(row, i) * lost[i * count + j] * size(j, column))
+                .sum()
+        },
+    );
 }
 
 /// The inverse of the mass matrix where it is refined: each column is that of a unit force which is off by up to B,
@@ -242,21 +321,47 @@ pub fn check_refined_inverse<T: Tested>(asked: Asked) -> bool {
     };
     let chain = chain_of(asked);
     let lost = of_entries(&chain, Function::InverseDynamics, &bounds);
-    check_entries::<T>(asked, &chain, &program, 47, |size, row, column| {
-        // What stands below the diagonal is of the column that it stands above it in.
-        let row = row.min(column);
-        let terms = lost.iter().enumerate();
-        terms.map(|(k, lost)| size(row, k) * lost).sum()
-    });
+    let farthest = 8.0 * asked.farthest;
+    check_entries::<T>(
+        &chain,
+        &program,
+        (47, asked.robot, farthest),
+        |size, row, column| {
+            // What stands below the diagonal is of the column that it stands above it in.
+            let row = row.min(column);
+            let terms = lost.iter().enumerate();
+            terms.map(|(k, lost)| size(row, k) * lost).sum()
+        },
+    );
+    true
+}
+
+/// The inverse of the mass matrix by articulated bodies: entries are off by so much of the roots of the diagonal ones
+/// of their rows and columns; whether there are bounds.
+pub fn check_articulated_inverse<T: Tested>(asked: Asked) -> bool {
+    let Some((program, bounds)) = solved(asked, Function::MassMatrixInverse, T::REAL) else {
+        return false;
+    };
+    let chain = chain_of(asked);
+    let count = chain.spaces().velocities.len();
+    let shares = of_entries(&chain, Function::MassMatrixInverse, &bounds);
+    let farthest = BY_BODIES * asked.farthest;
+    check_entries::<T>(
+        &chain,
+        &program,
+        (59, asked.robot, farthest),
+        |size, row, column| {
+            shares[row * count + column] * (size(row, row) * size(column, column)).sqrt()
+        },
+    );
     true
 }
 
 /// That entries of M⁻¹ are off by no more than `most` says, from the sizes of all, and not far less.
 fn check_entries<T: Tested>(
-    asked: Asked,
     chain: &Chain,
     program: &Program,
-    seed: u64,
+    (seed, robot, farthest): (u64, &str, f64),
     most: impl Fn(&dyn Fn(usize, usize) -> f64, usize, usize) -> f64,
 ) {
     let count = chain.spaces().velocities.len();
@@ -274,9 +379,7 @@ fn check_entries<T: Tested>(
             worst = worst.max(error / most(&size, k / count, k % count));
         }
     }
-    let (robot, name) = (asked.robot, T::NAME);
+    let name = T::NAME;
     println!("{robot} {name}: {worst:.1e} of what the inverse may be off by");
-    // Eight times as far as other bounds: it is one number for entries of all sizes.
-    let farthest = 8.0 * asked.farthest;
     assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
 }

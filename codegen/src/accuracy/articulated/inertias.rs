@@ -1,8 +1,8 @@
 //! How well articulated inertias are known.
 //!
 //! In: the bodies as sizes, how much they can move, and the errors of each inertia on its way inwards.
-//! Out: γ, s and what is lost, of each body and all outboard of it; or that rounding may spoil the sizes
-//! that everything else is counted by. It never looks at an acceleration.
+//! Out: γ, s and what is lost, of each body and all outboard of it, and of the robot's energy; or that rounding
+//! may spoil the sizes that everything else is counted by. It never looks at an acceleration.
 
 use std::f64::consts::SQRT_2;
 use std::{cmp, ops};
@@ -96,15 +96,15 @@ pub(super) struct Outboard {
     pub(super) lost: Blocks,
 }
 
-/// Every body with all that hangs on it, where articulated inertias keep enough digits for the sizes
-/// that they are taken to have; `step` computes one of them in the frame of the carrying body, with
-/// its errors.
+/// Every body with all that hangs on it, and how much of a motion's energy rounding may take at most, where
+/// articulated inertias keep enough digits for the sizes that they are taken to have; `step` computes one of them
+/// in the frame of the carrying body, with its errors.
 pub(super) fn outboard(
     links: &List<BodyId, Link>,
     mobility: &Mobility,
     scalar: Real,
     step: impl Fn(BodyId, &[Value]) -> Result<Vec<Value>, &'static str>,
-) -> Result<List<BodyId, Outboard>, &'static str> {
+) -> Result<(List<BodyId, Outboard>, f64), &'static str> {
     let mut all = List::filled(Outboard::default(), links.len());
     let mut squares = List::filled(Pair::default(), links.len());
     // Of what the bodies that hang on it have passed on.
@@ -132,7 +132,7 @@ pub(super) fn outboard(
     if spoilt.partial_cmp(&SPOILT).is_none_or(cmp::Ordering::is_gt) {
         return Err(DOUBTFUL);
     }
-    Ok(all)
+    Ok((all, spoilt))
 }
 
 /// What a joint leaves of the articulated inertia of γ and s, by four roundings.

@@ -119,6 +119,14 @@ impl Pair {
         self.turning.max(self.sliding)
     }
 
+    /// The larger of each part.
+    pub(super) fn most(self, other: Self) -> Self {
+        Self::new(
+            self.turning.max(other.turning),
+            self.sliding.max(other.sliding),
+        )
+    }
+
     /// A moment and a force, or γ and s, at a distance from where they are.
     pub(super) fn at_distance(self, distance: f64) -> Self {
         Self::new(self.turning + distance * self.sliding, self.sliding)

@@ -1,7 +1,7 @@
 //! The constants of the derivation, against articulated inertias of points at random.
 //!
-//! In: seeds. Out: that no block, no action of a joint, no computed inertia and no rounding of a joint is
-//! beyond what is counted, and that what the derivation says is reached is.
+//! In: seeds. Out: that no block, no action of a joint or of a unit force, no computed inertia and no rounding of a
+//! joint is beyond what is counted, and that what the derivation says is reached is.
 
 mod points;
 
@@ -120,6 +120,76 @@ fn computed_inertias_have_the_sizes_of_exact_ones_but_for_trust() {
         "{pivots}"
     );
     assert!((0.1 * SPOILT..=TRUST - 1.0).contains(&sizes), "{sizes}");
+}
+
+/// What unit forces are on their way inwards, with errors as large as are allowed, and the inverse that comes of them.
+#[test]
+fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
+    let mut random = Random::new(4);
+    let (mut sizes, mut entries) = (0.0_f64, 0.0_f64);
+    for turn in 0..1000 {
+        let chain = Chain::new(&mut random, 2 + turn % 4);
+        let (exact, mobility) = (chain.inverse(), chain.mobility());
+        let articulated = chain.articulated(|_| [[0.0; 6]; 6]);
+        let actions: Vec<Twist> = (articulated.iter().zip(&chain.bodies))
+            .map(|(inertia, body)| times(inertia, &body.screw))
+            .collect();
+        let d: Vec<f64> = (actions.iter().zip(&chain.bodies))
+            .map(|(action, body)| dot(action, &body.screw))
+            .collect();
+        let share = 1e-4 * random.unit().abs();
+        let mut ways = Vec::new();
+        let lacks: Vec<Vec<f64>> = (0..chain.bodies.len())
+            .map(|column| {
+                let unit = exact[column][column].sqrt();
+                let (mut action, mut way) = ([0.0; 6], 0.0);
+                let mut lacks = vec![0.0; column + 1];
+                for k in (0..=column).rev() {
+                    let body = &chain.bodies[k];
+                    let own = f64::from(u8::from(k == column));
+                    lacks[k] = own - dot(&action, &body.screw);
+                    for (entry, pushed) in action.iter_mut().zip(actions[k]) {
+                        *entry += pushed * lacks[k] / d[k];
+                    }
+                    let x = twist(random.vector(), random.vector());
+                    sizes = sizes.max(dot(&x, &action).abs() / (body.g(x) * unit));
+                    // What is lost on the way to the body that carries this one, about the origin of that.
+                    if let Some(parent) = k.checked_sub(1).map(|k| &chain.bodies[k]) {
+                        let lost = parent.sizes.map(|size| share * unit * size);
+                        let force = random.direction().map(|entry| lost[1] * entry);
+                        let moment = random.direction().map(|entry| lost[0] * entry);
+                        let carried = cross(parent.origin, force);
+                        for (k, entry) in action.iter_mut().enumerate() {
+                            *entry += if k < 3 {
+                                moment[k] + carried[k]
+                            } else {
+                                force[k - 3]
+                            };
+                        }
+                        let speeds = mobility[k - 1].map(f64::sqrt);
+                        way += dot(&speeds, &lost) / unit;
+                    }
+                }
+                ways.push(way);
+                lacks
+            })
+            .collect();
+        for (row, of_row) in lacks.iter().enumerate() {
+            for (column, of_column) in lacks.iter().enumerate() {
+                let products = of_row.iter().zip(of_column).zip(&d);
+                let entry: f64 = products.map(|((a, b), d)| a * b / d).sum();
+                let unit = (exact[row][row] * exact[column][column]).sqrt();
+                let most = (1.0 + ways[row]) * (1.0 + ways[column]) - 1.0;
+                let off = (entry - exact[row][column]).abs() / unit;
+                assert!(off <= NEARLY * most + 1e-9, "{off} of {most}");
+                if most > 1e-6 {
+                    entries = entries.max(off / most);
+                }
+            }
+        }
+    }
+    assert!((0.5..=NEARLY).contains(&sizes), "{sizes}");
+    assert!((0.2..=NEARLY).contains(&entries), "{entries}");
 }
 
 /// A number as `f32` has it.

@@ -15,6 +15,10 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
     let (what, promise) = match accuracy {
         Accuracy::Unknown(reason) => return vec![format!("Error: no bound: {reason}.")],
         Accuracy::Within(promise) => ("", promise),
+        Accuracy::BesideDiagonal(promise) => (
+            "entry (i, j) of M⁻¹ is off by √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) times ",
+            promise,
+        ),
         Accuracy::Backward(Perturbed::Torques, promise) => ("as if τ were off by ", promise),
         Accuracy::Backward(Perturbed::MassMatrix, promise) => {
             ("each column is exact for an M of its own, off by ", promise)

@@ -146,9 +146,8 @@ impl Chain {
         all
     }
 
-    /// For each body a bound of ω² and of the velocity² of its origin at the kinetic energy ½: the traces
-    /// of J M⁻¹ Jᵗ, where joints share what they turn and slide in proportion to M⁻¹.
-    pub(super) fn mobility(&self) -> Vec<[f64; 2]> {
+    /// The inverse of the mass matrix, by elimination.
+    pub(super) fn inverse(&self) -> Vec<Vec<f64>> {
         let count = self.bodies.len();
         let mut inverse: Vec<Vec<f64>> = (0..count)
             .map(|i| {
@@ -175,6 +174,16 @@ impl Chain {
             }
             inverse[k] = row;
         }
+        for row in &mut inverse {
+            row.drain(..count);
+        }
+        inverse
+    }
+
+    /// For each body a bound of ω² and of the velocity² of its origin at the kinetic energy ½: the traces
+    /// of J M⁻¹ Jᵗ, where joints share what they turn and slide in proportion to M⁻¹.
+    pub(super) fn mobility(&self) -> Vec<[f64; 2]> {
+        let inverse = self.inverse();
         let bodies = self.bodies.iter().enumerate();
         bodies
             .map(|(k, body)| {
@@ -184,7 +193,7 @@ impl Chain {
                 let mut sums = [0.0; 2];
                 for (i, (turn, slide)) in moved.iter().enumerate() {
                     for (j, (other_turn, other_slide)) in moved.iter().enumerate() {
-                        let share = inverse[i][count + j];
+                        let share = inverse[i][j];
                         sums[0] += share * dot(turn, other_turn);
                         sums[1] += share * dot(slide, other_slide);
                     }

@@ -7,6 +7,8 @@
 //! others do. A mass in a field is taken at its least: more of it only adds energy. Quaternions are taken to
 //! be of length 1, but for their rounding.
 
+mod row;
+
 use std::iter::successors;
 
 use super::range::Range;
@@ -34,8 +36,8 @@ pub struct Mobility {
 ///
 /// (M⁻¹)ₖₖ is the greatest q̇ₖ²/(q̇ᵗM q̇). With x and y what the two bodies of a joint do, q̇ₖ = x − y,
 /// and q̇ᵗM q̇ ≥ x²/a + y²/b, this is at most a + b; with an armature c, which adds c q̇ₖ² to it, at most
-/// 1/(1/(a + b) + c). A velocity that moves several joints, each by a factor of its own, is as slow as
-/// each of them demands.
+/// 1/(1/(a + b) + c). Where bodies between have little inertia or none, others tell more (`mobility/row.rs`). A velocity that
+/// moves several joints, each by a factor of its own, is as slow as each of them demands.
 ///
 /// # Errors
 /// Why it is not known: kinetic energy may be negative with an inertia that no body has; centres of
@@ -116,17 +118,19 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
             }
         }
     };
-    let joints = bodies.ids().zip(&whole).map(joint);
+    let mut joints: List<BodyId, f64> = bodies.ids().zip(&whole).map(joint).collect();
+    let reaches = bodies.iter().map(|body| reach(body, range)).collect();
+    row::slowed(&mut joints, &solids, &reaches);
     // What an armature has of the energy comes on top.
-    let joints = joints.zip(&solids).map(|(bodies, solid)| {
+    for (most, solid) in joints.iter_mut().zip(&solids) {
         if solid.armature > 0.0 {
-            (bodies.recip() + solid.armature).recip()
-        } else {
-            bodies
+            *most = (most.recip() + solid.armature).recip();
         }
-    });
+    }
+    let fastest = whole.into_iter().map(Solid::fastest).collect();
+    let fastest = row::carried(fastest, &joints, &solids, &reaches);
     let mut of_velocities = List::filled(f64::INFINITY, chain.spaces().velocities.len());
-    for (body, most) in bodies.iter().zip(joints) {
+    for (body, &most) in bodies.iter().zip(&joints) {
         let factor = body.factor().and_then(|factor| graph.term(factor).value());
         let factor = factor.map_or(1.0, Double::to_f64);
         let of_velocity = &mut of_velocities[body.velocity];
@@ -135,7 +139,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     }
     Ok(Mobility {
         joints: of_velocities,
-        bodies: whole.into_iter().map(Solid::fastest).collect(),
+        bodies: fastest,
     })
 }
 

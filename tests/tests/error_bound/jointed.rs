@@ -1,4 +1,4 @@
-//! Robots whose joints have quaternions, move in a plane, or follow others.
+//! Robots whose joints have quaternions, move in a plane, follow others, or stand in a row without inertia between.
 //!
 //! In: a name. Out: a description, each kind of these joints in the middle of it.
 
@@ -42,22 +42,38 @@ const EVERY_POSTURE: &[Row] = &[
     ("l4", "prismatic", "0 0 -0.1", "0 0.6 0.8", LIMIT, 0.3),
 ];
 
+/// A platform on two slides without a mass of their own, and on it a shaft in a Cardan joint that carries a bolt, a
+/// stage of three slides, and a head on two turns, the first of which moves next to nothing.
+const NOTHING_BETWEEN: &[Row] = &[
+    ("base", "prismatic", "0.2 0 0.1", "1 0 0", LIMIT, 0.0),
+    ("l1", "prismatic", "0 0 0.2", "0 0.8 0.6", LIMIT, 0.0),
+    ("l2", "revolute", "0 0.1 0", "0 0 1", LIMIT, 5.0),
+    ("l3", "universal", "0.2 0 0.1", "1 0 0", CARDAN, 1.0),
+    ("l4", "cylindrical", "0 0.1 0.2", "0 0 1", "", 0.8),
+    ("l3", "translation", "-0.2 0 0.1", "0 0 1", "", 0.5),
+    ("l6", "revolute", "0 0.1 0", "1 0 0", LIMIT, 1e-9),
+    ("l7", "revolute", "0 0 0.1", "0 0.8 0.6", LIMIT, 0.4),
+];
+
+const CARDAN: &str = r#"<axis2 xyz="0 0.8 0.6"/>"#;
+
 /// The description of a robot of this name, where it is one of these.
 pub fn text(name: &str) -> Option<String> {
     let rows = match name {
         "gripper" => GRIPPER,
         "every_posture" => EVERY_POSTURE,
+        "nothing_between" => NOTHING_BETWEEN,
         _ => return None,
     };
     let mut text = format!(r#"<robot name="{name}"><link name="base"/>"#);
     for (k, (parent, kind, at, axis, more, mass)) in (1..).zip(rows) {
-        let moment = mass * 0.02;
+        let (moment, product) = (mass * 0.02, mass * 0.0002);
         write!(
             text,
             r#"<joint name="j{k}" type="{kind}"><origin xyz="{at}" rpy="0.3 -0.2 0.4"/>
             <parent link="{parent}"/><child link="l{k}"/><axis xyz="{axis}"/>{more}</joint>
             <link name="l{k}"><inertial><origin xyz="0.01 -0.02 0.1"/><mass value="{mass}"/>
-            <inertia ixx="{moment}" ixy="0.0001" ixz="-0.0002" iyy="{moment}" iyz="0.0001" izz="{moment}"/>
+            <inertia ixx="{moment}" ixy="{product}" ixz="-{product}" iyy="{moment}" iyz="{product}" izz="{moment}"/>
             </inertial></link>"#
         )
         .expect("a string takes everything");

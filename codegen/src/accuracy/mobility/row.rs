@@ -1,0 +1,247 @@
+//! Joints in a row, and how much they can move where bodies between them have little inertia or none.
+//!
+//! In: the bodies of a chain, and what the two of each joint tell of it. Out: what the two at the ends of a row tell
+//! of each joint in it, and what joints tell of a body between. It never looks at a posture: how axes stand to each
+//! other is the same in all of them where no joint between turns.
+//!
+//! The bodies at the ends do ω, v and ω′, v′, and all joints together what they do differently: Σ a q̇ of those that
+//! turn is ω′ − ω, and of those that slide v′ − v, of one point, but for what turning makes of that point. What is
+//! orthogonal to all other axes has one joint alone: with n, that of a, it is q̇ = n·(ω′ − ω)/n².
+
+use super::{AXES, Solid, Z, dot};
+use crate::chain::BodyId;
+use crate::list::List;
+
+/// The most joints in a row: five at most have axes that stay apart in every posture, of which two turn.
+const MOST: usize = 5;
+
+/// The least n²: below it axes are as good as parallel.
+const APART: f64 = 1e-12;
+
+/// What rounding may have made of n² and of the sums here, and more.
+const SLACK: f64 = 1.0 + 1e-3;
+
+/// Takes each joint for as slow as the slowest row demands that it is in.
+pub(super) fn slowed(
+    joints: &mut List<BodyId, f64>,
+    solids: &List<BodyId, Solid>,
+    reaches: &List<BodyId, f64>,
+) {
+    let rows: Vec<Row<'_>> = solids
+        .ids()
+        .flat_map(|outer| Row::inwards(outer, solids, reaches))
+        .collect();
+    // What slides is seen from bodies that turn.
+    demand(joints, &rows, |row, place, _| row.turning(place));
+    demand(joints, &rows, Row::sliding);
+}
+
+/// Takes each joint for as slow as a row has it, from what is known of all.
+fn demand<'a>(
+    joints: &mut List<BodyId, f64>,
+    rows: &[Row<'a>],
+    most: impl Fn(&Row<'a>, usize, &List<BodyId, f64>) -> Option<f64>,
+) {
+    let known = joints.clone();
+    for row in rows {
+        for (place, &k) in row.joints.iter().enumerate() {
+            if let Some(most) = most(row, place, &known) {
+                joints[k] = joints[k].min(SLACK * most);
+            }
+        }
+    }
+}
+
+/// For each body the squares of its ω and of the velocity of its origin, as itself tells them or as the body that
+/// carries it and their joint do.
+pub(super) fn carried(
+    own: Vec<[f64; 2]>,
+    joints: &List<BodyId, f64>,
+    solids: &List<BodyId, Solid>,
+    reaches: &List<BodyId, f64>,
+) -> List<BodyId, [f64; 2]> {
+    let mut all: List<BodyId, [f64; 2]> = List::new();
+    for ((k, solid), own) in solids.numbered().zip(own) {
+        let [turns, slides] = solid.parent.map_or([0.0; 2], |parent| all[parent]);
+        let rate = joints[k].sqrt();
+        let across = product(reaches[k], turns.sqrt());
+        let carried = if solid.slides {
+            [turns, (slides.sqrt() + across + rate).powi(2)]
+        } else {
+            [
+                (turns.sqrt() + rate).powi(2),
+                (slides.sqrt() + across).powi(2),
+            ]
+        };
+        let known = !solid.free && !solid.screws;
+        all.push([0, 1].map(|part| {
+            if known {
+                own[part].min(SLACK * carried[part])
+            } else {
+                own[part]
+            }
+        }));
+    }
+    all
+}
+
+/// A product that is zero where one factor is, whatever the other.
+fn product(reach: f64, rate: f64) -> f64 {
+    if reach == 0.0 || rate == 0.0 {
+        0.0
+    } else {
+        reach * rate
+    }
+}
+
+/// Joints in a row from one body to another, the outermost first.
+struct Row<'a> {
+    joints: Vec<BodyId>,
+    outer: &'a Solid,
+    /// None where the row begins at the base.
+    inner: Option<&'a Solid>,
+    solids: &'a List<BodyId, Solid>,
+    reaches: &'a List<BodyId, f64>,
+}
+
+impl<'a> Row<'a> {
+    /// All rows of more than one joint that end at a body.
+    fn inwards(
+        outer: BodyId,
+        solids: &'a List<BodyId, Solid>,
+        reaches: &'a List<BodyId, f64>,
+    ) -> Vec<Self> {
+        let inwards = std::iter::successors(Some(outer), |k| solids[*k].parent);
+        let one_axis = |k: &BodyId| !solids[*k].free && !solids[*k].screws;
+        let joints: Vec<BodyId> = inwards.take_while(one_axis).take(MOST).collect();
+        let rows = (2..=joints.len()).map(|count| {
+            let joints = joints[..count].to_vec();
+            let innermost = joints[count - 1];
+            Self {
+                inner: solids[innermost].parent.map(|parent| &solids[parent]),
+                outer: &solids[outer],
+                joints,
+                solids,
+                reaches,
+            }
+        });
+        rows.collect()
+    }
+
+    fn slides(&self, place: usize) -> bool {
+        self.solids[self.joints[place]].slides
+    }
+
+    /// The places of the joints that slide, or of those that turn.
+    fn places(&self, sliding: bool) -> Vec<usize> {
+        let places = 0..self.joints.len();
+        places
+            .filter(|&place| self.slides(place) == sliding)
+            .collect()
+    }
+
+    /// The axis of a joint in the frame of the body of one further in, where none between turns.
+    fn axis(&self, place: usize, from: usize) -> [f64; 3] {
+        let outwards = self.joints[place..from].iter();
+        outwards.fold(Z, |axis, &k| self.solids[k].turned(axis))
+    }
+
+    /// The axis of a joint in the frame of the outer body, where none between turns.
+    fn axis_outside(&self, place: usize) -> [f64; 3] {
+        let inwards = self.joints[..place].iter().rev();
+        inwards.fold(Z, |axis, &k| self.solids[k].turned_back(axis))
+    }
+
+    /// q̇² at most, by twice the energy, of a joint that turns.
+    fn turning(&self, place: usize) -> Option<f64> {
+        let turning = self.places(false);
+        if self.slides(place) {
+            return None;
+        }
+        match *turning {
+            [_] => {
+                let inside = self.inner.map_or(0.0, |inner| {
+                    inner.turns(self.axis(place, self.joints.len()))
+                });
+                Some(self.outer.turns(self.axis_outside(place)) + inside)
+            }
+            [outer, inner] => {
+                let apart = of_cross(Z, self.axis(outer, inner));
+                let anyhow =
+                    |solid: &Solid| AXES.iter().map(|&axis| solid.turns(axis)).sum::<f64>();
+                let both = anyhow(self.outer) + self.inner.map_or(0.0, anyhow);
+                (apart > APART).then(|| both / apart)
+            }
+            _ => None,
+        }
+    }
+
+    /// The same of one that slides.
+    fn sliding(&self, place: usize, joints: &List<BodyId, f64>) -> Option<f64> {
+        let sliding = self.places(true);
+        let [first, .., last] = *sliding else {
+            return (sliding == [place]).then(|| self.moved(1.0, joints));
+        };
+        let between = self.places(false);
+        let apart = between.iter().all(|turns| !(first..last).contains(turns));
+        if !self.slides(place) || !apart || sliding.len() > 3 {
+            return None;
+        }
+        let others = sliding.iter().filter(|&&other| other != place);
+        let others: Vec<[f64; 3]> = others.map(|&other| self.axis(other, last)).collect();
+        let own = self.axis(place, last);
+        let orthogonal = match *others {
+            [other] => of_cross(own, other),
+            [one, other] => {
+                let normal = cross(one, other);
+                let along = dot(own, normal);
+                along * along / dot(normal, normal)
+            }
+            _ => return None,
+        };
+        (orthogonal > APART).then(|| self.moved(orthogonal, joints))
+    }
+
+    /// What all that slides does together, of which a joint has n²: of the centre of mass of the outer body, seen from
+    /// the inner one, what turning leaves.
+    fn moved(&self, apart: f64, joints: &List<BodyId, f64>) -> f64 {
+        let mut distance = dot(self.outer.centre, self.outer.centre).sqrt();
+        let mut across = 0.0;
+        for (place, &k) in self.joints.iter().enumerate() {
+            if !self.slides(place) {
+                across += product(distance, joints[k].sqrt());
+            }
+            distance += self.reaches[k];
+        }
+        let inside = self.inner.map_or(0.0, |inner| inner.within(distance, true));
+        let ends = self.outer.mass.recip() + inside;
+        (ends.sqrt() + across).powi(2) / apart
+    }
+}
+
+impl Solid {
+    /// A direction of this body's frame in that of the body that carries it, where its joint does not turn.
+    fn turned(&self, axis: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|row| {
+            dot(
+                [0, 1, 2].map(|column| self.placement[3 * row + column]),
+                axis,
+            )
+        })
+    }
+
+    /// The other way.
+    fn turned_back(&self, axis: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|column| dot([0, 1, 2].map(|row| self.placement[3 * row + column]), axis))
+    }
+}
+
+fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}
+
+/// The square of the length of a product of directions: of what one has that is orthogonal to the other.
+fn of_cross(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let product = cross(a, b);
+    dot(product, product)
+}

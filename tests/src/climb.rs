@@ -63,6 +63,7 @@ pub struct Climb<T> {
     listed: Listed,
     /// Of each result.
     bounds: Vec<f64>,
+    units: Vec<&'static str>,
     exact: Evaluation<Double>,
     range: Range,
     as_type: PhantomData<T>,
@@ -80,13 +81,18 @@ impl<T: Tested> Climb<T> {
     pub fn new(description: &Description, request: &Request, function: Function) -> Self {
         let listed = listed(description, request.clone(), function, T::REAL);
         let chain = chain::build(description, request).unwrap_or_else(|errors| panic!("{errors}"));
-        let bounds: Vec<f64> = (bounds(&listed).iter())
-            .map(|bound| bound.double.or(bound.single).expect("it is of one type"))
-            .collect();
-        // Of a matrix the entries of a row share one.
-        let each = listed.program.results.len() / bounds.len();
+        let (result, spaces) = (function.result(), chain.spaces());
+        let units = result.units(spaces);
+        let of_result = units.iter().enumerate().map(|(k, &unit)| {
+            let owner = result.owner(spaces, k);
+            let joint = owner.map(|(space, entry)| &spaces.entries(space)[entry].name);
+            let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == joint;
+            let bound = bounds(&listed).iter().find(of).expect("each has a bound");
+            bound.double.or(bound.single).expect("it is of one type")
+        });
         Self {
-            bounds: bounds.iter().flat_map(|&bound| vec![bound; each]).collect(),
+            bounds: of_result.collect(),
+            units,
             listed,
             exact: exactly(&chain, function),
             range: Range::of(&chain),
@@ -129,8 +135,8 @@ impl<T: Tested> Climb<T> {
     }
 
     /// The share of its bound that the worst error takes, of each result: in corners of the range and
-    /// anywhere in it, and then uphill from the worst of them.
-    fn attack(&self, seed: u64, states: usize, steps: usize) -> Vec<f64> {
+    /// anywhere in it, and then uphill from the worst of those in a unit, or of all.
+    fn attack(&self, seed: u64, unit: Option<&str>, states: usize, steps: usize) -> Vec<f64> {
         let ends = self.ends();
         let mut random = Random::new(seed);
         let mut worst = vec![0.0_f64; self.bounds.len()];
@@ -159,7 +165,9 @@ impl<T: Tested> Climb<T> {
                 assert!(share.is_finite(), "an error that is no number");
                 *worst = worst.max(*share);
             }
-            let most = shares.into_iter().fold(0.0, f64::max);
+            let own = shares.into_iter().zip(&self.units);
+            let own = own.filter(|(_, of)| unit.is_none_or(|unit| unit == **of));
+            let most = own.fold(0.0, |most, (share, _)| f64::max(most, share));
             if most >= best.0 {
                 best = (most, state);
             }
@@ -174,12 +182,32 @@ impl<T: Tested> Climb<T> {
     #[must_use]
     pub fn holds(&self, name: &str, states: usize, steps: usize) -> f64 {
         let worst = self
-            .attack(7, states, steps)
+            .attack(7, None, states, steps)
             .into_iter()
             .fold(0.0, f64::max);
         println!("{name} in {}: {worst:.1e} of the bound", T::NAME);
         assert!(worst <= 1.0, "{name} in {}: {worst}", T::NAME);
         worst
+    }
+
+    /// For each unit of the results the worst share of their bounds, uphill from the worst of its own.
+    ///
+    /// # Panics
+    /// Where one is beyond its bound.
+    #[must_use]
+    pub fn by_unit(&self, name: &str, states: usize, steps: usize) -> Vec<(&'static str, f64)> {
+        let mut units = self.units.clone();
+        units.sort_unstable();
+        units.dedup();
+        let climbed = units.into_iter().map(|unit| {
+            let worst = self.attack(7, Some(unit), states, steps).into_iter();
+            let own = worst.zip(&self.units).filter(|(_, of)| **of == unit);
+            let worst = own.fold(0.0, |most, (share, _)| f64::max(most, share));
+            println!("{name}, {unit}, in {}: {worst:.1e} of the bound", T::NAME);
+            assert!(worst <= 1.0, "{name} in {}: {worst}", T::NAME);
+            (unit, worst)
+        });
+        climbed.collect()
     }
 }
 

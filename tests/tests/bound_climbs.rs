@@ -22,8 +22,6 @@ use homogen_tests::states::Random;
 use homogen_tests::subjects::{Subject, subject};
 use homogen_tests::tested::{F32, F64, Fused64, Tested};
 
-const TORQUES: [Function; 3] = [Function::InverseDynamics, Function::Bias, Function::Gravity];
-
 /// What shows that a mass matrix stays positive definite: no joint and no body is faster than its bound
 /// for the energy that it has.
 #[test]
@@ -83,7 +81,9 @@ fn nothing_moves_more_than_its_energy_allows() {
             let twice: f64 = (0..count * count)
                 .map(|k| m[k] * qd[k / count] * qd[k % count])
                 .sum();
-            let allowed = |square: f64, most: f64| square <= most * twice * (1.0 + 1e-9);
+            // What stands on an axis is at rest, but for the last digits here.
+            let allowed =
+                |square: f64, most: f64| square <= most * twice * (1.0 + 1e-9) + 1e-30 * twice;
             for (k, &most) in most.joints.iter().enumerate() {
                 assert!(allowed(qd[k] * qd[k], most), "{label} {k}");
             }
@@ -207,16 +207,28 @@ fn climbs_on_trees_of_29_to_48_joints() {
     }
 }
 
-/// The same within 100 on an arm.
+/// The same within 100 on arms, of every function that is evaluated and every unit of its results.
 #[test]
-fn climbs_on_an_arm_of_seven_joints() {
-    let Subject {
-        description,
-        request,
-    } = subject("panda_class/0");
-    for function in TORQUES {
-        let subject = Climb::<F64>::new(&description, &request, function);
-        let worst = subject.holds(&format!("{function:?}"), 500, 1500);
-        assert!(worst >= 1e-2, "{worst:e} of the bound of {function:?}");
+fn climbs_on_arms() {
+    for label in [
+        "panda_class/0",
+        "ur5_class/0",
+        "puma560_general/0",
+        "stanford_general/0",
+    ] {
+        let Subject {
+            description,
+            request,
+        } = subject(label);
+        let evaluated = |function: &Function| !(function.solves() || function.is_constrained());
+        for function in Function::ALL.into_iter().filter(evaluated) {
+            let subject = Climb::<F64>::new(&description, &request, function);
+            let name = format!("{label} {function:?}");
+            for (unit, worst) in subject.by_unit(&name, 300, 900) {
+                // What is exact may have been bounded as if its numbers were not.
+                let is_near = worst >= 1e-2 || worst == 0.0;
+                assert!(is_near, "{worst:e} of the bound of {name} in {unit}");
+            }
+        }
     }
 }

@@ -56,7 +56,7 @@ impl Articulated<'_> {
                 let found = values(computed(derivatives, &wider, means, scalar))?;
                 // What vanishes of an acceleration is a torque of the inertias times it.
                 let most = largest(found.iter().map(|value| value.reach() + value.error));
-                let size = most * steps.yielding() * steps.inertia().powi(2);
+                let size = most * steps.yielding() * steps.inertia() * steps.inertia();
                 let vanishes = underflow(size, self.links.len(), scalar)?;
                 Ok(found.iter().map(|value| value.error + vanishes).collect())
             })
@@ -94,7 +94,7 @@ impl Steps<'_, '_> {
             parts.map(|[size, _]| size.largest())
         }));
         let most = largest(range.qdd.iter().map(|[_, most]| *most));
-        self.inertia().powi(2) * moving * most * self.yielding()
+        self.inertia() * self.inertia() * moving * most * self.yielding()
     }
 
     /// How far off the torque or force is that each joint feels, by all roundings.

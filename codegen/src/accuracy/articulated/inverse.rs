@@ -31,8 +31,8 @@ impl Steps<'_, '_> {
         } = self.bodies;
         let (inertia, yielding) = (self.inertia(), self.yielding());
         // (M⁻¹)ⱼⱼ is at least 1/Mⱼⱼ, and what vanishes is in units of its root here.
-        let size = (inertia * yielding).powi(2);
-        let vanishes = underflow(size, links.len(), self.scalar)? * 2.0 * inertia.powi(2);
+        let size = inertia * yielding * (inertia * yielding);
+        let vanishes = underflow(size, links.len(), self.scalar)? * 2.0 * inertia * inertia;
         let roundoff = self.scalar.roundoff();
 
         // What each joint passes on loses by itself, as a share of the energy.

@@ -65,13 +65,12 @@ pub(super) fn carried(
         let [turns, slides] = solid.parent.map_or([0.0; 2], |parent| all[parent]);
         let rate = joints[k].sqrt();
         let across = product(reaches[k], turns.sqrt());
+        let shifts = slides.sqrt() + across;
         let carried = if solid.slides {
-            [turns, (slides.sqrt() + across + rate).powi(2)]
+            [turns, (shifts + rate) * (shifts + rate)]
         } else {
-            [
-                (turns.sqrt() + rate).powi(2),
-                (slides.sqrt() + across).powi(2),
-            ]
+            let spins = turns.sqrt() + rate;
+            [spins * spins, shifts * shifts]
         };
         let known = !solid.free && !solid.screws;
         all.push([0, 1].map(|part| {

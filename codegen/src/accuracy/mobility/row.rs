@@ -214,7 +214,8 @@ impl<'a> Row<'a> {
         }
         let inside = self.inner.map_or(0.0, |inner| inner.within(distance, true));
         let ends = self.outer.mass.recip() + inside;
-        (ends.sqrt() + across).powi(2) / apart
+        let speed = ends.sqrt() + across;
+        speed * speed / apart
     }
 }
 

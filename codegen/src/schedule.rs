@@ -25,7 +25,9 @@ pub(crate) use names::sanitize;
 pub use once::{Parts, part};
 pub use order::{schedule, schedule_unfused};
 pub use price::Price;
-pub use routine::{Angle, Apart, Entries, Readable, Rounds, Routine, Statement, Value, Work};
+pub use routine::{
+    Angle, Apart, Entries, Readable, Rounds, Routine, Statement, Stored, Value, Work,
+};
 pub use run::run;
 pub use sections::{Length, Sections, sections};
 

@@ -12,9 +12,9 @@
 
 use std::ops::Range;
 
-use super::Program;
 use super::readers::{note_readers, read_until};
 use super::repeats::Repeat;
+use super::{Operand, Program};
 
 /// A program of up to so many steps and angles is one scope: a third of what a compiler bears.
 const FLAT: usize = 900;
@@ -54,9 +54,9 @@ pub struct Nested {
     pub after: Vec<Vec<Part>>,
 }
 
-/// The steps of a program whose repeats are loops.
+/// The steps of a program whose repeats are loops, and of which these results are read at the end.
 #[must_use]
-pub fn nested(program: &Program, repeats: &[Repeat]) -> Nested {
+pub fn nested(program: &Program, repeats: &[Repeat], results: &[Operand]) -> Nested {
     let steps = (0_u32..).take(program.steps.len()).map(Part::Step);
     let mut steps: Vec<_> = steps.collect();
     let mut after = Vec::new();
@@ -75,7 +75,7 @@ pub fn nested(program: &Program, repeats: &[Repeat]) -> Nested {
     let stretches: Vec<_> = stretches.collect();
     let written: usize = stretches.iter().map(|parts| parts.len()).sum();
     if written + program.angles.len() > FLAT {
-        let read_until = read_until(program);
+        let read_until = read_until(program, results);
         for parts in stretches {
             *parts = in_blocks(std::mem::take(parts), &read_until);
         }
@@ -87,7 +87,10 @@ pub fn nested(program: &Program, repeats: &[Repeat]) -> Nested {
 #[must_use]
 pub fn before(program: &Program) -> Vec<Part> {
     let steps = (0_u32..).take(program.before_angles);
-    in_blocks(steps.map(Part::Step).collect(), &read_until(program))
+    in_blocks(
+        steps.map(Part::Step).collect(),
+        &read_until(program, &program.results),
+    )
 }
 
 /// The steps of a section, or of the first round of a repeat: of these only some are read outside where they are
@@ -299,7 +302,7 @@ mod tests {
                 next: 0,
                 visible: vec![false; program.steps.len()],
             };
-            let Nested { before, after } = nested(program, &[]);
+            let Nested { before, after } = nested(program, &[], &program.results);
             let after = after.concat();
             walk.scope(&before);
             walk.read(&program.angles);
@@ -329,7 +332,7 @@ mod tests {
             }
         }
         let [program, _] = long();
-        let Nested { before, after } = nested(&program, &[]);
+        let Nested { before, after } = nested(&program, &[], &program.results);
         for parts in [before, after.concat()] {
             check(&parts, &program);
         }
@@ -338,11 +341,15 @@ mod tests {
     #[test]
     fn a_short_program_is_one_scope() {
         let is_step = |part: &Part| matches!(part, Part::Step(_));
-        let Nested { before, after } = nested(&tangled(FLAT), &[]);
+        let nested = |steps: usize| {
+            let program = tangled(steps);
+            nested(&program, &[], &program.results)
+        };
+        let Nested { before, after } = nested(FLAT);
         let after = after.concat();
         assert_eq!((before.len(), after.len()), (0, FLAT));
         assert!(after.iter().all(is_step));
-        let after = nested(&tangled(FLAT + 1), &[]).after.concat();
+        let after = nested(FLAT + 1).after.concat();
         assert!(!after.iter().any(is_step));
     }
 
@@ -355,7 +362,7 @@ mod tests {
             1 if k > 1 => [k - 2, k - 1],
             since => [k - since, k - 1],
         });
-        let after = nested(&program, &[]).after.concat();
+        let after = nested(&program, &[], &program.results).after.concat();
         let handed_on: Vec<_> = after.iter().map(|part| part.handed_on().to_vec()).collect();
         let last_of_each = (1..=10).map(|k| vec![k * stretch - 1]);
         assert_eq!(handed_on, last_of_each.collect::<Vec<_>>());

@@ -4,12 +4,12 @@
 
 use super::{Operand, Program, Step};
 
-/// The last step that reads each step; what sines and results are of is read behind every block.
+/// The last step that reads each step; what sines are of, and these results, is read behind every block.
 #[must_use]
-pub fn read_until(program: &Program) -> Vec<u32> {
+pub fn read_until(program: &Program, results: &[Operand]) -> Vec<u32> {
     let mut read_until = vec![0; program.steps.len()];
     note_readers((0_u32..).zip(&program.steps), &mut read_until);
-    for operand in program.angles.iter().chain(&program.results) {
+    for operand in program.angles.iter().chain(results) {
         if let Operand::Step(step) = *operand {
             read_until[step as usize] = u32::MAX;
         }

@@ -83,7 +83,7 @@ pub fn repeats(program: &Program) -> Vec<Repeat> {
         return found;
     }
     let next = next_alike(program);
-    let read_until = read_until(program);
+    let read_until = read_until(program, &program.results);
     let mut at = program.before_angles;
     while at < next.len() {
         let starts = std::iter::successors(next[at], |&start| next[start]).take(TRIED);

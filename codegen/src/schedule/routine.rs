@@ -8,7 +8,7 @@ mod rounds;
 #[cfg(test)]
 mod tests;
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 pub use self::apart::{Apart, Work};
 pub use self::rounds::Rounds;
@@ -43,8 +43,10 @@ pub struct Routine {
     pub statements: Vec<Statement>,
     /// What is computed behind that in functions of their own, where it is long.
     pub work: Option<Work>,
-    /// The results, as the program has them.
+    /// The results, as the program has them; those that are stored as they are found may be bound no more.
     pub results: Vec<Value>,
+    /// The results that are stored as they are found.
+    pub stored: BTreeSet<usize>,
     /// Whether a number known at generation is among the values, but for those of functions of their own.
     pub has_literals: bool,
     /// Whether an operation is a product and a sum at once, but for those of functions of their own.
@@ -72,8 +74,19 @@ pub enum Statement {
     },
     /// The value is put into the work array, at that place.
     Left(usize, Value),
+    /// The value is stored as the result of that index.
+    Found(usize, Value),
     /// The same statements in each of several rounds.
     Rounds(Rounds),
+}
+
+/// When results are stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stored {
+    /// All of them, behind the last statement.
+    AtTheEnd,
+    /// Each that is computed, behind the statement that computes it; where that is possible.
+    AsFound,
 }
 
 /// An angle, and the names of its sine and cosine; none where it is not read.
@@ -102,6 +115,7 @@ pub enum Value {
 
 impl Routine {
     /// Names what a program reads and computes, beside the names that are taken, in functions of a length.
+    /// Results are stored at the end where anything waits in an array, or no number can be written in their place.
     ///
     /// # Panics
     /// Where the program reads an input that it cannot, or a step before it is computed.
@@ -110,6 +124,7 @@ impl Routine {
         (program, length): (&Program, Length),
         readable: &Readable<'_>,
         mut names: Names,
+        stored: Stored,
     ) -> Self {
         for argument in readable.arguments {
             names.take(argument.name());
@@ -124,6 +139,7 @@ impl Routine {
             sums: Vec::with_capacity(program.steps.len()),
             unnamed: 0,
             left: BTreeMap::new(),
+            found: BTreeMap::new(),
             taken: HashMap::new(),
         };
         let arguments = readable.arguments.iter().map(|&argument| {
@@ -142,9 +158,21 @@ impl Routine {
             return naming.in_sections(&sections, arguments, fields);
         }
         let repeats = repeats(program);
-        let parts = nested(program, &repeats);
+        let is_literal = |read| matches!(read, Operand::Literal(_));
+        let has_literals = program.operands().any(is_literal);
+        let early = stored == Stored::AsFound && repeats.is_empty() && has_literals;
+        let kept = if early { &[][..] } else { &program.results };
+        if early {
+            naming.found = found(program);
+        }
+        let parts = nested(program, &repeats, kept);
         let mut statements = naming.statements(&parts.before);
         statements.extend(naming.sines_and_cosines());
+        for angle in 0..naming.angles.len() {
+            let angle = u32::try_from(angle).expect("fewer than 2³² angles");
+            statements.extend(naming.stores(Operand::Sin(angle)));
+            statements.extend(naming.stores(Operand::Cos(angle)));
+        }
         let mut repeats = repeats.iter();
         for parts in &parts.after {
             statements.extend(naming.statements(parts));
@@ -152,14 +180,14 @@ impl Routine {
             statements.extend(rounds.map(Statement::Rounds));
         }
         let results = program.results.iter();
-        let is_literal = |read| matches!(read, Operand::Literal(_));
         Self {
             arguments,
             fields,
             statements,
             work: None,
             results: results.map(|&result| naming.value(result)).collect(),
-            has_literals: program.operands().any(is_literal),
+            stored: naming.found.into_values().flatten().collect(),
+            has_literals,
             is_fused: (program.steps.iter()).any(|step| step.operation.is_fused()),
             names: naming.names,
         }
@@ -179,6 +207,36 @@ fn turns(program: &Program) -> Vec<[bool; 2]> {
     turns
 }
 
+/// The results that are computed, by what they are of.
+fn found(program: &Program) -> BTreeMap<Key, Vec<usize>> {
+    let mut found: BTreeMap<Key, Vec<usize>> = BTreeMap::new();
+    for (result, &operand) in program.results.iter().enumerate() {
+        if let Some(key) = Key::of(operand) {
+            found.entry(key).or_default().push(result);
+        }
+    }
+    found
+}
+
+/// What a statement binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Key {
+    Sin(u32),
+    Cos(u32),
+    Step(u32),
+}
+
+impl Key {
+    fn of(operand: Operand) -> Option<Self> {
+        match operand {
+            Operand::Sin(angle) => Some(Self::Sin(angle)),
+            Operand::Cos(angle) => Some(Self::Cos(angle)),
+            Operand::Step(step) => Some(Self::Step(step)),
+            Operand::Literal(_) | Operand::Input(_) => None,
+        }
+    }
+}
+
 /// A routine in the making.
 struct Naming<'p> {
     program: &'p Program,
@@ -195,6 +253,8 @@ struct Naming<'p> {
     unnamed: usize,
     /// The steps that are put into the work array, and where.
     left: BTreeMap<u32, usize>,
+    /// The results that are stored as they are found, by what they are of.
+    found: BTreeMap<Key, Vec<usize>>,
     /// Of the round that is written, what a step takes as one of its operands; nothing outside of rounds.
     taken: HashMap<(u32, usize), String>,
 }
@@ -237,6 +297,7 @@ impl Naming<'_> {
                         let value = self.steps[*step as usize].clone();
                         statements.push(Statement::Left(place, value));
                     }
+                    statements.extend(self.stores(Operand::Step(*step)));
                 }
                 Part::Block(Block { parts, handed_on }) => {
                     let inside = self.statements(parts);
@@ -249,6 +310,14 @@ impl Naming<'_> {
             }
         }
         statements
+    }
+
+    /// What stores a value wherever it is a result.
+    fn stores(&self, operand: Operand) -> Vec<Statement> {
+        let results = Key::of(operand).and_then(|key| self.found.get(&key));
+        let stores = results.into_iter().flatten();
+        let store = |&result| Statement::Found(result, self.value(operand));
+        stores.map(store).collect()
     }
 
     /// The name that the result of a step is bound to.

@@ -15,7 +15,7 @@ use crate::print::review::filled;
 use crate::print::{Fields, Listed, Listing, Prepared};
 use crate::real::Real;
 use crate::schedule::{
-    Angle, Names, Operation, Program, Readable, Rounds, Routine, Statement, Value,
+    Angle, Names, Operation, Program, Readable, Rounds, Routine, Statement, Stored, Value,
 };
 use crate::space::{Quantity, Variable};
 
@@ -113,7 +113,8 @@ impl<'w> Writer<'w> {
             spaces: &listing.spaces,
             fields: &fields.entries(),
         };
-        let routine = Routine::of((program, listing.length), &readable, names);
+        let length = listing.length;
+        let routine = Routine::of((program, length), &readable, names, Stored::AtTheEnd);
         let mut writer = Self {
             writing,
             real: listing.scalar,
@@ -192,6 +193,7 @@ impl<'w> Writer<'w> {
                     let value = self.read(value);
                     self.put(*place, &value);
                 }
+                Statement::Found(..) => unreachable!("results are stored at the end"),
                 Statement::Rounds(rounds) => self.rounds(rounds),
             }
         }

@@ -9,7 +9,7 @@ use quote::{ToTokens, quote, quote_spanned};
 
 use super::arguments::{pattern, unpack};
 use super::dialect::Dialect;
-use super::early::Statements;
+use super::early::Filling;
 use super::literals::Numerals;
 use super::names::ident;
 use super::world::World;
@@ -17,16 +17,35 @@ use crate::print::Fields;
 use crate::request::Parameter;
 use crate::schedule::{
     Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Rounds, Routine,
-    Statement, Value,
+    Statement, Stored, Value,
 };
 use crate::space::{Spaces, Variable};
 
 /// The inside of a function.
 pub(super) struct Body {
     /// What comes before the result.
-    pub statements: Statements,
-    /// The numbers of the result.
-    pub results: Vec<TokenStream>,
+    pub statements: TokenStream,
+    /// The numbers of the result; of a matrix that is filled, the matrix.
+    pub results: Results,
+}
+
+/// What a function returns.
+pub(super) enum Results {
+    /// Its numbers, one after the other.
+    Numbers(Vec<TokenStream>),
+    /// A matrix that holds them all.
+    Filled(Ident),
+}
+
+/// How a function returns its numbers.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Returns {
+    /// One number by itself.
+    Number,
+    /// Numbers in arrays.
+    Arrays,
+    /// A matrix with rows so long, which may be filled as its numbers are found.
+    Matrix(usize),
 }
 
 /// The field of a prepared robot.
@@ -35,11 +54,11 @@ pub(super) const VALUES: &str = "values";
 /// How many fields are loaded in one scope; three numbers of a field take up to four `let`s.
 const FIELDS: usize = LONGEST_SCOPE / 4;
 
-/// Writes a program down that reads these arguments and the fields of the struct, and whose result is
-/// one number by itself or in arrays; no function in it is longer than that length.
+/// Writes a program down that reads these arguments and the fields of the struct, and returns its numbers as told; no
+/// function in it is longer than that length.
 pub(super) fn body(
     (program, length): (&Program, Length),
-    (arguments, returns_number): (&[Variable], bool),
+    (arguments, returns): (&[Variable], Returns),
     (fields, spaces): (Fields<'_>, &Spaces),
     dialect: &Dialect,
 ) -> Body {
@@ -51,8 +70,13 @@ pub(super) fn body(
         spaces,
         fields: &fields.entries(),
     };
-    let mut routine = Routine::of((program, length), &readable, names);
-    let returned = returns_number.then(|| returned(&mut routine)).flatten();
+    let stored = match returns {
+        Returns::Matrix(_) => Stored::AsFound,
+        Returns::Number | Returns::Arrays => Stored::AtTheEnd,
+    };
+    let mut routine = Routine::of((program, length), &readable, names, stored);
+    let is_number = returns == Returns::Number;
+    let returned = is_number.then(|| returned(&mut routine)).flatten();
     let parameters = match fields {
         Fields::Own(parameters) => parameters,
         Fields::Computed(_) => &[],
@@ -66,7 +90,12 @@ pub(super) fn body(
         fused,
         names: routine.names,
         work: routine.work.as_ref().map(|work| ident(&work.name)),
+        filling: None,
     };
+    if let (Returns::Matrix(columns), false) = (returns, routine.stored.is_empty()) {
+        let matrix = ident(&writer.names.fresh("y"));
+        writer.filling = Some(Filling { matrix, columns });
+    }
 
     let mut statements = TokenStream::new();
     if let Some(work) = &routine.work {
@@ -92,41 +121,50 @@ pub(super) fn body(
             block(&loads.iter().map(load).collect(), entries.flatten())
         }));
     }
-    let steps = routine.statements.iter();
-    let steps = steps.map(|step| (writer.statement(step), bound(step)));
-    let mut steps: Vec<_> = steps.collect();
-    let calls = routine.work.as_ref().map(|work| writer.calls(work));
-    steps.extend(calls.map(|calls| (calls, Vec::new())));
     let results = routine.results.iter();
     let results = results.map(|result| writer.read(result));
-    let results = match returned {
+    let results: Vec<_> = match returned {
         Some(operation) => vec![writer.operation(&operation)],
         None => results.collect(),
     };
-    let in_table = |statement: &Statement| matches!(statement, Statement::Rounds(_));
-    let waits = routine.work.is_some() || routine.statements.iter().any(in_table);
-    let one = (!waits && routine.has_literals).then(|| writer.numerals.write(1.0));
+    let first = routine.statements.iter().position(stores);
+    let (before, after) = (routine.statements).split_at(first.unwrap_or(routine.statements.len()));
+    statements.extend(writer.statements(before));
+    let results = match &writer.filling {
+        Some(filling) => {
+            let one = writer.numerals.write(1.0);
+            statements.extend(filling.begin(&results, &routine.stored, &one));
+            Results::Filled(filling.matrix.clone())
+        }
+        None => Results::Numbers(results),
+    };
+    statements.extend(writer.statements(after));
+    statements.extend(routine.work.as_ref().map(|work| writer.calls(work)));
     Body {
-        statements: Statements {
-            head: statements,
-            steps,
-            names: writer.names,
-            one,
-        },
+        statements,
         results,
     }
 }
 
-/// The names that a statement binds.
-fn bound(statement: &Statement) -> Vec<String> {
-    match statement {
-        Statement::Operation(name, _) => vec![name.clone()],
-        Statement::SinesAndCosines(angles) => {
-            let names = angles.iter().flat_map(|angle| [&angle.sine, &angle.cosine]);
-            names.flatten().cloned().collect()
+impl Results {
+    /// The numbers of a function that fills no matrix.
+    pub(super) fn numbers(self) -> Vec<TokenStream> {
+        match self {
+            Self::Numbers(numbers) => numbers,
+            Self::Filled(_) => unreachable!("no matrix was asked for"),
         }
-        Statement::Block { handed_on, .. } => handed_on.clone(),
-        Statement::Left(..) | Statement::Rounds(_) => Vec::new(),
+    }
+}
+
+/// Whether results are stored within a statement.
+fn stores(statement: &Statement) -> bool {
+    match statement {
+        Statement::Found(..) => true,
+        Statement::Block { statements, .. } => statements.iter().any(stores),
+        Statement::Operation(..)
+        | Statement::SinesAndCosines(_)
+        | Statement::Left(..)
+        | Statement::Rounds(_) => false,
     }
 }
 
@@ -153,6 +191,8 @@ pub(super) struct Writer<'d> {
     names: Names,
     /// The array in which values wait, where there is one.
     pub(super) work: Option<Ident>,
+    /// The matrix that results are stored in, where there is one.
+    filling: Option<Filling>,
 }
 
 impl Writer<'_> {
@@ -178,6 +218,10 @@ impl Writer<'_> {
                 block(&inside, handed_on.iter())
             }
             Statement::Left(place, value) => self.put(*place, &self.read(value)),
+            Statement::Found(result, value) => {
+                let (filling, value) = (self.filling.as_ref(), self.read(value));
+                filling.map_or_else(TokenStream::new, |filling| filling.store(*result, &value))
+            }
             Statement::Rounds(rounds) => self.rounds(rounds),
         }
     }

@@ -7,7 +7,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, body};
+use super::body::{Body, Returns, body};
 use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
@@ -36,10 +36,11 @@ pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
         results,
     } = body(
         (&data.program, Length::UNBOUNDED),
-        (&[], false),
+        (&[], Returns::Arrays),
         (Fields::Own(&listing.parameters), &listing.spaces),
         &dialect.of_data(),
     );
+    let results = results.numbers();
     let value = value(data, &results, runtime);
 
     let about = doc(&documentation::of_chain(listing));

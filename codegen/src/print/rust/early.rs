@@ -1,36 +1,52 @@
-//! The statements of a function, and large matrices that they fill as they go.
+//! Large matrices that a function fills as it goes.
 //!
-//! In: statements with the names that they bind, and results. Out: one after the other; or, of a large matrix,
-//! with each result stored where it is returned as soon as it is found. Hundreds of numbers that nothing reads any
-//! more would otherwise wait on the stack for the end, as no compiler brings stores forward so far. It never
-//! changes a statement, only what stands between two.
+//! In: the results of a function, and which of them its statements store. Out: the matrix as it begins, and what
+//! stores an entry. Hundreds of numbers that nothing reads any more would otherwise wait on the stack for the end, as
+//! no compiler brings stores forward so far. It never says when an entry is found.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
-use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
 
-use super::names::ident;
 use crate::function::Function;
-use crate::schedule::{LONGEST_SCOPE, Names};
+use crate::schedule::LONGEST_SCOPE;
 use crate::space::{Outcome, Spaces};
 
-/// What comes before the result of a function.
-pub(super) struct Statements {
-    /// What binds constants, arguments and fields.
-    pub head: TokenStream,
-    /// What computes, each with the names that it binds.
-    pub steps: Vec<(TokenStream, Vec<String>)>,
-    /// All names that are taken.
-    pub names: Names,
-    /// A one, where numbers can be written and no result waits in an array.
-    pub one: Option<TokenStream>,
+/// A matrix that is filled.
+pub(super) struct Filling {
+    /// Its name.
+    pub matrix: Ident,
+    /// How long its rows are.
+    pub columns: usize,
 }
 
-impl ToTokens for Statements {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        let steps = self.steps.iter().map(|(step, _)| step);
-        tokens.extend(std::iter::once(&self.head).chain(steps).cloned());
+impl Filling {
+    /// The matrix with all results that are known from the start, and a one for those that are stored later.
+    ///
+    /// Not a zero: what began as zeros alone would be cleared by a call for all of it, which takes longer
+    /// than the stores that this saves.
+    pub fn begin(
+        &self,
+        results: &[TokenStream],
+        stored: &BTreeSet<usize>,
+        one: &TokenStream,
+    ) -> TokenStream {
+        let at_first = results.iter().enumerate();
+        let at_first = at_first.map(|(k, result)| if stored.contains(&k) { one } else { result });
+        let at_first: Vec<_> = at_first.collect();
+        let rows = at_first.chunks(self.columns);
+        let rows = rows.map(|row| quote! { [#(#row),*] });
+        let matrix = &self.matrix;
+        quote! { let mut #matrix = [#(#rows),*]; }
+    }
+
+    /// `y[1][2] = a;`, of the result of that index.
+    pub fn store(&self, result: usize, value: &TokenStream) -> TokenStream {
+        let place = [result / self.columns, result % self.columns];
+        let [row, column] = place.map(Literal::usize_unsuffixed);
+        let matrix = &self.matrix;
+        quote! { #matrix[#row][#column] = #value; }
     }
 }
 
@@ -52,55 +68,17 @@ pub(super) fn columns(functions: &[Function], spaces: &Spaces) -> Option<usize> 
     (rows * columns > LONGEST_SCOPE).then_some(columns)
 }
 
-impl Statements {
-    /// The statements, which store results as they find them, and the matrix of all results at the end; nothing
-    /// where that is not possible.
-    pub fn filling(&self, results: &[TokenStream], columns: usize) -> Option<TokenStream> {
-        let one = self.one.as_ref()?;
-        let bound = self.steps.iter().zip(0_usize..);
-        let bound = bound.flat_map(|((_, names), step)| names.iter().map(move |name| (name, step)));
-        let bound: BTreeMap<&String, usize> = bound.collect();
-        let matrix = ident(&self.names.clone().fresh("y"));
-
-        let mut stores = vec![TokenStream::new(); self.steps.len()];
-        let at_first = results.iter().enumerate().map(|(k, result)| {
-            let Some(&step) = bound.get(&result.to_string()) else {
-                return result;
-            };
-            let [row, column] = [k / columns, k % columns].map(Literal::usize_unsuffixed);
-            stores[step].extend(quote! { #matrix[#row][#column] = #result; });
-            // Not zero: what began as zeros alone would be cleared by a call for all of it, which takes longer
-            // than the stores that this saves.
-            one
-        });
-        let at_first: Vec<_> = at_first.collect();
-        let rows = at_first.chunks(columns).map(|row| quote! { [#(#row),*] });
-        let begun = quote! { let mut #matrix = [#(#rows),*]; };
-
-        let first = stores.iter().position(|stores| !stores.is_empty())?;
-        let steps = self.steps.iter().map(|(step, _)| step);
-        let mut written: Vec<_> = steps
-            .zip(stores)
-            .map(|(step, stores)| quote! { #step #stores })
-            .collect();
-        written.insert(first, begun);
-        let head = &self.head;
-        Some(quote! { #head #(#written)* #matrix })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use proc_macro2::TokenStream;
-    use quote::quote;
+    use quote::{format_ident, quote};
 
-    use super::{Statements, columns};
+    use super::{Filling, columns};
     use crate::chain;
     use crate::description;
     use crate::error::Errors;
     use crate::function::Function;
     use crate::request::Request;
-    use crate::schedule::Names;
     use crate::space::Spaces;
 
     fn spaces(robot: &str, request: &Request) -> Spaces {
@@ -136,58 +114,21 @@ mod tests {
         assert_eq!(columns(&[Function::MassMatrixInverse], &free), None);
     }
 
-    fn statements(one: Option<TokenStream>) -> Statements {
-        let steps = [
-            (quote! { let s = sine(q); }, vec!["s"]),
-            (quote! { let a = s * q; }, vec!["a"]),
-            (
-                quote! { let [b, c] = { let d = a * a; [a * d, d * d] }; },
-                vec!["b", "c"],
-            ),
-        ];
-        let own = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect();
-        Statements {
-            head: quote! { let k = constant; let [q] = *q; },
-            steps: steps.map(|(step, names)| (step, own(names))).into(),
-            names: Names::beside(&["q", "y"]),
-            one,
-        }
-    }
-
-    fn results() -> Vec<TokenStream> {
-        ["k(0.0)", "a", "b", "q", "c", "a"]
-            .map(|text| text.parse().expect("tokens"))
-            .into()
-    }
-
     #[test]
-    fn what_is_found_is_stored_behind_the_statement_that_binds_it() {
-        let filling = statements(Some(quote! { k(1.0) })).filling(&results(), 3);
-        let expected = quote! {
-            let k = constant;
-            let [q] = *q;
-            let s = sine(q);
-            let mut y_ = [[k(0.0), k(1.0), k(1.0)], [q, k(1.0), k(1.0)]];
-            let a = s * q;
-            y_[0][1] = a;
-            y_[1][2] = a;
-            let [b, c] = { let d = a * a; [a * d, d * d] };
-            y_[0][2] = b;
-            y_[1][1] = c;
-            y_
+    fn what_is_found_is_stored_in_its_place_and_the_rest_is_there_from_the_start() {
+        let filling = Filling {
+            matrix: format_ident!("y_"),
+            columns: 3,
         };
-        let filling = filling.expect("there is something to store");
-        assert_eq!(filling.to_string(), expected.to_string());
-    }
-
-    #[test]
-    fn nothing_is_stored_early_where_nothing_is_found_or_no_number_can_be_written() {
-        let known = vec![quote! { k(0.0) }, quote! { q }];
-        assert!(
-            statements(Some(quote! { k(1.0) }))
-                .filling(&known, 2)
-                .is_none()
-        );
-        assert!(statements(None).filling(&results(), 3).is_none());
+        let results: Vec<TokenStream> = ["k(0.0)", "a", "b", "q", "c", "a"]
+            .map(|text| text.parse().expect("tokens"))
+            .into();
+        let begun = filling.begin(&results, &[1, 2, 4, 5].into(), &quote! { k(1.0) });
+        let expected = quote! {
+            let mut y_ = [[k(0.0), k(1.0), k(1.0)], [q, k(1.0), k(1.0)]];
+        };
+        assert_eq!(begun.to_string(), expected.to_string());
+        let stored = filling.store(5, &results[5]);
+        assert_eq!(stored.to_string(), quote! { y_[1][2] = a; }.to_string());
     }
 }

@@ -7,7 +7,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::body::{Body, body};
+use super::body::{Body, Returns, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
@@ -54,10 +54,11 @@ fn method(
         results,
     } = body(
         (&listed.program, Length::UNBOUNDED),
-        (&arguments, false),
+        (&arguments, Returns::Arrays),
         (Fields::Own(&listing.parameters), &listing.spaces),
         dialect,
     );
+    let results = results.numbers();
     let number = &dialect.number;
     let parameters = arguments.iter().map(|argument| {
         let length = literal(listing.spaces.len(argument.space()));

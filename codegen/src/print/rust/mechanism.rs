@@ -7,7 +7,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, body};
+use super::body::{Body, Returns, body};
 use super::chain::index;
 use super::comments::doc;
 use super::dialect::Dialect;
@@ -38,10 +38,11 @@ pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> To
         results,
     } = body(
         (&data.loops.program, Length::UNBOUNDED),
-        (&[], false),
+        (&[], Returns::Arrays),
         (Fields::Own(&listing.parameters), &listing.spaces),
         &dialect.of_data(),
     );
+    let results = results.numbers();
     let loops = data.loops.loops.iter().zip(results.chunks(LOOP));
     let residuals = loops.flat_map(|(closed, numbers)| residuals(closed, numbers, runtime));
     let driven = &data.loops.driven;

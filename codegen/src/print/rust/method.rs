@@ -7,7 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::arguments::{no_actions, type_of};
-use super::body::{Body, body};
+use super::body::{Body, Results, Returns, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
@@ -29,23 +29,28 @@ pub(super) fn computation(
 ) -> TokenStream {
     let spaces = &listing.spaces;
     let arguments = listed.arguments(spaces);
-    let is_number = |function: &Function| function.result().is_number();
-    let returns_number = matches!(&*listed.functions, [only] if is_number(only));
+    let returns = match (
+        &*listed.functions,
+        early::columns(&listed.functions, spaces),
+    ) {
+        ([only], _) if only.result().is_number() => Returns::Number,
+        (_, Some(columns)) => Returns::Matrix(columns),
+        (_, None) => Returns::Arrays,
+    };
     let Body {
         statements,
         results,
     } = body(
         (&listed.program, listing.length),
-        (&arguments, returns_number),
+        (&arguments, returns),
         (fields, spaces),
         dialect,
     );
-    let columns = early::columns(&listed.functions, spaces);
-    let filled = columns.and_then(|columns| statements.filling(&results, columns));
-    filled.unwrap_or_else(|| {
-        let result = result_value(&listed.functions, spaces, &results, dialect);
-        quote! { #statements #result }
-    })
+    let result = match results {
+        Results::Filled(matrix) => matrix.into_token_stream(),
+        Results::Numbers(numbers) => result_value(&listed.functions, spaces, &numbers, dialect),
+    };
+    quote! { #statements #result }
 }
 
 /// The method that computes `listed` by what stands between its braces, under these lines.

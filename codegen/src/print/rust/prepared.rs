@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 use syn::{Generics, parse_quote};
 
-use super::body::{Body, VALUES, body};
+use super::body::{Body, Returns, VALUES, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
@@ -36,10 +36,11 @@ pub(super) fn prepared(
         results,
     } = body(
         (&prepared.once, listing.length),
-        (&[], false),
+        (&[], Returns::Arrays),
         (Fields::Own(&listing.parameters), &listing.spaces),
         dialect,
     );
+    let results = results.numbers();
     let (values, visibility) = (ident(VALUES), &item.visibility);
     let name = &own.ident;
     let about = doc(&documentation::of_prepare(&prepared.price));

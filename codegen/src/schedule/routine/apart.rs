@@ -3,6 +3,8 @@
 //! In: the sections of a program, and a routine whose names are being given. Out: the routine, with what
 //! each section takes of the work array, computes, and leaves there. It never says where to cut.
 
+use std::collections::BTreeSet;
+
 use super::{Entries, Naming, Routine, Statement, Value};
 use crate::schedule::blocks::{before, within};
 use crate::schedule::repeats::Repeat;
@@ -73,6 +75,7 @@ impl Naming<'_> {
                 sections: each,
             }),
             results,
+            stored: BTreeSet::new(),
             // The array is filled with zeros.
             has_literals: true,
             is_fused: is_fused(&program.steps[..program.before_angles]),

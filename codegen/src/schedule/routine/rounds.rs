@@ -81,7 +81,7 @@ impl Naming<'_> {
 mod tests {
     use std::collections::BTreeMap;
 
-    use super::super::{Readable, Routine, Statement, Value};
+    use super::super::{Readable, Routine, Statement, Stored, Value};
     use crate::schedule::repeats::tests::{HEAD, LENGTH, program};
     use crate::schedule::{Length, Names, Operation, Program, run};
     use crate::space::{Entry, Kind, Spaces, Variable};
@@ -134,7 +134,9 @@ mod tests {
                         self.tables.insert(rounds.table.clone(), table);
                     }
                     Statement::Left(place, value) => self.work[*place] = self.read(value),
-                    Statement::SinesAndCosines(_) => unreachable!("{statement:?}"),
+                    Statement::SinesAndCosines(_) | Statement::Found(..) => {
+                        unreachable!("{statement:?}")
+                    }
                 }
             }
         }
@@ -157,7 +159,7 @@ mod tests {
             fields: &[],
         };
         let names = Names::beside(&["columns"]);
-        let routine = Routine::of((program, length), &readable, names);
+        let routine = Routine::of((program, length), &readable, names, Stored::AtTheEnd);
         let mut written = Written::default();
         written.bound.insert("q_1".to_owned(), 0.7);
         written.run(&routine.statements);

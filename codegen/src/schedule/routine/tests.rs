@@ -1,6 +1,6 @@
 //! What a routine is called and made of.
 
-use super::{Angle, Names, Readable, Routine, Statement, Value};
+use super::{Angle, Names, Readable, Routine, Statement, Stored, Value};
 use crate::expression::Input;
 use crate::schedule::{Length, Operand, Operation, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
@@ -35,7 +35,7 @@ fn program() -> Program {
     }
 }
 
-fn routine(names: Names) -> Routine {
+fn routine(names: Names, stored: Stored) -> Routine {
     let entry = |name: &str| Entry {
         name: name.to_owned(),
         kind: Kind::Turn,
@@ -55,12 +55,12 @@ fn routine(names: Names) -> Routine {
         spaces: &spaces,
         fields: &fields,
     };
-    Routine::of((&program(), Length::UNBOUNDED), &readable, names)
+    Routine::of((&program(), Length::UNBOUNDED), &readable, names, stored)
 }
 
 #[test]
 fn what_is_read_has_a_name_and_nothing_else() {
-    let routine = routine(Names::beside(&["q_2", "phi"]));
+    let routine = routine(Names::beside(&["q_2", "phi"]), Stored::AtTheEnd);
     let some = |name: &str| Some(name.to_owned());
     let arguments = [
         (Variable::Q, vec![some("q_1"), some("q_2_"), None]),
@@ -94,4 +94,71 @@ fn what_is_read_has_a_name_and_nothing_else() {
         ["t_1", "t_2"].map(|wish| names.fresh(wish)),
         ["t_1_", "t_2"]
     );
+}
+
+#[test]
+fn results_are_stored_behind_what_computes_them_where_that_is_asked_for() {
+    let names = || Names::beside(&[]);
+    let at_the_end = routine(names(), Stored::AtTheEnd);
+    assert!(at_the_end.stored.is_empty());
+    let mut as_found = routine(names(), Stored::AsFound);
+    assert_eq!(as_found.results, at_the_end.results);
+    // A number that is known at generation is there from the start.
+    assert_eq!(as_found.stored, [0].into());
+    let last = as_found.statements.pop();
+    assert_eq!(last, Some(Statement::Found(0, name("phi"))));
+    assert_eq!(as_found.statements, at_the_end.statements);
+}
+
+/// The sine of q₁, and a chain of steps of which each is a result.
+#[test]
+fn what_is_only_a_result_leaves_no_block() {
+    let steps = 1000_u32;
+    let q = Operand::Input(Input::Variable(Variable::Q, 0));
+    let operation = |k: u32| match k {
+        0 => Operation::Mul(Operand::Literal(0.5), Operand::Sin(0)),
+        k => Operation::Mul(Operand::Cos(0), Operand::Step(k - 1)),
+    };
+    let program = Program {
+        angles: vec![q],
+        before_angles: 0,
+        steps: (0..steps)
+            .map(|k| Step {
+                label: None,
+                operation: operation(k),
+            })
+            .collect(),
+        results: std::iter::once(Operand::Sin(0))
+            .chain((0..steps).map(Operand::Step))
+            .collect(),
+    };
+    let entry = Entry {
+        name: "hip".to_owned(),
+        kind: Kind::Turn,
+        range: None,
+    };
+    let spaces = Spaces {
+        coordinates: vec![entry].into(),
+        ..Spaces::default()
+    };
+    let readable = Readable {
+        arguments: &[Variable::Q],
+        spaces: &spaces,
+        fields: &[],
+    };
+    let handed_on = |stored| {
+        let names = Names::beside(&[]);
+        let routine = Routine::of((&program, Length::UNBOUNDED), &readable, names, stored);
+        let handed_on = |statement: &Statement| match statement {
+            Statement::Block { handed_on, .. } => handed_on.len(),
+            _ => 0,
+        };
+        let blocks: usize = routine.statements.iter().map(handed_on).sum();
+        (blocks, routine.stored.len())
+    };
+    assert_eq!(handed_on(Stored::AtTheEnd), (1000, 0));
+    let (blocks, stored) = handed_on(Stored::AsFound);
+    // The last of each block alone is read by the next one.
+    assert!((1..20).contains(&blocks), "{blocks}");
+    assert_eq!(stored, 1001);
 }

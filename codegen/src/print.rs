@@ -8,6 +8,7 @@
 pub(crate) mod ascii;
 pub mod c;
 mod documentation;
+mod large;
 #[cfg(feature = "pretty")]
 pub mod python;
 mod review;

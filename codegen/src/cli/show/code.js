@@ -74,6 +74,13 @@ function analysed(code) {
         k = skip(close + 1);
         continue;
       }
+      // A block that leaves nothing but what it stores.
+      if (tokens[k] === "{") {
+        const close = find(k + 1, "}", to);
+        statements(k + 1, close);
+        k = skip(close + 1);
+        continue;
+      }
       if (tokens[k] !== "let") {
         const end = find(k, ";", to);
         if (end === to) break;

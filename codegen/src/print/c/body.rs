@@ -11,6 +11,7 @@ use super::declarations::{VALUES, argument_lengths, lengths, members, number, re
 use super::literals::literal;
 use super::names::unscoped;
 use crate::formulation::Sines;
+use crate::print::large::columns;
 use crate::print::review::filled;
 use crate::print::{Fields, Listed, Listing, Prepared};
 use crate::real::Real;
@@ -38,8 +39,11 @@ pub(super) fn body(
     let results = results(&listed.functions);
     let taken = results.iter().map(|(name, _)| name.as_str());
     let names = names(taken, writing);
+    let large = columns(&listed.functions, &listing.spaces).is_some();
+    let filled = results.first().filter(|_| large);
+    let filled = filled.map(|(name, quantity)| (name.clone(), lengths(quantity, &listing.spaces)));
     let (mut writer, routine) = Writer::of(
-        &listed.program,
+        (&listed.program, filled),
         (listing, fields),
         &arguments,
         (names, writing),
@@ -61,8 +65,12 @@ pub(super) fn once(
 ) -> Body {
     let names = names(["prepared"].into_iter(), writing);
     let fields = Fields::Own(&listing.parameters);
-    let (mut writer, routine) =
-        Writer::of(&prepared.once, (listing, fields), &[], (names, writing));
+    let (mut writer, routine) = Writer::of(
+        (&prepared.once, None),
+        (listing, fields),
+        &[],
+        (names, writing),
+    );
     let sections = writer.sections(&routine, own);
     for (k, value) in routine.results.iter().enumerate() {
         let value = writer.read(value);
@@ -98,12 +106,14 @@ pub(super) struct Writer<'w> {
     names: Names,
     /// The array in which values wait, where there is one.
     pub(super) work: String,
+    /// The matrix in which results are stored as they are found, where there is one, and its lengths.
+    filled: Option<(String, Vec<usize>)>,
 }
 
 impl<'w> Writer<'w> {
-    /// The statements of a program, and its routine.
+    /// The statements of a program, and its routine; of one that fills a matrix, the matrix' name and lengths.
     fn of(
-        program: &Program,
+        (program, filled): (&Program, Option<(String, Vec<usize>)>),
         (listing, fields): (&Listing, Fields<'_>),
         arguments: &[Variable],
         (names, writing): (Names, &'w Writing<'w>),
@@ -114,7 +124,11 @@ impl<'w> Writer<'w> {
             fields: &fields.entries(),
         };
         let length = listing.length;
-        let routine = Routine::of((program, length), &readable, names, Stored::AtTheEnd);
+        let stored = match filled {
+            Some(_) => Stored::AsFound,
+            None => Stored::AtTheEnd,
+        };
+        let routine = Routine::of((program, length), &readable, names, stored);
         let mut writer = Self {
             writing,
             real: listing.scalar,
@@ -125,6 +139,7 @@ impl<'w> Writer<'w> {
                 .work
                 .as_ref()
                 .map_or_else(String::new, |work| work.name.clone()),
+            filled,
         };
         writer.load(&routine, (listing, fields));
         writer.statements(&routine.statements);
@@ -193,7 +208,13 @@ impl<'w> Writer<'w> {
                     let value = self.read(value);
                     self.put(*place, &value);
                 }
-                Statement::Found(..) => unreachable!("results are stored at the end"),
+                Statement::Found(result, value) => {
+                    let filled = self.filled.as_ref();
+                    let (name, lengths) =
+                        filled.expect("what is stored as it is found has a matrix");
+                    let (place, value) = (place(name, *result, lengths), self.read(value));
+                    self.line(&format!("{place} = {value};"));
+                }
                 Statement::Rounds(rounds) => self.rounds(rounds),
             }
         }
@@ -301,13 +322,16 @@ impl<'w> Writer<'w> {
         }
     }
 
-    /// The results, one after the other.
+    /// The results that are not stored yet, one after the other.
     fn store(&mut self, routine: &Routine, listing: &Listing, results: &[(String, Quantity)]) {
-        let mut values = routine.results.iter();
+        let mut values = routine.results.iter().enumerate();
         for (name, quantity) in results {
             let lengths = lengths(quantity, &listing.spaces);
             let size = lengths.iter().product::<usize>();
-            for (k, value) in values.by_ref().take(size).enumerate() {
+            for (k, (result, value)) in values.by_ref().take(size).enumerate() {
+                if routine.stored.contains(&result) {
+                    continue;
+                }
                 let value = self.read(value);
                 let place = place(name, k, &lengths);
                 self.line(&format!("{place} = {value};"));

@@ -263,3 +263,44 @@ HOMOGEN_FN static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
             .contains("APART")
     );
 }
+
+#[test]
+fn entries_of_large_matrices_are_stored_as_they_are_found() {
+    let (q, two) = (
+        Operand::Input(Input::Variable(Variable::Q, 0)),
+        literal(2.0),
+    );
+    let mut results = vec![literal(0.0); 13 * 13];
+    results[1] = Operand::Step(0);
+    results[13] = Operand::Step(0);
+    results[168] = Operand::Step(1);
+    let program = Program {
+        angles: Vec::new(),
+        before_angles: 0,
+        steps: vec![
+            step("", Operation::Mul(two, q)),
+            step("", Operation::Add(Operand::Step(0), q)),
+        ],
+        results,
+    };
+    let joints = (1..=13).map(|joint| format!("joint {joint}"));
+    let large = Listing {
+        spaces: turning(joints),
+        functions: vec![listed(&[Function::MassMatrix], program)],
+        ..listing(Real::F64)
+    };
+    let source = written(&large);
+    let begun = "    const double q_1 = q[0];
+    const double t_1 = 2.0 * q_1;
+    mass_matrix[0][1] = t_1;
+    mass_matrix[1][0] = t_1;
+    const double t_2 = t_1 + q_1;
+    mass_matrix[12][12] = t_2;
+    mass_matrix[0][0] = 0.0;
+    mass_matrix[0][2] = 0.0;
+";
+    let body = body(&source);
+    assert!(body.starts_with(begun), "{body}");
+    let stores = body.lines().filter(|line| line.contains("mass_matrix["));
+    assert_eq!(stores.count(), 13 * 13);
+}

@@ -219,8 +219,9 @@ impl Writer<'_> {
             }
             Statement::Left(place, value) => self.put(*place, &self.read(value)),
             Statement::Found(result, value) => {
-                let (filling, value) = (self.filling.as_ref(), self.read(value));
-                filling.map_or_else(TokenStream::new, |filling| filling.store(*result, &value))
+                let filling = self.filling.as_ref();
+                let filling = filling.expect("what is stored as it is found has a matrix");
+                filling.store(*result, &self.read(value))
             }
             Statement::Rounds(rounds) => self.rounds(rounds),
         }

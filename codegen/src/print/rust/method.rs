@@ -11,13 +11,13 @@ use super::body::{Body, Results, Returns, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
-use super::early;
 use super::item::Item;
 use super::lengths::{Lengths, known};
 use super::names::ident;
 use super::results::{result_type, result_value};
 use super::world::World;
 use crate::function::Function;
+use crate::print::large::columns;
 use crate::print::{Fields, Listed, Listing, arguments};
 use crate::space::{Space, Spaces};
 
@@ -29,10 +29,7 @@ pub(super) fn computation(
 ) -> TokenStream {
     let spaces = &listing.spaces;
     let arguments = listed.arguments(spaces);
-    let returns = match (
-        &*listed.functions,
-        early::columns(&listed.functions, spaces),
-    ) {
+    let returns = match (&*listed.functions, columns(&listed.functions, spaces)) {
         ([only], _) if only.result().is_number() => Returns::Number,
         (_, Some(columns)) => Returns::Matrix(columns),
         (_, None) => Returns::Arrays,

@@ -1,0 +1,70 @@
+//! Which matrices are so large that their entries are stored as they are found.
+//!
+//! In: functions. Out: how long the rows are. Hundreds of numbers that nothing reads any more would otherwise wait on
+//! the stack for the end, as no compiler brings stores forward so far. It never stores anything.
+
+use crate::function::Function;
+use crate::schedule::LONGEST_SCOPE;
+use crate::space::{Outcome, Spaces};
+
+/// How long the rows are of what `functions` return, where they are those of a matrix with more numbers than a
+/// scope has, none of which is read again: what is solved for is made of what was found before.
+pub(super) fn columns(functions: &[Function], spaces: &Spaces) -> Option<usize> {
+    let [function] = functions else {
+        return None;
+    };
+    let Outcome::One(quantity) = function.result() else {
+        return None;
+    };
+    if function.solves() || function.is_constrained() {
+        return None;
+    }
+    let [rows, columns] = quantity.lengths(spaces)[..] else {
+        return None;
+    };
+    (rows * columns > LONGEST_SCOPE).then_some(columns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::columns;
+    use crate::chain;
+    use crate::description;
+    use crate::error::Errors;
+    use crate::function::Function;
+    use crate::request::Request;
+    use crate::space::Spaces;
+
+    fn spaces(robot: &str, request: &Request) -> Spaces {
+        let path = format!("{}/../robots/{robot}.urdf", env!("CARGO_MANIFEST_DIR"));
+        let description = description::read_file(path.as_ref(), None, &mut Errors::new());
+        let description = description.expect("a robot that ships");
+        let chain = chain::build(&description, request).expect("no mistakes");
+        chain.spaces().clone()
+    }
+
+    #[test]
+    fn matrices_with_more_numbers_than_a_scope_has_are_filled_but_where_they_are_solved_for() {
+        let fixed = Request::default();
+        let [two_link, ur5, quadruped] =
+            ["two_link", "ur5_class", "quadruped"].map(|robot| spaces(robot, &fixed));
+        let floating = Request {
+            floating: true,
+            ..fixed
+        };
+        let free = spaces("quadruped", &floating);
+        assert_eq!(columns(&[Function::Regressor], &ur5), Some(60));
+        assert_eq!(columns(&[Function::BaseRegressor], &ur5), Some(36));
+        assert_eq!(columns(&[Function::Regressor], &two_link), None);
+        assert_eq!(
+            columns(&[Function::Regressor, Function::Gravity], &ur5),
+            None
+        );
+        assert_eq!(columns(&[Function::InverseDynamicsDerivatives], &ur5), None);
+        for function in [Function::MassMatrix, Function::CoriolisMatrix] {
+            assert_eq!(columns(&[function], &free), Some(18));
+            assert_eq!(columns(&[function], &quadruped), None);
+        }
+        assert_eq!(columns(&[Function::MassMatrixInverse], &free), None);
+    }
+}

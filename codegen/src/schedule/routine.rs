@@ -162,17 +162,21 @@ impl Routine {
         let has_literals = program.operands().any(is_literal);
         let early = stored == Stored::AsFound && repeats.is_empty() && has_literals;
         let kept = if early { &[][..] } else { &program.results };
-        if early {
-            naming.found = found(program);
+        let mut stored = BTreeSet::new();
+        let mut turned = Vec::new();
+        for (result, &operand) in program.results.iter().enumerate().filter(|_| early) {
+            match operand {
+                Operand::Literal(_) | Operand::Input(_) => continue,
+                Operand::Sin(_) | Operand::Cos(_) => turned.push((result, operand)),
+                Operand::Step(step) => naming.found.entry(step).or_default().push(result),
+            }
+            stored.insert(result);
         }
         let parts = nested(program, &repeats, kept);
         let mut statements = naming.statements(&parts.before);
         statements.extend(naming.sines_and_cosines());
-        for angle in 0..naming.angles.len() {
-            let angle = u32::try_from(angle).expect("fewer than 2³² angles");
-            statements.extend(naming.stores(Operand::Sin(angle)));
-            statements.extend(naming.stores(Operand::Cos(angle)));
-        }
+        let found = |(result, operand)| Statement::Found(result, naming.value(operand));
+        statements.extend(turned.into_iter().map(found));
         let mut repeats = repeats.iter();
         for parts in &parts.after {
             statements.extend(naming.statements(parts));
@@ -186,7 +190,7 @@ impl Routine {
             statements,
             work: None,
             results: results.map(|&result| naming.value(result)).collect(),
-            stored: naming.found.into_values().flatten().collect(),
+            stored,
             has_literals,
             is_fused: (program.steps.iter()).any(|step| step.operation.is_fused()),
             names: naming.names,
@@ -207,36 +211,6 @@ fn turns(program: &Program) -> Vec<[bool; 2]> {
     turns
 }
 
-/// The results that are computed, by what they are of.
-fn found(program: &Program) -> BTreeMap<Key, Vec<usize>> {
-    let mut found: BTreeMap<Key, Vec<usize>> = BTreeMap::new();
-    for (result, &operand) in program.results.iter().enumerate() {
-        if let Some(key) = Key::of(operand) {
-            found.entry(key).or_default().push(result);
-        }
-    }
-    found
-}
-
-/// What a statement binds.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Key {
-    Sin(u32),
-    Cos(u32),
-    Step(u32),
-}
-
-impl Key {
-    fn of(operand: Operand) -> Option<Self> {
-        match operand {
-            Operand::Sin(angle) => Some(Self::Sin(angle)),
-            Operand::Cos(angle) => Some(Self::Cos(angle)),
-            Operand::Step(step) => Some(Self::Step(step)),
-            Operand::Literal(_) | Operand::Input(_) => None,
-        }
-    }
-}
-
 /// A routine in the making.
 struct Naming<'p> {
     program: &'p Program,
@@ -253,8 +227,8 @@ struct Naming<'p> {
     unnamed: usize,
     /// The steps that are put into the work array, and where.
     left: BTreeMap<u32, usize>,
-    /// The results that are stored as they are found, by what they are of.
-    found: BTreeMap<Key, Vec<usize>>,
+    /// The steps that are stored as results, and as which.
+    found: BTreeMap<u32, Vec<usize>>,
     /// Of the round that is written, what a step takes as one of its operands; nothing outside of rounds.
     taken: HashMap<(u32, usize), String>,
 }
@@ -297,7 +271,10 @@ impl Naming<'_> {
                         let value = self.steps[*step as usize].clone();
                         statements.push(Statement::Left(place, value));
                     }
-                    statements.extend(self.stores(Operand::Step(*step)));
+                    for &result in self.found.get(step).into_iter().flatten() {
+                        let value = self.steps[*step as usize].clone();
+                        statements.push(Statement::Found(result, value));
+                    }
                 }
                 Part::Block(Block { parts, handed_on }) => {
                     let inside = self.statements(parts);
@@ -310,14 +287,6 @@ impl Naming<'_> {
             }
         }
         statements
-    }
-
-    /// What stores a value wherever it is a result.
-    fn stores(&self, operand: Operand) -> Vec<Statement> {
-        let results = Key::of(operand).and_then(|key| self.found.get(&key));
-        let stores = results.into_iter().flatten();
-        let store = |&result| Statement::Found(result, self.value(operand));
-        stores.map(store).collect()
     }
 
     /// The name that the result of a step is bound to.

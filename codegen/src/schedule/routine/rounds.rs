@@ -81,10 +81,10 @@ impl Naming<'_> {
 mod tests {
     use std::collections::BTreeMap;
 
-    use super::super::{Readable, Routine, Statement, Stored, Value};
+    use super::super::tests::of_a_hinge;
+    use super::super::{Statement, Stored, Value};
     use crate::schedule::repeats::tests::{HEAD, LENGTH, program};
     use crate::schedule::{Length, Names, Operation, Program, run};
-    use crate::space::{Entry, Kind, Spaces, Variable};
 
     /// What a language makes of a routine.
     #[derive(Default)]
@@ -144,22 +144,8 @@ mod tests {
 
     /// The results of a program in functions of a length, and how many loops it has.
     fn results(program: &Program, length: Length) -> (Vec<f64>, usize) {
-        let entry = Entry {
-            name: "hip".to_owned(),
-            kind: Kind::Turn,
-            range: None,
-        };
-        let spaces = Spaces {
-            coordinates: vec![entry].into(),
-            ..Spaces::default()
-        };
-        let readable = Readable {
-            arguments: &[Variable::Q],
-            spaces: &spaces,
-            fields: &[],
-        };
         let names = Names::beside(&["columns"]);
-        let routine = Routine::of((program, length), &readable, names, Stored::AtTheEnd);
+        let routine = of_a_hinge((program, length), names, Stored::AtTheEnd);
         let mut written = Written::default();
         written.bound.insert("q_1".to_owned(), 0.7);
         written.run(&routine.statements);

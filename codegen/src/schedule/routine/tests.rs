@@ -110,6 +110,25 @@ fn results_are_stored_behind_what_computes_them_where_that_is_asked_for() {
     assert_eq!(as_found.statements, at_the_end.statements);
 }
 
+/// The routine of a program that reads the angle of a hinge.
+pub(super) fn of_a_hinge(program: (&Program, Length), names: Names, stored: Stored) -> Routine {
+    let entry = Entry {
+        name: "hip".to_owned(),
+        kind: Kind::Turn,
+        range: None,
+    };
+    let spaces = Spaces {
+        coordinates: vec![entry].into(),
+        ..Spaces::default()
+    };
+    let readable = Readable {
+        arguments: &[Variable::Q],
+        spaces: &spaces,
+        fields: &[],
+    };
+    Routine::of(program, &readable, names, stored)
+}
+
 /// The sine of q₁, and a chain of steps of which each is a result.
 #[test]
 fn what_is_only_a_result_leaves_no_block() {
@@ -132,23 +151,9 @@ fn what_is_only_a_result_leaves_no_block() {
             .chain((0..steps).map(Operand::Step))
             .collect(),
     };
-    let entry = Entry {
-        name: "hip".to_owned(),
-        kind: Kind::Turn,
-        range: None,
-    };
-    let spaces = Spaces {
-        coordinates: vec![entry].into(),
-        ..Spaces::default()
-    };
-    let readable = Readable {
-        arguments: &[Variable::Q],
-        spaces: &spaces,
-        fields: &[],
-    };
     let handed_on = |stored| {
         let names = Names::beside(&[]);
-        let routine = Routine::of((&program, Length::UNBOUNDED), &readable, names, stored);
+        let routine = of_a_hinge((&program, Length::UNBOUNDED), names, stored);
         let handed_on = |statement: &Statement| match statement {
             Statement::Block { handed_on, .. } => handed_on.len(),
             _ => 0,

@@ -15,6 +15,7 @@ mod tests;
 mod vectors;
 
 use crate::chain::Chain;
+use crate::chain::base_parameters::BaseParameters;
 use crate::dense::{Approximate, Dense, Motion, State};
 use crate::description::{Description, Source, freed};
 use crate::error::{Errors, Place};
@@ -182,8 +183,13 @@ impl Check {
     ///
     /// # Errors
     /// Where they make others, or where one is not a number in the type that it is printed for.
-    pub fn judge_base_parameters(&self, values: &[f64], request: &Request) -> Result<(), Errors> {
-        self.printable(values.iter().copied(), request.scalar)?;
+    pub fn judge_base_parameters(
+        &self,
+        base: &BaseParameters,
+        request: &Request,
+    ) -> Result<(), Errors> {
+        let values = base.groups.iter().map(|group| group.value);
+        self.printable(values, request.scalar)?;
         if !request.parameters.is_empty() {
             return Ok(());
         }
@@ -191,24 +197,35 @@ impl Check {
         for dense in &self.states {
             let torques = dense.torques(Motion::Driven);
             let rows = dense.base_regressor();
-            let mut rows = rows.chunks(values.len().max(1));
+            let mut rows = rows.chunks(base.groups.len().max(1));
             for (joint, torque) in torques.iter().enumerate() {
-                let terms = rows.next().unwrap_or_default().iter().zip(values);
-                let terms = terms.map(|(entry, value)| entry.to_f64() * value);
-                let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), term| {
-                    (sum + term, size + term.abs())
+                let terms = rows.next().unwrap_or_default().iter().zip(&base.groups);
+                let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), (entry, group)| {
+                    let entry = entry.to_f64();
+                    (sum + entry * group.value, size + entry.abs() * group.size)
                 });
-                if let Some(wrong) = wrong(
+                let Some(wrong) = wrong(
                     joint,
                     sum,
                     torque.to_f64(),
                     (sum - torque.to_f64()).abs() <= GROUPED * size + torque.noise(),
-                ) {
-                    let words = self.words(Function::InverseDynamics, &wrong);
+                ) else {
+                    continue;
+                };
+                let words = self.words(Function::InverseDynamics, &wrong);
+                if base.is_uncertain() {
+                    let nearest = base.nearest;
+                    let message = format!(
+                        "base parameters cannot be told apart: what torques see of one inertial parameter is within \
+                         {nearest:.0e} of what they see of others together, and if it is the same, {words}"
+                    );
+                    let hint = "model a robot whose masses and lengths differ less";
+                    errors.push_with_hint(self.place, message, hint);
+                } else {
                     let message = format!("by base parameters, {words}");
                     errors.push_with_hint(self.place, message, FAULT);
-                    return Err(errors);
                 }
+                return Err(errors);
             }
         }
         Ok(())

@@ -78,12 +78,20 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
         errors.append(refusal);
     }
     let base = &chain.base_parameters;
-    let base_values: Vec<f64> = base.groups.iter().map(|group| group.value).collect();
     let asked = |listed: &Listed| listed.functions.contains(&Function::BaseRegressor);
     if functions.iter().any(asked)
-        && let Err(refusal) = check.judge_base_parameters(&base_values, request)
+        && let Err(refusal) = check.judge_base_parameters(base, request)
     {
-        errors.append(refusal);
+        if all && base.is_uncertain() {
+            functions.retain(|listed| !asked(listed));
+            leave_out(
+                &mut left_out,
+                Function::BaseRegressor.name().to_owned(),
+                &refusal,
+            );
+        } else {
+            errors.append(refusal);
+        }
     }
     let mut about = About {
         left_out,
@@ -102,7 +110,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
             .then(|| review::review(description, request, &chain, &functions)),
         functions,
         data,
-        base_values,
+        base_values: base.groups.iter().map(|group| group.value).collect(),
         batch: request.batch,
         length: request.length(),
         scalar: request.scalar,

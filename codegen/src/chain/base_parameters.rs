@@ -25,9 +25,20 @@ use span::Span;
 pub struct BaseParameters {
     /// In the order of the parameters that lead them.
     pub groups: Vec<Group>,
+    /// How far a column of the regressor that was taken for a combination of others is from one, beside its
+    /// length: far more than rounding makes where it is not known whether it is.
+    pub nearest: f64,
 }
 
 impl BaseParameters {
+    /// Whether a column may be a combination of others or not: it is nearer than a description's numbers tell, and farther
+    /// than rounding makes it.
+    #[must_use]
+    pub fn is_uncertain(&self) -> bool {
+        const ROUNDED: f64 = 1e-14;
+        self.nearest > ROUNDED
+    }
+
     /// The columns of the regressor that torques are made of by them.
     pub fn columns(&self) -> impl Iterator<Item = ParameterId> {
         self.groups.iter().map(Group::leader)
@@ -41,6 +52,8 @@ pub struct Group {
     pub members: Vec<(ParameterId, f64)>,
     /// What they are described as, together.
     pub value: f64,
+    /// What that is a sum of: the magnitudes of its terms.
+    pub size: f64,
 }
 
 impl Group {
@@ -67,6 +80,7 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
     let unit = |parameter: ParameterId| vec![(parameter, 1.0)];
     // What torques see in the place of each parameter: it, and what outboard links hand on.
     let mut seen: List<ParameterId, Form> = described.ids().map(unit).collect();
+    let mut nearest: f64 = 0.0;
     if chain.all_lead() {
         for link in columns.links.ids().rev() {
             let own = columns.own(link);
@@ -78,6 +92,7 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
                 span.take(*parameter, column);
             }
             hand_on(&own, &mut span, &mut seen);
+            nearest = nearest.max(span.nearest());
         }
     } else {
         // What one coordinate moves in several places may be told apart or not: all columns are looked at together.
@@ -85,11 +100,13 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
         let all: Vec<Column> = links.flat_map(|link| columns.own(link)).collect();
         let mut span = Span::among(all.iter().map(|(_, column)| column));
         hand_on(&all, &mut span, &mut seen);
+        nearest = span.nearest();
     }
     let kept = seen.numbered().filter(|(_, form)| !form.is_empty());
     let groups = kept.map(|(leader, form)| group(leader, form, &described));
     BaseParameters {
         groups: groups.collect(),
+        nearest,
     }
 }
 
@@ -153,9 +170,10 @@ fn group(leader: ParameterId, form: &Form, described: &List<ParameterId, f64>) -
     let others =
         (form.iter().copied()).filter(|&(parameter, factor)| parameter != leader && factor != 0.0);
     let members: Vec<(ParameterId, f64)> = [(leader, 1.0)].into_iter().chain(others).collect();
-    let value = members.iter().map(|&(k, factor)| factor * described[k]);
+    let terms = members.iter().map(|&(k, factor)| factor * described[k]);
     Group {
-        value: value.sum(),
+        value: terms.clone().sum(),
+        size: terms.map(f64::abs).sum(),
         members,
     }
 }

@@ -349,3 +349,86 @@ fn derivatives_that_are_nothing_are_nothing_but_for_rounding() {
         panic!("{errors}");
     }
 }
+
+fn table(text: &str) -> Description {
+    let mut errors = Errors::new();
+    let description = read_text(text, "arm.dh", None, &mut errors);
+    description.unwrap_or_else(|| panic!("{errors}"))
+}
+
+/// An arm whose last link slides far from the others: what torques see of its mass is within a billionth what they
+/// see of moments of inertia.
+const FAR: &str = "convention modified
+joint     kind        a    alpha   d     theta  link    mass cx   cy cz   ixx  ixy ixz iyy  iyz izz
+waist     revolute    0    0       0.4   0      trunk   3.2  0.1  0  0    0.1  0   0   0.1  0   0.1
+shoulder  revolute    0    -pi/2   0     0      upper   2    0.2  0  0.01 0.02 0   0   0.1  0   0.1
+elbow     revolute    0.43 0       0.15  pi/2   fore    1    0    -0.1 0  0.01 0   0   0.01 0   0.01
+quill     prismatic   0    1.5708  100000.1 0   rod     0.5  0    0  0    0    0   0   0    0   0
+";
+
+#[test]
+fn base_parameters_that_cannot_be_told_apart_are_refused_by_name() {
+    let far = table(FAR);
+    let asked = Request {
+        functions: vec![vec![Function::BaseRegressor]],
+        ..Request::default()
+    };
+    let refusal = expand(&far, &asked).expect_err("they are taken for the same");
+    let said = refusal.to_string();
+    assert!(
+        said.contains("base parameters cannot be told apart"),
+        "{said}"
+    );
+    assert!(!said.contains("fault"), "{said}");
+    // Of all functions that one is left out.
+    let listing = expand(&far, &Request::default()).unwrap_or_else(|errors| panic!("{errors}"));
+    let of = |listed: &crate::print::Listed| listed.functions.contains(&Function::BaseRegressor);
+    assert!(!listing.functions.iter().any(of));
+    let left_out = listing
+        .about
+        .left_out
+        .iter()
+        .flat_map(|left_out| &left_out.functions);
+    assert!(left_out.into_iter().any(|name| name == "base_regressor"));
+}
+
+#[test]
+fn base_parameters_round_as_what_they_are_sums_of() {
+    let tokens = quote::quote! {
+        struct Scara { tip: tool }
+        link base;
+        joint shoulder: revolute(z) { at: xyz(0.0, 0.0, 0.4), velocity: 2.0 }
+        link upper { mass: 3.2, com: [0.12, 0, 0], inertia: [123456789.123456789, 0.02, 0.02] }
+        joint elbow: continuous(-z) { at: xyz(0.3, 0, 0) rpy(0.1, 0.2, pi/2) rx(-pi) }
+        link fore { mass: 1.5, inertia: [0.02, 0.03, 0.03], inertia_rpy: [0, 0, 0.1] }
+        joint slide: screw([0.0, 0.6, 0.8], pitch: 0.01);
+        link tool { mass: 0.8, com: [0.0, 0.0, 0.05], inertia: [0.001, 0.001, 0.0005] }
+    };
+    let mut errors = Errors::new();
+    let heavy = inline::read(tokens, Path::new(""), &mut errors).expect("a robot");
+    all_of(&heavy.description.expect("a robot"), &heavy.request);
+}
+
+#[test]
+fn a_mass_that_is_next_to_nothing_has_no_centre() {
+    let text = |mass: &str| {
+        format!(
+            "convention standard
+joint     kind      a    alpha  d    theta  mass    cx  cy  cz   ixx  ixy  ixz  iyy  iyz  izz
+shoulder  revolute  0    pi/2   0.4  0      {mass}  0   0   0.1  0.1  0    0    0.1  0    0.1
+elbow     revolute  0.3  0      0    0.1    0       0   0   0    0    0    0    0    0    0
+"
+        )
+    };
+    let request = Request {
+        functions: vec![vec![Function::CenterOfMass]],
+        ..Request::default()
+    };
+    all_of(&table(&text("1e-150")), &request);
+    let refusal = expand(&table(&text("2.2e-308")), &request).expect_err("it underflows");
+    assert!(
+        refusal
+            .to_string()
+            .contains("nothing that joints move has mass")
+    );
+}

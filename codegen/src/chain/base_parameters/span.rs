@@ -1,7 +1,7 @@
 //! What a row of columns spans.
 //!
 //! In: columns of parameters, one after the other. Out: of each that adds nothing, the combination of earlier ones that
-//! it is. It never knows what is in them.
+//! it is; and how near the nearest decision was. It never knows what is in them.
 
 use crate::space::ParameterId;
 
@@ -18,6 +18,9 @@ pub struct Span<'c> {
     directions: Vec<(Vec<f64>, Vec<f64>)>,
     /// The length of the longest column of those to come.
     longest: f64,
+    /// The largest part that was left of a column which was taken for a combination of others, or of the longest one
+    /// where it was taken for nothing.
+    nearest: f64,
 }
 
 impl<'c> Span<'c> {
@@ -28,7 +31,14 @@ impl<'c> Span<'c> {
             columns: Vec::new(),
             directions: Vec::new(),
             longest: lengths.fold(0.0, f64::max),
+            nearest: 0.0,
         }
+    }
+
+    /// How far a column that was taken for a combination of others is from one at most, beside its length; beside
+    /// the longest, where it was taken for nothing.
+    pub fn nearest(&self) -> f64 {
+        self.nearest
     }
 
     /// Adds a column; or, where it depends on those that are there, says how: so much of each.
@@ -60,6 +70,14 @@ impl<'c> Span<'c> {
             self.directions.push((left, of_columns));
             self.columns.push((name, column));
             return None;
+        }
+        let beside = if whole > ROUNDED * self.longest {
+            whole
+        } else {
+            self.longest
+        };
+        if rest > 0.0 {
+            self.nearest = self.nearest.max(rest / beside);
         }
         let parts = self.columns.iter().zip(factors);
         let parts = parts.filter_map(|(&(name, other), factor)| {

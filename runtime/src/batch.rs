@@ -34,6 +34,9 @@
 mod columns;
 mod error;
 mod packed;
+mod processor;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod registers;
 mod run;
 
 pub use columns::Columns;
@@ -137,7 +140,9 @@ macro_rules! batch {
             where
                 R: robot::$name<$($length,)* T::Narrow, Q>
                     + robot::$name<$($length,)* M::Narrow<T>, Q>
-                    + robot::$name<$($length,)* M::Wide<T>, Q>,
+                    + robot::$name<$($length,)* M::Wide<T>, Q>
+                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
+                    + robot::$name<$($length,)* M::InWide<T>, Q>,
             {
                 /// The states of a call, or some of them.
                 struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
@@ -148,12 +153,25 @@ macro_rules! batch {
                 }
 
                 impl<R: ?Sized, M, T: Number, $(const $size: usize),*> States<'_, R, M, T, $($size),*> {
+                    /// By registers where the function is compiled for the processor, and by packs where not.
                     #[inline(always)]
-                    fn by<K: Packs<T>>(self)
+                    fn by<K: Packs<T>>(self, processor: K::Processor)
+                    where
+                        R: robot::$name<$($length,)* K, Q> + robot::$name<$($length,)* K::Loose, Q>,
+                    {
+                        if robot::$name::<$($length,)* K, Q>::is_inlined(self.robot) {
+                            self.all::<K>(processor);
+                        } else {
+                            self.all::<K::Loose>(());
+                        }
+                    }
+
+                    #[inline(always)]
+                    fn all<K: Packs<T>>(self, processor: K::Processor)
                     where
                         R: robot::$name<$($length,)* K, Q>,
                     {
-                        $(let mut $argument = (self.$argument, run::empty::<K, _>());)*
+                        $(let mut $argument = (self.$argument, run::empty::<T, K, _>(processor));)*
                         for results in self.results.chunks_mut(K::LANES * run::FILLED) {
                             $(
                                 let (states, rest) = $argument.0.split_at(results.len());
@@ -173,7 +191,9 @@ macro_rules! batch {
                     R: Sync + ?Sized
                         + robot::$name<$($length,)* T::Narrow, Q>
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
-                        + robot::$name<$($length,)* M::Wide<T>, Q>,
+                        + robot::$name<$($length,)* M::Wide<T>, Q>
+                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
+                        + robot::$name<$($length,)* M::InWide<T>, Q>,
                 {
                     #[cfg(feature = "rayon")]
                     fn states(&self) -> usize {

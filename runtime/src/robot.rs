@@ -184,6 +184,15 @@ macro_rules! declare {
             $(#[$about])+
             #[must_use]
             fn $method(&self, $($argument: &$crate::robot::list_of!($argument)),*) -> $result;
+
+            /// Whether what computes it is inlined into its caller, all of it, and makes its numbers
+            /// [like](crate::Scalar::like) those of `q`: then it is compiled for the processor that its caller was
+            /// compiled for, and batches hold its numbers in registers from the start.
+            #[inline]
+            #[must_use]
+            fn is_inlined(&self) -> bool {
+                false
+            }
         }
     };
 }

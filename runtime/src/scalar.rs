@@ -47,6 +47,17 @@ pub trait Scalar:
     /// The number `value`, rounded to this type (and repeated in every lane of a pack).
     fn constant(value: f64) -> Self;
 
+    /// The number `value`, of the kind that `self` is: [`constant`](Self::constant), unless kinds differ.
+    ///
+    /// Functions that are [inlined](crate::robot::InverseDynamics::is_inlined) make their numbers so. A number that holds
+    /// something beside its value, such as the proof that a processor has the instructions for it, hands it on.
+    #[inline]
+    #[must_use]
+    fn like(self, value: f64) -> Self {
+        let _ = self;
+        Self::constant(value)
+    }
+
     /// `self · factor + term`, fused into one rounding only where the target has the instruction.
     ///
     /// It is never a call of a library routine: elsewhere it is a product and a sum.

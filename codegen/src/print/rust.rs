@@ -62,8 +62,8 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
     let mut beside = TokenStream::new();
     for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
         let fields = Fields::Own(&listing.parameters);
-        let body = method::computation((listed, fields), listing, &dialect);
-        let own = |body: &_| method(listing, item, listed, &name, (body, &dialect));
+        let computation = |dialect: &_| method::computation((listed, fields), listing, dialect);
+        let own = |code: &_| method(listing, item, listed, &name, (code, &dialect));
         let acted = listing.spaces.actions() > 0;
         let batched =
             |function: crate::function::Function| listing.batch && function.has_batches(acted);
@@ -72,13 +72,13 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
                 let batch = batch::Batched::new(listing, item, *function, runtime, &dialect);
                 methods.extend(own(&batch.call()));
                 methods.extend(batch.method());
-                beside.extend(batch.in_trait(&body));
+                beside.extend(batch.in_trait(&computation(&dialect.inlined())));
             }
             ([function], None, _) => {
-                methods.extend(own(&body));
+                methods.extend(own(&computation(&dialect).code));
                 beside.extend(method::in_trait(listing, item, *function, &name, &dialect));
             }
-            _ => methods.extend(own(&body)),
+            _ => methods.extend(own(&computation(&dialect).code)),
         }
     }
     methods.extend(base_parameters::base_parameters(listing, item, &dialect));
@@ -124,7 +124,7 @@ pub fn each_method(listing: &Listing, item: &Item, world: &World) -> Vec<TokenSt
         .map(|(listed, name)| {
             let fields = Fields::Own(&listing.parameters);
             let body = method::computation((listed, fields), listing, &dialect);
-            method(listing, item, listed, &name, (&body, &dialect))
+            method(listing, item, listed, &name, (&body.code, &dialect))
         })
         .collect()
 }

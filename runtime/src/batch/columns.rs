@@ -13,6 +13,7 @@ use std::vec::Vec;
 
 use super::error::ColumnsError;
 use super::packed::{Number, Packed, Packs, Rounding};
+use super::processor;
 use super::run::{self, Vectors};
 use crate::robot;
 
@@ -78,14 +79,15 @@ fn numbers<P: Packed>(_: impl FnOnce() -> P) -> usize {
 
 /// Packs of the first numbers of each column, from `first` on.
 #[inline(always)]
-fn gather<T, P: Packs<T>, const N: usize>(
+fn gather<T: Default, P: Packs<T>, const N: usize>(
+    processor: P::Processor,
     columns: &[&[T]; N],
     first: usize,
     count: usize,
 ) -> [P; N] {
-    let mut packs = [P::constant(0.0); N];
+    let mut packs = [P::filled(processor, T::default()); N];
     for (pack, column) in packs.iter_mut().zip(columns) {
-        *pack = P::gather(&column[first..first + count]);
+        *pack = P::gather(processor, &column[first..first + count]);
     }
     packs
 }
@@ -145,7 +147,9 @@ macro_rules! batch {
             where
                 R: robot::$name<$($length,)* T::Narrow, Q>
                     + robot::$name<$($length,)* M::Narrow<T>, Q>
-                    + robot::$name<$($length,)* M::Wide<T>, Q>,
+                    + robot::$name<$($length,)* M::Wide<T>, Q>
+                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
+                    + robot::$name<$($length,)* M::InWide<T>, Q>,
             {
                 /// The states of a call, or some of them.
                 struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
@@ -167,8 +171,21 @@ macro_rules! batch {
                         })
                     }
 
+                    /// By registers where the function is compiled for the processor, and by packs where not.
                     #[inline(always)]
-                    fn by<K: Packs<T>>(self)
+                    fn by<K: Packs<T>>(self, processor: K::Processor)
+                    where
+                        R: robot::$name<$($length,)* K, Q> + robot::$name<$($length,)* K::Loose, Q>,
+                    {
+                        if robot::$name::<$($length,)* K, Q>::is_inlined(self.robot) {
+                            self.all::<K>(processor);
+                        } else {
+                            self.all::<K::Loose>(());
+                        }
+                    }
+
+                    #[inline(always)]
+                    fn all<K: Packs<T>>(self, processor: K::Processor)
                     where
                         R: robot::$name<$($length,)* K, Q>,
                     {
@@ -176,7 +193,7 @@ macro_rules! batch {
                         let mut first = 0;
                         while first < self.count {
                             let lanes = K::LANES.min(self.count - first);
-                            $(let $argument = gather::<T, K, _>(&self.$argument, first, lanes);)*
+                            $(let $argument = gather::<T, K, _>(processor, &self.$argument, first, lanes);)*
                             let packed = self.robot.$method($(&$argument),*);
                             packed.write(&mut results, first..first + lanes);
                             first += lanes;
@@ -190,7 +207,9 @@ macro_rules! batch {
                     R: Sync + ?Sized
                         + robot::$name<$($length,)* T::Narrow, Q>
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
-                        + robot::$name<$($length,)* M::Wide<T>, Q>,
+                        + robot::$name<$($length,)* M::Wide<T>, Q>
+                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
+                        + robot::$name<$($length,)* M::InWide<T>, Q>,
                 {
                     #[cfg(feature = "rayon")]
                     fn states(&self) -> usize {

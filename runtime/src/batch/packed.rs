@@ -7,6 +7,9 @@
     reason = "what fills the lanes is to be compiled for the processor that was found"
 )]
 
+use super::processor;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use super::registers::Register;
 use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
 use crate::robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
 use crate::scalar::{Fused, Lane, Pack, Scalar};
@@ -16,13 +19,35 @@ use core::ops::Range;
 /// A number that batches are made of, `f32` or `f64`, and the packs that it goes into.
 pub trait Number: Lane<Bare = Self> {
     /// Lanes for registers of up to 256 bits, which compute as the number alone does.
-    type Narrow: Packs<Self>;
+    type Narrow: Packs<Self, Processor = (), Loose = Self::Narrow>;
     /// Lanes for registers of 512 bits, which compute as the number alone does.
     type Wide: Packs<Self>;
     /// Lanes for registers of 256 bits, which fuse products with sums.
     type FusedNarrow: Packs<Self>;
     /// Lanes for registers of 512 bits, which fuse products with sums.
     type FusedWide: Packs<Self>;
+    /// The lanes of [`Narrow`](Self::Narrow) in a register.
+    type InNarrow: Packs<Self, Processor = processor::Narrow, Loose = Self::Narrow>;
+    /// The lanes of [`Wide`](Self::Wide) in a register.
+    type InWide: Packs<Self, Processor = processor::Wide, Loose = Self::Wide>;
+    /// The lanes of [`FusedNarrow`](Self::FusedNarrow) in a register.
+    type FusedInNarrow: Packs<Self, Processor = processor::Narrow, Loose = Self::FusedNarrow>;
+    /// The lanes of [`FusedWide`](Self::FusedWide) in a register.
+    type FusedInWide: Packs<Self, Processor = processor::Wide, Loose = Self::FusedWide>;
+}
+
+/// The lanes of a pack in a register of a processor; where the target tells all of a processor, the pack itself.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+macro_rules! held {
+    ($processor:ident, $number:ty, $lanes:literal) => {
+        Register<processor::$processor, $number, $lanes>
+    };
+}
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+macro_rules! held {
+    ($processor:ident, $number:ty, $lanes:literal) => {
+        Pack<$number, $lanes>
+    };
 }
 
 macro_rules! number {
@@ -32,6 +57,10 @@ macro_rules! number {
             type Wide = Pack<$float, $wide>;
             type FusedNarrow = Pack<Fused<$float>, $narrow>;
             type FusedWide = Pack<Fused<$float>, $wide>;
+            type InNarrow = held!(Narrow, $float, $narrow);
+            type InWide = held!(Wide, $float, $wide);
+            type FusedInNarrow = held!(Narrow, Fused<$float>, $narrow);
+            type FusedInWide = held!(Wide, Fused<$float>, $wide);
         }
     };
 }
@@ -44,6 +73,10 @@ pub trait Rounding: Send + sealed::Sealed {
     type Narrow<T: Number>: Packs<T>;
     /// Lanes for registers of 512 bits.
     type Wide<T: Number>: Packs<T>;
+    /// The lanes of [`Narrow`](Self::Narrow) in a register.
+    type InNarrow<T: Number>: Packs<T, Processor = processor::Narrow, Loose = Self::Narrow<T>>;
+    /// The lanes of [`Wide`](Self::Wide) in a register.
+    type InWide<T: Number>: Packs<T, Processor = processor::Wide, Loose = Self::Wide<T>>;
 }
 
 /// As the function of one state is rounded.
@@ -57,11 +90,15 @@ pub enum AsFused {}
 impl Rounding for AsAlone {
     type Narrow<T: Number> = T::Narrow;
     type Wide<T: Number> = T::Wide;
+    type InNarrow<T: Number> = T::InNarrow;
+    type InWide<T: Number> = T::InWide;
 }
 
 impl Rounding for AsFused {
     type Narrow<T: Number> = T::FusedNarrow;
     type Wide<T: Number> = T::FusedWide;
+    type InNarrow<T: Number> = T::FusedInNarrow;
+    type InWide<T: Number> = T::FusedInWide;
 }
 
 mod sealed {
@@ -76,8 +113,17 @@ pub trait Packs<T>: Scalar + Packed<Lane = T, Number = T> {
     /// How many lanes it has.
     const LANES: usize;
 
+    /// The proof that the processor has what it computes with.
+    type Processor: Copy;
+
+    /// The same lanes, for code that is not compiled for the processor: what needs no proof.
+    type Loose: Packs<T, Processor = (), Loose = Self::Loose>;
+
+    /// The same number in each lane.
+    fn filled(processor: Self::Processor, number: T) -> Self;
+
     /// A number of each state; where states are fewer than lanes the others get the last one.
-    fn gather(numbers: &[T]) -> Self;
+    fn gather(processor: Self::Processor, numbers: &[T]) -> Self;
 
     /// One state a lane; where states are fewer than lanes the others get the last one.
     fn load<const N: usize>(states: &[[T; N]], packs: &mut [Self; N]);
@@ -85,37 +131,64 @@ pub trait Packs<T>: Scalar + Packed<Lane = T, Number = T> {
 
 impl<T: Lane, const L: usize> Packs<T::Bare> for Pack<T, L> {
     const LANES: usize = L;
+    type Processor = ();
+    type Loose = Self;
 
     #[inline(always)]
-    fn gather(numbers: &[T::Bare]) -> Self {
-        let padded;
-        let numbers = if let Some(numbers) = numbers.first_chunk::<L>() {
-            numbers
-        } else {
-            let (states, _) = numbers.as_chunks::<1>();
-            padded = filled_up(states).map(|[number]| number);
-            &padded
-        };
-        let mut pack = Self([T::of(numbers[0]); L]);
-        for (lane, number) in pack.0.iter_mut().zip(numbers) {
-            *lane = T::of(*number);
-        }
-        pack
+    fn filled((): (), number: T::Bare) -> Self {
+        Self([T::of(number); L])
+    }
+
+    #[inline(always)]
+    fn gather((): (), numbers: &[T::Bare]) -> Self {
+        Self(together(numbers, T::of))
     }
 
     #[inline(always)]
     fn load<const N: usize>(states: &[[T::Bare; N]], packs: &mut [Self; N]) {
-        let padded;
-        let states = if let Some(states) = states.first_chunk::<L>() {
-            states
-        } else {
-            padded = filled_up(states);
-            &padded
-        };
-        for (i, pack) in packs.iter_mut().enumerate() {
-            for (lane, state) in pack.0.iter_mut().zip(states) {
-                *lane = T::of(state[i]);
-            }
+        spread(states, packs, |pack| &mut pack.0, T::of);
+    }
+}
+
+/// The lanes of a pack, from a number of each state; the last one again where states are fewer.
+#[inline(always)]
+pub(super) fn together<T: Copy + Default, U: Copy, const L: usize>(
+    numbers: &[T],
+    of: impl Fn(T) -> U,
+) -> [U; L] {
+    let padded;
+    let numbers = if let Some(numbers) = numbers.first_chunk::<L>() {
+        numbers
+    } else {
+        let (states, _) = numbers.as_chunks::<1>();
+        padded = filled_up(states).map(|[number]| number);
+        &padded
+    };
+    let mut lanes = [of(numbers[0]); L];
+    for (lane, number) in lanes.iter_mut().zip(numbers) {
+        *lane = of(*number);
+    }
+    lanes
+}
+
+/// The lanes of packs, one for each entry, from a state each; from the last one again where states are fewer.
+#[inline(always)]
+pub(super) fn spread<T: Copy + Default, U, P, const L: usize, const N: usize>(
+    states: &[[T; N]],
+    packs: &mut [P; N],
+    lanes: impl Fn(&mut P) -> &mut [U; L],
+    of: impl Fn(T) -> U,
+) {
+    let padded;
+    let states = if let Some(states) = states.first_chunk::<L>() {
+        states
+    } else {
+        padded = filled_up(states);
+        &padded
+    };
+    for (i, pack) in packs.iter_mut().enumerate() {
+        for (lane, state) in lanes(pack).iter_mut().zip(states) {
+            *lane = of(state[i]);
         }
     }
 }

@@ -7,7 +7,7 @@
 )]
 
 use super::packed::{Packed, Packs};
-use crate::scalar::Scalar;
+use super::processor;
 
 /// Work on some states, which can be done by packs of any kind.
 pub(super) trait Work: Sized + Send {
@@ -22,11 +22,11 @@ pub(super) trait Work: Sized + Send {
     /// By packs that every processor computes with.
     fn plain(self);
 
-    /// By packs for registers of 256 bits.
-    fn narrow(self);
+    /// By registers of 256 bits.
+    fn narrow(self, processor: processor::Narrow);
 
-    /// By packs for registers of 512 bits.
-    fn wide(self);
+    /// By registers of 512 bits.
+    fn wide(self, processor: processor::Wide);
 }
 
 /// The ways of [`Work`] of what has a method `by`, over any packs: `T` are its numbers and `M` is how they are rounded.
@@ -34,17 +34,17 @@ macro_rules! by_packs {
     () => {
         #[inline(always)]
         fn plain(self) {
-            self.by::<T::Narrow>();
+            self.by::<T::Narrow>(());
         }
 
         #[inline(always)]
-        fn narrow(self) {
-            self.by::<M::Narrow<T>>();
+        fn narrow(self, processor: processor::Narrow) {
+            self.by::<M::InNarrow<T>>(processor);
         }
 
         #[inline(always)]
-        fn wide(self) {
-            self.by::<M::Wide<T>>();
+        fn wide(self, processor: processor::Wide) {
+            self.by::<M::InWide<T>>(processor);
         }
     };
 }
@@ -107,26 +107,26 @@ mod x86 {
     use pulp::x86::{V3, V4};
 
     /// Work to be compiled for AVX2.
-    struct Narrow<W>(W);
+    struct Narrow<W>(W, V3);
 
     impl<W: Work> NullaryFnOnce for Narrow<W> {
         type Output = ();
 
         #[inline(always)]
         fn call(self) {
-            self.0.narrow();
+            self.0.narrow(self.1);
         }
     }
 
     /// Work to be compiled for AVX-512.
-    struct Wide<W>(W);
+    struct Wide<W>(W, V4);
 
     impl<W: Work> NullaryFnOnce for Wide<W> {
         type Output = ();
 
         #[inline(always)]
         fn call(self) {
-            self.0.wide();
+            self.0.wide(self.1);
         }
     }
 
@@ -135,11 +135,11 @@ mod x86 {
         if most >= Vectors::Bits512
             && let Some(processor) = V4::try_new()
         {
-            processor.vectorize(Wide(work));
+            processor.vectorize(Wide(work, processor));
         } else if most >= Vectors::Bits256
             && let Some(processor) = V3::try_new()
         {
-            processor.vectorize(Narrow(work));
+            processor.vectorize(Narrow(work, processor));
         } else {
             return Some(work);
         }
@@ -153,8 +153,10 @@ pub(super) const FILLED: usize = 8;
 
 /// Packs that are not filled yet.
 #[inline(always)]
-pub(super) fn empty<P: Scalar, const N: usize>() -> [[P; N]; FILLED] {
-    [[P::constant(0.0); N]; FILLED]
+pub(super) fn empty<T: Default, P: Packs<T>, const N: usize>(
+    processor: P::Processor,
+) -> [[P; N]; FILLED] {
+    [[P::filled(processor, T::default()); N]; FILLED]
 }
 
 /// Fills packs with states, as far as these go.

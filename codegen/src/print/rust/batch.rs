@@ -13,7 +13,7 @@ use super::declaration;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{Lengths, known};
-use super::method;
+use super::method::{self, Computation};
 use super::names::ident;
 use super::results::result_type;
 use crate::function::Function;
@@ -54,7 +54,8 @@ impl<'p> Batched<'p> {
     }
 
     /// The function's trait, with what computes it.
-    pub(super) fn in_trait(&self, body: &TokenStream) -> TokenStream {
+    pub(super) fn in_trait(&self, computation: &Computation) -> TokenStream {
+        let Computation { code, is_whole } = computation;
         let lengths = known(&self.listing.spaces);
         let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
         let generics = method::generics(&[], self.dialect);
@@ -67,7 +68,10 @@ impl<'p> Batched<'p> {
             #head {
                 #[allow(clippy::inline_always, reason = "what is inlined is compiled for the caller's vectors")]
                 #[inline(always)]
-                fn #name #parameters { #body }
+                fn #name #parameters { #code }
+
+                #[inline]
+                fn is_inlined(&self) -> ::core::primitive::bool { #is_whole }
             }
         }
     }

@@ -40,6 +40,8 @@ pub(super) struct Dialect {
     pub names: Names,
     /// Where its sines come from.
     sines: Sines,
+    /// Whether functions are inlined and make their numbers like those of an argument.
+    inlined: bool,
     /// Whether the type of every number stands beside it.
     bare: bool,
     /// The type of the struct's fields, where the user has not chosen it.
@@ -73,6 +75,7 @@ impl Dialect {
             real,
             names,
             sines,
+            inlined: false,
             bare: false,
             fields: made.then_some(real),
         }
@@ -118,6 +121,14 @@ impl Dialect {
         }
     }
 
+    /// The same world in functions that are inlined into their callers.
+    pub fn inlined(&self) -> Self {
+        Self {
+            inlined: true,
+            ..self.clone()
+        }
+    }
+
     /// The same world with plain `f64`s: the robot as data is not generic.
     pub fn of_data(&self) -> Self {
         Self {
@@ -154,6 +165,16 @@ impl Dialect {
             (_, _, _) if self.bare => (Numerals::Bare, TokenStream::new()),
             (_, _, Real::F32) => (Numerals::Single, TokenStream::new()),
             (_, _, _) => (Numerals::Double, TokenStream::new()),
+        }
+    }
+
+    /// The statement by which functions that are inlined write numbers.
+    pub fn alike(&self, numerals: &Numerals, argument: &Ident) -> Option<TokenStream> {
+        match (numerals, &self.world) {
+            (Numerals::Through(k), World::Runtime(runtime)) if self.inlined => Some(quote! {
+                let #k = |number| #runtime::Scalar::like(#argument[0], number);
+            }),
+            _ => None,
         }
     }
 

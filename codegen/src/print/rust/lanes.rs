@@ -52,6 +52,7 @@ fn method(
     let Body {
         statements,
         results,
+        ..
     } = body(
         (&listed.program, Length::UNBOUNDED),
         (&arguments, Returns::Arrays),

@@ -36,6 +36,7 @@ pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> To
     let Body {
         statements,
         results,
+        ..
     } = body(
         (&data.loops.program, Length::UNBOUNDED),
         (&[], Returns::Arrays),

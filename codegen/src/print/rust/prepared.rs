@@ -34,6 +34,7 @@ pub(super) fn prepared(
     let Body {
         statements,
         results,
+        ..
     } = body(
         (&prepared.once, listing.length),
         (&[], Returns::Arrays),
@@ -67,7 +68,7 @@ pub(super) fn prepared(
             (&own, &listing.spaces),
             (listed, &about),
             &name,
-            (&body, &inside),
+            (&body.code, &inside),
         ));
         if let ([function], None) = (&*listed.functions, &listed.frame) {
             beside.extend(method::in_trait(listing, &own, *function, &name, &inside));

@@ -5,6 +5,7 @@
 //! the numbers add up to is for [`merge`](super::merge).
 
 use super::names::Names;
+use super::numbers::LARGEST;
 use super::tree::Tree;
 use crate::description::{Description, Joint, JointId, Modelled, Name, Number};
 use crate::error::{Complaint, Errors};
@@ -101,9 +102,6 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
         );
     }
 }
-
-/// Larger than what any joint feels: with it, products stay finite.
-const LARGEST: f64 = 1e50;
 
 fn called(part: Part, joint: &Name) -> String {
     format!("{} of joint {}", part.word(), quoted(&joint.text))

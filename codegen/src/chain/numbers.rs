@@ -16,9 +16,10 @@ use crate::wording::quoted;
 /// 2⁵⁰ rad: beyond, `f64` has no room for a quarter turn.
 const LARGEST_ANGLE: f64 = 1_125_899_906_842_624.0;
 
-/// Larger than any length, mass or inertia in any unit. A torque is a product of a mass and two lengths,
-/// and what solves for accelerations squares masses: of six such numbers the product is finite.
-const LARGEST: f64 = 1e50;
+/// Larger than any length, mass or inertia in any unit. Beside it the 106 bits that everything is computed in have room
+/// for one; and of six such numbers the product is finite, where a torque is one of a mass and two lengths and what
+/// solves for accelerations squares masses.
+pub(super) const LARGEST: f64 = 1e30;
 
 /// Refuses what is not a number, no direction, or an angle without digits; and what is so large that
 /// it would overflow on the way.

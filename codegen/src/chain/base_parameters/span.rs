@@ -18,8 +18,7 @@ pub struct Span<'c> {
     directions: Vec<(Vec<f64>, Vec<f64>)>,
     /// The length of the longest column of those to come.
     longest: f64,
-    /// The largest part that was left of a column which was taken for a combination of others, or of the longest one
-    /// where it was taken for nothing.
+    /// The largest part that was left of a column which was taken for a combination of others, or for nothing.
     nearest: f64,
 }
 
@@ -35,8 +34,8 @@ impl<'c> Span<'c> {
         }
     }
 
-    /// How far a column that was taken for a combination of others is from one at most, beside its length; beside
-    /// the longest, where it was taken for nothing.
+    /// How far a column that was taken for a combination of others, or for nothing, is from one at most, beside its
+    /// length.
     pub fn nearest(&self) -> f64 {
         self.nearest
     }
@@ -71,13 +70,8 @@ impl<'c> Span<'c> {
             self.columns.push((name, column));
             return None;
         }
-        let beside = if whole > ROUNDED * self.longest {
-            whole
-        } else {
-            self.longest
-        };
         if rest > 0.0 {
-            self.nearest = self.nearest.max(rest / beside);
+            self.nearest = self.nearest.max(rest / whole);
         }
         let parts = self.columns.iter().zip(factors);
         let parts = parts.filter_map(|(&(name, other), factor)| {

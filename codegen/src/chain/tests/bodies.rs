@@ -208,11 +208,8 @@ fn numbers_whose_products_would_overflow_are_refused_each() {
         )
     };
     let mistake = r#"error: link "rod" has a number larger than anything is"#;
-    assert_eq!(
-        said(&arm("1e300", "1e200", "-1.1e50")),
-        lines(&[mistake; 3])
-    );
-    fine(&arm("1e50", "-1e50", "1e50"));
+    assert_eq!(said(&arm("1e300", "1e50", "-1.1e30")), lines(&[mistake; 3]));
+    fine(&arm("1e30", "-1e30", "1e30"));
 }
 
 #[test]

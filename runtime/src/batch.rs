@@ -1,10 +1,11 @@
 //! Every function of a robot for many states at once (feature `batch`).
 //!
 //! In: a robot and slices of states, one array a state. Out: a slice of results, each with the bits of the
-//! function of that state alone. [`Batch`] fills the lanes of [`Pack`](crate::Pack)s with states and runs on
-//! the widest vectors that the processor has when the program runs: AVX-512, AVX2 or SSE2, NEON, or what the
-//! target has at least. With the feature `rayon` it runs on all cores. Neither changes a bit of any result:
-//! products are fused with sums where the target that was compiled for says so, and nowhere else.
+//! function of that state alone. [`Batch`] fills the lanes of the widest registers that the processor has when the
+//! program runs, AVX-512, AVX2 or SSE4.2, with states; where the target is not of x86, and where a function is not
+//! inlined whole, those of [`Pack`](crate::Pack)s, of which the compiler makes vectors. With the feature `rayon` it
+//! runs on all cores. Neither changes a bit of any result: products are fused with sums where the target that was
+//! compiled for says so, and nowhere else.
 //!
 //! ```
 //! use homogen::batch::Batch;
@@ -138,9 +139,11 @@ macro_rules! batch {
                 results: &mut [$result],
             ) -> Result<(), BatchError>
             where
-                R: robot::$name<$($length,)* T::Narrow, Q>
+                R: robot::$name<$($length,)* T::Plain, Q>
+                    + robot::$name<$($length,)* T::Narrow, Q>
                     + robot::$name<$($length,)* M::Narrow<T>, Q>
                     + robot::$name<$($length,)* M::Wide<T>, Q>
+                    + robot::$name<$($length,)* T::InShort, Q>
                     + robot::$name<$($length,)* M::InNarrow<T>, Q>
                     + robot::$name<$($length,)* M::InWide<T>, Q>,
             {
@@ -179,7 +182,7 @@ macro_rules! batch {
                                 $argument.0 = rest;
                             )*
                             for (i, results) in results.chunks_mut(K::LANES).enumerate() {
-                                run::store(&self.robot.$method($(&$argument.1[i]),*), results);
+                                self.robot.$method($(&$argument.1[i]),*).store(results);
                             }
                         }
                     }
@@ -189,10 +192,12 @@ macro_rules! batch {
                     for States<'_, R, M, T, $($size),*>
                 where
                     R: Sync + ?Sized
+                        + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
                         + robot::$name<$($length,)* M::Wide<T>, Q>
-                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
+                        + robot::$name<$($length,)* T::InShort, Q>
+                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
                         + robot::$name<$($length,)* M::InWide<T>, Q>,
                 {
                     #[cfg(feature = "rayon")]

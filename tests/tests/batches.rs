@@ -7,10 +7,11 @@
 
 use std::fmt::Debug;
 
-use homogen::batch::{Batch, BatchError, ColumnsError, Packed, Vectors};
+use homogen::batch::{Batch, BatchError, ColumnsError, Number as BatchNumber, Packed, Vectors};
+use homogen::robot::InverseDynamics;
 use homogen::{
-    Acceleration, Action, ForwardDynamicsDerivatives, Fused, InverseDynamicsDerivatives, Momentum,
-    Pack, Point, Pose, Robot, Screw, Velocity, chain,
+    Acceleration, Action, ForwardDynamicsDerivatives, Fused, InverseDynamicsDerivatives, Lane,
+    Momentum, Pack, Point, Pose, Robot, Scalar, Screw, Velocity, chain,
 };
 use homogen_random::Random;
 
@@ -32,6 +33,25 @@ chain! {
     link rod { mass: 1.0, com: [0.1, 0.0, 0.0], inertia: [0.001, 0.01, 0.01] }
     joint wrist: revolute(y) { from: rod, to: hand, at: xyz(0.2, 0.0, 0.0), mimic: slider, multiplier: 4.0 }
     link hand { mass: 0.4, com: [0.0, 0.0, 0.05], inertia: [0.002, 0.002, 0.001] }
+}
+
+/// Seven joints: entries are moved four by four, and some of them twice.
+#[derive(Robot)]
+#[robot(
+    urdf = "../robots/panda_class.urdf",
+    tip = "link8",
+    generate(inverse_dynamics),
+    batch
+)]
+struct Arm;
+
+/// The same by a call, of which nobody knows that it is inlined.
+struct Called(Arm);
+
+impl<T: Scalar> InverseDynamics<7, T> for Called {
+    fn inverse_dynamics(&self, q: &[T; 7], qd: &[T; 7], qdd: &[T; 7]) -> [T; 7] {
+        self.0.inverse_dynamics(q, qd, qdd)
+    }
 }
 
 /// How many states there are.
@@ -230,7 +250,7 @@ fn every_function_of_many_states_is_that_of_each() {
 
 #[test]
 fn results_of_single_precision_and_of_quaternions_are_those_of_each_state() {
-    let number = <f32 as homogen::Scalar>::constant;
+    let number = <f32 as Scalar>::constant;
     let States { q, qd, .. } = states::<f32, 4, 5>(number);
     for vectors in VECTORS {
         let batch = Batch::of(&Puppet).at_most(vectors);
@@ -245,6 +265,56 @@ fn results_of_single_precision_and_of_quaternions_are_those_of_each_state() {
         let alone: Vec<_> = each.map(|(q, qd)| Puppet.bias(q, qd)).collect();
         same("bias", &bias, &alone);
     }
+}
+
+/// Inverse dynamics of one robot, on vectors of every length and for batches of every size.
+fn inverse_dynamics<R, T>(robot: &R, number: fn(f64) -> T)
+where
+    T: BatchNumber + Debug,
+    R: Sync + InverseDynamics<7, T> + InverseDynamics<7, Pack<Fused<T>, 1>>,
+    R: InverseDynamics<7, T::Plain> + InverseDynamics<7, T::Narrow> + InverseDynamics<7, T::Wide>,
+    R: InverseDynamics<7, T::FusedNarrow> + InverseDynamics<7, T::FusedWide>,
+    R: InverseDynamics<7, T::InShort>
+        + InverseDynamics<7, T::InNarrow>
+        + InverseDynamics<7, T::InWide>,
+    R: InverseDynamics<7, T::FusedInNarrow> + InverseDynamics<7, T::FusedInWide>,
+    Fused<T>: Lane<Bare = T>,
+{
+    let States { q, qd, qdd, .. } = states::<T, 7, 7>(number);
+    let alone: Vec<[T; 7]> = (0..COUNT)
+        .map(|i| robot.inverse_dynamics(&q[i], &qd[i], &qdd[i]))
+        .collect();
+    let all_fused: Vec<[T; 7]> = (0..COUNT)
+        .map(|i| robot.inverse_dynamics(&fused(&q[i]), &fused(&qd[i]), &fused(&qdd[i])))
+        .map(|tau| tau.map(|pack| pack.0[0].0))
+        .collect();
+    for (size, vectors) in SIZES
+        .iter()
+        .flat_map(|size| VECTORS.map(|most| (*size, most)))
+    {
+        let what = format!("inverse dynamics on {vectors:?}");
+        let mut tau = vec![[number(0.5); 7]; size];
+        let batch = Batch::of(robot).at_most(vectors);
+        let done = batch.inverse_dynamics(&q[..size], &qd[..size], &qdd[..size], &mut tau);
+        assert_eq!(done, Ok(()));
+        same(&what, &tau, &alone[..size]);
+        let batch = Batch::fused(robot).at_most(vectors);
+        let done = batch.inverse_dynamics(&q[..size], &qd[..size], &qdd[..size], &mut tau);
+        assert_eq!(done, Ok(()));
+        let expected = if fuses(vectors) { &all_fused } else { &alone };
+        same(&format!("fused {what}"), &tau, &expected[..size]);
+    }
+}
+
+#[test]
+fn registers_and_what_is_not_inlined_have_the_bits_of_each_state() {
+    let is_inlined = |robot: &dyn InverseDynamics<7>| robot.is_inlined();
+    assert!(is_inlined(&Arm));
+    assert!(!is_inlined(&Called(Arm)));
+    inverse_dynamics(&Arm, |value| value);
+    inverse_dynamics(&Arm, <f32 as Scalar>::constant);
+    inverse_dynamics(&Called(Arm), |value| value);
+    inverse_dynamics(&Called(Arm), <f32 as Scalar>::constant);
 }
 
 #[test]

@@ -75,10 +75,10 @@ pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
                 beside.extend(batch.in_trait(&computation(&dialect.inlined())));
             }
             ([function], None, _) => {
-                methods.extend(own(&computation(&dialect).code));
+                methods.extend(own(&computation(&dialect)));
                 beside.extend(method::in_trait(listing, item, *function, &name, &dialect));
             }
-            _ => methods.extend(own(&computation(&dialect).code)),
+            _ => methods.extend(own(&computation(&dialect))),
         }
     }
     methods.extend(base_parameters::base_parameters(listing, item, &dialect));
@@ -124,7 +124,7 @@ pub fn each_method(listing: &Listing, item: &Item, world: &World) -> Vec<TokenSt
         .map(|(listed, name)| {
             let fields = Fields::Own(&listing.parameters);
             let body = method::computation((listed, fields), listing, &dialect);
-            method(listing, item, listed, &name, (&body.code, &dialect))
+            method(listing, item, listed, &name, (&body, &dialect))
         })
         .collect()
 }

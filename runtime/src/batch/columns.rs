@@ -145,9 +145,11 @@ macro_rules! batch {
                 results: &mut [&mut [T]],
             ) -> Result<(), ColumnsError>
             where
-                R: robot::$name<$($length,)* T::Narrow, Q>
+                R: robot::$name<$($length,)* T::Plain, Q>
+                    + robot::$name<$($length,)* T::Narrow, Q>
                     + robot::$name<$($length,)* M::Narrow<T>, Q>
                     + robot::$name<$($length,)* M::Wide<T>, Q>
+                    + robot::$name<$($length,)* T::InShort, Q>
                     + robot::$name<$($length,)* M::InNarrow<T>, Q>
                     + robot::$name<$($length,)* M::InWide<T>, Q>,
             {
@@ -205,10 +207,12 @@ macro_rules! batch {
                     for States<'_, R, M, T, $($size),*>
                 where
                     R: Sync + ?Sized
+                        + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
                         + robot::$name<$($length,)* M::Wide<T>, Q>
-                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
+                        + robot::$name<$($length,)* T::InShort, Q>
+                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
                         + robot::$name<$($length,)* M::InWide<T>, Q>,
                 {
                     #[cfg(feature = "rayon")]

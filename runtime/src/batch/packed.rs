@@ -26,6 +26,10 @@ pub trait Number: Lane<Bare = Self> {
     type FusedNarrow: Packs<Self>;
     /// Lanes for registers of 512 bits, which fuse products with sums.
     type FusedWide: Packs<Self>;
+    /// Lanes for a processor of which nothing is known, which compute as the number alone does.
+    type Plain: Packs<Self, Processor = (), Loose = Self::Plain>;
+    /// Lanes in a register of 128 bits, which compute as the number alone does.
+    type InShort: Packs<Self, Processor = processor::Short, Loose = Self::Narrow>;
     /// The lanes of [`Narrow`](Self::Narrow) in a register.
     type InNarrow: Packs<Self, Processor = processor::Narrow, Loose = Self::Narrow>;
     /// The lanes of [`Wide`](Self::Wide) in a register.
@@ -45,18 +49,29 @@ macro_rules! held {
 }
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 macro_rules! held {
+    (Short, f64, $lanes:literal) => {
+        Pack<f64, 4>
+    };
+    (Short, f32, $lanes:literal) => {
+        Pack<f32, 8>
+    };
     ($processor:ident, $number:ty, $lanes:literal) => {
         Pack<$number, $lanes>
     };
 }
 
 macro_rules! number {
-    ($float:ident: $narrow:literal, $wide:literal) => {
+    ($float:ident: $short:literal, $narrow:literal, $wide:literal) => {
         impl Number for $float {
             type Narrow = Pack<$float, $narrow>;
             type Wide = Pack<$float, $wide>;
             type FusedNarrow = Pack<Fused<$float>, $narrow>;
             type FusedWide = Pack<Fused<$float>, $wide>;
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            type Plain = Pack<$float, 1>;
+            #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+            type Plain = Self::Narrow;
+            type InShort = held!(Short, $float, $short);
             type InNarrow = held!(Narrow, $float, $narrow);
             type InWide = held!(Wide, $float, $wide);
             type FusedInNarrow = held!(Narrow, Fused<$float>, $narrow);
@@ -64,8 +79,8 @@ macro_rules! number {
         }
     };
 }
-number!(f64: 4, 8);
-number!(f32: 8, 16);
+number!(f64: 2, 4, 8);
+number!(f32: 4, 8, 16);
 
 /// Which packs a batch goes into: how its products and sums are rounded.
 pub trait Rounding: Send + sealed::Sealed {
@@ -216,6 +231,32 @@ pub trait Packed {
     #[must_use]
     fn lane(&self, index: usize) -> Self::Lane;
 
+    /// Writes the results of the first lanes to these states.
+    ///
+    /// # Panics
+    ///
+    /// Where there are fewer lanes.
+    #[inline(always)]
+    fn store(&self, results: &mut [Self::Lane])
+    where
+        Self: Sized,
+    {
+        lane_by_lane(self, results);
+    }
+
+    /// The same of a list of its kind.
+    ///
+    /// # Panics
+    ///
+    /// Where there are fewer lanes.
+    #[inline(always)]
+    fn store_list<const N: usize>(list: &[Self; N], results: &mut [[Self::Lane; N]])
+    where
+        Self: Sized,
+    {
+        lane_by_lane(list, results);
+    }
+
     /// Writes its numbers to columns that begin with the first of them, a slice for each: those of the first lanes to
     /// these states.
     ///
@@ -223,6 +264,17 @@ pub trait Packed {
     ///
     /// Where there are fewer than [`NUMBERS`](Self::NUMBERS) columns, or fewer states or lanes.
     fn write(&self, columns: &mut [&mut [Self::Number]], states: Range<usize>);
+}
+
+/// Writes the result of each lane.
+///
+/// It is never inlined: the vectors of a result are to be stored as they are, for from their stores the
+/// compiler tells that lanes belong together.
+#[inline(never)]
+fn lane_by_lane<P: Packed>(packed: &P, results: &mut [P::Lane]) {
+    for (lane, result) in results.iter_mut().enumerate() {
+        *result = packed.lane(lane);
+    }
 }
 
 impl<T: Lane, const L: usize> Packed for Pack<T, L> {
@@ -258,6 +310,11 @@ impl<P: Packed, const N: usize> Packed for [P; N] {
     #[inline]
     fn lane(&self, index: usize) -> Self::Lane {
         from_fn(|i| self[i].lane(index))
+    }
+
+    #[inline(always)]
+    fn store(&self, results: &mut [Self::Lane]) {
+        P::store_list(self, results);
     }
 
     #[inline(always)]

@@ -1,8 +1,18 @@
-//! What proves that a processor has registers of 256 and of 512 bits, whose instructions code for its target may not
-//! have.
+//! What proves that a processor has registers of some length, and what it does with them beside arithmetic.
+//!
+//! In: the features that the target has, and what a processor is found to have beyond them. Out: a type without size for
+//! each length of registers, which is the proof.
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the processor that was found"
+)]
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-pub use pulp::x86::{V3 as Narrow, V4 as Wide};
+pub use {pulp::x86::V2 as Short, pulp::x86::V3 as Narrow, pulp::x86::V4 as Wide};
+
+/// Nothing: the target tells all of the processor.
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+pub type Short = ();
 
 /// Nothing: the target tells all of the processor.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
@@ -11,3 +21,110 @@ pub type Narrow = ();
 /// Nothing: the target tells all of the processor.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 pub type Wide = ();
+
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+pub(super) use x86::Processor;
+
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod x86 {
+    use core::array::from_fn;
+    use pulp::bytemuck::cast;
+    use pulp::core_arch::x86::{Avx, Sse};
+    use pulp::{Simd, WithSimd};
+
+    use super::{Narrow, Short, Wide};
+    use crate::scalar::{Lane, Pack, Scalar};
+
+    /// A processor, by the proof that it is one.
+    pub trait Processor: Copy {
+        /// The proof, if it is the one that runs.
+        fn found() -> Option<Self>;
+
+        /// Sines and cosines of packs, compiled by themselves: among a thousand other operations the compiler
+        /// does not always see that their lanes belong together.
+        fn sines<T: Lane, const L: usize, const N: usize>(
+            self,
+            angles: [Pack<T, L>; N],
+        ) -> ([Pack<T, L>; N], [Pack<T, L>; N]);
+
+        /// Of rows of four numbers, one of each of four states, the columns.
+        fn turned_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4];
+
+        /// The same of single precision.
+        fn turned_f32(self, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4];
+    }
+
+    /// The sines of a call.
+    struct Sines<T, const L: usize, const N: usize>([Pack<T, L>; N]);
+
+    impl<T: Lane, const L: usize, const N: usize> WithSimd for Sines<T, L, N> {
+        type Output = ([Pack<T, L>; N], [Pack<T, L>; N]);
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+            Pack::sin_cos_all(self.0)
+        }
+    }
+
+    macro_rules! processors {
+        ($($processor:ident: $turned_f64:expr;)*) => {$(
+            impl Processor for $processor {
+                #[inline]
+                fn found() -> Option<Self> {
+                    Self::try_new()
+                }
+
+                #[inline(always)]
+                fn sines<T: Lane, const L: usize, const N: usize>(
+                    self,
+                    angles: [Pack<T, L>; N],
+                ) -> ([Pack<T, L>; N], [Pack<T, L>; N]) {
+                    Simd::vectorize(self, Sines(angles))
+                }
+
+                #[inline(always)]
+                fn turned_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+                    $turned_f64(self, rows)
+                }
+
+                #[inline(always)]
+                fn turned_f32(self, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4] {
+                    by_sse(self.sse, rows)
+                }
+            }
+        )*};
+    }
+    processors! {
+        Short: |_, rows: [[f64; 4]; 4]| from_fn(|entry| rows.map(|row| row[entry]));
+        Narrow: |processor: Self, rows| by_avx(processor.avx, rows);
+        Wide: |processor: Self, rows| by_avx(processor.avx, rows);
+    }
+
+    #[inline(always)]
+    fn by_avx(avx: Avx, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+        let [a, b, c, d] = rows;
+        let (a, b, c, d) = (cast(a), cast(b), cast(c), cast(d));
+        let (even_ab, odd_ab) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpackhi_pd(a, b));
+        let (even_cd, odd_cd) = (avx._mm256_unpacklo_pd(c, d), avx._mm256_unpackhi_pd(c, d));
+        [
+            cast(avx._mm256_permute2f128_pd::<0x20>(even_ab, even_cd)),
+            cast(avx._mm256_permute2f128_pd::<0x20>(odd_ab, odd_cd)),
+            cast(avx._mm256_permute2f128_pd::<0x31>(even_ab, even_cd)),
+            cast(avx._mm256_permute2f128_pd::<0x31>(odd_ab, odd_cd)),
+        ]
+    }
+
+    #[inline(always)]
+    fn by_sse(sse: Sse, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4] {
+        let [a, b, c, d] = rows;
+        let (a, b, c, d) = (cast(a), cast(b), cast(c), cast(d));
+        let (first_ab, last_ab) = (sse._mm_unpacklo_ps(a, b), sse._mm_unpackhi_ps(a, b));
+        let (first_cd, last_cd) = (sse._mm_unpacklo_ps(c, d), sse._mm_unpackhi_ps(c, d));
+        [
+            cast(sse._mm_movelh_ps(first_ab, first_cd)),
+            cast(sse._mm_movehl_ps(first_cd, first_ab)),
+            cast(sse._mm_movelh_ps(last_ab, last_cd)),
+            cast(sse._mm_movehl_ps(last_cd, last_ab)),
+        ]
+    }
+}

@@ -1,70 +1,76 @@
 //! Lanes in a register, by the processor's own instructions.
 //!
-//! In: lanes, and the proof that the processor has AVX2 or AVX-512. Out: [`Register`], a [`Scalar`] each of whose
+//! In: lanes, and the proof that the processor has registers for them. Out: [`Register`], a [`Scalar`] each of whose
 //! operations is one instruction from the start. Of a [`Pack`] the compiler has to find out that its lanes
 //! belong together: it does so in functions of some hundred operations, gives up by chance in those of a
 //! thousand, and takes minutes for those of several thousand. Every lane has the bits that a pack's has.
-//! What stayed a call would be compiled without the instructions, and would call each of them instead; which
-//! functions of a robot do not is told by their traits.
+//!
+//! A function that stays a call is compiled without the instructions, and would call each of them in its turn: it
+//! gets packs instead. Which functions of a robot are inlined is told by their traits.
 #![expect(
     clippy::inline_always,
     reason = "only what is inlined is compiled for the processor that was found"
 )]
 
+use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Range, Sub};
+use pulp::Simd;
 use pulp::bytemuck::cast;
-use pulp::x86::{V3, V4};
-use pulp::{Simd, WithSimd};
 
 use super::packed::{Packed, Packs, spread, together};
+use super::processor::{Narrow, Processor, Short, Wide};
 use crate::scalar::{Fused, Lane, Pack, Scalar};
 
-/// `L` numbers `T` in a register of the processor `S`.
+/// `L` numbers `T` in a register of the processor `P`.
 #[derive(Clone, Copy, Debug)]
-pub struct Register<S, T: Lane, const L: usize> {
-    /// The proof that the processor has the instructions. It takes no room.
-    processor: S,
+pub struct Register<P, T: Lane, const L: usize> {
+    /// The proof that the processor has the instructions. It takes no room, and is why a number is made
+    /// [like](Scalar::like) another.
+    processor: P,
     lanes: [T::Bare; L],
 }
 
-impl<S: Copy, T: Lane, const L: usize> Register<S, T, L> {
+impl<P: Copy, T: Lane, const L: usize> Register<P, T, L> {
     #[inline(always)]
-    fn pack(self) -> Pack<T, L> {
-        Pack(self.lanes.map(T::of))
+    fn pack(&self) -> Pack<T, L> {
+        let mut pack = Pack([T::of(self.lanes[0]); L]);
+        for (lane, number) in pack.0.iter_mut().zip(&self.lanes) {
+            *lane = T::of(*number);
+        }
+        pack
     }
 
     #[inline(always)]
-    fn of(processor: S, pack: Pack<T, L>) -> Self {
-        Self {
-            processor,
-            lanes: pack.0.map(T::bare),
+    fn of(processor: P, pack: &Pack<T, L>) -> Self {
+        let mut lanes = [pack.0[0].bare(); L];
+        for (lane, number) in lanes.iter_mut().zip(&pack.0) {
+            *lane = number.bare();
         }
+        Self { processor, lanes }
     }
 
     /// What is rarely wanted, and is computed as packs do.
     #[inline(always)]
     fn as_packs(self, operation: impl FnOnce(Pack<T, L>) -> Pack<T, L>) -> Self {
-        Self::of(self.processor, operation(self.pack()))
+        Self::of(self.processor, &operation(self.pack()))
     }
 }
 
-/// Sines and cosines of packs, to be compiled by themselves: among a thousand other operations the compiler does
-/// not always see that their lanes belong together.
-struct Sines<T, const L: usize, const N: usize>([Pack<T, L>; N]);
-
-impl<T: Lane, const L: usize, const N: usize> WithSimd for Sines<T, L, N> {
-    type Output = ([Pack<T, L>; N], [Pack<T, L>; N]);
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-        Pack::sin_cos_all(self.0)
-    }
+/// Four numbers of a list.
+#[inline(always)]
+fn four<T: Copy>(numbers: &[T], first: usize) -> [T; 4] {
+    [
+        numbers[first],
+        numbers[first + 1],
+        numbers[first + 2],
+        numbers[first + 3],
+    ]
 }
 
 /// Registers of a processor that hold so many numbers; `fuses` says whether a product and a sum are one instruction.
 macro_rules! register {
-    ($processor:ident, $number:ty, $lanes:literal, fuses: $fuses:expr, $bare:ident:
-        $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident $neg:ident $sqrt:ident
+    ($processor:ident, $number:ty, $lanes:literal, loose: $loose:literal, fuses: $fuses:expr, $bare:ident:
+        $turned:ident $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident $neg:ident $sqrt:ident
     ) => {
         register!(operator $processor, $number, $lanes: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
 
@@ -84,7 +90,7 @@ macro_rules! register {
             /// Where the processor has not the instructions: only [`like`](Scalar::like) has the proof.
             #[inline]
             fn constant(value: f64) -> Self {
-                let processor = $processor::try_new().expect("registers are of the processor that runs");
+                let processor = $processor::found().expect("registers are of the processor that runs");
                 Self { processor, lanes: [$bare::constant(value); $lanes] }
             }
 
@@ -113,7 +119,7 @@ macro_rules! register {
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 let (sine, cosine) = self.pack().sin_cos();
-                (Self::of(self.processor, sine), Self::of(self.processor, cosine))
+                (Self::of(self.processor, &sine), Self::of(self.processor, &cosine))
             }
 
             #[inline(always)]
@@ -133,19 +139,67 @@ macro_rules! register {
 
             #[inline(always)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-                let Some(&Self { processor, .. }) = angles.first() else {
-                    return (angles, angles);
-                };
-                let (sines, cosines) = Simd::vectorize(processor, Sines(angles.map(Self::pack)));
-                let held = |pack| Self::of(processor, pack);
-                (sines.map(held), cosines.map(held))
+                let (mut sines, mut cosines) = (angles, angles);
+                for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {
+                    let processor = sine.processor;
+                    let ([own_sine], [own_cosine]) = processor.sines([sine.pack()]);
+                    (*sine, *cosine) = (Self::of(processor, &own_sine), Self::of(processor, &own_cosine));
+                }
+                (sines, cosines)
+            }
+        }
+
+        impl Packed for Register<$processor, $number, $lanes> {
+            type Lane = $bare;
+            type Number = $bare;
+            const NUMBERS: usize = 1;
+
+            #[inline]
+            fn lane(&self, index: usize) -> $bare {
+                self.lanes[index]
+            }
+
+            #[inline(always)]
+            fn store_list<const N: usize>(list: &[Self; N], results: &mut [[$bare; N]]) {
+                if N < 4 || $lanes < 4 || results.len() < $lanes {
+                    for (lane, result) in results.iter_mut().enumerate() {
+                        *result = from_fn(|entry| list[entry].lanes[lane]);
+                    }
+                    return;
+                }
+                let processor = list[0].processor;
+                for lane in (0..$lanes).step_by(4) {
+                    let mut entry = 0;
+                    while entry < N {
+                        // Where entries are no fours, the last four are moved once more.
+                        let first = entry.min(N - 4);
+                        let of = |entry: usize| four(&list[first + entry].lanes, lane);
+                        let [a, b, c, d] = processor.$turned([of(0), of(1), of(2), of(3)]);
+                        results[lane][first..first + 4].copy_from_slice(&a);
+                        results[lane + 1][first..first + 4].copy_from_slice(&b);
+                        results[lane + 2][first..first + 4].copy_from_slice(&c);
+                        results[lane + 3][first..first + 4].copy_from_slice(&d);
+                        entry += 4;
+                    }
+                }
+            }
+
+            #[inline(always)]
+            fn write(&self, columns: &mut [&mut [$bare]], states: Range<usize>) {
+                let numbers = &mut columns[0][states];
+                if let Some(numbers) = numbers.first_chunk_mut::<$lanes>() {
+                    *numbers = self.lanes;
+                } else {
+                    let count = numbers.len();
+                    numbers.copy_from_slice(&self.lanes[..count]);
+                }
             }
         }
 
         impl Packs<$bare> for Register<$processor, $number, $lanes> {
             const LANES: usize = $lanes;
             type Processor = $processor;
-            type Loose = Pack<$number, $lanes>;
+            type Loose = Pack<$number, $loose>;
 
             #[inline(always)]
             fn filled(processor: $processor, number: $bare) -> Self {
@@ -159,7 +213,25 @@ macro_rules! register {
 
             #[inline(always)]
             fn load<const N: usize>(states: &[[$bare; N]], packs: &mut [Self; N]) {
-                spread(states, packs, |pack| &mut pack.lanes, |number| number);
+                if N < 4 || $lanes < 4 || states.len() < $lanes {
+                    spread(states, packs, |pack| &mut pack.lanes, |number| number);
+                    return;
+                }
+                let processor = packs[0].processor;
+                for lane in (0..$lanes).step_by(4) {
+                    let mut entry = 0;
+                    while entry < N {
+                        // Where entries are no fours, the last four are moved once more.
+                        let first = entry.min(N - 4);
+                        let of = |state: usize| four(&states[lane + state], first);
+                        let [a, b, c, d] = processor.$turned([of(0), of(1), of(2), of(3)]);
+                        packs[first].lanes[lane..lane + 4].copy_from_slice(&a);
+                        packs[first + 1].lanes[lane..lane + 4].copy_from_slice(&b);
+                        packs[first + 2].lanes[lane..lane + 4].copy_from_slice(&c);
+                        packs[first + 3].lanes[lane..lane + 4].copy_from_slice(&d);
+                        entry += 4;
+                    }
+                }
             }
         }
     };
@@ -176,40 +248,21 @@ macro_rules! register {
     )*};
 }
 
-/// Registers of both kinds of numbers: such that round as the number alone does, and such that fuse.
+/// Registers of both kinds of numbers, such that round as the number alone does and such that fuse; and how many
+/// lanes packs have instead.
 macro_rules! registers {
-    ($processor:ident: $double:literal $single:literal) => {
-        registers!($processor, f64, $double:
-            add_f64s sub_f64s mul_f64s div_f64s mul_add_f64s neg_f64s sqrt_f64s);
-        registers!($processor, f32, $single:
-            add_f32s sub_f32s mul_f32s div_f32s mul_add_f32s neg_f32s sqrt_f32s);
+    ($processor:ident: $double:literal for $packed:literal, $single:literal for $packed_single:literal) => {
+        registers!($processor, f64, $double, $packed:
+            turned_f64 add_f64s sub_f64s mul_f64s div_f64s mul_add_f64s neg_f64s sqrt_f64s);
+        registers!($processor, f32, $single, $packed_single:
+            turned_f32 add_f32s sub_f32s mul_f32s div_f32s mul_add_f32s neg_f32s sqrt_f32s);
     };
-    ($processor:ident, $float:ident, $lanes:literal: $($instruction:ident)*) => {
-        register!($processor, $float, $lanes, fuses: cfg!(target_feature = "fma"), $float: $($instruction)*);
-        register!($processor, Fused<$float>, $lanes, fuses: true, $float: $($instruction)*);
+    ($processor:ident, $float:ident, $lanes:literal, $loose:literal: $($instruction:ident)*) => {
+        register!($processor, $float, $lanes, loose: $loose, fuses: cfg!(target_feature = "fma"), $float:
+            $($instruction)*);
+        register!($processor, Fused<$float>, $lanes, loose: $loose, fuses: true, $float: $($instruction)*);
     };
 }
-registers!(V3: 4 8);
-registers!(V4: 8 16);
-
-impl<S, T: Lane, const L: usize> Packed for Register<S, T, L> {
-    type Lane = T::Bare;
-    type Number = T::Bare;
-    const NUMBERS: usize = 1;
-
-    #[inline]
-    fn lane(&self, index: usize) -> T::Bare {
-        self.lanes[index]
-    }
-
-    #[inline(always)]
-    fn write(&self, columns: &mut [&mut [T::Bare]], states: Range<usize>) {
-        let numbers = &mut columns[0][states];
-        if let Some(numbers) = numbers.first_chunk_mut::<L>() {
-            *numbers = self.lanes;
-        } else {
-            let count = numbers.len();
-            numbers.copy_from_slice(&self.lanes[..count]);
-        }
-    }
-}
+registers!(Short: 2 for 4, 4 for 8);
+registers!(Narrow: 4 for 4, 8 for 8);
+registers!(Wide: 8 for 8, 16 for 16);

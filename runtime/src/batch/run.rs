@@ -6,7 +6,7 @@
     reason = "only what is inlined is compiled for the processor that was found"
 )]
 
-use super::packed::{Packed, Packs};
+use super::packed::Packs;
 use super::processor;
 
 /// Work on some states, which can be done by packs of any kind.
@@ -22,6 +22,9 @@ pub(super) trait Work: Sized + Send {
     /// By packs that every processor computes with.
     fn plain(self);
 
+    /// By registers of 128 bits.
+    fn short(self, processor: processor::Short);
+
     /// By registers of 256 bits.
     fn narrow(self, processor: processor::Narrow);
 
@@ -34,7 +37,12 @@ macro_rules! by_packs {
     () => {
         #[inline(always)]
         fn plain(self) {
-            self.by::<T::Narrow>(());
+            self.by::<T::Plain>(());
+        }
+
+        #[inline(always)]
+        fn short(self, processor: processor::Short) {
+            self.by::<T::InShort>(processor);
         }
 
         #[inline(always)]
@@ -55,7 +63,7 @@ pub(super) use by_packs;
 /// It changes no result of [`Batch::of`](super::Batch::of).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Vectors {
-    /// What every processor of the target has: SSE2, NEON.
+    /// What the target has, and on x86 up to 128 bits: SSE4.2, NEON.
     OfTarget,
     /// Up to 256 bits: AVX2 with FMA.
     Bits256,
@@ -104,42 +112,53 @@ fn here<W: Work>(work: W, most: Vectors) {
 mod x86 {
     use super::{Vectors, Work};
     use pulp::NullaryFnOnce;
-    use pulp::x86::{V3, V4};
+    use pulp::x86::{V2, V3, V4};
 
-    /// Work to be compiled for AVX2.
-    struct Narrow<W>(W, V3);
+    /// Work to be compiled for a processor.
+    struct For<P, W>(P, W);
 
-    impl<W: Work> NullaryFnOnce for Narrow<W> {
-        type Output = ();
+    macro_rules! work {
+        ($($processor:ident $method:ident)*) => {$(
+            impl<W: Work> NullaryFnOnce for For<$processor, W> {
+                type Output = ();
 
-        #[inline(always)]
-        fn call(self) {
-            self.0.narrow(self.1);
-        }
+                #[inline(always)]
+                fn call(self) {
+                    self.1.$method(self.0);
+                }
+            }
+        )*};
     }
+    work!(V2 short V3 narrow V4 wide);
 
-    /// Work to be compiled for AVX-512.
-    struct Wide<W>(W, V4);
+    /// What the target has itself.
+    const OF_TARGET: Vectors = if cfg!(target_feature = "avx512f") {
+        Vectors::Bits512
+    } else if cfg!(target_feature = "fma") {
+        Vectors::Bits256
+    } else {
+        Vectors::OfTarget
+    };
 
-    impl<W: Work> NullaryFnOnce for Wide<W> {
-        type Output = ();
-
-        #[inline(always)]
-        fn call(self) {
-            self.0.wide(self.1);
-        }
-    }
-
-    /// Does the work with vectors that this processor has beyond its target's, or gives it back.
+    /// Does the work with the vectors of this processor, or gives it back where it has none.
     pub(super) fn run<W: Work>(work: W, most: Vectors) -> Option<W> {
+        let most = match most {
+            Vectors::OfTarget => OF_TARGET,
+            longer => longer,
+        };
         if most >= Vectors::Bits512
             && let Some(processor) = V4::try_new()
         {
-            processor.vectorize(Wide(work, processor));
+            processor.vectorize(For(processor, work));
         } else if most >= Vectors::Bits256
             && let Some(processor) = V3::try_new()
         {
-            processor.vectorize(Narrow(work, processor));
+            processor.vectorize(For(processor, work));
+        } else if matches!(OF_TARGET, Vectors::OfTarget)
+            && let Some(processor) = V2::try_new()
+        {
+            // Where the target fuses products with sums, V2 would not round as the number alone does.
+            processor.vectorize(For(processor, work));
         } else {
             return Some(work);
         }
@@ -167,16 +186,5 @@ pub(super) fn load<T, P: Packs<T>, const N: usize>(
 ) {
     for (packs, states) in packs.iter_mut().zip(states.chunks(P::LANES)) {
         P::load(states, packs);
-    }
-}
-
-/// Writes the result of each lane.
-///
-/// It is never inlined: the vectors of a result are to be stored as they are, for from their stores the
-/// compiler tells that lanes belong together.
-#[inline(never)]
-pub(super) fn store<P: Packed>(packed: &P, results: &mut [P::Lane]) {
-    for (lane, result) in results.iter_mut().enumerate() {
-        *result = packed.lane(lane);
     }
 }

@@ -13,7 +13,7 @@ use super::declaration;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{Lengths, known};
-use super::method::{self, Computation};
+use super::method;
 use super::names::ident;
 use super::results::result_type;
 use crate::function::Function;
@@ -54,8 +54,7 @@ impl<'p> Batched<'p> {
     }
 
     /// The function's trait, with what computes it.
-    pub(super) fn in_trait(&self, computation: &Computation) -> TokenStream {
-        let Computation { code, is_whole } = computation;
+    pub(super) fn in_trait(&self, body: &TokenStream) -> TokenStream {
         let lengths = known(&self.listing.spaces);
         let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
         let generics = method::generics(&[], self.dialect);
@@ -68,10 +67,10 @@ impl<'p> Batched<'p> {
             #head {
                 #[allow(clippy::inline_always, reason = "what is inlined is compiled for the caller's vectors")]
                 #[inline(always)]
-                fn #name #parameters { #code }
+                fn #name #parameters { #body }
 
                 #[inline]
-                fn is_inlined(&self) -> ::core::primitive::bool { #is_whole }
+                fn is_inlined(&self) -> ::core::primitive::bool { true }
             }
         }
     }

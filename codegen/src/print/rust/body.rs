@@ -27,8 +27,6 @@ pub(super) struct Body {
     pub statements: TokenStream,
     /// The numbers of the result; of a matrix that is filled, the matrix.
     pub results: Results,
-    /// Whether it is all here, and not in functions of its own.
-    pub is_whole: bool,
 }
 
 /// What a function returns.
@@ -77,9 +75,9 @@ pub(super) fn body(
         Returns::Number | Returns::Arrays => Stored::AtTheEnd,
     };
     let mut routine = Routine::of((program, length), &readable, names, stored);
-    let is_whole = routine.work.is_none();
-    let alike = arguments.first().filter(|_| is_whole);
-    let alike = alike.and_then(|first| dialect.alike(&numerals, &ident(first.name())));
+    let alike = arguments
+        .first()
+        .and_then(|first| dialect.alike(&numerals, &ident(first.name())));
     let constant = alike.unwrap_or(constant);
     let is_number = returns == Returns::Number;
     let returned = is_number.then(|| returned(&mut routine)).flatten();
@@ -149,7 +147,6 @@ pub(super) fn body(
     Body {
         statements,
         results,
-        is_whole,
     }
 }
 

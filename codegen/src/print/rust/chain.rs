@@ -34,7 +34,6 @@ pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
     let Body {
         statements,
         results,
-        ..
     } = body(
         (&data.program, Length::UNBOUNDED),
         (&[], Returns::Arrays),

@@ -52,7 +52,6 @@ fn method(
     let Body {
         statements,
         results,
-        ..
     } = body(
         (&listed.program, Length::UNBOUNDED),
         (&arguments, Returns::Arrays),

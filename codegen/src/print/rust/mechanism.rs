@@ -36,7 +36,6 @@ pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> To
     let Body {
         statements,
         results,
-        ..
     } = body(
         (&data.loops.program, Length::UNBOUNDED),
         (&[], Returns::Arrays),

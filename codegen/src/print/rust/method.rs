@@ -21,19 +21,12 @@ use crate::print::large::columns;
 use crate::print::{Fields, Listed, Listing, arguments};
 use crate::space::{Space, Spaces};
 
-/// What computes a function, to stand between braces.
-pub(super) struct Computation {
-    pub code: TokenStream,
-    /// Whether it is all between them, and not in functions of its own.
-    pub is_whole: bool,
-}
-
-/// What computes `listed` from what its struct has.
+/// What computes `listed` from what its struct has, to stand between braces.
 pub(super) fn computation(
     (listed, fields): (&Listed, Fields<'_>),
     listing: &Listing,
     dialect: &Dialect,
-) -> Computation {
+) -> TokenStream {
     let spaces = &listing.spaces;
     let arguments = listed.arguments(spaces);
     let returns = match (&*listed.functions, columns(&listed.functions, spaces)) {
@@ -44,7 +37,6 @@ pub(super) fn computation(
     let Body {
         statements,
         results,
-        is_whole,
     } = body(
         (&listed.program, listing.length),
         (&arguments, returns),
@@ -55,10 +47,7 @@ pub(super) fn computation(
         Results::Filled(matrix) => matrix.into_token_stream(),
         Results::Numbers(numbers) => result_value(&listed.functions, spaces, &numbers, dialect),
     };
-    Computation {
-        code: quote! { #statements #result },
-        is_whole,
-    }
+    quote! { #statements #result }
 }
 
 /// The method that computes `listed` by what stands between its braces, under these lines.

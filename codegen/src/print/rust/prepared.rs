@@ -34,7 +34,6 @@ pub(super) fn prepared(
     let Body {
         statements,
         results,
-        ..
     } = body(
         (&prepared.once, listing.length),
         (&[], Returns::Arrays),
@@ -68,7 +67,7 @@ pub(super) fn prepared(
             (&own, &listing.spaces),
             (listed, &about),
             &name,
-            (&body.code, &inside),
+            (&body, &inside),
         ));
         if let ([function], None) = (&*listed.functions, &listed.frame) {
             beside.extend(method::in_trait(listing, &own, *function, &name, &inside));

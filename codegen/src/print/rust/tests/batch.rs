@@ -1,11 +1,9 @@
 //! Functions that take slices of states besides, as text.
 
-use super::long::long;
 use super::{function, listing, made, name, pretty, stub, with_runtime};
 use crate::print::Listing;
 use crate::real::Real;
 use crate::request::Request;
-use crate::schedule::Length;
 
 fn batched() -> Listing {
     Listing {
@@ -37,18 +35,6 @@ fn what_computes_is_inlined_and_both_methods_call_it() {
     let numbers = "let k = |number| ::homogen::Scalar::like(q[0], number);";
     assert!(of_trait.contains(&format!("{head}{numbers}")), "{text}");
     assert!(of_trait.contains("fn is_inlined(&self) -> ::core::primitive::bool {\n        true"));
-}
-
-#[test]
-fn a_function_in_sections_is_not_inlined_whole() {
-    let batched = Listing {
-        length: Length::at_most(50),
-        batch: true,
-        ..long(Real::Generic)
-    };
-    let text = with_runtime(&batched);
-    assert!(text.contains("fn is_inlined(&self) -> ::core::primitive::bool {\n        false"));
-    assert!(!text.contains("Scalar::like"), "{text}");
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn program() -> Program {
     }
 }
 
-pub(super) fn long(scalar: Real) -> Listing {
+fn long(scalar: Real) -> Listing {
     let mut listing = listing(scalar);
     listing.spaces = turning((0..JOINTS).map(|joint| format!("joint {joint}")));
     listing.parameters = (0..FIELDS)

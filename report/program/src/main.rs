@@ -29,7 +29,6 @@ use std::{env, fs};
 
 use clap::Parser;
 use document::Measured;
-use homogen_codegen::space::Space;
 use measure::{Effort, Run};
 use peers::{MAKERS, MAKERS_OF_MANY, Peers};
 use program::Flags;
@@ -99,7 +98,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     } else {
         GROWTH
     };
-    let (of_many, too_large) = of_many(&robots, &beside, options.smoke);
+    let of_many = of_many(&robots, &beside, options.smoke);
     let functions: usize = scenes().map(|scene| scene.functions.len()).sum();
     let chains = joints.len() * growth::FUNCTIONS.len();
     let mut progress = Progress::new(functions + chains + of_many.len());
@@ -137,10 +136,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     let runs: Vec<Run<'_>> = (of_many.into_iter())
         .map(|scene| run(scene, &MAKERS_OF_MANY))
         .collect();
-    let mut many = many::measure(&executables, &runs, effort, prices_of_many, &mut progress)?;
-    let reason =
-        |scene: &Scene| format!("{}, of which batches take minutes to compile", scene.title);
-    many.missing.extend(too_large.into_iter().map(reason));
+    let many = many::measure(&executables, &runs, effort, prices_of_many, &mut progress)?;
 
     let folder = options.output.unwrap_or_else(|| {
         if options.smoke {
@@ -168,22 +164,13 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder)
 }
 
-/// The most velocities of a robot of which many states are computed here: batches of a humanoid, for each kind of
-/// vectors and type of number, take the compiler a quarter of an hour.
-const MOST_VELOCITIES: usize = 24;
-
-/// The robots of which many states are computed, which stand beside others, or else those that ship, but for the
-/// smallest; and those that are too large for it.
-fn of_many<'a>(
-    robots: &'a [Scene],
-    beside: &'a [Scene],
-    smoke: bool,
-) -> (Vec<&'a Scene>, Vec<&'a Scene>) {
+/// The robots of which many states are computed: those that stand beside others, or else those that ship, but for the
+/// smallest.
+fn of_many<'a>(robots: &'a [Scene], beside: &'a [Scene], smoke: bool) -> Vec<&'a Scene> {
     let scenes = match (beside, smoke) {
         ([], true) => &robots[..1],
         ([], false) => &robots[1..],
         (beside, _) => beside,
     };
-    let is_small = |scene: &&Scene| scene.spaces.len(Space::Velocities) <= MOST_VELOCITIES;
-    scenes.iter().partition(is_small)
+    scenes.iter().collect()
 }

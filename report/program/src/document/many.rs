@@ -38,8 +38,8 @@ fn method(many: &Many<'_>) -> String {
          by the clock, divided by their number; where all threads work together it is that much \
          shorter. An error is the worst of all entries.\n\
          `Batch::of` has the bits of one state at a time, and chooses its vectors when it runs; \
-         `Batch::fused` fuses products with sums. Vectors of the build are those that its flags allow, SSE2 \
-         in a baseline of x86-64.\n\n",
+         `Batch::fused` fuses products with sums. Vectors of the build are those that its flags allow, of 128 \
+         bits in a baseline of x86-64.\n\n",
         processor = machine::processor(),
         different = states::STATES,
     );

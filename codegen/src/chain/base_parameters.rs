@@ -18,15 +18,15 @@ use crate::random::Random;
 use crate::request::Parameter;
 use crate::space::ParameterId;
 use columns::{Column, Columns};
-use span::Span;
+use span::{ROUNDED, Span};
 
 /// What torques can tell of a robot's inertial parameters.
 #[derive(Clone, Debug, Default)]
 pub struct BaseParameters {
     /// In the order of the parameters that lead them.
     pub groups: Vec<Group>,
-    /// How far a column of the regressor that was taken for a combination of others is from one, beside its
-    /// length: far more than rounding makes where it is not known whether it is.
+    /// How far a column of the regressor that was taken for a combination of others is from one at most, beside its
+    /// length; or beside that of the longest, where it was taken for nothing.
     pub nearest: f64,
 }
 
@@ -35,7 +35,6 @@ impl BaseParameters {
     /// than rounding makes it.
     #[must_use]
     pub fn is_uncertain(&self) -> bool {
-        const ROUNDED: f64 = 1e-14;
         self.nearest > ROUNDED
     }
 

@@ -393,6 +393,26 @@ fn base_parameters_that_cannot_be_told_apart_are_refused_by_name() {
 }
 
 #[test]
+fn base_parameters_of_the_robots_that_ship_are_certain() {
+    for name in [
+        "two_link",
+        "puma560",
+        "panda_class",
+        "ur5_class",
+        "stanford",
+        "scara",
+        "quadruped",
+    ] {
+        let description = described(&format!("{name}.urdf"));
+        let chain = understand(&description, &Request::default());
+        let base = chain
+            .unwrap_or_else(|errors| panic!("{errors}"))
+            .base_parameters;
+        assert!(!base.is_uncertain(), "{name}: {:e}", base.nearest);
+    }
+}
+
+#[test]
 fn base_parameters_round_as_what_they_are_sums_of() {
     let tokens = quote::quote! {
         struct Scara { tip: tool }

@@ -9,7 +9,11 @@ use crate::space::ParameterId;
 const NOTHING: f64 = 1e-9;
 
 /// What is left of a part, or of a column beside the longest, is rounding.
-const ROUNDED: f64 = 1e-11;
+pub const ROUNDED: f64 = 1e-11;
+
+/// Beside a column so long, what torques see of a moment of inertia about its own joint, an acceleration of about
+/// 1 rad/s², is not known from rounding.
+const LONG: f64 = 0.01 / ROUNDED;
 
 /// Columns that do not depend on each other.
 pub struct Span<'c> {
@@ -18,7 +22,8 @@ pub struct Span<'c> {
     directions: Vec<(Vec<f64>, Vec<f64>)>,
     /// The length of the longest column of those to come.
     longest: f64,
-    /// The largest part that was left of a column which was taken for a combination of others, or for nothing.
+    /// The largest part that was left of a column which was taken for a combination of others, or, beside the longest,
+    /// for nothing.
     nearest: f64,
 }
 
@@ -34,8 +39,8 @@ impl<'c> Span<'c> {
         }
     }
 
-    /// How far a column that was taken for a combination of others, or for nothing, is from one at most, beside its
-    /// length.
+    /// How far a column that was taken for a combination of others is from one at most, beside its length; or beside
+    /// that of the longest, where it was taken for nothing.
     pub fn nearest(&self) -> f64 {
         self.nearest
     }
@@ -70,8 +75,13 @@ impl<'c> Span<'c> {
             self.columns.push((name, column));
             return None;
         }
-        if rest > 0.0 {
-            self.nearest = self.nearest.max(rest / whole);
+        let beside = if whole > ROUNDED * self.longest {
+            whole
+        } else {
+            self.longest.min(LONG)
+        };
+        if beside > 0.0 {
+            self.nearest = self.nearest.max(rest / beside);
         }
         let parts = self.columns.iter().zip(factors);
         let parts = parts.filter_map(|(&(name, other), factor)| {

@@ -156,21 +156,8 @@ macro_rules! batch {
                 }
 
                 impl<R: ?Sized, M, T: Number, $(const $size: usize),*> States<'_, R, M, T, $($size),*> {
-                    /// By registers where the function is compiled for the processor, and by packs where not.
                     #[inline(always)]
                     fn by<K: Packs<T>>(self, processor: K::Processor)
-                    where
-                        R: robot::$name<$($length,)* K, Q> + robot::$name<$($length,)* K::Loose, Q>,
-                    {
-                        if robot::$name::<$($length,)* K, Q>::is_inlined(self.robot) {
-                            self.all::<K>(processor);
-                        } else {
-                            self.all::<K::Loose>(());
-                        }
-                    }
-
-                    #[inline(always)]
-                    fn all<K: Packs<T>>(self, processor: K::Processor)
                     where
                         R: robot::$name<$($length,)* K, Q>,
                     {
@@ -197,7 +184,7 @@ macro_rules! batch {
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
                         + robot::$name<$($length,)* M::Wide<T>, Q>
                         + robot::$name<$($length,)* T::InShort, Q>
-                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
+                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
                         + robot::$name<$($length,)* M::InWide<T>, Q>,
                 {
                     #[cfg(feature = "rayon")]
@@ -216,7 +203,7 @@ macro_rules! batch {
                         )
                     }
 
-                    run::by_packs!();
+                    run::by_packs!($name [$($length)*]);
                 }
 
                 check(&[$((stringify!($argument), $argument.len()),)* ("results", results.len())])?;

@@ -13,6 +13,7 @@ use std::vec::Vec;
 
 use super::error::ColumnsError;
 use super::packed::{Number, Packed, Packs, Rounding};
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::processor;
 use super::run::{self, Vectors};
 use crate::robot;
@@ -173,21 +174,8 @@ macro_rules! batch {
                         })
                     }
 
-                    /// By registers where the function is compiled for the processor, and by packs where not.
                     #[inline(always)]
                     fn by<K: Packs<T>>(self, processor: K::Processor)
-                    where
-                        R: robot::$name<$($length,)* K, Q> + robot::$name<$($length,)* K::Loose, Q>,
-                    {
-                        if robot::$name::<$($length,)* K, Q>::is_inlined(self.robot) {
-                            self.all::<K>(processor);
-                        } else {
-                            self.all::<K::Loose>(());
-                        }
-                    }
-
-                    #[inline(always)]
-                    fn all<K: Packs<T>>(self, processor: K::Processor)
                     where
                         R: robot::$name<$($length,)* K, Q>,
                     {
@@ -212,7 +200,7 @@ macro_rules! batch {
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
                         + robot::$name<$($length,)* M::Wide<T>, Q>
                         + robot::$name<$($length,)* T::InShort, Q>
-                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
+                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
                         + robot::$name<$($length,)* M::InWide<T>, Q>,
                 {
                     #[cfg(feature = "rayon")]
@@ -232,7 +220,7 @@ macro_rules! batch {
                         )
                     }
 
-                    run::by_packs!();
+                    run::by_packs!($name [$($length)*]);
                 }
 
                 let count = check(&[

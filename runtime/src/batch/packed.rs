@@ -19,25 +19,25 @@ use core::ops::Range;
 /// A number that batches are made of, `f32` or `f64`, and the packs that it goes into.
 pub trait Number: Lane<Bare = Self> {
     /// Lanes for registers of up to 256 bits, which compute as the number alone does.
-    type Narrow: Packs<Self, Processor = (), Loose = Self::Narrow>;
+    type Narrow: Packs<Self, Processor = ()>;
     /// Lanes for registers of 512 bits, which compute as the number alone does.
-    type Wide: Packs<Self>;
+    type Wide: Packs<Self, Processor = ()>;
     /// Lanes for registers of 256 bits, which fuse products with sums.
-    type FusedNarrow: Packs<Self>;
+    type FusedNarrow: Packs<Self, Processor = ()>;
     /// Lanes for registers of 512 bits, which fuse products with sums.
-    type FusedWide: Packs<Self>;
+    type FusedWide: Packs<Self, Processor = ()>;
     /// Lanes for a processor of which nothing is known, which compute as the number alone does.
-    type Plain: Packs<Self, Processor = (), Loose = Self::Plain>;
+    type Plain: Packs<Self, Processor = ()>;
     /// Lanes in a register of 128 bits, which compute as the number alone does.
-    type InShort: Packs<Self, Processor = processor::Short, Loose = Self::Narrow>;
+    type InShort: Packs<Self, Processor = processor::Short>;
     /// The lanes of [`Narrow`](Self::Narrow) in a register.
-    type InNarrow: Packs<Self, Processor = processor::Narrow, Loose = Self::Narrow>;
+    type InNarrow: Packs<Self, Processor = processor::Narrow>;
     /// The lanes of [`Wide`](Self::Wide) in a register.
-    type InWide: Packs<Self, Processor = processor::Wide, Loose = Self::Wide>;
+    type InWide: Packs<Self, Processor = processor::Wide>;
     /// The lanes of [`FusedNarrow`](Self::FusedNarrow) in a register.
-    type FusedInNarrow: Packs<Self, Processor = processor::Narrow, Loose = Self::FusedNarrow>;
+    type FusedInNarrow: Packs<Self, Processor = processor::Narrow>;
     /// The lanes of [`FusedWide`](Self::FusedWide) in a register.
-    type FusedInWide: Packs<Self, Processor = processor::Wide, Loose = Self::FusedWide>;
+    type FusedInWide: Packs<Self, Processor = processor::Wide>;
 }
 
 /// The lanes of a pack in a register of a processor; where the target tells all of a processor, the pack itself.
@@ -49,12 +49,6 @@ macro_rules! held {
 }
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 macro_rules! held {
-    (Short, f64, $lanes:literal) => {
-        Pack<f64, 4>
-    };
-    (Short, f32, $lanes:literal) => {
-        Pack<f32, 8>
-    };
     ($processor:ident, $number:ty, $lanes:literal) => {
         Pack<$number, $lanes>
     };
@@ -85,13 +79,13 @@ number!(f32: 4, 8, 16);
 /// Which packs a batch goes into: how its products and sums are rounded.
 pub trait Rounding: Send + sealed::Sealed {
     /// Lanes for registers of up to 256 bits.
-    type Narrow<T: Number>: Packs<T>;
+    type Narrow<T: Number>: Packs<T, Processor = ()>;
     /// Lanes for registers of 512 bits.
-    type Wide<T: Number>: Packs<T>;
+    type Wide<T: Number>: Packs<T, Processor = ()>;
     /// The lanes of [`Narrow`](Self::Narrow) in a register.
-    type InNarrow<T: Number>: Packs<T, Processor = processor::Narrow, Loose = Self::Narrow<T>>;
+    type InNarrow<T: Number>: Packs<T, Processor = processor::Narrow>;
     /// The lanes of [`Wide`](Self::Wide) in a register.
-    type InWide<T: Number>: Packs<T, Processor = processor::Wide, Loose = Self::Wide<T>>;
+    type InWide<T: Number>: Packs<T, Processor = processor::Wide>;
 }
 
 /// As the function of one state is rounded.
@@ -131,9 +125,6 @@ pub trait Packs<T>: Scalar + Packed<Lane = T, Number = T> {
     /// The proof that the processor has what it computes with.
     type Processor: Copy;
 
-    /// The same lanes, for code that is not compiled for the processor: what needs no proof.
-    type Loose: Packs<T, Processor = (), Loose = Self::Loose>;
-
     /// The same number in each lane.
     fn filled(processor: Self::Processor, number: T) -> Self;
 
@@ -147,7 +138,6 @@ pub trait Packs<T>: Scalar + Packed<Lane = T, Number = T> {
 impl<T: Lane, const L: usize> Packs<T::Bare> for Pack<T, L> {
     const LANES: usize = L;
     type Processor = ();
-    type Loose = Self;
 
     #[inline(always)]
     fn filled((): (), number: T::Bare) -> Self {

@@ -2,9 +2,12 @@
 //!
 //! In: the features that the target has, and what a processor is found to have beyond them. Out: a type without size for
 //! each length of registers, which is the proof.
-#![expect(
-    clippy::inline_always,
-    reason = "only what is inlined is compiled for the processor that was found"
+#![cfg_attr(
+    any(target_arch = "x86", target_arch = "x86_64"),
+    expect(
+        clippy::inline_always,
+        reason = "only what is inlined is compiled for the processor that was found"
+    )
 )]
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -37,15 +40,9 @@ mod x86 {
 
     /// A processor, by the proof that it is one.
     pub trait Processor: Copy {
-        /// The proof, if it is the one that runs.
-        fn found() -> Option<Self>;
-
-        /// Sines and cosines of packs, compiled by themselves: among a thousand other operations the compiler
-        /// does not always see that their lanes belong together.
-        fn sines<T: Lane, const L: usize, const N: usize>(
-            self,
-            angles: [Pack<T, L>; N],
-        ) -> ([Pack<T, L>; N], [Pack<T, L>; N]);
+        /// Sine and cosine of a pack, compiled by themselves: among a thousand other operations the compiler does
+        /// not always see that their lanes belong together.
+        fn sin_cos<T: Lane, const L: usize>(self, angle: Pack<T, L>) -> (Pack<T, L>, Pack<T, L>);
 
         /// Of rows of four numbers, one of each of four states, the columns.
         fn turned_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4];
@@ -54,32 +51,25 @@ mod x86 {
         fn turned_f32(self, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4];
     }
 
-    /// The sines of a call.
-    struct Sines<T, const L: usize, const N: usize>([Pack<T, L>; N]);
+    /// An angle whose sine and cosine are wanted.
+    struct Angle<T, const L: usize>(Pack<T, L>);
 
-    impl<T: Lane, const L: usize, const N: usize> WithSimd for Sines<T, L, N> {
-        type Output = ([Pack<T, L>; N], [Pack<T, L>; N]);
+    impl<T: Lane, const L: usize> WithSimd for Angle<T, L> {
+        type Output = (Pack<T, L>, Pack<T, L>);
 
         #[inline(always)]
         fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-            Pack::sin_cos_all(self.0)
+            let ([sine], [cosine]) = Pack::sin_cos_all([self.0]);
+            (sine, cosine)
         }
     }
 
     macro_rules! processors {
         ($($processor:ident: $turned_f64:expr;)*) => {$(
             impl Processor for $processor {
-                #[inline]
-                fn found() -> Option<Self> {
-                    Self::try_new()
-                }
-
                 #[inline(always)]
-                fn sines<T: Lane, const L: usize, const N: usize>(
-                    self,
-                    angles: [Pack<T, L>; N],
-                ) -> ([Pack<T, L>; N], [Pack<T, L>; N]) {
-                    Simd::vectorize(self, Sines(angles))
+                fn sin_cos<T: Lane, const L: usize>(self, angle: Pack<T, L>) -> (Pack<T, L>, Pack<T, L>) {
+                    Simd::vectorize(self, Angle(angle))
                 }
 
                 #[inline(always)]

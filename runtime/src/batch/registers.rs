@@ -69,7 +69,7 @@ fn four<T: Copy>(numbers: &[T], first: usize) -> [T; 4] {
 
 /// Registers of a processor that hold so many numbers; `fuses` says whether a product and a sum are one instruction.
 macro_rules! register {
-    ($processor:ident, $number:ty, $lanes:literal, loose: $loose:literal, fuses: $fuses:expr, $bare:ident:
+    ($processor:ident, $number:ty, $lanes:literal, fuses: $fuses:expr, $bare:ident:
         $turned:ident $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident $neg:ident $sqrt:ident
     ) => {
         register!(operator $processor, $number, $lanes: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
@@ -90,7 +90,7 @@ macro_rules! register {
             /// Where the processor has not the instructions: only [`like`](Scalar::like) has the proof.
             #[inline]
             fn constant(value: f64) -> Self {
-                let processor = $processor::found().expect("registers are of the processor that runs");
+                let processor = $processor::try_new().expect("registers are of the processor that runs");
                 Self { processor, lanes: [$bare::constant(value); $lanes] }
             }
 
@@ -142,8 +142,8 @@ macro_rules! register {
                 let (mut sines, mut cosines) = (angles, angles);
                 for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {
                     let processor = sine.processor;
-                    let ([own_sine], [own_cosine]) = processor.sines([sine.pack()]);
-                    (*sine, *cosine) = (Self::of(processor, &own_sine), Self::of(processor, &own_cosine));
+                    let packs = processor.sin_cos(sine.pack());
+                    (*sine, *cosine) = (Self::of(processor, &packs.0), Self::of(processor, &packs.1));
                 }
                 (sines, cosines)
             }
@@ -199,7 +199,6 @@ macro_rules! register {
         impl Packs<$bare> for Register<$processor, $number, $lanes> {
             const LANES: usize = $lanes;
             type Processor = $processor;
-            type Loose = Pack<$number, $loose>;
 
             #[inline(always)]
             fn filled(processor: $processor, number: $bare) -> Self {
@@ -248,21 +247,19 @@ macro_rules! register {
     )*};
 }
 
-/// Registers of both kinds of numbers, such that round as the number alone does and such that fuse; and how many
-/// lanes packs have instead.
+/// Registers of both kinds of numbers, such that round as the number alone does and such that fuse.
 macro_rules! registers {
-    ($processor:ident: $double:literal for $packed:literal, $single:literal for $packed_single:literal) => {
-        registers!($processor, f64, $double, $packed:
+    ($processor:ident: $double:literal $single:literal) => {
+        registers!($processor, f64, $double:
             turned_f64 add_f64s sub_f64s mul_f64s div_f64s mul_add_f64s neg_f64s sqrt_f64s);
-        registers!($processor, f32, $single, $packed_single:
+        registers!($processor, f32, $single:
             turned_f32 add_f32s sub_f32s mul_f32s div_f32s mul_add_f32s neg_f32s sqrt_f32s);
     };
-    ($processor:ident, $float:ident, $lanes:literal, $loose:literal: $($instruction:ident)*) => {
-        register!($processor, $float, $lanes, loose: $loose, fuses: cfg!(target_feature = "fma"), $float:
-            $($instruction)*);
-        register!($processor, Fused<$float>, $lanes, loose: $loose, fuses: true, $float: $($instruction)*);
+    ($processor:ident, $float:ident, $lanes:literal: $($instruction:ident)*) => {
+        register!($processor, $float, $lanes, fuses: cfg!(target_feature = "fma"), $float: $($instruction)*);
+        register!($processor, Fused<$float>, $lanes, fuses: true, $float: $($instruction)*);
     };
 }
-registers!(Short: 2 for 4, 4 for 8);
-registers!(Narrow: 4 for 4, 8 for 8);
-registers!(Wide: 8 for 8, 16 for 16);
+registers!(Short: 2 4);
+registers!(Narrow: 4 8);
+registers!(Wide: 8 16);

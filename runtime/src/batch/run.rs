@@ -7,7 +7,8 @@
 )]
 
 use super::packed::Packs;
-use super::processor;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use super::processor::{Narrow, Short, Wide};
 
 /// Work on some states, which can be done by packs of any kind.
 pub(super) trait Work: Sized + Send {
@@ -23,36 +24,41 @@ pub(super) trait Work: Sized + Send {
     fn plain(self);
 
     /// By registers of 128 bits.
-    fn short(self, processor: processor::Short);
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    fn short(self, processor: Short);
 
     /// By registers of 256 bits.
-    fn narrow(self, processor: processor::Narrow);
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    fn narrow(self, processor: Narrow);
 
     /// By registers of 512 bits.
-    fn wide(self, processor: processor::Wide);
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    fn wide(self, processor: Wide);
 }
 
-/// The ways of [`Work`] of what has a method `by`, over any packs: `T` are its numbers and `M` is how they are rounded.
+/// The ways of [`Work`] of what has a method `by`, over any packs, and a `robot` with that trait: `T` are its numbers and
+/// `M` is how they are rounded.
 macro_rules! by_packs {
-    () => {
+    ($name:ident [$($length:ident)*]) => {
         #[inline(always)]
         fn plain(self) {
             self.by::<T::Plain>(());
         }
 
+        run::by_packs!(@ $name [$($length)*] short Short T::InShort, T::Narrow);
+        run::by_packs!(@ $name [$($length)*] narrow Narrow M::InNarrow<T>, M::Narrow<T>);
+        run::by_packs!(@ $name [$($length)*] wide Wide M::InWide<T>, M::Wide<T>);
+    };
+    // By registers where the function is compiled for the processor, and by packs where not.
+    (@ $name:ident [$($length:ident)*] $method:ident $processor:ident $packs:ty, $loose:ty) => {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         #[inline(always)]
-        fn short(self, processor: processor::Short) {
-            self.by::<T::InShort>(processor);
-        }
-
-        #[inline(always)]
-        fn narrow(self, processor: processor::Narrow) {
-            self.by::<M::InNarrow<T>>(processor);
-        }
-
-        #[inline(always)]
-        fn wide(self, processor: processor::Wide) {
-            self.by::<M::InWide<T>>(processor);
+        fn $method(self, processor: processor::$processor) {
+            if robot::$name::<$($length,)* $packs, Q>::is_inlined(self.robot) {
+                self.by::<$packs>(processor);
+            } else {
+                self.by::<$loose>(());
+            }
         }
     };
 }
@@ -63,7 +69,7 @@ pub(super) use by_packs;
 /// It changes no result of [`Batch::of`](super::Batch::of).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Vectors {
-    /// What the target has, and on x86 up to 128 bits: SSE4.2, NEON.
+    /// What the target has: NEON, AVX2 in a build for it; on x86 128 bits at least, where the processor has SSE4.2.
     OfTarget,
     /// Up to 256 bits: AVX2 with FMA.
     Bits256,
@@ -110,9 +116,8 @@ fn here<W: Work>(work: W, most: Vectors) {
 /// Processors that may have more than their target.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod x86 {
-    use super::{Vectors, Work};
+    use super::{Narrow, Short, Vectors, Wide, Work};
     use pulp::NullaryFnOnce;
-    use pulp::x86::{V2, V3, V4};
 
     /// Work to be compiled for a processor.
     struct For<P, W>(P, W);
@@ -129,7 +134,7 @@ mod x86 {
             }
         )*};
     }
-    work!(V2 short V3 narrow V4 wide);
+    work!(Short short Narrow narrow Wide wide);
 
     /// What the target has itself.
     const OF_TARGET: Vectors = if cfg!(target_feature = "avx512f") {
@@ -147,17 +152,17 @@ mod x86 {
             longer => longer,
         };
         if most >= Vectors::Bits512
-            && let Some(processor) = V4::try_new()
+            && let Some(processor) = Wide::try_new()
         {
             processor.vectorize(For(processor, work));
         } else if most >= Vectors::Bits256
-            && let Some(processor) = V3::try_new()
+            && let Some(processor) = Narrow::try_new()
         {
             processor.vectorize(For(processor, work));
         } else if matches!(OF_TARGET, Vectors::OfTarget)
-            && let Some(processor) = V2::try_new()
+            && let Some(processor) = Short::try_new()
         {
-            // Where the target fuses products with sums, V2 would not round as the number alone does.
+            // Where the target fuses products with sums, they would not round as the number alone does.
             processor.vectorize(For(processor, work));
         } else {
             return Some(work);

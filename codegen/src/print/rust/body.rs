@@ -63,7 +63,8 @@ pub(super) fn body(
     dialect: &Dialect,
 ) -> Body {
     let mut names = dialect.names.clone();
-    let (numerals, constant) = dialect.numerals(&mut names);
+    let first = arguments.first().map(|argument| ident(argument.name()));
+    let (numerals, constant) = dialect.numerals(first.as_ref(), &mut names);
     let (fused, mul_add) = dialect.fused(&mut names);
     let readable = Readable {
         arguments,
@@ -75,10 +76,6 @@ pub(super) fn body(
         Returns::Number | Returns::Arrays => Stored::AtTheEnd,
     };
     let mut routine = Routine::of((program, length), &readable, names, stored);
-    let alike = arguments
-        .first()
-        .and_then(|first| dialect.alike(&numerals, &ident(first.name())));
-    let constant = alike.unwrap_or(constant);
     let is_number = returns == Returns::Number;
     let returned = is_number.then(|| returned(&mut routine)).flatten();
     let parameters = match fields {

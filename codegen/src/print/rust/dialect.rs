@@ -149,33 +149,25 @@ impl Dialect {
         }
     }
 
-    /// How numbers are written, and the statement that this takes.
-    pub fn numerals(&self, names: &mut Names) -> (Numerals, TokenStream) {
-        match (&self.generic, &self.world, self.real) {
+    /// How numbers are written, and the statement that this takes in a function with that first argument.
+    pub fn numerals(&self, first: Option<&Ident>, names: &mut Names) -> (Numerals, TokenStream) {
+        let made = match (&self.generic, &self.world, first) {
+            (Some(_), World::Runtime(runtime), Some(first)) if self.inlined => {
+                quote! { |number| #runtime::Scalar::like(#first[0], number) }
+            }
             (Some(number), World::Runtime(runtime), _) => {
-                let k = ident(&names.fresh("k"));
-                let statement = quote! { let #k = <#number as #runtime::Scalar>::constant; };
-                (Numerals::Through(k), statement)
+                quote! { <#number as #runtime::Scalar>::constant }
             }
             (Some(number), World::Lanes(path), _) => {
-                let k = ident(&names.fresh("k"));
-                let statement = quote! { let #k = <#number as #path::number::Number>::constant; };
-                (Numerals::Through(k), statement)
+                quote! { <#number as #path::number::Number>::constant }
             }
-            (_, _, _) if self.bare => (Numerals::Bare, TokenStream::new()),
-            (_, _, Real::F32) => (Numerals::Single, TokenStream::new()),
-            (_, _, _) => (Numerals::Double, TokenStream::new()),
-        }
-    }
-
-    /// The statement by which functions that are inlined write numbers.
-    pub fn alike(&self, numerals: &Numerals, argument: &Ident) -> Option<TokenStream> {
-        match (numerals, &self.world) {
-            (Numerals::Through(k), World::Runtime(runtime)) if self.inlined => Some(quote! {
-                let #k = |number| #runtime::Scalar::like(#argument[0], number);
-            }),
-            _ => None,
-        }
+            (_, _, _) if self.bare => return (Numerals::Bare, TokenStream::new()),
+            (_, _, _) if self.real == Real::F32 => return (Numerals::Single, TokenStream::new()),
+            (_, _, _) => return (Numerals::Double, TokenStream::new()),
+        };
+        let k = ident(&names.fresh("k"));
+        let statement = quote! { let #k = #made; };
+        (Numerals::Through(k), statement)
     }
 
     /// A field's number as a number of the code.

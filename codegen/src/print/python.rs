@@ -63,6 +63,8 @@ pub fn print(listing: &Listing, item: &Item, writing: &Writing<'_>) -> Package {
         ("array", include_str!("python/package/array.rs")),
         ("batch", include_str!("python/package/batch.rs")),
         ("number", include_str!("python/package/number.rs")),
+        ("pack", include_str!("python/package/pack.rs")),
+        ("turned", turned(listing.scalar)),
     ];
     let posture = ("posture", include_str!("python/package/posture.rs"));
     let posture = class.has_steps().then_some(posture);
@@ -72,6 +74,7 @@ pub fn print(listing: &Listing, item: &Item, writing: &Writing<'_>) -> Package {
         ("Cargo.toml".to_owned(), project::cargo(module, &head)),
         ("pyproject.toml".to_owned(), project::python(module, &head)),
         ("README.md".to_owned(), project::readme(&class)),
+        ("src/processor.rs".to_owned(), processor(listing.scalar)),
         ("src/real.rs".to_owned(), real(listing.scalar)),
         ("src/functions.rs".to_owned(), class::functions(&class)),
         (format!("python/{module}/__init__.py"), stub::init(&class)),
@@ -91,6 +94,23 @@ fn commented(sign: &str, lines: &[String]) -> String {
     let lines = lines.iter();
     let lines = lines.map(|line| format!("{sign} {}\n", crate::wording::visible(line)));
     lines.collect()
+}
+
+/// What processors do with several numbers of a type.
+fn processor(real: Real) -> String {
+    let text = include_str!("python/package/processor.rs");
+    match real {
+        Real::F32 => text.replace("_f64s(", "_f32s("),
+        Real::F64 | Real::Generic => text.to_owned(),
+    }
+}
+
+/// How they turn rows of numbers of a type into columns.
+fn turned(real: Real) -> &'static str {
+    match real {
+        Real::F32 => include_str!("python/package/turned_f32.rs"),
+        Real::F64 | Real::Generic => include_str!("python/package/turned_f64.rs"),
+    }
 }
 
 /// The type of number, with its vectors and its sines.

@@ -58,10 +58,14 @@ pub(super) fn class(class: &Class<'_>) -> TokenStream {
         mod batch;
         mod functions;
         mod number;
+        mod pack;
         #posture
+        mod processor;
         mod real;
         #[allow(clippy::all, reason = "generated code has one form for every robot")]
         mod robot;
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        mod turned;
 
         use numpy::{PyArray1, PyArray2, PyArrayMethods};
         use pyo3::prelude::*;

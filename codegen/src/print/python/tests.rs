@@ -67,7 +67,7 @@ fn a_class_with_a_function() {
     let robot = file(&package, "src/robot.rs");
     let computed = "    #[inline(always)]
     pub fn gravity<T: crate::number::Number>(&self, q: &[T; 2]) -> ([T; 2],) {
-        let k = <T as crate::number::Number>::constant;
+        let k = |number| crate::number::Number::like(q[0], number);
         let [q_1, q_2] = *q;
         let q_1_2 = q_1 + q_2;
         let ([_, _], [c_1, c_1_2]) = crate::number::Number::sin_cos_all([q_1, q_1_2]);
@@ -179,7 +179,7 @@ fn a_pose_is_whole() {
     );
     let robot = file(&package, "src/robot.rs");
     assert!(
-        robot.contains("<T as crate::number::Number>::constant(1.0),\n            ],\n"),
+        robot.contains("crate::number::Number::like(q[0], 1.0),\n            ],\n"),
         "{robot}"
     );
 }

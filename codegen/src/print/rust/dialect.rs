@@ -158,8 +158,8 @@ impl Dialect {
             (Some(number), World::Runtime(runtime), _) => {
                 quote! { <#number as #runtime::Scalar>::constant }
             }
-            (Some(number), World::Lanes(path), _) => {
-                quote! { <#number as #path::number::Number>::constant }
+            (Some(_), World::Lanes(path), Some(first)) => {
+                quote! { |number| #path::number::Number::like(#first[0], number) }
             }
             (_, _, _) if self.bare => return (Numerals::Bare, TokenStream::new()),
             (_, _, _) if self.real == Real::F32 => return (Numerals::Single, TokenStream::new()),

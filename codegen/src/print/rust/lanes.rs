@@ -65,9 +65,10 @@ fn method(
         let argument = ident(argument.name());
         quote! { #argument: &[#number; #length] }
     });
+    let first = arguments.first().map(|argument| ident(argument.name()));
     let constant = |value: f64| {
         let value = Literal::f64_unsuffixed(value);
-        quote! { <#number as #path::number::Number>::constant(#value) }
+        quote! { #path::number::Number::like(#first[0], #value) }
     };
     let mut rest = &*results;
     let quantities = c::results(&listed.functions);

@@ -6,38 +6,38 @@ use std::sync::{Arc, Mutex};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::number::{Lanes, Number};
-use crate::real::Real;
+use crate::number::Lanes;
+use crate::real::{Real, WIDE};
 
 /// An argument of some states: `N` numbers each.
 #[derive(Clone, Copy)]
-pub struct Argument<'a, const N: usize> {
-    numbers: &'a [Real],
-    /// How far it is from one state to the next: `N`, or 0 where all have the same.
-    stride: usize,
+pub enum Argument<'a, const N: usize> {
+    /// One of each state.
+    Each(&'a [[Real; N]]),
+    /// One that all of them have.
+    Same(&'a [Real; N]),
 }
 
 impl<'a, const N: usize> Argument<'a, N> {
     /// The numbers of every state, one after the other, or of one that stands for all.
     pub fn of(numbers: &'a [Real], is_for_all: bool) -> Self {
-        let stride = if is_for_all { 0 } else { N };
-        Self { numbers, stride }
+        let (states, _) = numbers.as_chunks();
+        if is_for_all {
+            Self::Same(&states[0])
+        } else {
+            Self::Each(states)
+        }
     }
 
     /// The same for the states before and from `at`.
     pub fn split(self, at: usize) -> (Self, Self) {
-        let (_, rest) = self.numbers.split_at(at * self.stride);
-        let rest = Self {
-            numbers: rest,
-            ..self
-        };
-        (self, rest)
-    }
-
-    #[inline(always)]
-    fn state(&self, state: usize) -> &'a [Real; N] {
-        let numbers = &self.numbers[state * self.stride..];
-        numbers.first_chunk().expect("every state has its numbers")
+        match self {
+            Self::Each(states) => {
+                let (first, rest) = states.split_at(at);
+                (Self::Each(first), Self::Each(rest))
+            }
+            Self::Same(_) => (self, self),
+        }
     }
 }
 
@@ -50,7 +50,7 @@ pub trait Work: Sized + Send {
     fn split(self, at: usize) -> (Self, Self);
 
     /// Does it by as many states at a time as `P` has lanes.
-    fn by<P: Lanes>(self);
+    fn by<P: Lanes>(self, processor: P::Processor);
 }
 
 /// The functions of a robot, each as a struct of the same name that holds states and room for results.
@@ -82,8 +82,8 @@ macro_rules! functions {
             }
 
             #[inline(always)]
-            fn by<P: $crate::number::Lanes>(self) {
-                $(let mut $argument = $crate::batch::empty::<P, $width>();)*
+            fn by<P: $crate::number::Lanes>(self, processor: P::Processor) {
+                $(let mut $argument = $crate::batch::empty::<P, $width>(processor);)*
                 let mut first = 0;
                 while first < self.states {
                     let count = (self.states - first).min(P::COUNT * $crate::batch::FILLED);
@@ -94,7 +94,7 @@ macro_rules! functions {
                         let ($($result,)*) = &results;
                         $(
                             let room = &mut self.$result[(first + begin) * $size..][..lanes * $size];
-                            $crate::batch::store::<P, $size>($result, room);
+                            P::store::<$size>($result, room);
                         )*
                     }
                     first += count;
@@ -105,17 +105,17 @@ macro_rules! functions {
 }
 pub(crate) use functions;
 
-/// How many packs are filled before the first is computed with, so that their lanes, which are written one
-/// by one, have left the processor's queue when they are read together.
+/// How many packs are filled before the first is computed with, so that their lanes, which are written some
+/// at a time, have left the processor's queue when they are read together.
 pub const FILLED: usize = 8;
 
 /// Packs that are not filled yet.
 #[inline(always)]
-pub fn empty<P: Number, const N: usize>() -> [[P; N]; FILLED] {
-    [[P::constant(0.0); N]; FILLED]
+pub fn empty<P: Lanes, const N: usize>(processor: P::Processor) -> [[P; N]; FILLED] {
+    [[P::filled(processor, 0.0); N]; FILLED]
 }
 
-/// Fills packs with states; where states are fewer than lanes the others get the last one.
+/// Fills packs with states, as far as these go.
 #[inline(always)]
 pub fn load<P: Lanes, const N: usize>(
     argument: &Argument<'_, N>,
@@ -123,29 +123,17 @@ pub fn load<P: Lanes, const N: usize>(
     count: usize,
     packs: &mut [[P; N]; FILLED],
 ) {
-    for (packs, begin) in packs.iter_mut().zip((0..count).step_by(P::COUNT)) {
-        let states: [&[Real; N]; MOST] = std::array::from_fn(|lane| {
-            let lane = lane.min(P::COUNT - 1);
-            argument.state(first + (begin + lane).min(count - 1))
-        });
-        for (i, pack) in packs.iter_mut().enumerate() {
-            *pack = P::of(|lane| states[lane][i]);
+    match argument {
+        Argument::Each(states) => {
+            let states = states[first..first + count].chunks(P::COUNT);
+            for (pack, states) in packs.iter_mut().zip(states) {
+                P::load(states, pack);
+            }
         }
-    }
-}
-
-/// The most lanes that there are.
-const MOST: usize = crate::real::WIDE;
-
-/// Writes the results of the lanes that are states.
-///
-/// It is never inlined: the vectors of a result are to be stored as they are, for from their stores the
-/// compiler tells that lanes belong together.
-#[inline(never)]
-pub fn store<P: Lanes, const N: usize>(results: &[P; N], room: &mut [Real]) {
-    for (lane, room) in room.chunks_mut(N.max(1)).enumerate() {
-        for (number, result) in room.iter_mut().zip(results) {
-            *number = result.lane(lane);
+        Argument::Same(state) => {
+            for pack in packs {
+                P::load(std::slice::from_ref(*state), pack);
+            }
         }
     }
 }
@@ -171,7 +159,7 @@ fn shared<W: Work>(work: W) {
         here(work);
     } else {
         // Whole packs leave the odd states to the last one.
-        let (first, rest) = work.split((states / 2).next_multiple_of(MOST));
+        let (first, rest) = work.split((states / 2).next_multiple_of(WIDE));
         rayon::join(|| shared(first), || shared(rest));
     }
 }
@@ -195,7 +183,7 @@ fn pool() -> Option<Arc<ThreadPool>> {
 /// Does the work on this core.
 fn here<W: Work>(work: W) {
     if work.states() <= 2 {
-        work.by::<Real>();
+        work.by::<Real>(());
     } else {
         vectors::run(work);
     }
@@ -205,41 +193,32 @@ fn here<W: Work>(work: W) {
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod vectors {
     use super::Work;
-    use crate::number::Pack;
+    use crate::pack::Pack;
+    use crate::processor::Vectors;
     use crate::real::{NARROW, Real, WIDE};
     use pulp::NullaryFnOnce;
     use pulp::x86::{V3, V4};
 
-    struct Narrow<W>(W);
+    /// Work for a processor, by so many lanes.
+    struct By<P, W, const L: usize>(P, W);
 
-    impl<W: Work> NullaryFnOnce for Narrow<W> {
+    impl<P: Vectors<L>, W: Work, const L: usize> NullaryFnOnce for By<P, W, L> {
         type Output = ();
 
         #[inline(always)]
         fn call(self) {
-            self.0.by::<Pack<NARROW>>();
-        }
-    }
-
-    struct Wide<W>(W);
-
-    impl<W: Work> NullaryFnOnce for Wide<W> {
-        type Output = ();
-
-        #[inline(always)]
-        fn call(self) {
-            self.0.by::<Pack<WIDE>>();
+            self.1.by::<Pack<P, L>>(self.0);
         }
     }
 
     /// By AVX-512, AVX2, or one state at a time.
     pub fn run<W: Work>(work: W) {
         if let Some(processor) = V4::try_new() {
-            processor.vectorize(Wide(work));
+            processor.vectorize(By::<_, _, WIDE>(processor, work));
         } else if let Some(processor) = V3::try_new() {
-            processor.vectorize(Narrow(work));
+            processor.vectorize(By::<_, _, NARROW>(processor, work));
         } else {
-            work.by::<Real>();
+            work.by::<Real>(());
         }
     }
 }
@@ -248,10 +227,10 @@ mod vectors {
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 mod vectors {
     use super::Work;
-    use crate::number::Pack;
+    use crate::pack::Pack;
     use crate::real::NARROW;
 
     pub fn run<W: Work>(work: W) {
-        work.by::<Pack<NARROW>>();
+        work.by::<Pack<(), NARROW>>(());
     }
 }

@@ -14,7 +14,7 @@ const TERMS: u8 = 12;
 /// Where a planar joint gets to.
 #[inline(always)]
 pub fn integrate_planar<T: Number>([x, y, angle]: [T; 3], [vx, vy, wz]: [T; 3]) -> [T; 3] {
-    let zero = T::constant(0.0);
+    let zero = x.like(0.0);
     let [ahead, aside, _] = way([zero, zero, wz], [vx, vy, zero]);
     let ([sine], [cosine]) = T::sin_cos_all([angle]);
     [
@@ -30,7 +30,7 @@ pub fn integrate_spherical<T: Number>(q: [T; 4], omega: [T; 3]) -> [T; 4] {
     let [x, y, z, w] = times(q, turn(omega));
     let square = x * x + y * y + z * z + w * w;
     // 1/√(1 + ε) to the first order, which is exact beside rounding.
-    let mend = T::constant(1.5) - T::constant(0.5) * square;
+    let mend = square.like(1.5) - square.like(0.5) * square;
     [mend * x, mend * y, mend * z, mend * w]
 }
 
@@ -51,9 +51,9 @@ pub fn integrate_floating<T: Number>(
 /// How a planar joint gets from `q0` to `q1`.
 #[inline(always)]
 pub fn difference_planar<T: Number>(q0: [T; 3], q1: [T; 3]) -> [T; 3] {
-    let zero = T::constant(0.0);
+    let zero = q0[2].like(0.0);
     let [dx, dy, turned] = sub(q1, q0);
-    let half = T::constant(0.5) * turned;
+    let half = turned.like(0.5) * turned;
     let ([sine, half_sine], [cosine, half_cosine]) = T::sin_cos_all([q0[2], half]);
     let seen = [cosine * dx + sine * dy, cosine * dy - sine * dx, zero];
     let ([_, _, wz], [vx, vy, _]) = motion([zero, zero, half_sine, half_cosine], seen);
@@ -92,7 +92,7 @@ pub fn normalized<T: Number>([x, y, z, w]: [T; 4]) -> [T; 4] {
 #[inline(always)]
 fn turn<T: Number>(omega: [T; 3]) -> [T; 4] {
     let angle = angle(omega);
-    let ([sine], [cosine]) = T::sin_cos_all([T::constant(0.5) * angle]);
+    let ([sine], [cosine]) = T::sin_cos_all([angle.like(0.5) * angle]);
     let [x, y, z] = scale(sine / angle, omega);
     [x, y, z, cosine]
 }
@@ -101,13 +101,13 @@ fn turn<T: Number>(omega: [T; 3]) -> [T; 4] {
 #[inline(always)]
 fn log<T: Number>([x, y, z, w]: [T; 4]) -> [T; 3] {
     let v = [x, y, z];
-    scale(T::constant(2.0) * sign(w) * half_angle(v, w), v)
+    scale(w.like(2.0) * sign(w) * half_angle(v, w), v)
 }
 
 /// How far a body has gone that moves by `v` and turns by `omega`, both in its own frame, seen from where it was.
 #[inline(always)]
 fn way<T: Number>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
-    let (half, two) = (T::constant(0.5), T::constant(2.0));
+    let (half, two) = (v[0].like(0.5), v[0].like(2.0));
     let angle = angle(omega);
     let ([sine, half_sine], _) = T::sin_cos_all([angle, half * angle]);
     let ratio = half_sine / angle;
@@ -125,40 +125,38 @@ fn way<T: Number>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
 fn motion<T: Number>([x, y, z, w]: [T; 4], t: [T; 3]) -> ([T; 3], [T; 3]) {
     let omega = log([x, y, z, w]);
     let cotangent = half_angle([x, y, z], w) * sign(w) * w;
-    let square = dot(omega, omega) + T::constant(LEAST);
+    let square = dot(omega, omega) + x.like(LEAST);
     let across = cross(omega, t);
-    let bent = scale(
-        (T::constant(1.0) - cotangent) / square,
-        cross(omega, across),
-    );
-    (omega, add(sub(t, scale(T::constant(0.5), across)), bent))
+    let bent = scale((x.like(1.0) - cotangent) / square, cross(omega, across));
+    (omega, add(sub(t, scale(x.like(0.5), across)), bent))
 }
 
 /// ‖ω‖, and not quite zero where it is.
 #[inline(always)]
 fn angle<T: Number>(omega: [T; 3]) -> T {
-    (dot(omega, omega) + T::constant(LEAST)).sqrt()
+    let square = dot(omega, omega);
+    (square + square.like(LEAST)).sqrt()
 }
 
 /// α/‖v‖ with α = atan(‖v‖/|w|), an angle that is halved three times before its series is summed.
 #[inline(always)]
 fn half_angle<T: Number>(v: [T; 3], w: T) -> T {
-    let one = T::constant(1.0);
+    let one = w.like(1.0);
     let square = dot(v, v);
     let half = one / ((square + w * w).sqrt() + sign(w) * w);
     let quarter = half / (one + (one + square * half * half).sqrt());
     let eighth = quarter / (one + (one + square * quarter * quarter).sqrt());
     let tangent = square * eighth * eighth;
-    let series = (0..TERMS).rev().fold(T::constant(0.0), |sum, k| {
-        T::constant(1.0 / (2.0 * f64::from(k) + 1.0)) - tangent * sum
+    let series = (0..TERMS).rev().fold(w.like(0.0), |sum, k| {
+        w.like(1.0 / (2.0 * f64::from(k) + 1.0)) - tangent * sum
     });
-    T::constant(8.0) * eighth * series
+    w.like(8.0) * eighth * series
 }
 
 /// 1 with the sign of a number; 1 of zero and of NaN.
 #[inline(always)]
 fn sign<T: Number>(number: T) -> T {
-    (number.sgn() + T::constant(0.5)).sgn()
+    (number.sgn() + number.like(0.5)).sgn()
 }
 
 /// The product of quaternions.
@@ -178,7 +176,7 @@ fn back<T: Number>([x, y, z, w]: [T; 4]) -> [T; 4] {
 /// The rotation of a quaternion, as rows.
 #[inline(always)]
 fn rotation<T: Number>([x, y, z, w]: [T; 4]) -> [[T; 3]; 3] {
-    let (one, two) = (T::constant(1.0), T::constant(2.0));
+    let (one, two) = (w.like(1.0), w.like(2.0));
     let (xx, yy, zz) = (two * x * x, two * y * y, two * z * z);
     let (xy, xz, yz) = (two * x * y, two * x * z, two * y * z);
     let (wx, wy, wz) = (two * w * x, two * w * y, two * w * z);

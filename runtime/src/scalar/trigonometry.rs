@@ -30,7 +30,7 @@ pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N])
     if angles.iter().fold(true, moderate) {
         together(angles, double::sin_cos_moderate)
     } else {
-        one_by_one(angles, double::sin_cos)
+        apart(&one_by_one(angles, double::sin_cos))
     }
 }
 
@@ -51,7 +51,7 @@ pub fn sin_cos_all_f32<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N])
     if angles.iter().fold(true, moderate) {
         together(angles, single::sin_cos_moderate)
     } else {
-        one_by_one(angles, single::sin_cos)
+        apart(&one_by_one(angles, single::sin_cos))
     }
 }
 
@@ -122,13 +122,31 @@ fn copy<T: Copy>(from: &[T], to: &mut [T]) {
     }
 }
 
+/// The sines and the cosines of pairs, taken number by number.
+///
+/// A call leaves its results in memory. If they were handed on as they lie there, those that are computed without
+/// the call would have to lie there as well; like this they stay in registers, and a pose takes a tenth less where
+/// sines stand in each function.
+#[cfg_attr(
+    target_feature = "avx512f",
+    expect(clippy::inline_always, reason = "a call puts all on the stack"),
+    inline(always)
+)]
+#[cfg_attr(not(target_feature = "avx512f"), inline)]
+fn apart<T: Copy + Default, const N: usize>(pairs: &[(T, T); N]) -> ([T; N], [T; N]) {
+    let (mut sines, mut cosines) = ([T::default(); N], [T::default(); N]);
+    for ((sine, cosine), pair) in sines.iter_mut().zip(&mut cosines).zip(pairs) {
+        (*sine, *cosine) = *pair;
+    }
+    (sines, cosines)
+}
+
 /// Applies `sin_cos`, which may branch, to one angle after the other.
 #[cold]
 #[inline(never)]
 fn one_by_one<T: Copy, const N: usize>(
     angles: [T; N],
     sin_cos: impl Fn(T) -> (T, T),
-) -> ([T; N], [T; N]) {
-    let pairs = angles.map(sin_cos);
-    (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
+) -> [(T, T); N] {
+    angles.map(sin_cos)
 }

@@ -33,17 +33,11 @@ mod x86 {
     use core::array::from_fn;
     use pulp::bytemuck::cast;
     use pulp::core_arch::x86::{Avx, Sse};
-    use pulp::{Simd, WithSimd};
 
     use super::{Narrow, Short, Wide};
-    use crate::scalar::{Lane, Pack, Scalar};
 
     /// A processor, by the proof that it is one.
     pub trait Processor: Copy {
-        /// Sine and cosine of a pack, compiled by themselves: among a thousand other operations the compiler does
-        /// not always see that their lanes belong together.
-        fn sin_cos<T: Lane, const L: usize>(self, angle: Pack<T, L>) -> (Pack<T, L>, Pack<T, L>);
-
         /// Of rows of four numbers, one of each of four states, the columns.
         fn turned_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4];
 
@@ -51,27 +45,9 @@ mod x86 {
         fn turned_f32(self, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4];
     }
 
-    /// An angle whose sine and cosine are wanted.
-    struct Angle<T, const L: usize>(Pack<T, L>);
-
-    impl<T: Lane, const L: usize> WithSimd for Angle<T, L> {
-        type Output = (Pack<T, L>, Pack<T, L>);
-
-        #[inline(always)]
-        fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-            let ([sine], [cosine]) = Pack::sin_cos_all([self.0]);
-            (sine, cosine)
-        }
-    }
-
     macro_rules! processors {
         ($($processor:ident: $turned_f64:expr;)*) => {$(
             impl Processor for $processor {
-                #[inline(always)]
-                fn sin_cos<T: Lane, const L: usize>(self, angle: Pack<T, L>) -> (Pack<T, L>, Pack<T, L>) {
-                    Simd::vectorize(self, Angle(angle))
-                }
-
                 #[inline(always)]
                 fn turned_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
                     $turned_f64(self, rows)

@@ -14,8 +14,8 @@
 
 use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Range, Sub};
-use pulp::Simd;
 use pulp::bytemuck::cast;
+use pulp::{NullaryFnOnce, Simd};
 
 use super::packed::{Packed, Packs, spread, together};
 use super::processor::{Narrow, Processor, Short, Wide};
@@ -53,6 +53,30 @@ impl<P: Copy, T: Lane, const L: usize> Register<P, T, L> {
     #[inline(always)]
     fn as_packs(self, operation: impl FnOnce(Pack<T, L>) -> Pack<T, L>) -> Self {
         Self::of(self.processor, &operation(self.pack()))
+    }
+}
+
+/// Angles whose sines and cosines are to stand in their places.
+///
+/// They are compiled by themselves: among a thousand other operations the compiler does not always see that their lanes
+/// belong together. That takes one call for all angles, which finds them in memory; the lanes of a single one would be
+/// handed over one by one.
+struct Angles<'a, P, T: Lane, const L: usize> {
+    sines: &'a mut [Register<P, T, L>],
+    cosines: &'a mut [Register<P, T, L>],
+}
+
+impl<P: Copy, T: Lane, const L: usize> NullaryFnOnce for Angles<'_, P, T, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        for (sine, cosine) in self.sines.iter_mut().zip(self.cosines) {
+            let processor = sine.processor;
+            let ([sines], [cosines]) = Pack::sin_cos_all([sine.pack()]);
+            *sine = Register::of(processor, &sines);
+            *cosine = Register::of(processor, &cosines);
+        }
     }
 }
 
@@ -140,10 +164,8 @@ macro_rules! register {
             #[inline(always)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 let (mut sines, mut cosines) = (angles, angles);
-                for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {
-                    let processor = sine.processor;
-                    let packs = processor.sin_cos(sine.pack());
-                    (*sine, *cosine) = (Self::of(processor, &packs.0), Self::of(processor, &packs.1));
+                if let Some(first) = angles.first() {
+                    first.processor.vectorize(Angles { sines: &mut sines, cosines: &mut cosines });
                 }
                 (sines, cosines)
             }

@@ -90,10 +90,18 @@ impl<P: Vectors<L>, const L: usize> Number for Pack<P, L> {
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         let (mut sines, mut cosines) = (angles, angles);
-        for (sine, cosine) in sines.iter_mut().zip(&mut cosines) {
-            (sine.lanes, cosine.lanes) = sine.processor.sin_cos(sine.lanes);
+        if let Some(first) = angles.first() {
+            first.processor.sin_cos_all(&mut sines, &mut cosines);
         }
         (sines, cosines)
+    }
+}
+
+/// Puts their sines and cosines in the place of angles, register by register.
+#[inline(always)]
+pub fn sines_and_cosines<P, const L: usize>(sines: &mut [Pack<P, L>], cosines: &mut [Pack<P, L>]) {
+    for (sine, cosine) in sines.iter_mut().zip(cosines) {
+        (sine.lanes, cosine.lanes) = of_lanes(sine.lanes);
     }
 }
 
@@ -101,7 +109,7 @@ impl<P: Vectors<L>, const L: usize> Number for Pack<P, L> {
 ///
 /// While each of them is moderate the code is straight; beyond it, after one branch for all, they go one by one.
 #[inline(always)]
-pub fn sines_and_cosines<const L: usize>(angles: [Real; L]) -> ([Real; L], [Real; L]) {
+fn of_lanes<const L: usize>(angles: [Real; L]) -> ([Real; L], [Real; L]) {
     let mut moderate = true;
     for &angle in &angles {
         moderate &= is_moderate(angle);

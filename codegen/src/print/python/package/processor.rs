@@ -2,6 +2,7 @@
 //!
 //! A type without size is the proof that the processor that runs has the instructions.
 
+use crate::pack::Pack;
 use crate::real::Real;
 
 /// The operations of a processor on `L` numbers, each of which rounds as the number alone does.
@@ -24,8 +25,8 @@ pub trait Vectors<const L: usize>: Copy {
     /// The square roots.
     fn sqrt(self, a: [Real; L]) -> [Real; L];
 
-    /// The sines and the cosines.
-    fn sin_cos(self, angles: [Real; L]) -> ([Real; L], [Real; L]);
+    /// Puts their sines and cosines in the place of angles.
+    fn sin_cos_all(self, sines: &mut [Pack<Self, L>], cosines: &mut [Pack<Self, L>]);
 
     /// Of rows of four numbers the columns.
     fn turned(self, rows: [[Real; 4]; 4]) -> [[Real; 4]; 4];
@@ -39,20 +40,20 @@ mod x86 {
     use pulp::{NullaryFnOnce, Simd};
 
     use super::Vectors;
-    use crate::pack::sines_and_cosines;
+    use crate::pack::{Pack, sines_and_cosines};
     use crate::real::{NARROW, Real, WIDE};
     use crate::turned::turned;
 
     /// Angles, for sines that are compiled by themselves: among a thousand other operations compilers do not
     /// always see that their lanes belong together.
-    struct Angles<const L: usize>([Real; L]);
+    struct Angles<'a, P, const L: usize>(&'a mut [Pack<P, L>], &'a mut [Pack<P, L>]);
 
-    impl<const L: usize> NullaryFnOnce for Angles<L> {
-        type Output = ([Real; L], [Real; L]);
+    impl<P, const L: usize> NullaryFnOnce for Angles<'_, P, L> {
+        type Output = ();
 
         #[inline(always)]
-        fn call(self) -> Self::Output {
-            sines_and_cosines(self.0)
+        fn call(self) {
+            sines_and_cosines(self.0, self.1);
         }
     }
 
@@ -90,8 +91,12 @@ mod x86 {
                 }
 
                 #[inline(always)]
-                fn sin_cos(self, angles: [Real; $count]) -> ([Real; $count], [Real; $count]) {
-                    self.vectorize(Angles(angles))
+                fn sin_cos_all(
+                    self,
+                    sines: &mut [Pack<Self, $count>],
+                    cosines: &mut [Pack<Self, $count>],
+                ) {
+                    self.vectorize(Angles(sines, cosines));
                 }
 
                 #[inline(always)]
@@ -113,7 +118,7 @@ mod of_target {
     use std::array::from_fn;
 
     use super::Vectors;
-    use crate::pack::sines_and_cosines;
+    use crate::pack::{Pack, sines_and_cosines};
     use crate::real::Real;
 
     /// Lanes are written out: a loop for every operation of a long function is more than compilers can follow.
@@ -151,8 +156,12 @@ mod of_target {
                 }
 
                 #[inline(always)]
-                fn sin_cos(self, angles: [Real; $count]) -> ([Real; $count], [Real; $count]) {
-                    sines_and_cosines(angles)
+                fn sin_cos_all(
+                    self,
+                    sines: &mut [Pack<Self, $count>],
+                    cosines: &mut [Pack<Self, $count>],
+                ) {
+                    sines_and_cosines(sines, cosines);
                 }
 
                 #[inline(always)]

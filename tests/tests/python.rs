@@ -6,9 +6,19 @@
 #[path = "../../codegen/src/print/python/package/number.rs"]
 #[allow(dead_code, clippy::pedantic, reason = "it is a file of packages")]
 mod number;
+#[path = "../../codegen/src/print/python/package/pack.rs"]
+#[allow(dead_code, clippy::pedantic, reason = "it is a file of packages")]
+mod pack;
 #[path = "../../codegen/src/print/python/package/posture.rs"]
 #[allow(clippy::pedantic, reason = "it is a file of packages")]
 mod posture;
+#[path = "../../codegen/src/print/python/package/processor.rs"]
+#[allow(clippy::pedantic, reason = "it is a file of packages")]
+mod processor;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[path = "../../codegen/src/print/python/package/turned_f64.rs"]
+#[allow(clippy::pedantic, reason = "it is a file of packages")]
+mod turned;
 
 use std::array::from_fn;
 
@@ -16,7 +26,9 @@ use homogen::robot::posture as of_runtime;
 use homogen_codegen::Function::{ForwardKinematics, InverseDynamics, InverseDynamicsDerivatives};
 use homogen_codegen::{Builder, Function};
 use homogen_tests::states::Random;
-use number::{Lanes, Pack};
+use number::Lanes;
+use pack::Pack;
+use processor::Vectors;
 
 /// A file of the package of the two-link arm.
 fn file(functions: &[Function], path: &str) -> String {
@@ -51,6 +63,7 @@ fn the_functions_of_two_links() {
 }
 
 /// What a package says of its type of number.
+#[allow(dead_code, reason = "not every processor has registers of two lengths")]
 mod real {
     mod sines {
         include!("../../codegen/src/print/rust/sines/double.rs");
@@ -64,17 +77,50 @@ mod real {
 
     pub type Real = f64;
     pub const LIMIT: Real = 2e5;
+    pub const NARROW: usize = 4;
+    pub const WIDE: usize = 8;
 }
 
-/// A number in every lane.
-fn four(number: f64) -> Pack<4> {
-    Pack::of(|_| number)
+/// Where floating joints get to, a state a lane.
+fn in_lanes<P: Vectors<L>, const L: usize>(
+    processor: P,
+    from: &[[f64; 7]],
+    v: &[[f64; 6]],
+) -> Vec<[f64; 7]> {
+    let mut ahead = vec![[0.0; 7]; from.len()];
+    let states = from.chunks(L).zip(v.chunks(L));
+    for ((from, v), ahead) in states.zip(ahead.chunks_mut(L)) {
+        let mut q = [Pack::filled(processor, 0.0); 7];
+        let mut qd = [Pack::filled(processor, 0.0); 6];
+        Pack::load(from, &mut q);
+        Pack::load(v, &mut qd);
+        let stepped = posture::integrate_floating(q, qd);
+        Pack::store(&stepped, ahead.as_flattened_mut());
+    }
+    ahead
+}
+
+/// The same in each kind of registers that this processor has.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+fn in_registers(from: &[[f64; 7]], v: &[[f64; 6]]) -> Vec<Vec<[f64; 7]>> {
+    use pulp::x86::{V3, V4};
+    let narrow = V3::try_new().map(|processor| in_lanes::<_, { real::NARROW }>(processor, from, v));
+    let wide = V4::try_new().map(|processor| in_lanes::<_, { real::WIDE }>(processor, from, v));
+    narrow.into_iter().chain(wide).collect()
+}
+
+/// The same as arrays.
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+fn in_registers(from: &[[f64; 7]], v: &[[f64; 6]]) -> Vec<Vec<[f64; 7]>> {
+    vec![in_lanes::<_, 4>((), from, v), in_lanes::<_, 8>((), from, v)]
 }
 
 #[test]
 fn steps_of_postures_have_the_bits_of_the_runtime() {
     let mut random = Random::new(20);
-    for round in 0..4000 {
+    let (mut starts, mut motions, mut ends) = (Vec::new(), Vec::new(), Vec::new());
+    // So many that registers are not filled at the end.
+    for round in 0..4003 {
         // From no motion to several turns, and near half a turn.
         let size = 10.0_f64.powi(round % 12 - 10);
         let mut number = || random.unit();
@@ -90,8 +136,9 @@ fn steps_of_postures_have_the_bits_of_the_runtime() {
         let from = [x, y, z, qx, qy, qz, qw];
         let ahead = of_runtime::integrate_floating(from, v);
         assert_eq!(posture::integrate_floating(from, v), ahead);
-        let side_by_side = posture::integrate_floating(from.map(four), v.map(four));
-        assert_eq!(side_by_side.map(|entry| entry.lane(3)), ahead);
+        starts.push(from);
+        motions.push(v);
+        ends.push(ahead);
         for to in [ahead, to] {
             let apart = of_runtime::difference_floating(from, to);
             assert_eq!(posture::difference_floating(from, to), apart);
@@ -108,5 +155,8 @@ fn steps_of_postures_have_the_bits_of_the_runtime() {
         assert_eq!(posture::integrate_planar([x, y, z], [vx, vy, vz]), of_plane);
         let apart = of_runtime::difference_planar([x, y, z], of_plane);
         assert_eq!(posture::difference_planar([x, y, z], of_plane), apart);
+    }
+    for side_by_side in in_registers(&starts, &motions) {
+        assert_eq!(side_by_side, ends);
     }
 }

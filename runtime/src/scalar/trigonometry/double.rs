@@ -77,23 +77,23 @@ const COSINE: [f64; 6] = [
 fn in_quadrant(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
     let z = r * r;
     let z_squared = z * z;
-    let z_cubed = z_squared * z;
-
-    // r − (−s₃r³ − r²(r³(s₅ + …) − low/2) − low): the sign of a zero r is kept by subtracting.
-    let near = fused(fused(z, SINE[3], SINE[2]), z, SINE[1]);
-    let far = fused(z, SINE[5], SINE[4]);
-    let series = fused(z_cubed, far, near);
-    let cubic = z * r;
-    let beyond = fused(-cubic, series, 0.5 * low);
-    let sine = r - fused(-cubic, SINE[0], fused(z, beyond, -low));
-
-    // (1 − r²/2) + (what its rounding lost − r·low + r⁴(c₄ + …)).
     let half = 0.5 * z;
+
+    // r − (−r³(s₃ + s₅r² + …) − (1 − r²/2) low): the sign of a zero r is kept by subtracting.
+    let near = fused(z, SINE[1], SINE[0]);
+    let middle = fused(z, SINE[3], SINE[2]);
+    let far = fused(z, SINE[5], SINE[4]);
+    let series = fused(fused(far, z_squared, middle), z_squared, near);
+    let cubic = z * r;
+    let sine = r - fused(-cubic, series, fused(half, low, -low));
+
+    // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + what rounding lost).
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
-    let near = fused(fused(z, COSINE[2], COSINE[1]), z, COSINE[0]);
-    let far = fused(fused(z, COSINE[5], COSINE[4]), z, COSINE[3]);
-    let series = fused(z_cubed, far, near);
+    let near = fused(z, COSINE[1], COSINE[0]);
+    let middle = fused(z, COSINE[3], COSINE[2]);
+    let far = fused(z, COSINE[5], COSINE[4]);
+    let series = fused(fused(far, z_squared, middle), z_squared, near);
     let cosine = leading + fused(z_squared, series, fused(-r, low, lost));
 
     // In odd quadrants the two are exchanged: bits are chosen, no branch.

@@ -60,19 +60,21 @@ const COSINE: [f32; 3] = [4.166_664_6e-2, -1.388_731e-3, 2.443_232_7e-5];
 #[inline]
 fn in_quadrant(r: f32, low: f32, quadrant: u32) -> (f32, f32) {
     let z = r * r;
-
-    // r − (−s₃r³ − r²(r³(s₅ + …) − low/2) − low): the sign of a zero r is kept by subtracting.
-    let cubic = z * r;
-    let series = fused(z, SINE[2], SINE[1]);
-    let beyond = fused(-cubic, series, 0.5 * low);
-    let sine = r - fused(-cubic, SINE[0], fused(z, beyond, -low));
-
-    // (1 − r²/2) + (what its rounding lost − r·low + r⁴(c₄ + …)).
+    let z_squared = z * z;
     let half = 0.5 * z;
+
+    // r − (−r³(s₃ + s₅r² + …) − (1 − r²/2) low): the sign of a zero r is kept by subtracting.
+    let near = fused(z, SINE[1], SINE[0]);
+    let series = fused(z_squared, SINE[2], near);
+    let cubic = z * r;
+    let sine = r - fused(-cubic, series, fused(half, low, -low));
+
+    // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + what rounding lost).
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
-    let series = fused(fused(z, COSINE[2], COSINE[1]), z, COSINE[0]);
-    let cosine = leading + fused(z * z, series, fused(-r, low, lost));
+    let near = fused(z, COSINE[1], COSINE[0]);
+    let series = fused(z_squared, COSINE[2], near);
+    let cosine = leading + fused(z_squared, series, fused(-r, low, lost));
 
     // In odd quadrants the two are exchanged: bits are chosen, no branch.
     let odd = (quadrant & 1).wrapping_neg();

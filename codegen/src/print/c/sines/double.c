@@ -23,24 +23,23 @@ static HOMOGEN_FN ROBOT_turn ROBOT_sin_cos(double angle)
 
     const double z = r * r;
     const double z_squared = z * z;
-    const double z_cubed = z_squared * z;
-    const double cubic = z * r;
-    const double odd_inner = ROBOT_MUL_ADD(z, 2.7557313538511896e-6, -0.00019841269829358525);
-    const double odd_near = ROBOT_MUL_ADD(odd_inner, z, 0.00833333333332184);
-    const double odd_far = ROBOT_MUL_ADD(z, 1.5895433234778506e-10, -2.5050734388624174e-8);
-    const double odd_series = ROBOT_MUL_ADD(z_cubed, odd_far, odd_near);
-    const double beyond = ROBOT_MUL_ADD(-cubic, odd_series, 0.5 * low);
-    const double sine =
-        r - ROBOT_MUL_ADD(-cubic, -0.1666666666666663, ROBOT_MUL_ADD(z, beyond, -low));
-
     const double half = 0.5 * z;
+
+    const double odd_near = ROBOT_MUL_ADD(z, 0.00833333333332184, -0.1666666666666663);
+    const double odd_middle = ROBOT_MUL_ADD(z, 2.7557313538511896e-6, -0.00019841269829358525);
+    const double odd_far = ROBOT_MUL_ADD(z, 1.5895433234778506e-10, -2.5050734388624174e-8);
+    const double odd_outer = ROBOT_MUL_ADD(odd_far, z_squared, odd_middle);
+    const double odd_series = ROBOT_MUL_ADD(odd_outer, z_squared, odd_near);
+    const double cubic = z * r;
+    const double sine = r - ROBOT_MUL_ADD(-cubic, odd_series, ROBOT_MUL_ADD(half, low, -low));
+
     const double leading = 1.0 - half;
     const double lost = (1.0 - leading) - half;
-    const double even_inner = ROBOT_MUL_ADD(z, 2.480158728896523e-5, -0.0013888888888873307);
-    const double even_near = ROBOT_MUL_ADD(even_inner, z, 0.041666666666666595);
-    const double even_outer = ROBOT_MUL_ADD(z, -1.1358616986815788e-11, 2.087570313944011e-9);
-    const double even_far = ROBOT_MUL_ADD(even_outer, z, -2.755731420307937e-7);
-    const double even_series = ROBOT_MUL_ADD(z_cubed, even_far, even_near);
+    const double even_near = ROBOT_MUL_ADD(z, -0.0013888888888873307, 0.041666666666666595);
+    const double even_middle = ROBOT_MUL_ADD(z, -2.755731420307937e-7, 2.480158728896523e-5);
+    const double even_far = ROBOT_MUL_ADD(z, -1.1358616986815788e-11, 2.087570313944011e-9);
+    const double even_outer = ROBOT_MUL_ADD(even_far, z_squared, even_middle);
+    const double even_series = ROBOT_MUL_ADD(even_outer, z_squared, even_near);
     const double cosine =
         leading + ROBOT_MUL_ADD(z_squared, even_series, ROBOT_MUL_ADD(-r, low, lost));
 

@@ -23,17 +23,20 @@ static HOMOGEN_FN ROBOT_turn ROBOT_sin_cos(float angle)
     const float low = ROBOT_MUL_ADD(-quadrants, 6.0771006e-11f, remainder);
 
     const float z = r * r;
-    const float cubic = z * r;
-    const float odd_series = ROBOT_MUL_ADD(z, -1.9517896e-4f, 8.332187e-3f);
-    const float beyond = ROBOT_MUL_ADD(-cubic, odd_series, 0.5f * low);
-    const float sine = r - ROBOT_MUL_ADD(-cubic, -1.6666655e-1f, ROBOT_MUL_ADD(z, beyond, -low));
-
+    const float z_squared = z * z;
     const float half = 0.5f * z;
+
+    const float odd_near = ROBOT_MUL_ADD(z, 8.332187e-3f, -1.6666655e-1f);
+    const float odd_series = ROBOT_MUL_ADD(z_squared, -1.9517896e-4f, odd_near);
+    const float cubic = z * r;
+    const float sine = r - ROBOT_MUL_ADD(-cubic, odd_series, ROBOT_MUL_ADD(half, low, -low));
+
     const float leading = 1.0f - half;
     const float lost = (1.0f - leading) - half;
-    const float even_near = ROBOT_MUL_ADD(z, 2.4432327e-5f, -1.388731e-3f);
-    const float even_series = ROBOT_MUL_ADD(even_near, z, 4.1666646e-2f);
-    const float cosine = leading + ROBOT_MUL_ADD(z * z, even_series, ROBOT_MUL_ADD(-r, low, lost));
+    const float even_near = ROBOT_MUL_ADD(z, -1.388731e-3f, 4.1666646e-2f);
+    const float even_series = ROBOT_MUL_ADD(z_squared, 2.4432327e-5f, even_near);
+    const float cosine =
+        leading + ROBOT_MUL_ADD(z_squared, even_series, ROBOT_MUL_ADD(-r, low, lost));
 
     /* In odd quadrants the two are exchanged: bits are chosen. */
     union {

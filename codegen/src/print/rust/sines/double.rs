@@ -37,20 +37,21 @@ fn sin_cos(angle: f64) -> (f64, f64) {
 
     let z = r * r;
     let z_squared = z * z;
-    let z_cubed = z_squared * z;
-    let near = (z * SINE[3] + SINE[2]) * z + SINE[1];
-    let far = z * SINE[5] + SINE[4];
-    let series = z_cubed * far + near;
-    let cubic = z * r;
-    let beyond = 0.5 * low - cubic * series;
-    let sine = r - ((z * beyond - low) - cubic * SINE[0]);
-
     let half = 0.5 * z;
+
+    let near = z * SINE[1] + SINE[0];
+    let middle = z * SINE[3] + SINE[2];
+    let far = z * SINE[5] + SINE[4];
+    let series = (far * z_squared + middle) * z_squared + near;
+    let cubic = z * r;
+    let sine = r - ((half * low - low) - cubic * series);
+
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
-    let near = (z * COSINE[2] + COSINE[1]) * z + COSINE[0];
-    let far = (z * COSINE[5] + COSINE[4]) * z + COSINE[3];
-    let series = z_cubed * far + near;
+    let near = z * COSINE[1] + COSINE[0];
+    let middle = z * COSINE[3] + COSINE[2];
+    let far = z * COSINE[5] + COSINE[4];
+    let series = (far * z_squared + middle) * z_squared + near;
     let cosine = leading + (z_squared * series + (lost - r * low));
 
     let quadrant = shifted.to_bits();

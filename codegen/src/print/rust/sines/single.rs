@@ -19,16 +19,19 @@ fn sin_cos(angle: f32) -> (f32, f32) {
     let low = remainder - quadrants * FRAC_PI_2[2];
 
     let z = r * r;
-    let cubic = z * r;
-    let series = z * SINE[2] + SINE[1];
-    let beyond = 0.5 * low - cubic * series;
-    let sine = r - ((z * beyond - low) - cubic * SINE[0]);
-
+    let z_squared = z * z;
     let half = 0.5 * z;
+
+    let near = z * SINE[1] + SINE[0];
+    let series = z_squared * SINE[2] + near;
+    let cubic = z * r;
+    let sine = r - ((half * low - low) - cubic * series);
+
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
-    let series = (z * COSINE[2] + COSINE[1]) * z + COSINE[0];
-    let cosine = leading + ((z * z) * series + (lost - r * low));
+    let near = z * COSINE[1] + COSINE[0];
+    let series = z_squared * COSINE[2] + near;
+    let cosine = leading + (z_squared * series + (lost - r * low));
 
     let quadrant = shifted.to_bits();
     let odd = (quadrant & 1).wrapping_neg();

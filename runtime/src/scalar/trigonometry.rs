@@ -58,12 +58,11 @@ pub fn sin_cos_all_f32<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N])
 /// Applies `sin_cos`, which has no branch, so that the compiler vectorises it.
 ///
 /// Loops of fixed length suit its vectoriser best: the last angles share a block with zeros.
-#[cfg_attr(
-    target_feature = "avx512f",
-    expect(clippy::inline_always, reason = "a call puts all on the stack"),
-    inline(always)
+#[expect(
+    clippy::inline_always,
+    reason = "in a call of its own, lanes without an angle are computed as well"
 )]
-#[cfg_attr(not(target_feature = "avx512f"), inline)]
+#[inline(always)]
 fn together<T: Copy + Default, const N: usize>(
     angles: [T; N],
     sin_cos: impl Fn(T) -> (T, T),
@@ -96,12 +95,11 @@ const BLOCK: usize = if cfg!(any(
 };
 
 /// Applies `sin_cos` to one block.
-#[cfg_attr(
-    target_feature = "avx512f",
-    expect(clippy::inline_always, reason = "a call puts all on the stack"),
-    inline(always)
+#[expect(
+    clippy::inline_always,
+    reason = "in a call of its own, lanes without an angle are computed as well"
 )]
-#[cfg_attr(not(target_feature = "avx512f"), inline)]
+#[inline(always)]
 fn sin_cos_block<T: Copy + Default>(
     angles: &[T; BLOCK],
     sin_cos: impl Fn(T) -> (T, T),

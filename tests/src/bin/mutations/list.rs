@@ -328,8 +328,8 @@ const MUTATIONS: [Mutation; 43] = [
     Mutation {
         name: "C: the last digit of a coefficient of the sine",
         file: "codegen/src/print/c/sines/double.c",
-        from: "-0.1666666666666663,",
-        to: "-0.1666666666666662,",
+        from: "-0.1666666666666663)",
+        to: "-0.1666666666666662)",
         noticed_by: c99("two_link"),
     },
     Mutation {

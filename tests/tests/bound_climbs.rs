@@ -224,7 +224,7 @@ fn climbs_on_arms() {
         for function in Function::ALL.into_iter().filter(evaluated) {
             let subject = Climb::<F64>::new(&description, &request, function);
             let name = format!("{label} {function:?}");
-            for (unit, worst) in subject.by_unit(&name, 300, 900) {
+            for (unit, worst) in subject.by_unit(&name, 300, 3_600) {
                 // What is exact may have been bounded as if its numbers were not.
                 let is_near = worst >= 1e-2 || worst == 0.0;
                 assert!(is_near, "{worst:e} of the bound of {name} in {unit}");

@@ -80,21 +80,14 @@ fn in_quadrant(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
     let half = 0.5 * z;
 
     // r − (−r³(s₃ + s₅r² + …) − (1 − r²/2) low): the sign of a zero r is kept by subtracting.
-    let near = fused(z, SINE[1], SINE[0]);
-    let middle = fused(z, SINE[3], SINE[2]);
-    let far = fused(z, SINE[5], SINE[4]);
-    let series = fused(fused(far, z_squared, middle), z_squared, near);
     let cubic = z * r;
-    let sine = r - fused(-cubic, series, fused(half, low, -low));
+    let sine = r - fused(-cubic, series(&SINE, z, z_squared), fused(half, low, -low));
 
     // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + what rounding lost).
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
-    let near = fused(z, COSINE[1], COSINE[0]);
-    let middle = fused(z, COSINE[3], COSINE[2]);
-    let far = fused(z, COSINE[5], COSINE[4]);
-    let series = fused(fused(far, z_squared, middle), z_squared, near);
-    let cosine = leading + fused(z_squared, series, fused(-r, low, lost));
+    let small = fused(-r, low, lost);
+    let cosine = leading + fused(z_squared, series(&COSINE, z, z_squared), small);
 
     // In odd quadrants the two are exchanged: bits are chosen, no branch.
     let odd = (quadrant & 1).wrapping_neg();
@@ -105,6 +98,16 @@ fn in_quadrant(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
         f64::from_bits(sine.to_bits() ^ exchanged ^ sine_sign),
         f64::from_bits(cosine.to_bits() ^ exchanged ^ cosine_sign),
     )
+}
+
+/// c₀ + c₁z + … + c₅z⁵, in pairs that do not wait for each other.
+#[inline]
+fn series(coefficients: &[f64; 6], z: f64, z_squared: f64) -> f64 {
+    let [c_0, c_1, c_2, c_3, c_4, c_5] = *coefficients;
+    let near = fused(z, c_1, c_0);
+    let middle = fused(z, c_3, c_2);
+    let far = fused(z, c_5, c_4);
+    fused(fused(far, z_squared, middle), z_squared, near)
 }
 
 /// The bit of the sign.

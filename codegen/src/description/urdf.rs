@@ -14,6 +14,8 @@ mod plain;
 mod transmission;
 mod xml;
 
+use std::collections::HashSet;
+
 use proc_macro2::Span;
 use roxmltree::Node;
 
@@ -58,9 +60,12 @@ pub fn read(
         unmodelled: Unmodelled::default(),
         unknown: 0,
         xacro: None,
+        call: None,
     };
     let mut description = robot(&mut reader, document.root_element());
-    if let Some(place) = reader.xacro {
+    let is_whole = reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
+    let call = reader.call.filter(|_| !is_whole);
+    if let Some(place) = reader.xacro.or(call) {
         // Whatever else is wrong is likely to be so because of that.
         errors.push_with_hint(place, xml::XACRO.0, xml::XACRO.1);
         return None;
@@ -78,6 +83,17 @@ pub fn read(
         names::check_loops(description, errors);
     }
     description
+}
+
+/// Whether there is every link that a joint names.
+fn has_its_links(description: &Description) -> bool {
+    let links = description.links.iter().map(|link| &*link.name.text);
+    let links: HashSet<_> = links.collect();
+    let mut ends = description
+        .joints
+        .iter()
+        .flat_map(|joint| [&joint.parent, &joint.child]);
+    ends.all(|end| links.contains(&*end.text))
 }
 
 fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Description> {

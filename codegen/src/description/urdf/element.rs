@@ -18,6 +18,20 @@ use crate::wording::{nearest, quoted};
 /// The most warnings, and the most unknown elements that are looked at.
 const MOST_DOUBTS: usize = 1000;
 
+/// The elements of xacro itself; of any other name is the call of a macro.
+const OF_XACRO: [&str; 10] = [
+    "arg",
+    "attribute",
+    "call",
+    "element",
+    "if",
+    "include",
+    "insert_block",
+    "macro",
+    "property",
+    "unless",
+];
+
 /// What reading has found so far.
 pub(super) struct Reader<'r, 't> {
     pub(super) positions: &'r Positions<'t>,
@@ -28,6 +42,8 @@ pub(super) struct Reader<'r, 't> {
     pub(super) unknown: usize,
     /// Where something stands that xacro should have replaced.
     pub(super) xacro: Option<Place>,
+    /// Where a macro is called that xacro may have left because it did not know it.
+    pub(super) call: Option<Place>,
 }
 
 impl<'t> Reader<'_, 't> {
@@ -52,6 +68,24 @@ impl<'t> Reader<'_, 't> {
         });
     }
 
+    /// An element that xacro should have replaced, unless it is the call of a macro that it did not know: those it
+    /// leaves, and every other reader passes over them.
+    fn left_by_xacro(&mut self, place: Place, name: &str, subject: &str) {
+        if OF_XACRO.contains(&name) {
+            self.xacro.get_or_insert(place);
+            return;
+        }
+        self.call.get_or_insert(place);
+        self.warn(
+            place,
+            format!(
+                "macro {} that xacro left in {subject} is ignored",
+                quoted(name)
+            ),
+            Some("xacro knew no macro of that name: what it adds is missing".to_owned()),
+        );
+    }
+
     /// The elements within an element; warns of those that look like a slip of a known one, since
     /// a misspelt `<origin>` would move the robot.
     pub(super) fn children<'a>(
@@ -63,11 +97,10 @@ impl<'t> Reader<'_, 't> {
         let children: Vec<_> = node.children().filter(Node::is_element).collect();
         for child in &children {
             let name = child.tag_name().name();
-            let prefix = name.split_once(FOR_COLON).map(|(prefix, _)| prefix);
-            if prefix == Some("xacro") {
-                let place = self.place(*child);
-                self.xacro.get_or_insert(place);
-            } else if self.unknown < MOST_DOUBTS && prefix.is_none() && !known.contains(&name) {
+            let prefixed = name.split_once(FOR_COLON);
+            if let Some(("xacro", name)) = prefixed {
+                self.left_by_xacro(self.place(*child), name, subject);
+            } else if self.unknown < MOST_DOUBTS && prefixed.is_none() && !known.contains(&name) {
                 self.unknown += 1;
                 let Some(meant) = nearest(name, known) else {
                     continue;
@@ -175,6 +208,17 @@ impl<'t> Reader<'_, 't> {
                 .push(self.place(node), format!("{subject} is missing"));
             return None;
         };
+        if self
+            .raw(&found)
+            .1
+            .ends_with(|end: char| end.is_ascii_whitespace())
+        {
+            self.warn(
+                self.value_place(&found),
+                format!("{subject} ends in white space, which is passed over"),
+                Some("urdfdom, with which ROS reads, takes it for no number and leaves out what it is part of".to_owned()),
+            );
+        }
         self.numbers(&found, subject).map(|[number]| number)
     }
 

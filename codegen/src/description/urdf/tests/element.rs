@@ -1,6 +1,6 @@
 //! What is said of elements and numbers, in whatever they stand.
 
-use super::{errors_in_joint, fine};
+use super::{TENSOR, doubts, errors_in_joint, fine};
 
 #[test]
 fn a_misspelt_element_is_not_passed_over_silently() {
@@ -51,4 +51,25 @@ fn numbers_are_said_under_their_own_digits() {
          hint: write rpy=\"roll pitch yaw\"\n"
     );
     assert_eq!(origin("xyz=\"&#49; 0\t0\""), "");
+}
+
+/// Hands of Unitree have a line's end there, and no inertia in other readers.
+#[test]
+fn white_space_behind_a_number_is_passed_over_with_a_warning() {
+    let text = |mass: &str| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"><inertial>\n<mass value=\"{mass}\"/>{TENSOR}</inertial></link></robot>"
+        )
+    };
+    let said = "arm.urdf:2:14: the mass of link \"a\" ends in white space, which is passed over";
+    assert_eq!(doubts(&text("0.5\r\n")), [said]);
+    assert_eq!(doubts(&text("0.5 ")), [said]);
+    assert_eq!(doubts(&text(" 0.5")), Vec::<String>::new());
+    let mass = |written| {
+        fine(&text(written)).links[0]
+            .inertial
+            .as_ref()
+            .map(|of| of.mass.value)
+    };
+    assert_eq!(mass("0.5\r\n"), mass("0.5"));
 }

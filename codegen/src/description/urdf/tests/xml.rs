@@ -70,6 +70,27 @@ fn xacro_is_said_once() {
     );
 }
 
+/// NASA's Valkyrie is passed on like that.
+#[test]
+fn a_macro_that_xacro_did_not_know_is_passed_over_with_a_warning() {
+    let call = |links: &str| {
+        format!(
+            "<robot name=\"r\" xmlns:xacro=\"http://ros.org/wiki/xacro\">\n<xacro:imu of=\"a\"/>{links}</robot>"
+        )
+    };
+    assert_eq!(
+        doubts(&call("<link name=\"a\"/>")),
+        ["arm.urdf:2:1: macro \"imu\" that xacro left in robot \"r\" is ignored"]
+    );
+    // A joint may want a link that a macro would have made.
+    let joint = "<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint>";
+    assert_eq!(
+        errors(&call(&format!("<link name=\"a\"/>{joint}"))),
+        "error: arm.urdf:2:1: this is a xacro file that has yet to be expanded to URDF\n  \
+         hint: run: xacro robot.urdf.xacro > robot.urdf\n"
+    );
+}
+
 #[test]
 fn broken_xml_is_said_where_it_breaks() {
     assert_eq!(

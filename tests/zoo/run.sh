@@ -4,7 +4,8 @@
 #
 #   run.sh              in a temporary folder
 #   run.sh FOLDER       keeps what is fetched there for the next time
-#   run.sh FOLDER PATH  only the files whose path contains PATH, without the report
+#   run.sh FOLDER PATH  only the files whose path contains PATH, without the report; FOLDER/robots may hold
+#                       files of one's own
 #
 # Fetches the packages of packages.txt (some 600 MB) and Pinocchio from PyPI, builds `homogen`, writes
 # report/ZOO.md. Fails if a number differs, if a file is refused that Pinocchio reads, and if anything

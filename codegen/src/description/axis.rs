@@ -1,16 +1,13 @@
 //! Directions of axes.
 //!
-//! In: three numbers with their digits. Out: the same direction with length 1, and a doubt where the
-//! length that was written is another; or why it is no direction. What the written digits leave open
-//! is no doubt: `0.577 0.577 0.577` is a unit vector, `0 0 2` is not.
+//! In: three numbers with their digits. Out: the same direction, as it was written where its length is nearly 1
+//! and with length 1 where not, and a doubt where digits do not excuse the difference; or why it is no direction.
+//! What the written digits leave open is no doubt: `0.577 0.577 0.577` is a unit vector, `0 0 2` is not.
 
 use super::Number;
 
 /// The largest departure from length 1 that any digits excuse.
 const LARGEST_EXCUSE: f64 = 0.02;
-
-/// Departure from length 1 that comes from rounding alone.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// The largest departure from length 1 that nobody needs to hear of, however many digits there are:
 /// exporters normalise what they have rounded before.
@@ -22,7 +19,9 @@ pub(super) struct Remark {
     pub(super) hint: String,
 }
 
-/// The axis with length 1, and what is doubtful about it; or what is wrong with it.
+/// The axis with length 1 or nearly so, and what is doubtful about it; or what is wrong with it.
+///
+/// Whoever computes with it makes its length 1 to more digits than numbers of a file have.
 pub(super) fn unit(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), Remark> {
     let values = axis.map(|number| number.value);
     let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -44,9 +43,6 @@ pub(super) fn unit(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), R
         .map(|(number, cosine)| digits_open(number) * cosine.abs())
         .sum();
     let excess = (length - 1.0).abs();
-    if excess <= ROUNDING {
-        return Ok((axis, None));
-    }
     let doubt = (excess > open.min(LARGEST_EXCUSE) + UNNOTICED).then(|| {
         let [x, y, z] = direction;
         Remark {
@@ -55,8 +51,10 @@ pub(super) fn unit(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), R
         }
     });
     let mut unit = axis;
-    for (number, value) in unit.iter_mut().zip(direction) {
-        number.value = value;
+    if excess > LARGEST_EXCUSE {
+        for (number, value) in unit.iter_mut().zip(direction) {
+            number.value = value;
+        }
     }
     Ok((unit, doubt))
 }
@@ -114,14 +112,9 @@ mod tests {
     }
 
     #[test]
-    fn rounded_digits_are_made_good_without_a_word() {
-        let third = 1.0 / 3.0_f64.sqrt();
-        let (found, said) = axis("0.577 0.577 0.577").unwrap();
-        assert!(found.iter().all(|x| (x - third).abs() < 1e-15));
-        assert_eq!(said, None);
-        let (found, said) = axis("0.7071 0 -0.7071").unwrap();
-        assert!((found[0] - 0.5_f64.sqrt()).abs() < 1e-15 && found[1] == 0.0);
-        assert_eq!(said, None);
+    fn rounded_digits_stay_as_written_without_a_word() {
+        assert_eq!(axis("0.577 0.577 0.577"), Ok(([0.577; 3], None)));
+        assert_eq!(axis("0.7071 0 -0.7071"), Ok(([0.7071, 0.0, -0.7071], None)));
         // All digits, of numbers that were rounded to twelve before.
         assert_eq!(said_of_length(1.0 - 4e-13), None);
         assert!(said_of_length(1.0 - 4e-9).is_some());

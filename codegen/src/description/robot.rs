@@ -157,7 +157,7 @@ pub struct Joint {
     /// From the parent's frame to the child's frame at q = 0.
     pub origin: Vec<Step>,
     /// Direction of the axis in the child's frame, through its origin; of length 1 to within
-    /// its digits (each reader checks that and normalises). Unused for a fixed joint.
+    /// 2 %, of which what its digits do not excuse is doubted. Unused for a fixed joint.
     pub axis: [Number; 3],
     /// The second axis of a joint that has two, likewise.
     pub second_axis: [Number; 3],

@@ -152,7 +152,10 @@ fn an_arm_is_read_with_digits_and_places() {
             Step::Rotate(Axis::X, Number { value: 0.1, .. }),
         ]
     ));
-    assert!((shoulder.axis[1].value - 0.5_f64.sqrt()).abs() < 1e-15);
+    assert_eq!(
+        shoulder.axis.map(|entry| entry.value),
+        [0.0, 0.7071, 0.7071]
+    );
     let limits = shoulder.limits.unwrap();
     assert_eq!(
         (limits.lower, limits.upper, limits.velocity),

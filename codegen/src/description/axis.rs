@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn rounded_digits_stay_as_written_without_a_word() {
         assert_eq!(axis("0.577 0.577 0.577"), Ok(([0.577; 3], None)));
-        assert_eq!(axis("0.7071 0 -0.7071"), Ok(([0.7071, 0.0, -0.7071], None)));
+        assert_eq!(axis("0.707 0 -0.707"), Ok(([0.707, 0.0, -0.707], None)));
         // All digits, of numbers that were rounded to twelve before.
         assert_eq!(said_of_length(1.0 - 4e-13), None);
         assert!(said_of_length(1.0 - 4e-9).is_some());

@@ -63,8 +63,8 @@ pub fn read(
         call: None,
     };
     let mut description = robot(&mut reader, document.root_element());
-    let is_whole = reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
-    let call = reader.call.filter(|_| !is_whole);
+    let is_whole = || reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
+    let call = reader.call.filter(|_| !is_whole());
     if let Some(place) = reader.xacro.or(call) {
         // Whatever else is wrong is likely to be so because of that.
         errors.push_with_hint(place, xml::XACRO.0, xml::XACRO.1);

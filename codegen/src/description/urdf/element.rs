@@ -32,6 +32,10 @@ const OF_XACRO: [&str; 10] = [
     "unless",
 ];
 
+/// Why a number alone should end with its last digit.
+const ENDS_IN_SPACE: &str =
+    "urdfdom, with which ROS reads, takes it for no number and leaves out what it is part of";
+
 /// What reading has found so far.
 pub(super) struct Reader<'r, 't> {
     pub(super) positions: &'r Positions<'t>,
@@ -208,17 +212,6 @@ impl<'t> Reader<'_, 't> {
                 .push(self.place(node), format!("{subject} is missing"));
             return None;
         };
-        if self
-            .raw(&found)
-            .1
-            .ends_with(|end: char| end.is_ascii_whitespace())
-        {
-            self.warn(
-                self.value_place(&found),
-                format!("{subject} ends in white space, which is passed over"),
-                Some("urdfdom, with which ROS reads, takes it for no number and leaves out what it is part of".to_owned()),
-            );
-        }
         self.numbers(&found, subject).map(|[number]| number)
     }
 
@@ -239,6 +232,13 @@ impl<'t> Reader<'_, 't> {
             let message = format!("{subject} has {count} {numbers} instead of {N}");
             self.errors.push(self.positions.place(start), message);
             return None;
+        }
+        if N == 1 && text.ends_with(|end: char| end.is_ascii_whitespace()) {
+            self.warn(
+                self.positions.place(start),
+                format!("{subject} ends in white space, which is passed over"),
+                Some(ENDS_IN_SPACE.to_owned()),
+            );
         }
         let mut read = [Number::default(); N];
         let mut fine = true;

@@ -4,11 +4,13 @@
 //! expressions are one node, in a canonical form fixed at construction (`graph.rs` lists it). It never
 //! knows what the numbers mean, and equal calls give equal graphs on every platform.
 
+mod derivative;
 mod double;
 mod evaluate;
 mod graph;
 mod term;
 
+pub use derivative::{along, gradient};
 pub use double::Double;
 pub use evaluate::{Arithmetic, Evaluation, evaluate};
 pub use graph::{Expr, Graph, Input, Node, opposite};

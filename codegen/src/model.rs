@@ -10,6 +10,7 @@ mod carry;
 mod composite;
 mod constrained;
 mod derivatives;
+mod direction;
 mod factor;
 pub(crate) mod forward_dynamics;
 pub(crate) mod gravity;
@@ -34,6 +35,7 @@ pub(crate) use self::articulated::{
     INERTIA as ARTICULATED_INERTIA, MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP,
 };
 
+pub use self::direction::coordinate_rates;
 pub(crate) use self::mass_center::MassCenter;
 pub(crate) use self::state::State;
 pub use self::way::{Angles, Carried, Congruence, Forward, Frame, Way};

@@ -82,6 +82,43 @@ impl Posture {
     }
 }
 
+impl Posture {
+    /// The rates of its coordinates where its velocity `k` is 1 and the others are zero: a column of N in q̇ = N v.
+    /// Velocities are those of the moved body in its own frame, linear ones before angular ones.
+    #[must_use]
+    pub fn rates<'g>(self, k: usize, q: impl Fn(usize) -> Term<'g>) -> Vec<Term<'g>> {
+        let constant = |value: f64| q(0).graph().constant(value);
+        let [zero, one] = [0.0, 1.0].map(constant);
+        match (self, k) {
+            (Self::Planar, 2) => vec![zero, zero, one],
+            (Self::Planar, _) => {
+                let axis = Rotation::about_z(q(2).sin_cos()).column(k);
+                vec![axis.0[0], axis.0[1], zero]
+            }
+            (Self::Spherical, _) => rotating([0, 1, 2].map(&q), q(3), k).into(),
+            (Self::Floating, 0..3) => {
+                let axis = turned([3, 4, 5].map(&q), q(6)).column(k);
+                axis.0.into_iter().chain([zero; 4]).collect()
+            }
+            (Self::Floating, _) => {
+                let rates = rotating([3, 4, 5].map(&q), q(6), k - 3);
+                [zero; 3].into_iter().chain(rates).collect()
+            }
+        }
+    }
+}
+
+/// The rates of a quaternion v, w whose frame rotates about its own axis `k` by 1 rad/s: ½ (w e + v × e, −v·e).
+fn rotating<'g>(v: [Term<'g>; 3], w: Term<'g>, k: usize) -> [Term<'g>; 4] {
+    let [next, last] = [(k + 1) % 3, (k + 2) % 3];
+    let half = w.graph().constant(0.5);
+    let mut rates = [half * w; 4];
+    rates[next] = half * v[last];
+    rates[last] = -(half * v[next]);
+    rates[3] = -(half * v[k]);
+    rates
+}
+
 /// R = 1 + 2 w v̲ + 2 v̲² of a quaternion v, w of unit length.
 fn turned<'g>([x, y, z]: [Term<'g>; 3], w: Term<'g>) -> Rotation<Term<'g>> {
     let one = w.graph().constant(1.0);
@@ -95,3 +132,6 @@ fn turned<'g>([x, y, z]: [Term<'g>; 3], w: Term<'g>) -> Rotation<Term<'g>> {
         [xz - wy, yz + wx, one - (xx + yy)],
     ])
 }
+
+#[cfg(test)]
+mod tests;

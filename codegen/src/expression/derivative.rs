@@ -1,0 +1,128 @@
+//! Derivatives of expressions, made on the graph that they stand in.
+//!
+//! In: expressions, and a direction of the inputs or a weight of each expression. Out: further expressions of the same
+//! graph, in its canonical form, so that what derivatives and values share is one node. [`along`] goes forward through
+//! the graph, once a direction; [`gradient`] goes backward, once for all inputs. The derivative of a sign is taken for
+//! zero everywhere, also where it jumps.
+
+use std::collections::BTreeMap;
+
+use super::graph::{Expr, Graph, Input, Node};
+use super::term::Term;
+
+/// The derivative of each result along a direction: what changes of the inputs do to it, to first order.
+///
+/// `direction` is the change of each input; `None` is no change.
+///
+/// # Panics
+/// If an expression is not of this graph.
+#[must_use]
+pub fn along<'g>(
+    graph: &'g Graph,
+    results: &[Expr],
+    direction: impl Fn(Input) -> Option<Term<'g>>,
+) -> Vec<Term<'g>> {
+    let (needed, _) = graph.needed(results);
+    let mut changes: Vec<Option<Term<'g>>> = vec![None; graph.len()];
+    for expr in needed {
+        let node = graph.node(expr);
+        let change = if let Node::Input(input) = node {
+            direction(input)
+        } else {
+            let slopes = slopes(graph, expr, node).into_iter();
+            let parts = slopes.filter_map(|(of, slope)| Some(slope.times(changes[of.index()]?)));
+            parts.reduce(|sum, part| sum + part)
+        };
+        changes[expr.index()] = change.filter(|change| !change.is_zero());
+    }
+    let results = results.iter();
+    let zero = || graph.constant(0.0);
+    results
+        .map(|result| changes[result.index()].unwrap_or_else(zero))
+        .collect()
+}
+
+/// The gradient of a contraction Σ wᵢ xᵢ of expressions xᵢ, whose weights wᵢ are taken for constants: its derivative by
+/// each input that enters it. An input that is missing has the derivative zero.
+///
+/// # Panics
+/// If an expression is not of this graph.
+#[must_use]
+pub fn gradient<'g>(
+    graph: &'g Graph,
+    contraction: &[(Expr, Term<'g>)],
+) -> BTreeMap<Input, Term<'g>> {
+    let results: Vec<Expr> = contraction.iter().map(|(result, _)| *result).collect();
+    let (needed, _) = graph.needed(&results);
+    // The derivative of the contraction by each node.
+    let mut weights: Vec<Option<Term<'g>>> = vec![None; graph.len()];
+    let add = |weights: &mut Vec<Option<Term<'g>>>, expr: Expr, part: Term<'g>| {
+        let weight = &mut weights[expr.index()];
+        *weight = Some(weight.map_or(part, |sum| sum + part));
+    };
+    for &(result, weight) in contraction {
+        add(&mut weights, result, weight);
+    }
+    let mut gradient = BTreeMap::new();
+    for expr in needed.into_iter().rev() {
+        let weight = weights[expr.index()].filter(|weight| !weight.is_zero());
+        let Some(weight) = weight else { continue };
+        match graph.node(expr) {
+            Node::Input(input) => {
+                gradient.insert(input, weight);
+            }
+            node => {
+                for (of, slope) in slopes(graph, expr, node) {
+                    add(&mut weights, of, slope.times(weight));
+                }
+            }
+        }
+    }
+    gradient
+}
+
+/// The derivative of a node by one of its operands.
+#[derive(Clone, Copy)]
+enum Slope<'g> {
+    One,
+    MinusOne,
+    Of(Term<'g>),
+}
+
+impl<'g> Slope<'g> {
+    fn times(self, change: Term<'g>) -> Term<'g> {
+        match self {
+            Self::One => change,
+            Self::MinusOne => -change,
+            Self::Of(slope) => slope * change,
+        }
+    }
+}
+
+/// The derivatives of a node by its operands: one entry for each operand that changes it.
+fn slopes(graph: &Graph, expr: Expr, node: Node) -> Vec<(Expr, Slope<'_>)> {
+    let term = |expr: Expr| graph.term(expr);
+    if graph.value(expr).is_some() {
+        return Vec::new();
+    }
+    match node {
+        Node::Literal(_) | Node::Input(_) | Node::Sign(_) => Vec::new(),
+        Node::Neg(a) => vec![(a, Slope::MinusOne)],
+        Node::Add(a, b) => vec![(a, Slope::One), (b, Slope::One)],
+        Node::Sub(a, b) => vec![(a, Slope::One), (b, Slope::MinusOne)],
+        Node::Mul(a, b) => vec![(a, Slope::Of(term(b))), (b, Slope::Of(term(a)))],
+        // (a/b)′ = a′/b − (a/b) b′/b.
+        Node::Div(a, b) => {
+            let reciprocal = graph.constant(1.0) / term(b);
+            let by_divisor = -(term(expr) * reciprocal);
+            vec![(a, Slope::Of(reciprocal)), (b, Slope::Of(by_divisor))]
+        }
+        Node::Sqrt(a) => vec![(a, Slope::Of(graph.constant(0.5) / term(expr)))],
+        Node::Sin(a) => vec![(a, Slope::Of(term(a).sin_cos().1))],
+        Node::Cos(a) => vec![(a, Slope::Of(-term(a).sin_cos().0))],
+        Node::Taken(a, _) => vec![(a, Slope::One)],
+    }
+}
+
+#[cfg(test)]
+mod tests;

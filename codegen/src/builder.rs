@@ -10,6 +10,8 @@ mod c;
 mod command;
 #[cfg(feature = "pretty")]
 mod file;
+#[cfg(feature = "pretty")]
+mod llvm;
 mod output;
 #[cfg(feature = "pretty")]
 mod python;

@@ -9,11 +9,14 @@ pub(crate) mod ascii;
 pub mod c;
 mod documentation;
 mod large;
+pub mod llvm;
 #[cfg(feature = "pretty")]
 pub mod python;
 mod review;
 pub mod rust;
+mod sines;
 mod steps;
+mod walk;
 
 use crate::accuracy::Accuracy;
 use crate::closure::Row;

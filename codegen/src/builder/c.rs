@@ -73,12 +73,7 @@ impl Builder {
     }
 
     pub(crate) fn c(&self, listing: &Listing, header: &str) -> Source {
-        let robot = match &self.name {
-            Some(name) => name.to_string(),
-            None => listing.about.robot.clone(),
-        };
-        let prefix = self.library.c_prefix.clone();
-        let prefix = prefix.unwrap_or_else(|| c::prefix(&robot));
+        let prefix = self.prefix(listing);
         let processor = self.request.processor;
         let writing = Writing {
             prefix: &prefix,

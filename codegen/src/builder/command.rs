@@ -4,6 +4,7 @@
 //! there is, so that equal lines make equal files; of folders it says nothing.
 
 use std::fmt::Write;
+use std::num::NonZeroUsize;
 
 use super::Builder;
 use crate::description::Name;
@@ -24,6 +25,8 @@ pub(super) enum Language<'a> {
     Rust,
     /// With the name by which the source includes its header.
     C(&'a str),
+    /// With the lanes of a vector.
+    Llvm(NonZeroUsize),
 }
 
 impl Builder {
@@ -79,10 +82,17 @@ impl Builder {
             command.option("name", &name.to_string());
         }
         command.switch("ascii", self.ascii);
-        if let Language::C(header) = language {
-            command.option("language", "c");
-            let source = header.strip_suffix(".h").unwrap_or(header);
-            command.option("output", &format!("{source}.c"));
+        match language {
+            Language::Rust => {}
+            Language::C(header) => {
+                command.option("language", "c");
+                let source = header.strip_suffix(".h").unwrap_or(header);
+                command.option("output", &format!("{source}.c"));
+            }
+            Language::Llvm(lanes) => {
+                command.option("language", "llvm");
+                command.option("lanes", &lanes.to_string());
+            }
         }
         let Command(text) = command;
         text

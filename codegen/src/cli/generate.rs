@@ -22,6 +22,7 @@ use crate::real::Real;
 enum Language {
     Rust,
     C,
+    Llvm,
 }
 
 /// Write the functions of a robot as a file of Rust that needs core and nothing else, or of C
@@ -37,9 +38,12 @@ pub(super) struct Generate {
     functions: Functions,
     #[command(flatten)]
     fields: Fields,
-    /// What the file is written in; c is C99, with a header beside the file (arm.h beside arm.c)
+    /// What the file is written in; c is C99, with a header beside the file (arm.h beside arm.c); llvm is LLVM IR
     #[arg(long, value_enum, default_value = "rust")]
     language: Language,
+    /// The states that a vector holds in LLVM IR
+    #[arg(long, value_name = "COUNT", default_value = "8")]
+    lanes: NonZeroUsize,
     /// The type of number [default: f64, or any with --runtime]
     #[arg(long, value_enum)]
     scalar: Option<Scalar>,
@@ -102,6 +106,7 @@ impl Generate {
         let output = match self.language {
             Language::Rust => self.rust(&builder, &mut remarks)?,
             Language::C => self.c(&builder, &mut remarks)?,
+            Language::Llvm => self.llvm(&builder, &mut remarks)?,
         };
         Ok(Answer {
             output,
@@ -127,6 +132,18 @@ impl Generate {
         if let Some(path) = &self.c_header {
             write(path, &builder.c_header(&listing))?;
         }
+        if is_standard_input(&self.output) {
+            return Ok(text);
+        }
+        write(&self.output, &text)?;
+        Ok(String::new())
+    }
+
+    /// Writes a module of LLVM IR, or returns its text.
+    fn llvm(&self, builder: &Builder, remarks: &mut String) -> Result<String, Errors> {
+        let listing = builder.c_listing()?;
+        remarks.push_str(&Functions::remarks(&listing));
+        let text = builder.llvm(&listing, self.lanes);
         if is_standard_input(&self.output) {
             return Ok(text);
         }

@@ -1,0 +1,50 @@
+//! The module of LLVM IR that a [`Builder`] writes.
+//!
+//! In: its options, and how many lanes a vector has. Out: text.
+
+use std::num::NonZeroUsize;
+
+use super::Builder;
+use super::command::Language;
+use crate::error::Errors;
+use crate::print::Listing;
+use crate::print::c;
+use crate::print::llvm::{self, Writing};
+use crate::processor::Processor;
+
+impl Builder {
+    /// The same functions as LLVM IR, for LLVM 19 or later: `NAME` of one state, with the parameters that it has in
+    /// [`to_c`](Self::to_c), and `NAME_batch` of many states, in vectors of `lanes`.
+    ///
+    /// `NAME_batch` takes the count of states, the fields where the robot has any, and for each argument and each
+    /// result a pointer, the distance between states and the distance between entries of one state, both in numbers.
+    /// The bits are those of the file in C. [`Real::Generic`](crate::Real::Generic) is taken for `double`.
+    ///
+    /// # Errors
+    /// All the mistakes of the description and of the request; options that only Rust has.
+    pub fn to_llvm(&self, lanes: NonZeroUsize) -> Result<String, Errors> {
+        let listing = self.c_listing()?;
+        Ok(self.llvm(&listing, lanes))
+    }
+
+    pub(crate) fn llvm(&self, listing: &Listing, lanes: NonZeroUsize) -> String {
+        let processor = self.request.processor;
+        let writing = Writing {
+            prefix: &self.prefix(listing),
+            asked: &self.asked(listing, Language::Llvm(lanes)),
+            lanes: lanes.get(),
+            fused: processor != Processor::Portable && processor.fuses(listing.scalar),
+        };
+        llvm::print(listing, &writing)
+    }
+
+    /// How names of functions begin in languages without modules.
+    pub(super) fn prefix(&self, listing: &Listing) -> String {
+        let robot = match &self.name {
+            Some(name) => name.to_string(),
+            None => listing.about.robot.clone(),
+        };
+        let prefix = self.library.c_prefix.clone();
+        prefix.unwrap_or_else(|| c::prefix(&robot))
+    }
+}

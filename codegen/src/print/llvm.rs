@@ -1,0 +1,90 @@
+//! LLVM IR: functions of one state, and of states in the lanes of vectors.
+//!
+//! In: a [`Listing`], how names begin, and how many lanes a vector has. Out: a module as text, for LLVM 19 or later,
+//! without a target: whoever compiles it chooses the processor. Each function is there twice: `NAME` takes one state,
+//! as the file in C has it; `NAME_batch` takes any number of states, at any stride. Results are bit for bit those of
+//! the file in C: no operation carries a flag that lets LLVM change it.
+
+mod batch;
+mod body;
+mod function;
+mod lanes;
+mod sines;
+#[cfg(all(test, feature = "pretty"))]
+mod tests;
+
+use crate::formulation::Sines;
+use crate::print::Listing;
+use crate::print::c::symbols;
+use crate::print::documentation::{self, Angles};
+use crate::real::Real;
+use crate::wording::visible;
+use batch::{batch, moves};
+use function::{Function, define};
+use lanes::Lanes;
+
+/// How a module is written.
+#[derive(Clone, Copy, Debug)]
+pub struct Writing<'a> {
+    /// How all names begin.
+    pub prefix: &'a str,
+    /// What was asked for.
+    pub asked: &'a str,
+    /// The lanes of a vector of states.
+    pub lanes: usize,
+    /// Whether products fuse with sums, by `llvm.fma`.
+    pub fused: bool,
+}
+
+/// The module; [`Real::Generic`] is taken for `double`.
+#[must_use]
+pub fn print(listing: &Listing, writing: &Writing<'_>) -> String {
+    let real = match listing.scalar {
+        Real::F32 => Real::F32,
+        Real::F64 | Real::Generic => Real::F64,
+    };
+    let [one, several] = [1, writing.lanes].map(|count| Lanes { real, count });
+    let widths = if writing.lanes > 1 {
+        vec![one, several]
+    } else {
+        vec![one]
+    };
+    let symbols = symbols(listing, writing.prefix);
+    let mut head = documentation::head(listing, writing.asked);
+    for (listed, name) in listing.functions.iter().zip(&symbols) {
+        head.extend(documentation::price(listed, name));
+    }
+    let mut text = comment(&head) + "\n";
+    let has_angles = (listing.functions.iter()).any(|listed| !listed.program.angles.is_empty());
+    let own_sines = listing.sines == Sines::Own && has_angles;
+    for &lanes in widths.iter().filter(|_| own_sines) {
+        text.push_str(&sines::define(lanes, writing.fused));
+    }
+    for &lanes in &widths {
+        text.push_str(&moves(lanes));
+    }
+    let angles = match listing.sines {
+        Sines::Own => Angles::own(real),
+        Sines::Platform => Angles::As("llvm.sin".to_owned()),
+    };
+    for (listed, symbol) in listing.functions.iter().zip(&symbols) {
+        let about = documentation::of_function(listing, listed, Some(&angles), None);
+        text.push_str(&comment(&about));
+        let function = Function::new(listing, listed, symbol, writing.fused);
+        for &lanes in &widths {
+            text.push_str(&define(&function, lanes));
+        }
+        text.push_str(&batch(&function, &widths));
+    }
+    for lanes in widths {
+        text.push_str(&lanes.declarations());
+    }
+    text
+}
+
+/// Lines as comments; each stays one line.
+fn comment(lines: &[String]) -> String {
+    let lines = lines.iter().map(|line| format!("; {}", visible(line)));
+    let lines = lines.map(|line| line.trim_end().to_owned() + "\n");
+    lines.collect()
+}

@@ -1,0 +1,213 @@
+//! The function of many states: a loop that fills the lanes of a vector, and one over the states that are left.
+//!
+//! In: a function, and the types of value that it is there for, one number first. Out: its `NAME_batch`. Behind the
+//! count of states and the fields it takes, for each argument and each result, a pointer, the distance between states
+//! and that between entries of a state, both in numbers: arrays by rows and by columns are read as they are. All of a
+//! vector's states are read before any of their results is stored.
+
+use std::fmt::Write;
+
+use super::body::local;
+use super::function::{Function, Pointer, ROBOT};
+use super::lanes::Lanes;
+
+/// The definition.
+pub(super) fn batch(function: &Function<'_>, widths: &[Lanes]) -> String {
+    let (arguments, results) = (function.arguments(), function.results());
+    let fields = function
+        .has_fields()
+        .then(|| format!("ptr {}", local(ROBOT)));
+    let strided = arguments.iter().chain(&results).map(|pointer| {
+        let [state, entry] = ["state", "entry"].map(|of| pointer.part(of));
+        format!("ptr {}, i64 {state}, i64 {entry}", local(&pointer.name))
+    });
+    let count = "i64 %count.of".to_owned();
+    let parameters = [count].into_iter().chain(fields).chain(strided);
+    let parameters: Vec<String> = parameters.collect();
+    let mut lines = Lines::default();
+    for lanes in widths {
+        for pointer in arguments.iter().chain(&results) {
+            let block = pointer.block(*lanes);
+            let (len, kind, size) = (pointer.len, lanes.value(), lanes.size());
+            lines.push(&format!("{block} = alloca [{len} x {kind}], align {size}"));
+        }
+    }
+    lines.push("%state.at = alloca i64, align 8");
+    lines.push("store i64 0, ptr %state.at, align 8");
+    // The widest first; one number takes what is left.
+    for lanes in widths.iter().rev() {
+        one_loop(&mut lines, function, *lanes, (&arguments, &results));
+    }
+    lines.push("ret void");
+    format!(
+        "define void @{}_batch({}) nounwind {{\n{}}}\n\n",
+        function.symbol,
+        parameters.join(", "),
+        lines.0
+    )
+}
+
+/// The loop over states, as many at a time as there are lanes.
+fn one_loop(
+    lines: &mut Lines,
+    function: &Function<'_>,
+    lanes: Lanes,
+    (arguments, results): (&[Pointer], &[Pointer]),
+) {
+    let count = lanes.count;
+    let own = |name: &str| format!("{name}.{count}");
+    let [more, some, none] = ["more", "some", "none"].map(own);
+    lines.push(&format!("br label %{more}"));
+    lines.label(&more);
+    let [first, end, holds] = ["first", "end", "holds"].map(own);
+    lines.push(&format!("%{first} = load i64, ptr %state.at, align 8"));
+    lines.push(&format!("%{end} = add i64 %{first}, {count}"));
+    lines.push(&format!("%{holds} = icmp ule i64 %{end}, %count.of"));
+    lines.push(&format!("br i1 %{holds}, label %{some}, label %{none}"));
+    lines.label(&some);
+    for pointer in arguments {
+        lines.move_states("read", pointer, lanes, &first);
+    }
+    let fields = function
+        .has_fields()
+        .then(|| format!("ptr {}", local(ROBOT)));
+    let blocks = arguments.iter().chain(results);
+    let blocks = blocks.map(|pointer| format!("ptr {}", pointer.block(lanes)));
+    let all: Vec<String> = fields.into_iter().chain(blocks).collect();
+    let name = function.name(lanes);
+    lines.push(&format!("call void {name}({})", all.join(", ")));
+    for pointer in results {
+        lines.move_states("write", pointer, lanes, &first);
+    }
+    lines.push(&format!("store i64 %{end}, ptr %state.at, align 8"));
+    lines.push(&format!("br label %{more}"));
+    lines.label(&none);
+}
+
+impl Pointer {
+    /// A value that belongs to the parameter.
+    fn part(&self, of: &str) -> String {
+        local(&format!("{}.{of}", self.name))
+    }
+
+    /// Where the values of the states at hand stand.
+    fn block(&self, lanes: Lanes) -> String {
+        self.part(&format!("block.{}", lanes.count))
+    }
+}
+
+/// The functions that move the entries of as many states as there are lanes between an array and a block of values.
+pub(super) fn moves(lanes: Lanes) -> String {
+    mover("read", lanes) + &mover("write", lanes)
+}
+
+/// One of them: a loop over entries.
+fn mover(name: &str, lanes: Lanes) -> String {
+    let (value, number, size, count) = (lanes.value(), lanes.number(), lanes.size(), lanes.count);
+    let reads = name == "read";
+    let mut lines = Lines::default();
+    lines.label("start");
+    for lane in 1..count {
+        lines.push(&format!("%lane.{lane} = mul i64 %state, {lane}"));
+    }
+    lines.push("br label %entries");
+    lines.label("entries");
+    lines.push("%k = phi i64 [ 0, %start ], [ %k.next, %entries ]");
+    lines.push("%within = mul i64 %k, %entry");
+    lines.push(&format!(
+        "%at = getelementptr {number}, ptr %array, i64 %within"
+    ));
+    lines.push(&format!(
+        "%place = getelementptr {value}, ptr %block, i64 %k"
+    ));
+    let mut whole = "poison".to_owned();
+    if !reads {
+        lines.push(&format!("%all = load {value}, ptr %place, align {size}"));
+    }
+    for lane in 0..count {
+        let address = if lane == 0 {
+            "%at".to_owned()
+        } else {
+            let address = format!("%at.{lane}");
+            lines.push(&format!(
+                "{address} = getelementptr {number}, ptr %at, i64 %lane.{lane}"
+            ));
+            address
+        };
+        match (reads, count) {
+            (true, 1) => {
+                lines.push(&format!(
+                    "%one = load {number}, ptr {address}, align {size}"
+                ));
+                "%one".clone_into(&mut whole);
+            }
+            (true, _) => {
+                lines.push(&format!(
+                    "%one.{lane} = load {number}, ptr {address}, align {size}"
+                ));
+                lines.push(&format!(
+                    "%all.{lane} = insertelement {value} {whole}, {number} %one.{lane}, i64 {lane}"
+                ));
+                whole = format!("%all.{lane}");
+            }
+            (false, 1) => lines.push(&format!("store {number} %all, ptr {address}, align {size}")),
+            (false, _) => {
+                lines.push(&format!(
+                    "%one.{lane} = extractelement {value} %all, i64 {lane}"
+                ));
+                lines.push(&format!(
+                    "store {number} %one.{lane}, ptr {address}, align {size}"
+                ));
+            }
+        }
+    }
+    if reads {
+        lines.push(&format!("store {value} {whole}, ptr %place, align {size}"));
+    }
+    lines.push("%k.next = add i64 %k, 1");
+    lines.push("%more = icmp ult i64 %k.next, %len");
+    lines.push("br i1 %more, label %entries, label %done");
+    lines.label("done");
+    lines.push("ret void");
+    format!(
+        "define internal void @{name}{}(ptr %array, i64 %state, i64 %entry, ptr %block, i64 %len) alwaysinline nounwind {{\n{}}}\n\n",
+        lanes.suffix(),
+        lines.0
+    )
+}
+
+/// Instructions and labels as they gather.
+#[derive(Default)]
+struct Lines(String);
+
+impl Lines {
+    fn push(&mut self, instruction: &str) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.0, "  {instruction}");
+    }
+
+    fn label(&mut self, name: &str) {
+        let _ = writeln!(self.0, "{name}:");
+    }
+
+    /// Moves the states from the first one on between an array and its block.
+    fn move_states(&mut self, by: &str, pointer: &Pointer, lanes: Lanes, first: &str) {
+        if pointer.len == 0 {
+            return;
+        }
+        let own = |of: &str| pointer.part(&format!("{of}.{}.{by}", lanes.count));
+        let [offset, from] = ["offset", "from"].map(own);
+        let [state, entry] = ["state", "entry"].map(|of| pointer.part(of));
+        let (number, base) = (lanes.number(), local(&pointer.name));
+        self.push(&format!("{offset} = mul i64 %{first}, {state}"));
+        self.push(&format!(
+            "{from} = getelementptr {number}, ptr {base}, i64 {offset}"
+        ));
+        self.push(&format!(
+            "call void @{by}{}(ptr {from}, i64 {state}, i64 {entry}, ptr {}, i64 {})",
+            lanes.suffix(),
+            pointer.block(lanes),
+            pointer.len
+        ));
+    }
+}

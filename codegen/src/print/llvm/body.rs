@@ -1,0 +1,298 @@
+//! From the statements of a routine to instructions.
+//!
+//! In: statements. Out: instructions, an operation or two for each, on values that have the names of the routine;
+//! names of instructions between contain a dot, which no name of a routine does. It knows no function.
+
+use std::fmt::Write;
+
+use super::lanes::Lanes;
+use super::sines;
+use crate::formulation::Sines;
+use crate::print::walk::Language;
+use crate::schedule::{Angle, Operation, Rounds, Value};
+
+/// A name within a function, between quotes where LLVM needs them.
+pub(super) fn local(name: &str) -> String {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_.".contains(letter);
+    if name.chars().all(is_plain) {
+        format!("%{name}")
+    } else {
+        format!("%\"{name}\"")
+    }
+}
+
+/// A result that is stored as it is found: the pointer of a matrix, and the index of its first entry.
+#[derive(Clone, Debug)]
+pub(super) struct Stored {
+    /// The pointer.
+    pub pointer: String,
+}
+
+/// Instructions as they gather.
+pub(super) struct Writer {
+    pub(super) lanes: Lanes,
+    fused: bool,
+    sines: Sines,
+    /// Space on the stack, which LLVM keeps in registers where it stands before everything else.
+    stack: String,
+    text: String,
+    /// How many values without a name of their own there are.
+    unnamed: usize,
+    /// The name of the work array, where there is one.
+    pub(super) work: Option<String>,
+    /// The matrix in which results are stored as they are found.
+    pub(super) filled: Option<Stored>,
+}
+
+impl Writer {
+    pub(super) fn new(lanes: Lanes, fused: bool, sines: Sines) -> Self {
+        Self {
+            lanes,
+            fused,
+            sines,
+            stack: String::new(),
+            text: String::new(),
+            unnamed: 0,
+            work: None,
+            filled: None,
+        }
+    }
+
+    /// All that has been written.
+    pub(super) fn finish(self) -> String {
+        self.stack + &self.text
+    }
+
+    pub(super) fn line(&mut self, instruction: &str) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "  {instruction}");
+    }
+
+    pub(super) fn bind(&mut self, name: &str, instruction: &str) {
+        self.line(&format!("{} = {instruction}", local(name)));
+    }
+
+    /// Binds a value between others; how it is read.
+    pub(super) fn between(&mut self, instruction: &str) -> String {
+        self.unnamed += 1;
+        let name = format!("v.{}", self.unnamed);
+        self.bind(&name, instruction);
+        local(&name)
+    }
+
+    /// Space for an array of values.
+    pub(super) fn array(&mut self, name: &str, kind: &str) {
+        let (name, size) = (local(name), self.lanes.size());
+        let _ = writeln!(self.stack, "  {name} = alloca {kind}, align {size}");
+    }
+
+    /// The address of an entry of an array of values.
+    pub(super) fn entry(&mut self, array: &str, index: &str) -> String {
+        let value = self.lanes.value();
+        self.between(&format!("getelementptr {value}, ptr {array}, i64 {index}"))
+    }
+
+    pub(super) fn load(&mut self, address: &str) -> String {
+        let (value, size) = (self.lanes.value(), self.lanes.size());
+        self.between(&format!("load {value}, ptr {address}, align {size}"))
+    }
+
+    pub(super) fn store_at(&mut self, address: &str, value: &str) {
+        let (kind, size) = (self.lanes.value(), self.lanes.size());
+        self.line(&format!(
+            "store {kind} {value}, ptr {address}, align {size}"
+        ));
+    }
+
+    /// A value as an operand.
+    pub(super) fn read(&mut self, value: &Value) -> String {
+        match value {
+            Value::Literal(value) => self.lanes.literal(*value),
+            Value::Name(name) => local(name),
+            Value::Waiting(place) => {
+                let address = self.waiting(*place);
+                self.load(&address)
+            }
+            Value::Entry(table, row, round) => {
+                let address = self.cell(table, *row, &round.to_string());
+                self.load(&address)
+            }
+        }
+    }
+
+    /// The address of a place of the work array.
+    pub(super) fn waiting(&mut self, place: usize) -> String {
+        let work = self.work.clone();
+        let work = work.expect("what waits has an array to wait in");
+        self.entry(&local(&work), &place.to_string())
+    }
+
+    /// The address of an entry of a table: a row behind the other, each with an entry for each round.
+    fn cell(&mut self, table: &str, row: usize, round: &str) -> String {
+        let value = self.lanes.value();
+        let table = local(&format!("{table}.{row}"));
+        self.between(&format!("getelementptr {value}, ptr {table}, i64 {round}"))
+    }
+
+    /// A product and a sum: fused, or one after the other.
+    fn product_and_sum(&mut self, name: &str, [a, b, c]: [&str; 3], signs: Signs) {
+        let value = self.lanes.value();
+        if self.fused {
+            let negative =
+                |writer: &mut Self, of: &str| writer.between(&format!("fneg {value} {of}"));
+            let (a, c) = match signs {
+                Signs::Plus => (a.to_owned(), c.to_owned()),
+                Signs::MinusTerm => (a.to_owned(), negative(self, c)),
+                Signs::MinusProduct => (negative(self, a), c.to_owned()),
+            };
+            let fma = self.lanes.intrinsic("fma");
+            return self.bind(
+                name,
+                &format!("call {value} {fma}({value} {a}, {value} {b}, {value} {c})"),
+            );
+        }
+        let product = self.between(&format!("fmul {value} {a}, {b}"));
+        let sum = match signs {
+            Signs::Plus => format!("fadd {value} {product}, {c}"),
+            Signs::MinusTerm => format!("fsub {value} {product}, {c}"),
+            Signs::MinusProduct => format!("fsub {value} {c}, {product}"),
+        };
+        self.bind(name, &sum);
+    }
+
+    /// −1, 0 or 1: 1 where a is above zero less 1 where it is below.
+    fn sign(&mut self, name: &str, a: &str) {
+        let (value, truth) = (self.lanes.value(), self.lanes.truth());
+        let [zero, one] = [0.0, 1.0].map(|number| self.lanes.literal(number));
+        let [above, below] = ["ogt", "olt"].map(|order| {
+            let holds = self.between(&format!("fcmp {order} {value} {a}, {zero}"));
+            self.between(&format!(
+                "select {truth} {holds}, {value} {one}, {value} {zero}"
+            ))
+        });
+        self.bind(name, &format!("fsub {value} {above}, {below}"));
+    }
+}
+
+/// Which part of a product and a sum is taken away.
+#[derive(Clone, Copy)]
+enum Signs {
+    Plus,
+    MinusTerm,
+    MinusProduct,
+}
+
+impl Language for Writer {
+    fn operation(&mut self, name: &str, operation: &Operation<Value>) {
+        let value = self.lanes.value();
+        let operation = operation.clone().map(|of| self.read(&of));
+        match operation {
+            Operation::Add(a, b) => self.bind(name, &format!("fadd {value} {a}, {b}")),
+            Operation::Sub(a, b) => self.bind(name, &format!("fsub {value} {a}, {b}")),
+            Operation::Mul(a, b) => self.bind(name, &format!("fmul {value} {a}, {b}")),
+            Operation::Div(a, b) => self.bind(name, &format!("fdiv {value} {a}, {b}")),
+            Operation::Neg(a) => self.bind(name, &format!("fneg {value} {a}")),
+            Operation::Sqrt(a) => {
+                let sqrt = self.lanes.intrinsic("sqrt");
+                self.bind(name, &format!("call {value} {sqrt}({value} {a})"));
+            }
+            Operation::Sign(a) => self.sign(name, &a),
+            Operation::MulAdd(a, b, c) => self.product_and_sum(name, [&a, &b, &c], Signs::Plus),
+            Operation::MulSub(a, b, c) => {
+                self.product_and_sum(name, [&a, &b, &c], Signs::MinusTerm);
+            }
+            Operation::NegMulAdd(a, b, c) => {
+                self.product_and_sum(name, [&a, &b, &c], Signs::MinusProduct);
+            }
+        }
+    }
+
+    fn sines_and_cosines(&mut self, angles: &[Angle]) {
+        let value = self.lanes.value();
+        for angle in angles {
+            let of = self.read(&angle.value);
+            let parts = [(&angle.sine, "sin"), (&angle.cosine, "cos")];
+            if self.sines == Sines::Platform {
+                for (name, function) in parts {
+                    let Some(name) = name else { continue };
+                    let function = self.lanes.intrinsic(function);
+                    self.bind(name, &format!("call {value} {function}({value} {of})"));
+                }
+                continue;
+            }
+            let function = sines::name(self.lanes);
+            let pair = format!("{{ {value}, {value} }}");
+            let turn = self.between(&format!("call {pair} {function}({value} {of})"));
+            for (place, (name, _)) in parts.into_iter().enumerate() {
+                let Some(name) = name else { continue };
+                self.bind(name, &format!("extractvalue {pair} {turn}, {place}"));
+            }
+        }
+    }
+
+    fn put(&mut self, place: usize, value: &Value) {
+        let value = self.read(value);
+        let address = self.waiting(place);
+        self.store_at(&address, &value);
+    }
+
+    fn store(&mut self, result: usize, value: &Value) {
+        let value = self.read(value);
+        let filled = self.filled.clone();
+        let filled = filled.expect("what is stored as it is found has a matrix");
+        let address = self.entry(&filled.pointer, &result.to_string());
+        self.store_at(&address, &value);
+    }
+
+    /// Rows are arrays of their own. The count of rounds is on the stack, where LLVM finds that it is a register's.
+    fn begin_loop(&mut self, rounds: &Rounds) {
+        let Rounds {
+            table,
+            rows,
+            round,
+            taken,
+            ..
+        } = rounds;
+        let kind = format!("[{} x {}]", rounds.count(), self.lanes.value());
+        for (row, values) in rows.iter().enumerate() {
+            self.array(&format!("{table}.{row}"), &kind);
+            for (column, value) in values.iter().enumerate() {
+                let value = self.read(value);
+                let address = self.cell(table, row, &column.to_string());
+                self.store_at(&address, &value);
+            }
+        }
+        let counter = format!("{round}.at");
+        let _ = writeln!(self.stack, "  {} = alloca i64, align 8", local(&counter));
+        let (counter, label) = (local(&counter), label(round));
+        self.line(&format!("store i64 0, ptr {counter}, align 8"));
+        self.line(&format!("br label %{label}"));
+        let _ = writeln!(self.text, "{label}:");
+        self.bind(round, &format!("load i64, ptr {counter}, align 8"));
+        for (row, name) in taken.iter().enumerate() {
+            let address = self.cell(table, row, &local(round));
+            let (value, size) = (self.lanes.value(), self.lanes.size());
+            self.bind(name, &format!("load {value}, ptr {address}, align {size}"));
+        }
+    }
+
+    fn end_loop(&mut self, rounds: &Rounds) {
+        let (table, round) = (&rounds.table, &rounds.round);
+        for (row, name) in rounds.left.iter().enumerate() {
+            let address = self.cell(table, row, &local(round));
+            self.store_at(&address, &local(name));
+        }
+        let counter = local(&format!("{round}.at"));
+        let next = self.between(&format!("add i64 {}, 1", local(round)));
+        self.line(&format!("store i64 {next}, ptr {counter}, align 8"));
+        let more = self.between(&format!("icmp ult i64 {next}, {}", rounds.count()));
+        let label = label(round);
+        self.line(&format!("br i1 {more}, label %{label}, label %{label}.end"));
+        let _ = writeln!(self.text, "{label}.end:");
+    }
+}
+
+/// The label of a loop.
+fn label(round: &str) -> String {
+    format!("{round}.loop")
+}

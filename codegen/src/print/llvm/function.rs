@@ -1,0 +1,229 @@
+//! One function of a module: its parameters, what it reads, and what it stores.
+//!
+//! In: a [`Listed`] function, its symbol, and the type of a value. Out: its definition. With one lane the parameters
+//! are those of the file in C; with several each entry of an argument and a result is a vector. Fields are numbers,
+//! one after the other, in the order of the robot's struct, and the same for all lanes.
+
+use std::fmt::Write;
+
+use super::body::{Stored, Writer, local};
+use super::lanes::Lanes;
+use crate::print::c::results;
+use crate::print::large::columns;
+use crate::print::walk::walk;
+use crate::print::{Fields, Listed, Listing};
+use crate::schedule::Stored as When;
+use crate::schedule::{Names, Readable, Routine, Work};
+use crate::space::Variable;
+
+/// The name of the parameter that points to the fields.
+pub(super) const ROBOT: &str = "robot";
+
+/// A function that is written, whatever its lanes.
+pub(super) struct Function<'l> {
+    listing: &'l Listing,
+    listed: &'l Listed,
+    pub(super) symbol: &'l str,
+    fused: bool,
+    /// The arguments, in their order.
+    arguments: Vec<Variable>,
+}
+
+/// A parameter that points to numbers.
+pub(super) struct Pointer {
+    /// Its name.
+    pub name: String,
+    /// How many numbers there are of one state.
+    pub len: usize,
+}
+
+impl<'l> Function<'l> {
+    pub(super) fn new(
+        listing: &'l Listing,
+        listed: &'l Listed,
+        symbol: &'l str,
+        fused: bool,
+    ) -> Self {
+        Self {
+            listing,
+            listed,
+            symbol,
+            fused,
+            arguments: listed.arguments(&listing.spaces),
+        }
+    }
+
+    /// Whether it takes a pointer to fields first.
+    pub(super) fn has_fields(&self) -> bool {
+        !self.listing.parameters.is_empty()
+    }
+
+    pub(super) fn arguments(&self) -> Vec<Pointer> {
+        let arguments = self.arguments.iter().map(|argument| Pointer {
+            name: argument.name().to_owned(),
+            len: self.listing.spaces.len(argument.space()),
+        });
+        arguments.collect()
+    }
+
+    pub(super) fn results(&self) -> Vec<Pointer> {
+        let results = results(&self.listed.functions).into_iter();
+        let results = results.map(|(name, quantity)| {
+            let lengths = quantity.lengths(&self.listing.spaces);
+            let lengths = lengths.iter().chain(quantity.entity.dimensions());
+            Pointer {
+                len: lengths.product(),
+                name,
+            }
+        });
+        results.collect()
+    }
+
+    /// The symbol of the function of such values.
+    pub(super) fn name(&self, lanes: Lanes) -> String {
+        format!("@{}{}", self.symbol, lanes.suffix())
+    }
+
+    fn routine(&self) -> Routine {
+        let mut names = Names::default();
+        names.take(ROBOT);
+        let results = self.results();
+        for result in &results {
+            names.take(&result.name);
+        }
+        let fields = Fields::Own(&self.listing.parameters).entries();
+        let readable = Readable {
+            arguments: &self.arguments,
+            spaces: &self.listing.spaces,
+            fields: &fields,
+        };
+        let large = columns(&self.listed.functions, &self.listing.spaces).is_some();
+        let when = if large { When::AsFound } else { When::AtTheEnd };
+        let program = (&self.listed.program, self.listing.length);
+        Routine::of(program, &readable, names, when)
+    }
+}
+
+/// The definition for values of a type, and those of the functions that it calls.
+pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
+    let routine = function.routine();
+    let mut writer = Writer::new(lanes, function.fused, function.listing.sines);
+    let results = function.results();
+    writer.filled = results.first().map(|result| Stored {
+        pointer: local(&result.name),
+    });
+    load(&mut writer, &routine);
+    walk(&mut writer, &routine.statements);
+    let mut sections = String::new();
+    if let Some(work) = &routine.work {
+        call(&mut writer, function, work);
+        sections = define_sections(function, work, lanes);
+    }
+    let mut values = routine.results.iter().enumerate();
+    for result in &results {
+        for (k, (index, value)) in values.by_ref().take(result.len).enumerate() {
+            if routine.stored.contains(&index) {
+                continue;
+            }
+            let value = writer.read(value);
+            let address = writer.entry(&local(&result.name), &k.to_string());
+            writer.store_at(&address, &value);
+        }
+    }
+    let fields = function.has_fields().then(|| ROBOT.to_owned()).into_iter();
+    let pointers = function.arguments().into_iter().chain(results);
+    let parameters = fields.chain(pointers.map(|pointer| pointer.name));
+    let parameters = parameters.map(|name| format!("ptr {}", local(&name)));
+    let parameters: Vec<String> = parameters.collect();
+    let visible = if lanes.count == 1 { "" } else { "internal " };
+    let mut text = sections;
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "define {visible}void {}({}) nounwind {{\n{}  ret void\n}}\n",
+        function.name(lanes),
+        parameters.join(", "),
+        writer.finish()
+    );
+    text
+}
+
+/// All that is read of arguments and fields, before anything is stored.
+fn load(writer: &mut Writer, routine: &Routine) {
+    let (value, size) = (writer.lanes.value(), writer.lanes.size());
+    for (argument, entries) in &routine.arguments {
+        for (k, name) in entries.iter().enumerate() {
+            let Some(name) = name else { continue };
+            let address = writer.entry(&local(argument.name()), &k.to_string());
+            writer.bind(name, &format!("load {value}, ptr {address}, align {size}"));
+        }
+    }
+    let number = writer.lanes.number();
+    for (k, name) in routine.fields.iter().flatten().enumerate() {
+        let Some(name) = name else { continue };
+        let address = writer.between(&format!(
+            "getelementptr {number}, ptr {}, i64 {k}",
+            local(ROBOT)
+        ));
+        let load = format!("load {number}, ptr {address}, align {size}");
+        if writer.lanes.count == 1 {
+            writer.bind(name, &load);
+            continue;
+        }
+        let one = writer.between(&load);
+        let first = writer.between(&format!(
+            "insertelement {value} poison, {number} {one}, i64 0"
+        ));
+        let count = writer.lanes.count;
+        writer.bind(
+            name,
+            &format!(
+                "shufflevector {value} {first}, {value} poison, <{count} x i32> zeroinitializer"
+            ),
+        );
+    }
+}
+
+fn section(function: &Function<'_>, name: &str, lanes: Lanes) -> String {
+    format!("@{}.{name}{}", function.symbol, lanes.suffix())
+}
+
+/// The work array, what is put into it at first, and the calls.
+fn call(writer: &mut Writer, function: &Function<'_>, work: &Work) {
+    let kind = format!("[{} x {}]", work.len, writer.lanes.value());
+    writer.array(&work.name, &kind);
+    writer.work = Some(work.name.clone());
+    for (place, value) in &work.given {
+        let value = writer.read(value);
+        let address = writer.waiting(*place);
+        writer.store_at(&address, &value);
+    }
+    for apart in &work.sections {
+        let name = section(function, &apart.name, writer.lanes);
+        writer.line(&format!("call void {name}(ptr {})", local(&work.name)));
+    }
+}
+
+/// The sections, each a function of the work array alone.
+fn define_sections(function: &Function<'_>, work: &Work, lanes: Lanes) -> String {
+    let mut text = String::new();
+    for apart in &work.sections {
+        let mut writer = Writer::new(lanes, function.fused, function.listing.sines);
+        writer.work = Some(work.name.clone());
+        for (place, name) in &apart.taken {
+            let address = writer.waiting(*place);
+            let (value, size) = (lanes.value(), lanes.size());
+            writer.bind(name, &format!("load {value}, ptr {address}, align {size}"));
+        }
+        walk(&mut writer, &apart.statements);
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "define internal void {}(ptr {}) noinline nounwind {{\n{}  ret void\n}}\n",
+            section(function, &apart.name, lanes),
+            local(&work.name),
+            writer.finish()
+        );
+    }
+    text
+}

@@ -1,0 +1,96 @@
+//! Hand-made programs as text: a reader of these tests sees what a user of the command gets.
+
+use super::{Writing, print};
+use crate::function::Function;
+use crate::print::Listing;
+use crate::print::rust::tests::{listed, listing, literal, step, with_payload};
+use crate::real::Real;
+use crate::schedule::{Operand, Operation, Program};
+
+fn written(listing: &Listing, lanes: usize, fused: bool) -> String {
+    let writing = Writing {
+        prefix: "pendulum_",
+        asked: "Made by hand.",
+        lanes,
+        fused,
+    };
+    print(listing, &writing)
+}
+
+/// The lines of a function.
+fn function<'t>(text: &'t str, name: &str) -> &'t str {
+    let head = format!(" {name}(");
+    let at = text.find(&head).expect("the function");
+    let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
+    let end = text[at..].find("\n}\n").expect("an end");
+    &text[start..at + end + 2]
+}
+
+/// A gravity function that consists of these steps, and returns the last.
+fn steps(real: Real, operations: &[Operation]) -> Listing {
+    let last = u32::try_from(operations.len() - 1).expect("few steps");
+    let program = Program {
+        angles: Vec::new(),
+        before_angles: 0,
+        steps: operations.iter().map(|&of| step("", of)).collect(),
+        results: vec![Operand::Step(last), literal(-0.5)],
+    };
+    Listing {
+        functions: vec![listed(&[Function::Gravity], program)],
+        ..listing(real)
+    }
+}
+
+#[test]
+fn products_and_sums_are_fused_or_not() {
+    let operation = Operation::NegMulAdd(literal(2.0), literal(3.0), literal(4.0));
+    let listing = steps(Real::F32, &[operation]);
+    let plain = written(&listing, 4, false);
+    let expected = "define internal void @pendulum_gravity.4(ptr %q, ptr %gravity) nounwind {
+  %v.1 = fmul <4 x float> splat (float 0x4000000000000000), splat (float 0x4008000000000000)
+  %t_1 = fsub <4 x float> splat (float 0x4010000000000000), %v.1
+  %v.2 = getelementptr <4 x float>, ptr %gravity, i64 0
+  store <4 x float> %t_1, ptr %v.2, align 4
+  %v.3 = getelementptr <4 x float>, ptr %gravity, i64 1
+  store <4 x float> splat (float 0xBFE0000000000000), ptr %v.3, align 4
+  ret void
+}";
+    assert_eq!(function(&plain, "@pendulum_gravity.4"), expected);
+    let fused = written(&listing, 1, true);
+    let expected = "define void @pendulum_gravity(ptr %q, ptr %gravity) nounwind {
+  %v.1 = fneg float 0x4000000000000000
+  %t_1 = call float @llvm.fma.f32(float %v.1, float 0x4008000000000000, float 0x4010000000000000)
+  %v.2 = getelementptr float, ptr %gravity, i64 0
+  store float %t_1, ptr %v.2, align 4
+  %v.3 = getelementptr float, ptr %gravity, i64 1
+  store float 0xBFE0000000000000, ptr %v.3, align 4
+  ret void
+}";
+    assert_eq!(function(&fused, "@pendulum_gravity"), expected);
+}
+
+#[test]
+fn fields_are_the_same_in_all_lanes() {
+    let text = written(&with_payload(listing(Real::F64)), 2, false);
+    let expected = "  %v.3 = getelementptr double, ptr %robot, i64 0
+  %v.4 = load double, ptr %v.3, align 8
+  %v.5 = insertelement <2 x double> poison, double %v.4, i64 0
+  %payload = shufflevector <2 x double> %v.5, <2 x double> poison, <2 x i32> zeroinitializer
+";
+    let found = function(&text, "@pendulum_gravity.2");
+    assert!(found.contains(expected), "{found}");
+}
+
+#[test]
+fn a_batch_takes_each_array_with_its_strides() {
+    let text = written(&steps(Real::F64, &[Operation::Neg(literal(1.0))]), 2, false);
+    let batch = function(&text, "@pendulum_gravity_batch");
+    let expected = "define void @pendulum_gravity_batch(i64 %count.of, ptr %q, i64 %q.state, i64 %q.entry, \
+                    ptr %gravity, i64 %gravity.state, i64 %gravity.entry) nounwind {";
+    assert_eq!(batch.lines().next(), Some(expected));
+    let calls = ["@pendulum_gravity.2(", "@pendulum_gravity("].map(|call| batch.find(call));
+    assert!(
+        calls[0] < calls[1] && calls[0].is_some(),
+        "vectors come first: {batch}"
+    );
+}

@@ -10,7 +10,6 @@ use crate::chain::Chain;
 use crate::check::vectors;
 use crate::description::Description;
 use crate::expression::{Arithmetic, Double, Evaluation, Expr, Input, Term};
-use crate::function::Function;
 use crate::layout::{Layout, Sliding, arrange};
 use crate::list::Id;
 use crate::matrix::{Inertia, Symmetric, Vector};
@@ -62,7 +61,7 @@ fn origins(chain: &Chain, functions: &[Listed]) -> Vec<Origins> {
     let mut layouts: Vec<(Layout, Vec<String>)> = Vec::new();
     let with_mass = functions.iter().filter(|listed| {
         let mut functions = listed.functions.iter();
-        functions.any(|function| has_mass(*function))
+        functions.any(|function| function.has_mass())
     });
     for listed in with_mass {
         let name = listed.name();
@@ -81,16 +80,6 @@ fn origins(chain: &Chain, functions: &[Listed]) -> Vec<Origins> {
             bodies: bodies(chain, layout),
         })
         .collect()
-}
-
-/// Whether mass enters a function, and not only what it is multiplied with.
-const fn has_mass(function: Function) -> bool {
-    use Function::{BaseRegressor, Constraint, ConstraintBias, ConstraintJacobian, Regressor};
-    let geometric = matches!(
-        function,
-        Regressor | BaseRegressor | Constraint | ConstraintBias | ConstraintJacobian
-    );
-    !geometric && !function.of_a_frame()
 }
 
 /// The inertial numbers of each body in the frames of a layout.

@@ -1,6 +1,6 @@
 //! H₀,tip₍₀₎, the acceleration matrix of a frame, without gravity.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{MOVING, Size, Tally};
 use crate::dense::Motion;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::ACCELERATION,
-    of_a_frame: true,
+    properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Driven).1.upper()),
     ways: Definition::one_way,
     dense,

@@ -1,6 +1,6 @@
 //! Torques and forces of the joints that are driven, where loops move the others.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::tally::{self, Size, Tally};
 use super::{constraint_jacobian, quantities};
 use crate::dense::Dense;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCES,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::Actuation],
     truth: Truth::Constrained(Dense::driven),
     ways: Definition::one_way,
     dense,

@@ -11,7 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::BASE_REGRESSOR,
-    of_a_frame: false,
+    properties: &[],
     truth: Truth::Value(|dense, _| dense.base_regressor()),
     ways: Definition::one_way,
     dense: regressor::dense,

@@ -1,6 +1,6 @@
 //! The Jacobian in the frame of the tip: columns L₁ … L_N, pole at its origin.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally;
 use crate::expression::Term;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q],
     result: quantities::SCREWS,
-    of_a_frame: true,
+    properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| {
         let back = dense.pose(frame).inverse();
         dense.columns(frame, |screw| back.carries(screw))

@@ -1,7 +1,7 @@
 //! The rate of the entries of the Jacobian in the frame of the tip, which moves: columns L̇₁ … L̇_N, pole at
 //! its origin.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally;
 use crate::dense::Motion;
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::SCREW_RATES,
-    of_a_frame: true,
+    properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| {
         let back = dense.pose(frame).inverse();
         let (w, _) = dense.motion(frame, Motion::Coasting);

@@ -1,6 +1,6 @@
 //! The centre of mass of all that joints move: Σ J has its first moments and the mass in the last column (paper, eq. 16).
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
@@ -16,7 +16,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     arguments: &[Variable::Q],
     result: quantities::POINT,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::OfMass(|dense, _| dense.mass_center().to_vec()),
     ways: Definition::one_way,
     dense,

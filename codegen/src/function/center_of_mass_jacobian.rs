@@ -1,7 +1,7 @@
 //! What each joint adds to the velocity of the centre of mass of all that joints move: the last column of Σ L J of
 //! what it carries.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     arguments: &[Variable::Q],
     result: quantities::POINT_RATES,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::OfMass(|dense, _| {
         let momenta = dense.unit_moments().map(|moments| moments.column());
         momenta

@@ -1,6 +1,6 @@
 //! The velocity of the centre of mass of all that joints move: Σ W J has the linear momenta in the last column.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
 use crate::dense::Motion;
@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::POINT_RATE,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::OfMass(|dense, _| {
         let momentum = dense.moments(Motion::Coasting).column();
         dense.by_mass(momentum).to_vec()

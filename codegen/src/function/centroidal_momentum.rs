@@ -1,6 +1,6 @@
 //! The momentum Γ = Σ skew\[W J\] of all that joints move, about their centre of mass.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
 use crate::dense::Motion;
@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::MOMENTUM,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::BodiesAlone],
     truth: Truth::OfMass(|dense, _| {
         let momentum = dense.moments(Motion::Coasting).skew();
         dense.about_mass_center(&momentum).vectors().to_vec()

@@ -1,6 +1,6 @@
 //! What the momentum about the centre of mass changes by at q̈ = 0: the rate of its matrix times q̇, Σ skew\[H J\].
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, MOVING, Size, Tally};
 use crate::dense::Motion;
@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::ACTION,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::BodiesAlone],
     truth: Truth::OfMass(|dense, _| {
         let rate = dense.inertia_forces(Motion::Coasting).skew();
         dense.about_mass_center(&rate).vectors().to_vec()

@@ -1,6 +1,6 @@
 //! What each joint adds to the momentum about the centre of mass: skew\[L J\] of all that it carries.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
@@ -16,7 +16,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     arguments: &[Variable::Q],
     result: quantities::MOMENTA,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::BodiesAlone],
     truth: Truth::OfMass(|dense, _| {
         let momenta = dense.unit_moments().map(|moments| moments.skew());
         let momenta = momenta.map(|momentum| dense.about_mass_center(&momentum).vectors());

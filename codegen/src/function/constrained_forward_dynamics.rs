@@ -1,7 +1,7 @@
 //! Joint accelerations that forces and torques produce where loops are held together, and what holds them
 //! together meanwhile.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{Size, Tally};
 use super::{constraint_bias, constraint_jacobian, forward_dynamics};
@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Tau],
     result: quantities::CONSTRAINED_MOTION,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::Constrained(Dense::constrained),
     ways: Definition::one_way,
     dense,

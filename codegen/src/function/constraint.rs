@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q],
     result: quantities::RESIDUALS,
-    of_a_frame: false,
+    properties: &[],
     truth: Truth::Value(|dense, _| dense.residuals()),
     ways: Definition::one_way,
     dense,

@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::RESIDUAL_ACCELERATIONS,
-    of_a_frame: false,
+    properties: &[],
     truth: Truth::Value(|dense, _| dense.residual_bias()),
     ways: Definition::one_way,
     dense,

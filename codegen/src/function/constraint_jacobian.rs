@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q],
     result: quantities::RESIDUAL_RATES,
-    of_a_frame: false,
+    properties: &[],
     truth: Truth::Value(|dense, _| dense.residual_rates().into_iter().flatten().collect()),
     ways: Definition::one_way,
     dense,

@@ -1,6 +1,6 @@
 //! The Coriolis matrix: what the rates are for torques and forces, by the Christoffel symbols of M.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::tally::{Size, Tally, VELOCITY};
 use super::{mass_matrix, quantities};
 use crate::expression::Term;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::DAMPING,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::BodiesAlone],
     truth: Truth::Value(|dense, _| dense.coriolis_matrix().into()),
     ways: Definition::one_way,
     dense,

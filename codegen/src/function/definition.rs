@@ -32,6 +32,21 @@ pub enum Given {
     TorqueDerivatives,
 }
 
+/// A property of a function that others do not have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Property {
+    /// It is about a frame, the tip's or a further one, and not about the whole robot.
+    Frame,
+    /// Masses and moments of inertia are numbers of it, and not factors of its result.
+    Mass,
+    /// External forces enter it.
+    External,
+    /// It depends on which joints are actuated.
+    Actuation,
+    /// It is of moving bodies alone: armature and friction do not enter it.
+    BodiesAlone,
+}
+
 /// Everything that is known of a function.
 pub(super) struct Definition {
     /// The name in generated code, in attributes and on the command line.
@@ -43,8 +58,8 @@ pub(super) struct Definition {
     pub(super) arguments: &'static [Variable],
     /// Its result.
     pub(super) result: Outcome,
-    /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
-    pub(super) of_a_frame: bool,
+    /// What distinguishes it from others.
+    pub(super) properties: &'static [Property],
     /// What every expansion is held against.
     pub(super) truth: Truth,
     /// The ways to compute it between which only the count decides.

@@ -1,6 +1,6 @@
 //! Joint accelerations that forces and torques produce.
 
-use super::definition::{Definition, Given, Truth};
+use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{self, Size, Tally};
 use super::{mass_matrix, quantities};
 use crate::expression::Term;
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Tau],
     result: quantities::SECOND_RATES,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::External],
     truth: Truth::Solution(Given::Torques),
     ways: Definition::one_way,
     dense,

@@ -1,7 +1,7 @@
 //! What changes of q, q̇ and τ do to the joint accelerations that τ produces: of M q̈ + … = τ with q̈ as it is,
 //! ∂q̈ = M⁻¹ (∂τ − what inverse dynamics changes by).
 
-use super::definition::{Definition, Given, Truth};
+use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_derivatives, mass_matrix_inverse, quantities};
 use crate::expression::Term;
@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Tau],
     result: quantities::ACCELERATION_DERIVATIVES,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::External],
     truth: Truth::Solution(Given::TorqueDerivatives),
     ways: Definition::one_way,
     dense,

@@ -1,6 +1,6 @@
 //! The Jacobian in the axes of frame 0: columns L₁ … L_N, pole at the origin of the tip.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally;
 use crate::dense::Matrix;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q],
     result: quantities::SCREWS,
-    of_a_frame: true,
+    properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| {
         let tip = dense.pose(frame).0.map(|row| -row[3]);
         let back = Matrix::translation([tip[0], tip[1], tip[2]]);

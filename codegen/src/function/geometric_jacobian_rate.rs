@@ -1,7 +1,7 @@
 //! The rate of the Jacobian in the axes of frame 0: columns L̇₁ … L̇_N, pole at the origin of the tip, which
 //! moves.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally;
 use crate::dense::{Matrix, Motion};
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::SCREW_RATES,
-    of_a_frame: true,
+    properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| {
         let tip = dense.pose(frame).column();
         let (w, _) = dense.motion(frame, Motion::Coasting);

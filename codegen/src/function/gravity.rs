@@ -1,6 +1,6 @@
 //! Inverse dynamics at rest.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{ACTION, INERTIA, KINEMATIC, Size, Tally};
 use crate::dense::Motion;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q],
     result: quantities::FORCES,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| dense.torques(Motion::Rest).into()),
     ways: Definition::one_way,
     dense,

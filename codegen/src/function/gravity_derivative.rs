@@ -1,6 +1,6 @@
 //! What a change of q does to the joint torques and forces that hold the robot at rest.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q],
     result: quantities::STIFFNESS,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| dense.gravity_derivative().into()),
     ways: Definition::one_way,
     dense,

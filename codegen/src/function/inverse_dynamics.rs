@@ -1,6 +1,6 @@
 //! Joint torques and forces that produce q̈.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally;
 use crate::expression::Term;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCES,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::External],
     truth: Truth::Value(|dense, _| dense.driving_torques().into()),
     ways: Definition::one_way,
     dense: tally::torques,

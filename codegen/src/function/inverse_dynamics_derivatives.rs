@@ -1,7 +1,7 @@
 //! What changes of q and q̇ do to the joint torques and forces that produce q̈. What a change of q̈ does is
 //! the mass matrix.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::tally::{Size, Tally};
 use super::{mass_matrix, quantities, tally};
 use crate::expression::Term;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCE_DERIVATIVES,
-    of_a_frame: false,
+    properties: &[Property::Mass, Property::External],
     truth: Truth::Value(|dense, _| dense.torque_derivatives().map(Vec::from).concat()),
     ways: Definition::one_way,
     dense,

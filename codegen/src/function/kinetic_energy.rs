@@ -1,7 +1,7 @@
 //! The kinetic energy ½ Σ Tr(W J Wᵗ) (paper, eq. 22), body by body in the frames of the links, and that of
 //! the joints' armatures.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
 use crate::chain::BodyId;
@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence: |_, _| "Kinetic energy ½ q̇ᵗ M(q) q̇; J.".to_owned(),
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::ENERGY,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| {
         let twice = (dense.links(Motion::Coasting))
             .map(|(w, j)| w.times(j).times(&w.transposed()).trace())

@@ -1,6 +1,6 @@
 //! The joint-space inertia matrix.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q],
     result: quantities::INERTIAS,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| dense.mass_matrix().clone().into()),
     ways: Definition::one_way,
     dense,

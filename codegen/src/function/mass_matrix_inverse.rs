@@ -1,6 +1,6 @@
 //! The inverse of the joint-space inertia matrix.
 
-use super::definition::{Definition, Given, Truth};
+use super::definition::{Definition, Given, Property, Truth};
 use super::mass_matrix;
 use super::quantities;
 use super::tally::{Size, Tally};
@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q],
     result: quantities::INVERSE_INERTIAS,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::Solution(Given::MassMatrix),
     ways: Definition::one_way,
     dense,

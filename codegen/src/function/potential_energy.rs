@@ -1,7 +1,7 @@
 //! The potential energy −Σ Tr(H_g J) (paper, § 4.5) of all bodies that joints move, zero at the origin of
 //! frame 0: their first moments, carried inwards as one.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::dense::{Approximate, Motion};
@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     arguments: &[Variable::Q],
     result: quantities::ENERGY,
-    of_a_frame: false,
+    properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| {
         let gravity = dense.gravity();
         let energies = (dense.links(Motion::Rest)).map(|(_, j)| gravity.times(j).trace());

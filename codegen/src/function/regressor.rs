@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::REGRESSOR,
-    of_a_frame: false,
+    properties: &[],
     truth: Truth::Value(|dense, _| dense.regressor()),
     ways: Definition::one_way,
     dense,

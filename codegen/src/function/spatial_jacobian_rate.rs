@@ -1,6 +1,6 @@
 //! The rate of the Jacobian in frame 0: columns L̇₁ … L̇_N, pole at its origin.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{KINEMATIC, SCREW_RATE, Size, Tally, VELOCITY};
 use crate::expression::Term;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::SCREW_RATES,
-    of_a_frame: true,
+    properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.column_rates(frame, |_, rate| rate.clone())),
     ways: Definition::one_way,
     dense,

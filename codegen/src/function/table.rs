@@ -4,7 +4,7 @@
 //! matrices, and its expressions. It knows none of it itself.
 
 use super::Function;
-use super::definition::{Definition, Given, Truth};
+use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
@@ -66,16 +66,19 @@ impl Function {
         self.definition().arguments
     }
 
-    /// Whether what acts on links from outside enters it.
+    fn has(self, property: Property) -> bool {
+        self.definition().properties.contains(&property)
+    }
+
+    /// Whether external forces enter it.
     #[must_use]
-    pub const fn takes_actions(self) -> bool {
-        matches!(
-            self,
-            Self::InverseDynamics
-                | Self::ForwardDynamics
-                | Self::InverseDynamicsDerivatives
-                | Self::ForwardDynamicsDerivatives
-        )
+    pub fn takes_actions(self) -> bool {
+        self.has(Property::External)
+    }
+
+    /// Whether masses and moments of inertia are numbers of it, and not factors of its result.
+    pub(crate) fn has_mass(self) -> bool {
+        self.has(Property::Mass)
     }
 
     /// Whether the runtime has batches of it: of none of closed loops, nor of any that actions from outside enter.
@@ -125,10 +128,10 @@ impl Function {
         matches!(self.truth(), Truth::OfMass(_))
     }
 
-    /// Whether it asks which joints are driven.
+    /// Whether it depends on which joints are actuated.
     #[must_use]
-    pub const fn wants_drives(self) -> bool {
-        matches!(self, Self::ActuatedInverseDynamics)
+    pub fn wants_drives(self) -> bool {
+        self.has(Property::Actuation)
     }
 
     /// Whether it solves for what forces and loops do together.
@@ -137,17 +140,10 @@ impl Function {
         matches!(self.truth(), Truth::Constrained(_))
     }
 
-    /// Whether it is of bodies that move, and has nothing of what joints feel beside them.
+    /// Whether it is of moving bodies alone: armature and friction do not enter it.
     #[must_use]
-    pub const fn is_of_bodies(self) -> bool {
-        matches!(
-            self,
-            Self::CoriolisMatrix
-                | Self::Momentum
-                | Self::CentroidalMomentum
-                | Self::CentroidalMomentumMatrix
-                | Self::CentroidalMomentumBias
-        )
+    pub fn is_of_bodies(self) -> bool {
+        self.has(Property::BodiesAlone)
     }
 
     /// What every expansion of it is held against.
@@ -157,8 +153,8 @@ impl Function {
 
     /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
     #[must_use]
-    pub const fn of_a_frame(self) -> bool {
-        self.definition().of_a_frame
+    pub fn of_a_frame(self) -> bool {
+        self.has(Property::Frame)
     }
 
     /// The ways to compute it between which only the count decides.

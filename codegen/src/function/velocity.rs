@@ -1,6 +1,6 @@
 //! W₀,tip₍₀₎, the velocity matrix of a frame.
 
-use super::definition::{Definition, Truth};
+use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{KINEMATIC, Size, Tally, VELOCITY};
 use crate::dense::Motion;
@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     sentence,
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::VELOCITY,
-    of_a_frame: true,
+    properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Coasting).0.vectors().to_vec()),
     ways: Definition::one_way,
     dense,

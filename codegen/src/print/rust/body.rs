@@ -4,6 +4,8 @@
 //! results as expressions. It never branches, but from the end of a round to
 //! the next one, or calls anything but sines, cosines, roots and fused products.
 
+use std::mem;
+
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
@@ -14,6 +16,7 @@ use super::literals::Numerals;
 use super::names::ident;
 use super::world::World;
 use crate::print::Fields;
+use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
     Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Rounds, Routine,
@@ -92,6 +95,8 @@ pub(super) fn body(
         names: routine.names,
         work: routine.work.as_ref().map(|work| ident(&work.name)),
         filling: None,
+        text: TokenStream::new(),
+        outside: Vec::new(),
     };
     if let (Returns::Matrix(columns), false) = (returns, routine.stored.is_empty()) {
         let matrix = ident(&writer.names.fresh("y"));
@@ -125,7 +130,7 @@ pub(super) fn body(
     let results = routine.results.iter();
     let results = results.map(|result| writer.read(result));
     let results: Vec<_> = match returned {
-        Some(operation) => vec![writer.operation(&operation)],
+        Some(operation) => vec![writer.spelled(&operation)],
         None => results.collect(),
     };
     let first = routine.statements.iter().position(stores);
@@ -194,68 +199,17 @@ pub(super) struct Writer<'d> {
     pub(super) work: Option<Ident>,
     /// The matrix that results are stored in, where there is one.
     filling: Option<Filling>,
+    /// What has been written of the scope at hand.
+    text: TokenStream,
+    /// The same of the scopes around it, the outermost first.
+    outside: Vec<TokenStream>,
 }
 
 impl Writer<'_> {
     pub(super) fn statements(&mut self, statements: &[Statement]) -> TokenStream {
-        let statements = statements.iter();
-        statements
-            .map(|statement| self.statement(statement))
-            .collect()
-    }
-
-    fn statement(&mut self, statement: &Statement) -> TokenStream {
-        match statement {
-            Statement::Operation(name, operation) => {
-                let (name, value) = (ident(name), self.operation(operation));
-                quote! { let #name = #value; }
-            }
-            Statement::SinesAndCosines(angles) => self.sines_and_cosines(angles),
-            Statement::Block {
-                statements,
-                handed_on,
-            } => {
-                let inside = self.statements(statements);
-                block(&inside, handed_on.iter())
-            }
-            Statement::Left(place, value) => self.put(*place, &self.read(value)),
-            Statement::Found(result, value) => {
-                let filling = self.filling.as_ref();
-                let filling = filling.expect("what is stored as it is found has a matrix");
-                filling.store(*result, &self.read(value))
-            }
-            Statement::Rounds(rounds) => self.rounds(rounds),
-        }
-    }
-
-    /// A table, and a loop over its columns.
-    fn rounds(&mut self, rounds: &Rounds) -> TokenStream {
-        let [table, round] = [&rounds.table, &rounds.round].map(|name| ident(name));
-        let rows = rounds.rows.iter().map(|row| {
-            let row = row.iter().map(|value| self.read(value));
-            quote! { [#(#row),*] }
-        });
-        let rows: Vec<_> = rows.collect();
-        let count = Literal::usize_unsuffixed(rounds.count());
-        let places = (0..).map(|row| {
-            let row = Literal::usize_unsuffixed(row);
-            quote! { #table[#row][#round] }
-        });
-        let taken = rounds.taken.iter().map(|name| ident(name));
-        let takes = taken
-            .zip(places.clone())
-            .map(|(name, place)| quote! { let #name = #place; });
-        let inside = self.statements(&rounds.statements);
-        let left = rounds.left.iter().map(|name| ident(name));
-        let leaves = left
-            .zip(places)
-            .map(|(name, place)| quote! { #place = #name; });
-        // A processor with vectors reads of a row; clippy would rather have a loop over the rows.
-        quote! {
-            let mut #table = [#(#rows),*];
-            #[allow(clippy::needless_range_loop)]
-            for #round in 0..#count { #(#takes)* #inside #(#leaves)* }
-        }
+        let before = mem::take(&mut self.text);
+        walk(self, statements);
+        mem::replace(&mut self.text, before)
     }
 
     /// A value as an expression that binds tighter than any infix operator.
@@ -272,8 +226,14 @@ impl Writer<'_> {
         }
     }
 
+    /// Ends a scope: what was written in it.
+    fn inside(&mut self) -> TokenStream {
+        let outside = self.outside.pop().expect("a scope that began");
+        mem::replace(&mut self.text, outside)
+    }
+
     /// Products with sums, rounded once where the target can and there is a function for it.
-    fn operation(&self, operation: &Operation<Value>) -> TokenStream {
+    fn spelled(&self, operation: &Operation<Value>) -> TokenStream {
         let operation = operation.clone().map(|value| self.read(&value));
         match (operation, &self.fused) {
             (Operation::Add(a, b), _) => quote! { #a + #b },
@@ -290,15 +250,6 @@ impl Writer<'_> {
             (Operation::MulSub(a, b, c), None) => quote! { #a * #b - #c },
             (Operation::NegMulAdd(a, b, c), None) => quote! { #c - #a * #b },
         }
-    }
-
-    fn sines_and_cosines(&mut self, angles: &[Angle]) -> TokenStream {
-        let sines = angles.iter().map(|angle| pattern(angle.sine.as_ref()));
-        let cosines = angles.iter().map(|angle| pattern(angle.cosine.as_ref()));
-        let values = angles.iter().map(|angle| self.read(&angle.value));
-        let [sines, cosines] = [sines.collect::<Vec<_>>(), cosines.collect()];
-        let values: Vec<_> = values.collect();
-        (self.dialect).sines_and_cosines(&sines, &cosines, &values, &mut self.names)
     }
 
     /// `let payload = self.payload;` or `let [gravity_x, _, gravity_z] = self.gravity;`, converted.
@@ -328,6 +279,83 @@ impl Writer<'_> {
         let patterns = entries.iter().map(Option::as_ref).map(pattern);
         quote! { let [#(#patterns),*] = #value; #(#conversions)* }
     }
+}
+
+impl Language for Writer<'_> {
+    fn operation(&mut self, name: &str, operation: &Operation<Value>) {
+        let (name, value) = (ident(name), self.spelled(operation));
+        self.text.extend(quote! { let #name = #value; });
+    }
+
+    fn sines_and_cosines(&mut self, angles: &[Angle]) {
+        let sines = angles.iter().map(|angle| pattern(angle.sine.as_ref()));
+        let cosines = angles.iter().map(|angle| pattern(angle.cosine.as_ref()));
+        let values = angles.iter().map(|angle| self.read(&angle.value));
+        let [sines, cosines] = [sines.collect::<Vec<_>>(), cosines.collect()];
+        let values: Vec<_> = values.collect();
+        let bound = (self.dialect).sines_and_cosines(&sines, &cosines, &values, &mut self.names);
+        self.text.extend(bound);
+    }
+
+    fn put(&mut self, place: usize, value: &Value) {
+        let value = self.read(value);
+        self.text.extend(self.put_at(place, &value));
+    }
+
+    fn store(&mut self, result: usize, value: &Value) {
+        let filling = self.filling.as_ref();
+        let filling = filling.expect("what is stored as it is found has a matrix");
+        self.text.extend(filling.store(result, &self.read(value)));
+    }
+
+    fn begin_loop(&mut self, rounds: &Rounds) {
+        let (table, round) = (ident(&rounds.table), ident(&rounds.round));
+        let rows = rounds.rows.iter().map(|row| {
+            let row = row.iter().map(|value| self.read(value));
+            quote! { [#(#row),*] }
+        });
+        let rows: Vec<_> = rows.collect();
+        self.text.extend(quote! { let mut #table = [#(#rows),*]; });
+        self.begin_scope();
+        let names = rounds.taken.iter().map(|name| ident(name));
+        let places = rows_at(&table, &round);
+        let takes = names
+            .zip(places)
+            .map(|(name, place)| quote! { let #name = #place; });
+        self.text.extend(takes);
+    }
+
+    fn end_loop(&mut self, rounds: &Rounds) {
+        let (table, round) = (ident(&rounds.table), ident(&rounds.round));
+        let count = Literal::usize_unsuffixed(rounds.count());
+        let names = rounds.left.iter().map(|name| ident(name));
+        let places = rows_at(&table, &round);
+        let leaves = names
+            .zip(places)
+            .map(|(name, place)| quote! { #place = #name; });
+        self.text.extend(leaves);
+        let inside = self.inside();
+        // A processor with vectors reads of a row; clippy would rather have a loop over the rows.
+        self.text.extend(quote! {
+            #[allow(clippy::needless_range_loop)]
+            for #round in 0..#count { #inside }
+        });
+    }
+
+    fn begin_scope(&mut self) {
+        self.outside.push(mem::take(&mut self.text));
+    }
+
+    fn end_scope(&mut self, handed_on: &[String]) {
+        let inside = self.inside();
+        self.text.extend(block(&inside, handed_on.iter()));
+    }
+}
+
+/// The entries of a round in each row of a table, from the first row on.
+fn rows_at<'t>(table: &'t Ident, round: &'t Ident) -> impl Iterator<Item = TokenStream> + 't {
+    let rows = (0..).map(Literal::usize_unsuffixed);
+    rows.map(move |row| quote! { #table[#row][#round] })
 }
 
 /// `let [phi_2_in_2_cz, _, payload_m] = self.values;`, where any of them is read.

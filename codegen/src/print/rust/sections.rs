@@ -48,7 +48,7 @@ impl Writer<'_> {
         let (name, zero) = (ident(&work.name), self.read(&Value::Literal(0.0)));
         let len = literal(work.len);
         let given = work.given.iter();
-        let given = given.map(|(place, value)| self.put(*place, &self.read(value)));
+        let given = given.map(|(place, value)| self.put_at(*place, &self.read(value)));
         let calls = work.sections.iter().map(|section| {
             let section = ident(&section.name);
             quote! { #section(&mut #name); }
@@ -73,7 +73,7 @@ impl Writer<'_> {
     }
 
     /// `work[3] = a;`.
-    pub(super) fn put(&self, place: usize, value: &impl ToTokens) -> TokenStream {
+    pub(super) fn put_at(&self, place: usize, value: &impl ToTokens) -> TokenStream {
         let place = self.place(place);
         quote! { #place = #value; }
     }

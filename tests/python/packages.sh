@@ -1,6 +1,6 @@
 # A virtual environment for packages that `homogen python` writes, for scripts that run in the folder of the repository.
 #
-# In: its name, in `name`; `features` of the command line. Out: `folder`, which is empty but for it, `python`, and `pip`,
+# In: its name, in `name`. Out: `folder`, which is empty but for it, `python`, and `pip`,
 # which says little.
 # shellcheck shell=bash disable=SC2034,SC2154
 

@@ -8,8 +8,6 @@
 mod answer;
 mod listed;
 mod npy;
-#[cfg(feature = "parquet")]
-mod parquet;
 mod results;
 mod states;
 #[cfg(test)]
@@ -46,20 +44,18 @@ Example:
 The states: {\"states\":[{\"q\":[…],\"qd\":[…],\"qdd\":[…],\"tau\":[…]}]}, one number a joint, in the
 order of `homogen check`; keys that the function does not need may be absent. Actions from outside are
 \"actions\":[[c_x, c_y, c_z, f_x, f_y, f_z], …], one a link in the order of --external.
-In .npy the same are arrays with a row a state, in Parquet columns of lists; from these to files of
-either kind it takes no more memory for more states.")]
+In .npy the same are arrays with a row a state; from these to .npy it takes no more memory for more states.")]
 pub(super) struct Eval {
     #[command(flatten)]
     robot: Robot,
     /// The function, by its name in generated code
     #[arg(long, value_name = "NAME", value_parser = functions::function)]
     function: Function,
-    /// A file of states, .json, .parquet or .npy; for each of several arguments NAME=FILE, in .npy; `-` reads
-    /// JSON from standard input
+    /// A file of states, .json or .npy; for each of several arguments NAME=FILE, in .npy; `-` reads JSON from
+    /// standard input
     #[arg(long, value_name = "FILE", required = true)]
     states: Vec<OsString>,
-    /// The file to write, .npy, .parquet or .json; for each of several results NAME=FILE, in .npy [default:
-    /// standard output]
+    /// The file to write, .npy or .json; for each of several results NAME=FILE, in .npy [default: standard output]
     #[arg(long, short, value_name = "FILE", conflicts_with = "format")]
     output: Vec<OsString>,
     /// The link whose pose or Jacobian is wanted, instead of the tip's
@@ -149,9 +145,7 @@ impl Eval {
                 write(path, &json::answer(layout.in_json(&results)))?;
                 return Ok(Answer::default());
             }
-            Wanted::Arrays(paths) => Sink::arrays(paths, &layout, count)?,
-            #[cfg(feature = "parquet")]
-            Wanted::Table(path) => Sink::table(path, &layout)?,
+            Wanted::Arrays(paths) => Sink::begin(paths, &layout, count)?,
         };
         work.each_piece(&mut states, |states, results| {
             sink.write(&layout, results, states.count)

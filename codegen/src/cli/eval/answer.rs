@@ -47,13 +47,6 @@ impl<'c> Layout<'c> {
         }
     }
 
-    /// What columns are called that hold the results.
-    #[cfg(feature = "parquet")]
-    pub(super) fn names(&self) -> impl Iterator<Item = &'static str> {
-        let parts = self.function.result().parts();
-        parts.map(|(part, _)| part.unwrap_or(self.function.name()))
-    }
-
     /// How many numbers a program has for a state.
     fn each(&self) -> usize {
         self.function.result().size(self.chain.spaces())

@@ -1,7 +1,7 @@
 //! Results in files, as many states at a time as wanted.
 //!
-//! In: where results are to go, then their numbers. Out: files of NumPy or in Parquet, which get their names together
-//! once all of them are whole. It never keeps a number.
+//! In: where results are to go, then their numbers. Out: files of NumPy, which get their names together once all of
+//! them are whole. It never keeps a number.
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -11,8 +11,6 @@ use super::super::fresh::Fresh;
 use super::super::options::mistake;
 use super::answer::{Layout, Shaped};
 use super::npy;
-#[cfg(feature = "parquet")]
-use super::parquet;
 use super::states::{Kind, Named};
 use crate::error::{Errors, Place};
 use crate::function::Function;
@@ -25,9 +23,6 @@ pub(super) enum Wanted {
     Text(PathBuf),
     /// An .npy file for each result.
     Arrays(Vec<PathBuf>),
-    /// A table in Parquet.
-    #[cfg(feature = "parquet")]
-    Table(PathBuf),
 }
 
 impl Wanted {
@@ -48,12 +43,8 @@ impl Wanted {
                 Some(Kind::Json) => Ok(Self::Text(path.clone())),
                 Some(Kind::Npy) if names.is_empty() => Ok(Self::Arrays(vec![path.clone()])),
                 Some(Kind::Npy) => Err(several(&names)),
-                #[cfg(feature = "parquet")]
-                Some(Kind::Parquet) => Ok(Self::Table(path.clone())),
-                #[cfg(not(feature = "parquet"))]
-                Some(Kind::Parquet) => Err(super::states::without_parquet(path)),
                 None => Err(mistake(format!(
-                    "nothing says how {} is to be written: results are .npy, .parquet or .json",
+                    "nothing says how {} is to be written: results are .npy or .json",
                     path.display()
                 ))),
             },
@@ -92,16 +83,12 @@ fn several(names: &[&str]) -> Errors {
     errors
 }
 
-/// Files that results are written to.
-pub(super) enum Sink {
-    Arrays(Vec<npy::Writer>),
-    #[cfg(feature = "parquet")]
-    Table(Box<parquet::Writer>),
-}
+/// Files of NumPy that results are written to, one for each.
+pub(super) struct Sink(Vec<npy::Writer>);
 
 impl Sink {
-    /// Begins a file of NumPy for each result, of that many states.
-    pub(super) fn arrays(
+    /// Begins the files, of that many states.
+    pub(super) fn begin(
         paths: &[PathBuf],
         layout: &Layout<'_>,
         count: usize,
@@ -110,14 +97,7 @@ impl Sink {
         let files = files.map(|(path, Shaped { lengths, .. })| {
             npy::Writer::create(path, layout.scalar, count, lengths)
         });
-        files.collect::<Result<_, _>>().map(Self::Arrays)
-    }
-
-    /// Begins a table.
-    #[cfg(feature = "parquet")]
-    pub(super) fn table(path: &Path, layout: &Layout<'_>) -> Result<Self, Errors> {
-        let writer = parquet::Writer::create(path, layout)?;
-        Ok(Self::Table(Box::new(writer)))
+        files.collect::<Result<_, _>>().map(Self)
     }
 
     /// Writes the numbers of the next states.
@@ -127,25 +107,15 @@ impl Sink {
         numbers: &[f64],
         states: usize,
     ) -> Result<(), Errors> {
-        let columns = layout.columns(numbers, states);
-        match self {
-            Self::Arrays(files) => {
-                let mut files = files.iter_mut().zip(columns);
-                files.try_for_each(|(file, column)| file.write(&column))
-            }
-            #[cfg(feature = "parquet")]
-            Self::Table(file) => file.write(&columns, states),
-        }
+        let mut files = self.0.iter_mut().zip(layout.columns(numbers, states));
+        files.try_for_each(|(file, column)| file.write(&column))
     }
 
     /// Gives the files their names.
     pub(super) fn finish(self) -> Result<(), Errors> {
-        let files: Result<Vec<Fresh>, Errors> = match self {
-            Self::Arrays(files) => files.into_iter().map(npy::Writer::complete).collect(),
-            #[cfg(feature = "parquet")]
-            Self::Table(file) => file.complete().map(|file| vec![file]),
-        };
-        files?.into_iter().try_for_each(Fresh::keep)
+        let files = self.0.into_iter().map(npy::Writer::complete);
+        let files: Vec<Fresh> = files.collect::<Result<_, _>>()?;
+        files.into_iter().try_for_each(Fresh::keep)
     }
 }
 

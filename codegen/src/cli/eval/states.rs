@@ -1,8 +1,8 @@
 //! States of a robot, as many at a time as wanted.
 //!
-//! In: files in JSON, of NumPy or in Parquet, and what a function is a function of. Out: the numbers it needs. What
-//! JSON says is read at once and refused where a number is not finite; the others are read piece by piece, and what is
-//! no number there is one to IEEE's arithmetic.
+//! In: files in JSON or of NumPy, and the arguments of a function. Out: the numbers it needs. JSON is read at once, and
+//! refused where a number is not finite; files of NumPy are read piece by piece, and NaN there is a number to IEEE's
+//! arithmetic.
 
 use std::ffi::{OsStr, OsString};
 use std::io::Read;
@@ -11,8 +11,6 @@ use std::path::{Path, PathBuf};
 use super::super::options::{STANDARD_INPUT, is_standard_input, mistake, read, unreadable};
 use super::listed;
 use super::npy;
-#[cfg(feature = "parquet")]
-use super::parquet;
 use crate::error::{Errors, Place};
 use crate::space::{ACTION, Spaces, Variable};
 
@@ -73,7 +71,6 @@ impl Named {
 pub(super) enum Kind {
     Json,
     Npy,
-    Parquet,
 }
 
 impl Kind {
@@ -82,7 +79,6 @@ impl Kind {
         Some(match path.extension()?.to_str()? {
             "json" => Self::Json,
             "npy" => Self::Npy,
-            "parquet" => Self::Parquet,
             _ => return None,
         })
     }
@@ -94,8 +90,6 @@ pub(super) enum Source {
     Listed(Vec<listed::State>, usize),
     /// A file for each argument, with as many states each.
     Arrays(Vec<npy::Reader>),
-    #[cfg(feature = "parquet")]
-    Table(parquet::Reader),
 }
 
 impl Source {
@@ -128,12 +122,6 @@ impl Source {
                     Err(errors)
                 }
                 Some(Kind::Npy) => Self::arrays(&[(arguments[0], path)], spaces),
-                #[cfg(feature = "parquet")]
-                Some(Kind::Parquet) => {
-                    parquet::Reader::open(path, arguments, spaces).map(Self::Table)
-                }
-                #[cfg(not(feature = "parquet"))]
-                Some(Kind::Parquet) => Err(without_parquet(path)),
                 _ => {
                     let (text, file) = text(path, input)?;
                     Ok(Self::Listed(
@@ -179,8 +167,6 @@ impl Source {
         match self {
             Self::Listed(states, _) => states.len(),
             Self::Arrays(readers) => readers.first().map_or(0, |reader| reader.count),
-            #[cfg(feature = "parquet")]
-            Self::Table(reader) => reader.count,
         }
     }
 
@@ -199,8 +185,6 @@ impl Source {
                 .iter_mut()
                 .map(|reader| reader.next(count))
                 .collect(),
-            #[cfg(feature = "parquet")]
-            Self::Table(reader) => reader.next(count),
         };
         Ok(States::new(count, numbers?))
     }
@@ -260,20 +244,4 @@ fn text(path: &Path, input: &mut dyn Read) -> Result<(String, String), Errors> {
     let name = path.file_name().map_or(path, Path::new);
     let text = std::fs::read_to_string(path).map_err(|reason| unreadable(path, &reason))?;
     Ok((text, name.display().to_string()))
-}
-
-/// That this binary reads and writes no Parquet.
-#[cfg(not(feature = "parquet"))]
-pub(super) fn without_parquet(path: &Path) -> Errors {
-    let mut errors = Errors::new();
-    let message = format!(
-        "this binary knows no Parquet, and so not {}",
-        path.display()
-    );
-    errors.push_with_hint(
-        Place::Unknown,
-        message,
-        "build it with --features parquet, or use .npy",
-    );
-    errors
 }

@@ -1,8 +1,6 @@
 //! Files of states and of results, as a user of the command has them: what comes out is held against what the
 //! same states make of JSON, and NumPy's format against bytes that `numpy.save` wrote.
 
-#[cfg(feature = "parquet")]
-mod parquet;
 mod refused;
 
 use std::ffi::OsString;
@@ -269,7 +267,7 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
     }
     assert_eq!(
         refused(&folder, &[&words[..], &["-o", "tau.csv"]].concat()),
-        "error: nothing says how tau.csv is to be written: results are .npy, .parquet or .json\n"
+        "error: nothing says how tau.csv is to be written: results are .npy or .json\n"
     );
 }
 

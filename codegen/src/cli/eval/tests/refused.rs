@@ -249,20 +249,3 @@ fn a_full_disk_is_told() {
     );
     assert!(!fs::metadata("/dev/null").expect("it is there").is_file());
 }
-
-#[cfg(not(feature = "parquet"))]
-#[test]
-fn without_parquet_it_says_how_to_get_it() {
-    let folder = Folder::new("without");
-    let q = folder.write("q.npy", npy("'<f8'", "(1, 2)", &bytes(&[0.0; 2])));
-    for words in [
-        ["--states", "x.parquet", "-o", "x.npy"],
-        ["--states", &q, "-o", "x.parquet"],
-    ] {
-        let expected = "error: this binary knows no Parquet, and so not x.parquet\n  hint: build it with --features parquet, or use .npy\n";
-        assert_eq!(
-            refused(&folder, &[&["--function", "gravity"], &words[..]].concat()),
-            expected
-        );
-    }
-}

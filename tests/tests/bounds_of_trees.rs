@@ -52,8 +52,8 @@ fn worst(robots: Range<u64>, states: usize) -> f64 {
             let mut random = Random::new(seed);
             let double = prepared.share_of_bound::<F64>(function, states, &mut random);
             let single = prepared.share_of_bound::<F32>(function, states, &mut random);
-            for share in [double, single].into_iter().flatten() {
-                let told = format!("{function:?} of seed {seed}: {share:.2}\n{robot}");
+            for (share, what) in [double, single].into_iter().flatten() {
+                let told = format!("{function:?} of seed {seed}: {what}\n{robot}");
                 if share > 1.0 {
                     beyond.push(told.clone());
                 }

@@ -24,14 +24,14 @@ use crate::tested::Tested;
 const DUST: f64 = 1e-50;
 
 impl Prepared<'_> {
-    /// The worst share; none where the function has no bound, or nothing to be of.
+    /// The worst share, and of which result it is; none where the function has no bound, or nothing to be of.
     #[must_use]
     pub fn share_of_bound<T: Tested>(
         &self,
         function: Function,
         states: usize,
         random: &mut Random,
-    ) -> Option<f64> {
+    ) -> Option<(f64, String)> {
         let (chain, frame) = (self.chain(), FrameId::FIRST);
         let link = chain.frames.get(frame).map(|frame| id(&frame.name));
         if function.of_a_frame() && link.is_none() {
@@ -50,17 +50,19 @@ impl Prepared<'_> {
         let bounds = self.in_order(function, &bounds);
         let mut robot = self.dense().robot.clone();
         robot.frames = link.iter().map(|&link| self.dense().body(link)).collect();
-        let mut worst = 0.0_f64;
+        let mut worst = (0.0, String::new());
         for _ in 0..states {
             let state = self.within_range::<T>(random);
             let found = run::<T>(&program, |input| T::literal(self.input(input, &state)));
             let found: Vec<f64> = found.into_iter().map(T::to_f64).collect();
             let expected = frame_0::evaluate(&robot, function, 0, &state);
             let found = self.in_order(function, &found).into_iter();
-            for ((found, expected), bound) in found.zip(expected).zip(&bounds) {
+            let results = found.zip(expected).zip(&bounds).enumerate();
+            for (k, ((found, expected), bound)) in results {
                 let error = (Big::new(found) - expected).abs().to_f64();
-                if error > DUST {
-                    worst = worst.max(error / bound);
+                if error > DUST && error / bound > worst.0 {
+                    let what = format!("entry {k}, {found:e}, is off by {error:e} of {bound:e}");
+                    worst = (error / bound, what);
                 }
             }
         }

@@ -199,8 +199,8 @@ pub struct Mimicked {
 pub struct Snapped {
     /// The joint or link it belongs to.
     pub item: String,
-    /// As written: an angle \[rad\], or an entry of an offset \[m\] or of an axis, on the scale of length 1 where the
-    /// axis is of quite another.
+    /// As written: an angle \[rad\], or an entry of an offset \[m\] or of an axis, times a power of two where that is
+    /// of quite another length than 1.
     pub written: f64,
     /// Quarter turns; 0 of a residue, whatever it is an entry of.
     pub quarters: i64,

@@ -27,7 +27,7 @@ pub mod urdf;
 #[doc(hidden)]
 pub mod words;
 
-pub use self::file::{read_bytes, read_file, read_text};
+pub use self::file::{is_utf_16, read_bytes, read_file, read_text};
 pub use self::item::Item;
 pub use self::robot::{
     Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Name, Source,

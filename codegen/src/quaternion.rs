@@ -6,8 +6,14 @@
 use crate::expression::Double;
 use crate::real::Real;
 
-/// Gives four numbers the length 1, to a hundred bits.
+/// Gives four numbers the length 1, to a hundred bits; scaled first by a power of two, so that no square overflows or
+/// vanishes.
 pub fn normalize(entries: &mut [Double]) {
+    let exponents = entries.iter().map(|entry| entry.exponent());
+    let largest = exponents.max().unwrap_or(0);
+    for entry in &mut *entries {
+        *entry = entry.scaled(-largest);
+    }
     let squares = entries.iter().map(|&entry| entry * entry);
     let length = squares.fold(Double::ZERO, |sum, square| sum + square);
     let length = length.sqrt();

@@ -74,6 +74,15 @@ pub enum Error {
         /// How many the joints have.
         found: usize,
     },
+    /// No number is within the limits of a coordinate: they are crossed, NaN, or infinite to the wrong side.
+    NoRange {
+        /// The index of the coordinate.
+        coordinate: usize,
+        /// Its lower limit [rad, m].
+        least: f64,
+        /// Its upper limit [rad, m].
+        most: f64,
+    },
     /// A 4×4 matrix is not of the form asked for.
     NotOfForm {
         /// The form.
@@ -128,6 +137,16 @@ impl Display for Error {
                 found,
             } => {
                 write!(f, "the joints have {found} {quantity}, not {stated}")
+            }
+            Self::NoRange {
+                coordinate,
+                least,
+                most,
+            } => {
+                write!(
+                    f,
+                    "no number is within the limits of coordinate {coordinate}, {least} and {most}"
+                )
             }
             Self::NotOfForm { quantity, value } => {
                 write!(

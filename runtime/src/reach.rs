@@ -1,9 +1,10 @@
 //! Inverse kinematics: where the joints must be for frames of a robot to be at given poses.
 //!
 //! In: a robot that tells its poses and geometric Jacobians, targets, limits, a place to start from. Out: a
-//! [`Solution`], which says whether the targets are met, and what is left where they are not. It allocates
-//! nothing, ends after a number of looks at the robot that is given beforehand, and never returns NaN. It knows no
-//! more of a robot than the two functions; joints have one coordinate each.
+//! [`Solution`], which says whether the targets are met, and what is left where they are not; or an [`Error`] of the
+//! call: limits that no number is within, a target that is no pose, NaN. It allocates
+//! nothing, ends after a number of looks at the robot that is given beforehand, and never returns NaN or an infinite
+//! coordinate. It knows no more of a robot than the two functions; joints have one coordinate each.
 //!
 //! Steps are damped least squares (Levenberg, 1944; Marquardt, 1963; damped by what is left, as by Sugihara,
 //! "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method", 2011), of the joints that no
@@ -35,15 +36,19 @@
 //!
 //! let reach = Reach::within([[-3.0, 3.0]; 2]);
 //! let target = Arm.forward_kinematics(&[0.4, 1.1]);
-//! let found = reach.solve(&Arm, &target, &[0.0, 0.1]);
+//! let found = reach.solve(&Arm, &target, &[0.0, 0.1])?;
 //! assert_eq!(found.outcome, Outcome::Converged);
 //! assert!((found.q[0] - 0.4).abs() < 1e-5 && (found.q[1] - 1.1).abs() < 1e-5);
 //!
-//! let far = reach.solve(&Arm, &Pose::from_translation([2.0, 0.0, 0.0]), &[0.3, 0.1]);
+//! let far = reach.solve(&Arm, &Pose::from_translation([2.0, 0.0, 0.0]), &[0.3, 0.1])?;
 //! assert_eq!(far.outcome, Outcome::OutOfReach);
 //! assert!((far.shift - 1.0).abs() < 1e-3); // as near as it gets
+//! # Ok::<(), homogen::Error>(())
 //! ```
 
+mod checked;
+
+use crate::error::Error;
 use crate::matrix::vector::{dot, matrix_product, norm, scale, sub, transpose};
 use crate::matrix::{Pose, Screw, rotation};
 use crate::robot::{ForwardKinematics, GeometricJacobian};
@@ -53,7 +58,7 @@ use core::array::from_fn;
 /// What is asked of the joints beside the targets, and when to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach<T, const N: usize> {
-    /// The least and the largest value of each coordinate [rad, m]; infinite where there is no limit.
+    /// The least and the largest value of each coordinate [rad, m]; −∞ and ∞ where there is no limit.
     pub limits: [[T; 2]; N],
     /// Where the joints should be, as far as the targets leave them free [rad, m].
     pub posture: Option<[T; N]>,
@@ -77,8 +82,8 @@ pub enum Outcome {
     Converged,
     /// Wherever it started from, it came to where no small motion within the limits brings the frames nearer.
     OutOfReach,
-    /// The robot was looked at as often as was allowed, and the frames still came nearer; or there was a number
-    /// that is none in a target, a limit, the start or what the robot said.
+    /// The robot was evaluated as often as was allowed, and the frames still came nearer; or its poses or Jacobians
+    /// are not finite where it started.
     Stalled,
 }
 
@@ -144,8 +149,22 @@ impl<T: Real, const N: usize> Reach<T, N> {
         }
     }
 
-    /// Brings the tip to a target, given in frame 0.
-    pub fn solve<R>(&self, robot: &R, target: &Pose<T>, start: &[T; N]) -> Solution<T, N>
+    /// Brings the tip to a target, given in frame 0. A start outside the limits is moved to the nearest of them.
+    ///
+    /// A rotation that misses orthogonality by its digits alone, up to 10⁻⁶ (10⁻³ in `f32`), is taken as that of its
+    /// unit quaternion; one that misses it by more is refused: [`normalize`](crate::normalize) makes it a rotation.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoRange`] for limits that no number is within: crossed, NaN, or infinite to the wrong side;
+    /// [`Error::NotRotation`] for a target whose 3×3 part is no rotation; [`Error::NotFinite`] for NaN and infinity in a
+    /// target, the start, the posture or the radius, and for a tolerance that is NaN.
+    pub fn solve<R>(
+        &self,
+        robot: &R,
+        target: &Pose<T>,
+        start: &[T; N],
+    ) -> Result<Solution<T, N>, Error>
     where
         R: ForwardKinematics<N, T> + GeometricJacobian<N, T>,
     {
@@ -154,13 +173,23 @@ impl<T: Real, const N: usize> Reach<T, N> {
     }
 
     /// Brings several frames to their targets, given in frame 0, at once.
+    ///
+    /// # Errors
+    ///
+    /// As [`solve`](Self::solve).
     pub fn solve_frames<const K: usize>(
         &self,
         see: impl Fn(&[T; N]) -> [Seen<T, N>; K],
         targets: &[Pose<T>; K],
         start: &[T; N],
-    ) -> Solution<T, N> {
-        let look = |q: [T; N]| self.look(q, &see(&q), targets);
+    ) -> Result<Solution<T, N>, Error> {
+        checked::check(self, start)?;
+        let targets = checked::targets(targets)?;
+        Ok(self.search(|q| self.look(q, &see(&q), &targets), start))
+    }
+
+    /// Goes down from the start, and from elsewhere until the targets are met.
+    fn search(&self, look: impl Fn([T; N]) -> Look<T, N>, start: &[T; N]) -> Solution<T, N> {
         let mut random = Random(0);
         let mut looks = 0;
         let mut ended = true;
@@ -367,7 +396,7 @@ impl<T: Real, const N: usize> Reach<T, N> {
         from_fn(|i| {
             let part = T::constant(random.next());
             let [least, most] = self.limits[i];
-            if least.is_finite() && most.is_finite() {
+            if (most - least).is_finite() {
                 least + part * (most - least)
             } else {
                 start[i] + (part + part - T::constant(1.0)) * T::constant(core::f64::consts::PI)
@@ -385,7 +414,7 @@ impl<T: Real, const N: usize> Reach<T, N> {
         }
     }
 
-    /// What is said where there was nothing but numbers that are none.
+    /// What is said where no pose of the robot is finite.
     fn nowhere(&self, looks: usize) -> Solution<T, N> {
         let infinite = T::constant(f64::INFINITY);
         Solution {

@@ -58,6 +58,24 @@ pub fn bounds(listed: &Listed) -> &[Bound] {
     }
 }
 
+/// The bound of each result of a function, of those of its joints and units.
+///
+/// # Panics
+/// Where one is missing.
+#[must_use]
+pub fn of_results(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f64> {
+    let (result, spaces) = (function.result(), chain.spaces());
+    let units = result.units(spaces).into_iter().enumerate();
+    let of_result = units.map(|(k, unit)| {
+        let owner = result.owner(spaces, k);
+        let joint = owner.map(|(space, entry)| &spaces.entries(space)[entry].name);
+        let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == joint;
+        let bound = bounds.iter().find(of).expect("each has a bound");
+        bound.double.or(bound.single).expect("it is of one type")
+    });
+    of_result.collect()
+}
+
 /// What a climb looks at: one function in one type, its bounds and its truth.
 pub struct Climb<T> {
     listed: Listed,
@@ -81,18 +99,9 @@ impl<T: Tested> Climb<T> {
     pub fn new(description: &Description, request: &Request, function: Function) -> Self {
         let listed = listed(description, request.clone(), function, T::REAL);
         let chain = chain::build(description, request).unwrap_or_else(|errors| panic!("{errors}"));
-        let (result, spaces) = (function.result(), chain.spaces());
-        let units = result.units(spaces);
-        let of_result = units.iter().enumerate().map(|(k, &unit)| {
-            let owner = result.owner(spaces, k);
-            let joint = owner.map(|(space, entry)| &spaces.entries(space)[entry].name);
-            let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == joint;
-            let bound = bounds(&listed).iter().find(of).expect("each has a bound");
-            bound.double.or(bound.single).expect("it is of one type")
-        });
         Self {
-            bounds: of_result.collect(),
-            units,
+            bounds: of_results(&chain, function, bounds(&listed)),
+            units: function.result().units(chain.spaces()),
             listed,
             exact: exactly(&chain, function),
             range: Range::of(&chain),

@@ -3,9 +3,10 @@
 //!
 //! In: a seed. Out: what was found, or the smallest robot that fails. [`grow`] draws a [`robot`] number
 //! by number; [`text`] writes it and has it read; [`movement`] knows what moves its joints, [`dense`] puts it into matrices; [`cases`] says
-//! what is run, [`prepared`] runs it, [`measure`] how wrong it is, and [`mod@examine`] what that amounts to;
+//! what is run, [`prepared`] runs it, [`bounded`] beside its bounds, [`measure`] how wrong it is, and [`mod@examine`] what that amounts to;
 //! [`mod@shrink`] takes away what a failure does not need; [`features`] says what a robot has.
 
+pub mod bounded;
 pub mod cases;
 pub mod dense;
 pub mod examine;

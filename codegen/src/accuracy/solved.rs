@@ -292,15 +292,18 @@ impl Parts {
             * largest(mobility.iter().map(|most| 2.0 * most));
         let given = bias.iter().chain(&needed).map(|value| value.reach());
         let size = factors * solution(&most, given);
-        let parts = Self {
+        let mut parts = Self {
             roundoff: scalar.roundoff(),
-            vanishes: underflow(size, count, scalar)?,
+            vanishes: 0.0,
             factors,
             most,
             mass,
             bias,
             needed,
         };
+        // Pivots that may be anything are the reason for numbers that may be, and not the other way round.
+        parts.check(mobility)?;
+        parts.vanishes = underflow(size, count, scalar)?;
         parts.check(mobility)?;
         Ok(parts)
     }

@@ -10,6 +10,7 @@ use crate::description::{Description, JointId, Number};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::Double;
 use crate::list::List;
+use crate::number::computed;
 use crate::wording::quoted;
 
 /// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are locked
@@ -67,9 +68,9 @@ pub fn follows(
             (leaders[follow.leader], &description[follow.leader].mimic)
         {
             // An offset that is rounded once more would be another one.
-            let offset = follow.multiplier * Double::from(mimic.offset.value);
+            let offset = follow.multiplier * mimic.offset.exact();
             follow.offset = follow.offset + offset;
-            follow.multiplier = follow.multiplier * Double::from(mimic.multiplier.value);
+            follow.multiplier = follow.multiplier * mimic.multiplier.exact();
             follow.leader = next;
         }
         Some(follow)
@@ -115,11 +116,14 @@ fn refuse_cycles(
 /// Notes what each joint follows, and holds what follows a joint that is held or not there, or follows it by
 /// nothing. A joint that is not there stands where it is locked, or at zero.
 pub fn hold(tree: &mut Tree, follows: &List<JointId, Option<Follow>>) {
-    let stands = |joint: JointId| tree.locks.get(&joint).map_or(0.0, |at| at.value);
-    let mut held: List<JointId, Option<f64>> =
+    let stands = |joint: JointId| {
+        let lock = tree.locks.get(&joint);
+        lock.map_or(Double::ZERO, Number::exact)
+    };
+    let mut held: List<JointId, Option<Double>> =
         follows.ids().map(|joint| Some(stands(joint))).collect();
     for branch in &tree.branches {
-        held[branch.joint] = branch.held.map(|held| held.value);
+        held[branch.joint] = branch.held.as_ref().map(Number::exact);
     }
     let branches = tree.branches.iter_mut();
     for branch in branches.filter(|branch| branch.held.is_none()) {
@@ -127,12 +131,10 @@ pub fn hold(tree: &mut Tree, follows: &List<JointId, Option<Follow>>) {
         let Some(follow) = branch.follows else {
             continue;
         };
-        let still = follow.multiplier.is_zero().then_some(0.0);
+        let still = follow.multiplier.is_zero().then_some(Double::ZERO);
         if let Some(at) = held[follow.leader].or(still) {
-            branch.held = Some(Number {
-                value: (follow.multiplier * Double::from(at) + follow.offset).to_f64(),
-                ..Number::default()
-            });
+            let at = follow.multiplier * at + follow.offset;
+            branch.held = Some(computed(at, Place::Unknown));
         }
     }
 }

@@ -4,7 +4,7 @@
 //! moving joints alone, to be held against the one that was described.
 
 use crate::dense::{Approximate, Body, BodyId, Closed, Freedom, Matrix, Moved, Robot};
-use crate::expression::Arithmetic;
+use crate::expression::{Arithmetic, Double};
 use crate::joint::Posture;
 use crate::list::{Id, List};
 use crate::print::{ChainData, DataMotion, LoopsData};
@@ -127,7 +127,7 @@ fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
     Body {
         parent: body.map(BodyId::from),
         placement: placement(numbers),
-        moved: Moved::Held([nothing; 2], 0.0),
+        moved: Moved::Held([nothing; 2], Double::ZERO),
         freedoms: Vec::new(),
         inertia: Matrix::zero(),
     }

@@ -18,7 +18,7 @@ use std::collections::HashMap;
 use crate::chain::Chain;
 use crate::dense::{Approximate, Body, BodyId, Freedom, Matrix, Moved, Robot};
 use crate::description::{Description, LinkId, Name};
-use crate::expression::Arithmetic;
+use crate::expression::{Arithmetic, Double};
 use crate::list::{Id, List};
 use crate::request::{FieldId, Request};
 use crate::space::{CoordinateId, FrameId, Kind, Space, VelocityId};
@@ -64,7 +64,10 @@ pub(super) fn robot(
     let mut seats: HashMap<&str, BodyId> = HashMap::new();
     if let Some(placement) = reader.base() {
         let nothing = [[Scalar::literal(0.0); 3]; 2];
-        seats.insert(base, bodies.push(held(None, placement, nothing, 0.0)));
+        seats.insert(
+            base,
+            bodies.push(held(None, placement, nothing, Double::ZERO)),
+        );
     }
     let mut moving = 0;
     let places = Places {
@@ -185,7 +188,7 @@ fn held(
     parent: Option<BodyId>,
     placement: Matrix<Scalar>,
     screw: [[Scalar; 3]; 2],
-    at: f64,
+    at: Double,
 ) -> Body {
     Body {
         parent,
@@ -204,7 +207,7 @@ enum Motion<'d> {
     /// That of a joint of this name, times a factor, and an offset.
     Follows(&'d str, Scalar, Scalar),
     /// Nothing: it stays there.
-    Held(f64),
+    Held(Double),
 }
 
 struct Reader<'d> {

@@ -27,6 +27,14 @@ impl Approximate {
         }
     }
 
+    /// A number of a description, which becomes a literal.
+    pub(crate) fn written(value: Double) -> Self {
+        Self {
+            value,
+            error: ROUNDOFF * value.to_f64().abs(),
+        }
+    }
+
     /// Numbers that are meant as they stand.
     pub(crate) fn exactly(values: &[f64]) -> Vec<Self> {
         values.iter().copied().map(Self::exact).collect()
@@ -115,10 +123,7 @@ impl Div for Approximate {
 
 impl Arithmetic for Approximate {
     fn literal(value: f64) -> Self {
-        Self {
-            value: Double::from(value),
-            error: ROUNDOFF * value.abs(),
-        }
+        Self::written(Double::from(value))
     }
 
     fn sqrt(self) -> Self {

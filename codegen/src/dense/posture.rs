@@ -42,7 +42,7 @@ impl Posture {
                     factor,
                     offset,
                 } => displacement(screw, factor * q(coordinate) + offset),
-                Moved::Held(screw, at) => displacement(screw, Scalar::literal(at)),
+                Moved::Held(screw, at) => displacement(screw, Scalar::written(at)),
                 Moved::Posture(posture, first) => placed(posture, |entry| q(first.plus(entry))),
             };
             let mut pose = body.placement.times(&displacement);

@@ -2,6 +2,7 @@
 
 use super::{Approximate, Matrix};
 use crate::closure::Row;
+use crate::expression::Double;
 use crate::joint::Posture;
 use crate::list::{List, id};
 use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
@@ -53,7 +54,7 @@ pub(crate) enum Moved {
     /// The entries of q from here on.
     Posture(Posture, CoordinateId),
     /// Nothing: it stays so far along a screw.
-    Held([[Approximate; 3]; 2], f64),
+    Held([[Approximate; 3]; 2], Double),
 }
 
 /// A joint that closes a loop.

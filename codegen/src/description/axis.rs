@@ -1,10 +1,11 @@
 //! Directions of axes.
 //!
-//! In: three numbers with their digits. Out: the same direction, as it was written where its length is nearly 1
-//! and with length 1 where not, and a doubt where digits do not excuse the difference; or why it is no direction.
-//! What the written digits leave open is no doubt: `0.577 0.577 0.577` is a unit vector, `0 0 2` is not.
+//! In: three numbers with their digits. Out: the same direction, exactly: as it was written, or times a power of
+//! two where its length is far from 1; a warning where digits do not excuse another length than 1; or why it is no
+//! direction. What the written digits leave open is no doubt: `0.577 0.577 0.577` is a unit vector, `0 0 2` is not.
 
 use super::Number;
+use crate::expression::Double;
 
 /// The largest departure from length 1 that any digits excuse.
 const LARGEST_EXCUSE: f64 = 0.02;
@@ -19,10 +20,13 @@ pub(super) struct Remark {
     pub(super) hint: String,
 }
 
-/// The axis with length 1 or nearly so, and what is doubtful about it; or what is wrong with it.
+/// The direction with a length between 1 less [`LARGEST_EXCUSE`] and 2, and what is doubtful about it; or what is
+/// wrong with it.
 ///
-/// Whoever computes with it makes its length 1 to more digits than numbers of a file have.
-pub(super) fn unit(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), Remark> {
+/// Nothing is rounded that is more than 10⁻³⁰⁰ of the length: whoever computes with it divides by that, in more
+/// digits than numbers of a file have. A power of two makes any axis as large as others, so that what rounding left
+/// of zero is known by its size.
+pub(super) fn direction(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), Remark> {
     let values = axis.map(|number| number.value);
     let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest == 0.0 {
@@ -31,32 +35,53 @@ pub(super) fn unit(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), R
             hint: "give it a direction, such as 0 0 1".to_owned(),
         });
     }
-    // Scaled, so that no square overflows or vanishes.
-    let scaled = values.map(|x| x / largest);
-    let of_scaled = scaled.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let direction = scaled.map(|x| x / of_scaled);
-    let length = largest * of_scaled;
+    // Scaled, so that no square overflows or vanishes; for messages and to choose a power of two.
+    let parts = values.map(|x| x / largest);
+    let of_parts = parts.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let cosines = parts.map(|x| x / of_parts);
+    let length = largest * of_parts;
 
     let open: f64 = axis
         .iter()
-        .zip(direction)
+        .zip(cosines)
         .map(|(number, cosine)| digits_open(number) * cosine.abs())
         .sum();
     let excess = (length - 1.0).abs();
     let doubt = (excess > open.min(LARGEST_EXCUSE) + UNNOTICED).then(|| {
-        let [x, y, z] = direction;
+        let [x, y, z] = cosines;
         Remark {
             what: format!("has length {}: taken with length 1", readable(length)),
             hint: format!("of length 1 it is {x} {y} {z}"),
         }
     });
-    let mut unit = axis;
-    if excess > LARGEST_EXCUSE {
-        for (number, value) in unit.iter_mut().zip(direction) {
-            number.value = value;
-        }
+    Ok((
+        axis.map(|number| moderate(number, largest, of_parts)),
+        doubt,
+    ))
+}
+
+/// Times the power of two that makes the length of an axis, a product of two numbers, at least 1 and less than 2,
+/// where it is not between 0.98 and 2 as it stands.
+fn moderate(number: Number, largest: f64, of_parts: f64) -> Number {
+    let length = largest * of_parts;
+    if (1.0 - LARGEST_EXCUSE..2.0).contains(&length) {
+        return number;
     }
-    Ok((unit, doubt))
+    let up = Double::from(largest).exponent();
+    let length = Double::from(largest).scaled(-up).to_f64() * of_parts;
+    let times = -up - i32::from(length >= 2.0);
+    let scaled = |x: f64| Double::from(x).scaled(times).to_f64();
+    Number {
+        value: scaled(number.value),
+        rest: scaled(number.rest),
+        // Of a number that was read from digits never zero.
+        resolution: if number.resolution > 0.0 {
+            scaled(number.resolution).max(f64::from_bits(1))
+        } else {
+            0.0
+        },
+        place: number.place,
+    }
 }
 
 /// By how much the digits of a number leave it open; whole numbers are meant as they stand.
@@ -92,7 +117,7 @@ mod tests {
                 Err(refusal) => panic!("{}", refusal.what),
             }
         });
-        unit(numbers)
+        direction(numbers)
             .map(|(axis, doubt)| {
                 let said = doubt.map(|doubt| format!("{}; {}", doubt.what, doubt.hint));
                 (axis.map(|number| number.value), said)
@@ -125,27 +150,50 @@ mod tests {
     }
 
     #[test]
-    fn another_length_is_made_one_and_said() {
-        assert_eq!(
-            axis("0 0 2"),
-            Ok((
-                [0.0, 0.0, 1.0],
-                Some("has length 2: taken with length 1; of length 1 it is 0 0 1".to_owned())
-            ))
-        );
-        let (found, _) = axis("1 1 0").unwrap();
-        assert!((found[0] - 0.5_f64.sqrt()).abs() < 1e-15);
+    fn an_axis_of_another_length_is_a_warning() {
+        let of_2 = "has length 2: taken with length 1; of length 1 it is 0 0 1";
+        assert_eq!(axis("0 0 2"), Ok(([0.0, 0.0, 1.0], Some(of_2.to_owned()))));
         assert_eq!(
             said("-3e-300 0 4e-300").as_deref(),
             Some("has length 5e-300: taken with length 1; of length 1 it is -0.6 0 0.8")
         );
-        assert_eq!(axis("0 1e300 0").unwrap().0, [0.0, 1.0, 0.0]);
         assert!(
             said("1.5e308 1.5e308 0")
                 .unwrap()
                 .starts_with("has length inf")
         );
         assert!(said("0 0 0.9").is_some());
+    }
+
+    /// Divided by its length here, it would be another direction by its last digits.
+    #[test]
+    fn no_entry_of_an_axis_is_rounded() {
+        assert_eq!(axis("1 1 0").unwrap().0, [1.0, 1.0, 0.0]);
+        assert_eq!(axis("-0.9 -0.527 -0.82").unwrap().0, [-0.9, -0.527, -0.82]);
+        assert_eq!(
+            axis("0.069 -0.491 0.327").unwrap().0,
+            [0.138, -0.982, 0.654]
+        );
+        assert_eq!(
+            axis("0.3 0 -0.4e3").unwrap().0,
+            [0.3 / 256.0, 0.0, -400.0 / 256.0]
+        );
+    }
+
+    #[test]
+    fn axes_of_any_size_are_made_moderate() {
+        for text in [
+            "0 1e300 0",
+            "1.5e308 -1.5e308 1.5e308",
+            "5e-324 0 0",
+            "3e-310 -4e-310 1e-312",
+            "0 1e-5 1e-5",
+            "0 0 0.9799",
+        ] {
+            let [x, y, z] = axis(text).unwrap().0;
+            let length = (x * x + y * y + z * z).sqrt();
+            assert!((1.0..2.0).contains(&length), "{text}: {length}");
+        }
     }
 
     #[test]

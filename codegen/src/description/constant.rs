@@ -1,8 +1,8 @@
 //! Numbers written with π: `pi/2`, `-3*pi/4`, `2*pi/3`, and quotients such as `1/3`.
 //!
-//! In: one word. Out: the `f64` nearest to what it says, or what is wrong with it. A plain number
-//! keeps its digits; what was computed has resolution 0, and is a right angle exactly when it is
-//! the nearest `f64` to one.
+//! In: one word. Out: the number that it says to 106 bits, or what is wrong with it. A plain number
+//! keeps its digits; what was computed has resolution 0, and is a right angle exactly when its nearest
+//! `f64` is that of one.
 
 use super::Number;
 use super::number::{self, Refusal};
@@ -42,12 +42,15 @@ pub(super) fn read(word: &str, place: Place) -> Result<Number, Refusal> {
         divides = rest[end..].starts_with('/');
         rest = &rest[end + 1..];
     }
-    let value = product.to_f64();
-    if !value.is_finite() {
+    if !product.is_known() {
         return Err(refuse("is too large for 64 bits", word));
     }
-    let value = if word.starts_with('-') { -value } else { value };
-    Ok(number::computed(value, place))
+    let signed = if word.starts_with('-') {
+        -product
+    } else {
+        product
+    };
+    Ok(number::computed(signed, place))
 }
 
 fn factor(text: &str, word: &str) -> Result<Double, Refusal> {

@@ -46,11 +46,13 @@ pub fn read_bytes(
     errors: &mut Errors,
 ) -> Option<Description> {
     match std::str::from_utf8(bytes) {
-        Ok(text) => read_text(text, file, anchor, errors),
-        Err(error) => {
-            let doubt = doubt_encoding(bytes, error.valid_up_to());
+        Ok(text) if !is_utf_16(bytes) => read_text(text, file, anchor, errors),
+        unread => {
+            let valid = unread.map_or_else(|error| error.valid_up_to(), |_| 0);
+            let doubt = doubt_encoding(bytes, valid);
             // The characters of Latin-1 are the first of Unicode.
-            let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
+            let marked = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+            let text: String = marked.iter().map(|&byte| char::from(byte)).collect();
             let mut found = Errors::new();
             if let Some(mut description) = read_text(&text, file, anchor, &mut found) {
                 errors.append(found);
@@ -113,7 +115,7 @@ fn doubt_encoding(bytes: &[u8], valid: usize) -> Complaint {
     let place = std::str::from_utf8(&bytes[..valid]).map_or(Place::Unknown, |text| {
         super::position::Positions::new(text).place(valid)
     });
-    let message = if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+    let message = if is_utf_16(bytes) {
         "the file is written in UTF-16"
     } else {
         "the file is not written in UTF-8"
@@ -123,6 +125,14 @@ fn doubt_encoding(bytes: &[u8], valid: usize) -> Complaint {
         message: message.to_owned(),
         hint: Some("save it as UTF-8".to_owned()),
     }
+}
+
+/// Whether a text is written in UTF-16: by its byte order mark, or by a zero in its first character.
+pub fn is_utf_16(bytes: &[u8]) -> bool {
+    matches!(
+        bytes,
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, _, ..] | [_, 0, ..]
+    )
 }
 
 #[cfg(test)]
@@ -177,5 +187,18 @@ mod tests {
             errors("utf16.urdf", b"\xff\xfe<\0r\0"),
             "error: utf16.urdf:1:1: the file is written in UTF-16\n  hint: save it as UTF-8\n"
         );
+        assert_eq!(
+            errors("unmarked.urdf", b"<\0r\0/\0>\0"),
+            "error: unmarked.urdf:1:1: the file is written in UTF-16\n  hint: save it as UTF-8\n"
+        );
+    }
+
+    #[test]
+    fn a_byte_order_mark_before_latin_1_is_passed_over() {
+        let bytes = b"\xef\xbb\xbf<robot name=\"b\xe4r\"><link name='a'/></robot>";
+        let mut errors = Errors::new();
+        let robot = read_bytes(bytes, "marked.urdf", None, &mut errors).unwrap();
+        assert!(errors.is_empty(), "{errors}");
+        assert_eq!(robot.name.text, "bär");
     }
 }

@@ -6,6 +6,7 @@
 
 use super::Number;
 use crate::error::Place;
+pub(super) use crate::number::computed;
 use crate::wording::quoted;
 
 /// What is wrong with a number: the end of a sentence that begins with the number's name.
@@ -22,6 +23,7 @@ pub(super) fn read(word: &str, place: Place) -> Result<Number, Refusal> {
     match word.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(Number {
             value,
+            rest: 0.0,
             resolution: power_of_ten(last_digit),
             place,
         }),
@@ -42,15 +44,6 @@ pub(super) fn read_bound(word: &str) -> Result<f64, Refusal> {
         return Ok(sign * f64::INFINITY);
     }
     read(word, Place::Unknown).map(|number| number.value)
-}
-
-/// A number that was computed and not written.
-pub(super) const fn computed(value: f64, place: Place) -> Number {
-    Number {
-        value,
-        resolution: 0.0,
-        place,
-    }
 }
 
 /// The power of ten of the last digit, if the word has the form of a number: sign, digits with at

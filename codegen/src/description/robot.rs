@@ -156,8 +156,9 @@ pub struct Joint {
     pub child: Name,
     /// From the parent's frame to the child's frame at q = 0.
     pub origin: Vec<Step>,
-    /// Direction of the axis in the child's frame, through its origin; of length 1 to within
-    /// 2 %, of which what its digits do not excuse is doubted. Unused for a fixed joint.
+    /// Direction of the axis in the child's frame, through its origin, not rounded: as written where its length is
+    /// between 0.98 and 2, and else times the power of two that makes it 1 to 2. Another length than 1 that digits
+    /// do not excuse is a warning. Unused for a fixed joint.
     pub axis: [Number; 3],
     /// The second axis of a joint that has two, likewise.
     pub second_axis: [Number; 3],

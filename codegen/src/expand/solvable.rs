@@ -82,12 +82,16 @@ fn zero(chain: &Chain) -> Option<Complaint> {
     Some(Complaint {
         place: joint.place,
         message: format!(
-            "joint \"{}\" can accelerate without any force where {} as described, zero: \
+            "joint \"{}\" can accelerate without any force where {} {} as described, zero: \
              accelerations are infinite there",
             joint.name,
-            are(&zeros)
+            fields(&zeros),
+            one_or_more(&zeros, "is", "are"),
         ),
-        hint: Some("never give them zero, or give the link an inertial".to_owned()),
+        hint: Some(format!(
+            "never give {} zero, or give the link an inertial",
+            one_or_more(&zeros, "it", "them")
+        )),
     })
 }
 
@@ -141,19 +145,26 @@ pub(super) fn at_the_end(chain: &Chain) -> String {
     if zeros.is_empty() {
         return String::new();
     }
-    format!(
-        "; {} described as zero and taken at the end of what it may be: declare its range",
-        are(&zeros)
-    )
+    let taken = one_or_more(
+        &zeros,
+        "is described as zero and taken at the end of what it may be: declare its range",
+        "are described as zero and taken at the ends of what they may be: declare their ranges",
+    );
+    format!("; {} {taken}", fields(&zeros))
 }
 
-/// `field "payload" is` or `fields "a" and "b" are`.
-fn are(fields: &[String]) -> String {
-    let names: Vec<String> = fields.iter().map(|name| quoted(name)).collect();
-    let names = list(names.iter().map(String::as_str));
-    match fields {
-        [_] => format!("field {names} is"),
-        _ => format!("fields {names} are"),
+/// `field "payload"` or `fields "a" and "b"`.
+fn fields(names: &[String]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+    let fields = one_or_more(names, "field", "fields");
+    format!("{fields} {}", list(quoted.iter().map(String::as_str)))
+}
+
+/// The words for one of them, or for several.
+const fn one_or_more<'w>(names: &[String], one: &'w str, several: &'w str) -> &'w str {
+    match names {
+        [_] => one,
+        _ => several,
     }
 }
 
@@ -244,7 +255,12 @@ fn refusal(chain: &Chain, lack: &Lack) -> Errors {
     let but = if zeros.is_empty() {
         String::new()
     } else {
-        format!(" ({} described as zero, and does not help)", are(&zeros))
+        let help = one_or_more(
+            &zeros,
+            "which is described as zero, does not help",
+            "which are described as zero, do not help",
+        );
+        format!(" ({}, {help})", fields(&zeros))
     };
     match *lack {
         Lack::Inertia(joint) => {

@@ -211,8 +211,16 @@ impl Double {
         Self::around((hi, lo), underflow(hi, a == 0.0 || b == 0.0))
     }
 
+    /// n of a number between 2ⁿ and 2ⁿ⁺¹, subnormal or not; −2044 of zero.
+    #[must_use]
+    pub fn exponent(self) -> i32 {
+        let first = exponent(self.hi);
+        first + exponent(self.scaled(-first).hi)
+    }
+
     /// 2ⁿ x.
-    fn scaled(self, n: i32) -> Self {
+    #[must_use]
+    pub fn scaled(self, n: i32) -> Self {
         let times = |x: f64| {
             // In steps, since 2ⁿ itself may be out of range.
             let (mut x, mut left) = (x, n);

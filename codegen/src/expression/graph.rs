@@ -158,6 +158,14 @@ impl Graph {
         self.term(expr)
     }
 
+    /// A number of 106 bits.
+    #[must_use]
+    pub fn number(&self, value: Double) -> Term<'_> {
+        let first = value.to_f64();
+        let rest = value - Double::from(first);
+        self.constant(first) + self.constant(rest.to_f64())
+    }
+
     /// An argument or a run-time parameter.
     #[must_use]
     pub fn input(&self, input: Input) -> Term<'_> {

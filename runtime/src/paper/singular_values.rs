@@ -4,6 +4,7 @@
 //! one-sided Jacobi rotations (Hestenes 1958), which keep small singular values accurate. It needs
 //! no allocation and no bound on the sizes, which the decomposition of nalgebra would.
 
+use crate::matrix::vector::largest_magnitude;
 use crate::scalar::Real;
 use core::array::from_fn;
 
@@ -18,6 +19,7 @@ const SWEEPS: usize = 40;
 ///
 /// The rank is the number of singular values above 64 ε times the largest.
 pub(crate) fn solve<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) -> (usize, [T; N]) {
+    let scale = moderate(a);
     orthogonalize(a, y);
     let zero = T::constant(0.0);
     let squares = || a.iter().map(|row| dot(row, row));
@@ -32,7 +34,7 @@ pub(crate) fn solve<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) -> (
             x = from_fn(|j| x[j] + factor * row[j]);
         }
     }
-    (rank, x)
+    (rank, x.map(|x| x / scale))
 }
 
 /// The singular values of the matrix with these rows, the largest first, and how many of them are above
@@ -41,8 +43,9 @@ pub(crate) fn values<T: Real, const N: usize, const R: usize>(
     a: &mut [[T; N]; R],
 ) -> ([T; R], usize) {
     let zero = T::constant(0.0);
+    let scale = moderate(a);
     orthogonalize(a, &mut [zero; R]);
-    let mut values = from_fn(|i| dot(&a[i], &a[i]).sqrt());
+    let mut values = from_fn(|i| scale * dot(&a[i], &a[i]).sqrt());
     for i in 1..R {
         let mut k = i;
         while k > 0 && values[k - 1] < values[k] {
@@ -54,6 +57,20 @@ pub(crate) fn values<T: Real, const N: usize, const R: usize>(
     let threshold = T::constant(TOLERANCE) * T::EPSILON * largest;
     let rank = values.iter().filter(|value| **value > threshold).count();
     (values, rank)
+}
+
+/// Divides a matrix by its largest entry where squares of that overflow or lose digits; by what it was divided.
+fn moderate<T: Real, const N: usize>(a: &mut [[T; N]]) -> T {
+    let largest = largest_magnitude(a.as_flattened());
+    let square = largest * largest * T::constant(64.0);
+    let is_moderate = square.is_finite() && square * T::EPSILON * T::EPSILON > T::MIN_POSITIVE;
+    if is_moderate || largest <= T::constant(0.0) || !largest.is_finite() {
+        return T::constant(1.0);
+    }
+    for entry in a.as_flattened_mut() {
+        *entry = *entry / largest;
+    }
+    largest
 }
 
 /// Rotates pairs of rows, and the right-hand side with them, until all rows are orthogonal: U A,
@@ -149,6 +166,26 @@ mod tests {
             assert_eq!(rank, 3);
             for (ours, theirs) in x.iter().zip(reference.iter()) {
                 assert!((ours - theirs).abs() < 1e-12 * reference.norm().max(1.0));
+            }
+        }
+    }
+
+    #[test]
+    fn neither_huge_nor_tiny_entries_lose_their_squares() {
+        let rows: [[f64; 4]; 3] = entries(7);
+        let right = [0.3, -0.2, 0.9];
+        let (rank, x) = solve(&mut rows.clone(), &mut right.clone());
+        let (expected, _) = values(&mut rows.clone());
+        for scale in [1e200, 1e300, 1e-160, 1e-300] {
+            let mut scaled = rows.map(|row| row.map(|entry| scale * entry));
+            let (values, values_rank) = values(&mut scaled.clone());
+            let (other_rank, y) = solve(&mut scaled, &mut right.clone());
+            assert_eq!((other_rank, values_rank), (rank, rank));
+            for (value, expected) in values.iter().zip(expected) {
+                assert!((value / scale - expected).abs() < 1e-14, "{scale:e}");
+            }
+            for (x, y) in x.iter().zip(y) {
+                assert!((y * scale - x).abs() < 1e-13, "{scale:e}");
             }
         }
     }

@@ -17,6 +17,9 @@ use crate::matrix::rotation::from_quaternion;
 use crate::matrix::vector::{add, cross, dot, product, scale, sub, transposed_product};
 use crate::scalar::Scalar;
 
+/// 2⁴⁰: a quaternion whose largest entry is between this and its inverse has squares in every type.
+const MODERATE: f64 = 1_099_511_627_776.0;
+
 /// What is added to the square of an angle \[rad²\], so that nothing is divided by zero: no rounding sees it.
 const LEAST: f64 = 1e-20;
 
@@ -37,13 +40,33 @@ pub fn back<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 4] {
     [-x, -y, -z, w]
 }
 
-/// The quaternion x, y, z, w with length 1. It must have a length whose square is a number above zero.
+/// The quaternion x, y, z, w with length 1, whatever its length: subnormal entries have fewer digits. NaN where all
+/// entries are zero, or one is not finite.
 #[inline]
 #[must_use]
 pub fn normalized<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
-    let [x, y, z, w] = quaternion;
+    let scaled = moderate(quaternion);
+    let [x, y, z, w] = scaled;
     let length = (x * x + y * y + z * z + w * w).sqrt();
-    quaternion.map(|entry| entry / length)
+    scaled.map(|entry| entry / length)
+}
+
+/// A quaternion over its largest entry, where that is beyond 2⁻⁴⁰ to 2⁴⁰ and squares may overflow or vanish, and
+/// else over 1, which changes no digit.
+#[inline]
+fn moderate<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
+    let [one, half, most, least] = [1.0, 0.5, MODERATE, 1.0 / MODERATE].map(T::constant);
+    // 1 of a number that is not negative, 0 of another.
+    let step = |x: T| half + half * x.sign();
+    let [a, b, c, d] = quaternion.map(|entry| entry.sign() * entry);
+    let larger = |a: T, b: T| {
+        let first = step(a - b);
+        first * a + (one - first) * b
+    };
+    let largest = larger(larger(a, b), larger(c, d));
+    let is_moderate = step(most - largest) * step(largest - least);
+    let size = is_moderate + (one - is_moderate) * largest;
+    quaternion.map(|entry| entry / size)
 }
 
 /// The quaternion x, y, z, w of a turn by the vector `omega` \[rad\], exp ω̲.
@@ -58,8 +81,8 @@ pub fn turn<T: Scalar>(omega: [T; 3]) -> [T; 4] {
     [x, y, z, cosine]
 }
 
-/// The shortest vector \[rad\] that turns as a quaternion v, w does, whatever its length: ω with
-/// R = exp ω̲ and ‖ω‖ ≤ π. Of a turn by half a circle it is either of the two.
+/// The shortest vector \[rad\] that turns as a quaternion v, w does, of any length whose square neither overflows nor
+/// vanishes: ω with R = exp ω̲ and ‖ω‖ ≤ π. Of a turn by half a circle it is either of the two.
 ///
 /// ω = ±2 v α/‖v‖ with α = atan(‖v‖/|w|), an angle that is halved three times by
 /// tan α/2 = tan α/(1 + √(1 + tan² α)) before its series is summed.

@@ -86,8 +86,8 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         v
     }
 
-    /// The same coordinates with quaternions of length 1, to rounding. None may be zero, or of a length whose
-    /// square is no number.
+    /// The same coordinates with quaternions of length 1, to rounding, whatever their lengths. One that is zero, or has
+    /// an entry that is not finite, comes out as NaN.
     #[must_use]
     pub fn normalize<T: Scalar>(&self, q: &[T; Q]) -> [T; Q] {
         let mut normalized = *q;

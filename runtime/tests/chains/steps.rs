@@ -38,6 +38,72 @@ fn scaled<T: Real, const N: usize>(by: f64, vector: [f64; N]) -> [T; N] {
     vector.map(|entry| T::constant(by * entry))
 }
 
+/// Of whatever length the entries are: a square of 10³⁰⁰ overflows, and one of 10⁻³¹⁰ vanishes.
+fn a_quaternion_of_any_length_is_normalized<T: Real>(sizes: &[f64], least_digits: f64) {
+    let direction = [0.5, -0.1, 0.7, -0.5];
+    let length: f64 = vector::norm(direction);
+    for &size in sizes {
+        let quaternion = direction.map(|entry| T::constant(size * entry));
+        let found = normalized(quaternion);
+        for (found, entry) in found.iter().zip(direction) {
+            let off = (found.to_f64() - entry / length).abs();
+            assert!(off < least_digits, "{size:e}: {found}");
+        }
+        let alone = normalized([
+            T::constant(0.0),
+            T::constant(-size),
+            T::constant(0.0),
+            T::constant(0.0),
+        ]);
+        assert_eq!(alone.map(T::to_f64), [0.0, -1.0, 0.0, 0.0], "{size:e}");
+    }
+}
+
+#[test]
+fn quaternions_of_any_length_are_normalized() {
+    let sizes = [
+        1e300, 1.7e308, 1e200, 1e100, 1e13, 1.0, 1e-13, 1e-150, 1e-200, 1e-300,
+    ];
+    a_quaternion_of_any_length_is_normalized::<f64>(&sizes, 4e-16);
+    a_quaternion_of_any_length_is_normalized::<f64>(&[1e-310], 1e-12);
+    a_quaternion_of_any_length_is_normalized::<f64>(&[5e-323], 0.1);
+    let sizes = [3e38, 1e30, 1e20, 1e13, 1.0, 1e-13, 1e-20, 1e-30, 1e-36];
+    a_quaternion_of_any_length_is_normalized::<f32>(&sizes, 2e-7);
+    a_quaternion_of_any_length_is_normalized::<f32>(&[1e-41], 1e-3);
+}
+
+#[test]
+fn a_quaternion_of_no_length_or_none_that_is_finite_is_not_a_number() {
+    for bad in [
+        [0.0; 4],
+        [f64::NAN, 0.0, 0.0, 1.0],
+        [1.0, f64::INFINITY, 0.0, 0.0],
+        [f64::INFINITY, -f64::INFINITY, 0.0, 0.0],
+    ] {
+        let found = normalized(bad);
+        assert!(
+            found.iter().all(|entry| entry.is_nan()),
+            "{bad:?}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn ordinary_quaternions_have_the_bits_of_the_plain_formula() {
+    let mut random = Random::new(43);
+    for round in 0..2000 {
+        let size = 10.0_f64.powi(round % 23 - 11);
+        let quaternion: [f64; 4] = random.numbers();
+        let quaternion = quaternion.map(|entry| size * entry);
+        let [x, y, z, w] = quaternion;
+        let length = (x * x + y * y + z * z + w * w).sqrt();
+        assert_eq!(
+            normalized(quaternion),
+            quaternion.map(|entry| entry / length)
+        );
+    }
+}
+
 /// M exp(W): by the paper's screws, which know no quaternion.
 fn a_step_is_the_exponential_of_a_velocity<T: Real>() {
     let mut random = Random::new(41);

@@ -64,15 +64,14 @@ impl Dense {
     #[must_use]
     pub fn of(robot: &Robot) -> Self {
         let gravity = robot.asked.gravity.as_ref();
-        let gravity = gravity.map_or([0.0, 0.0, -9.81], |entries| {
-            entries.each_ref().map(Written::value)
-        });
-        let gravity = robot.field(Field::Gravity).map_or(gravity, first);
+        let gravity = gravity.map_or_else(|| big([0.0, 0.0, -9.81]), exact);
+        let field = robot.field(Field::Gravity);
+        let gravity = field.map_or(gravity, |field| big(first(field)));
         let mut dense = Self {
             robot: oracle::Robot {
                 bodies: Vec::new(),
                 frames: Vec::new(),
-                gravity: Matrix::screw(&big([0.0; 3]), &big(gravity)),
+                gravity: Matrix::screw(&big([0.0; 3]), &gravity),
                 loops: Vec::new(),
                 drives: Vec::new(),
                 identifies_drives: false,
@@ -353,15 +352,22 @@ fn big<const N: usize>(values: [f64; N]) -> [Big; N] {
     values.map(Big::new)
 }
 
+fn exact<const N: usize>(numbers: &[Written; N]) -> [Big; N] {
+    numbers.each_ref().map(Written::number)
+}
+
 fn placement(at: &Placement, offset: Option<[f64; 3]>, reading: Reading) -> Matrix {
-    let xyz = offset.unwrap_or_else(|| at.xyz.each_ref().map(|entry| entry.meant(reading)));
+    let meant = || at.xyz.each_ref().map(|entry| entry.meant(reading, 1.0));
+    let xyz = offset.map_or_else(meant, big);
     let [roll, pitch, yaw] = &at.rpy;
     let fixed = [(2, yaw), (1, pitch), (0, roll)];
     let turns = at.turns.iter().map(|(axis, angle)| (*axis, angle));
-    fixed.into_iter().chain(turns).fold(
-        Matrix::translation(&big(xyz)),
-        |placement, (axis, angle)| &placement * &rotation(axis, &angle.sin_cos(reading)),
-    )
+    fixed
+        .into_iter()
+        .chain(turns)
+        .fold(Matrix::translation(&xyz), |placement, (axis, angle)| {
+            &placement * &rotation(axis, &angle.sin_cos(reading))
+        })
 }
 
 /// R, 0; 0, 1 of a turn about a coordinate axis.
@@ -377,9 +383,27 @@ fn rotation(axis: usize, (sine, cosine): &(Big, Big)) -> Matrix {
 
 /// A direction made of length 1.
 fn unit(axis: &[Written; 3], reading: Reading) -> [Big; 3] {
-    let axis = big(axis.each_ref().map(|entry| entry.meant(reading)));
+    let times = towards_1(axis);
+    let axis = axis.each_ref().map(|entry| entry.meant(reading, times));
     let square = axis.iter().fold(Big::zero(), |sum, x| sum + x * x);
     axis.map(|entry| entry / square.sqrt())
+}
+
+/// The power of two that makes the length of an axis 1 to 2, where it is not 0.98 to 2 anyhow: beside that an entry
+/// is zero or not.
+fn towards_1(axis: &[Written; 3]) -> f64 {
+    let length = length(&exact(axis));
+    let mut times = 1.0;
+    if (0.98..2.0).contains(&length) {
+        return times;
+    }
+    while length * times >= 2.0 {
+        times *= 0.5;
+    }
+    while length * times < 1.0 {
+        times *= 2.0;
+    }
+    times
 }
 
 /// L through the origin, of each motion of a joint whose motions come one after the other; null of what
@@ -392,7 +416,7 @@ fn screws(body: &Body, reading: Reading) -> Vec<Matrix> {
         Kind::Revolute | Kind::Continuous => vec![turn(&body.axis)],
         Kind::Prismatic => vec![slide(&body.axis)],
         Kind::Screw(pitch) => {
-            let along = slide(&body.axis).times(&Big::new(pitch.value()));
+            let along = slide(&body.axis).times(&pitch.number());
             vec![&turn(&body.axis) + &along]
         }
         Kind::Cylindrical => vec![turn(&body.axis), slide(&body.axis)],
@@ -411,9 +435,9 @@ fn inertia(robot: &Robot, link: usize, inertial: Option<&Inertial>) -> Matrix {
     };
     let inertial = inertial.unwrap_or(&nothing);
     let mass = robot.field(Field::Mass(link));
-    let mass = mass.map_or(inertial.mass.value(), |[mass, ..]| mass);
-    let tensor = inertial.tensor.each_ref().map(Written::value);
-    let tensor = robot.field(Field::Inertia(link)).map_or(tensor, first);
+    let mass = mass.map_or_else(|| inertial.mass.number(), |[mass, ..]| Big::new(mass));
+    let tensor = robot.field(Field::Inertia(link));
+    let tensor = tensor.map_or_else(|| exact(&inertial.tensor), |field| big(first(field)));
     let center = robot.field(Field::Center(link)).map(first);
     let at = placement(&inertial.at, center, robot.reading());
     let own = &(&at * &central(mass, tensor)) * &at.transposed();
@@ -421,19 +445,19 @@ fn inertia(robot: &Robot, link: usize, inertial: Option<&Inertial>) -> Matrix {
         return own;
     };
     let at = Matrix::translation(&big([x, y, z]));
-    &own + &(&(&at * &central(mass, tensor)) * &at.transposed())
+    let central = central(Big::new(mass), big(tensor));
+    &own + &(&(&at * &central) * &at.transposed())
 }
 
 /// J about the centre of mass.
-fn central(mass: f64, tensor: [f64; 6]) -> Matrix {
-    let [xx, xy, xz, yy, yz, zz] = big(tensor);
+fn central(mass: Big, [xx, xy, xz, yy, yz, zz]: [Big; 6]) -> Matrix {
     let half = (&xx + &yy + &zz) / Big::new(2.0);
     let zero = Big::zero;
     Matrix([
         [&half - &xx, -&xy, -&xz, zero()],
         [-&xy, &half - &yy, -&yz, zero()],
         [-&xz, -&yz, &half - &zz, zero()],
-        [zero(), zero(), zero(), Big::new(mass)],
+        [zero(), zero(), zero(), mass],
     ])
 }
 

@@ -16,7 +16,7 @@ use super::written::{Reading, Written};
 type Feature = (&'static str, fn(&Robot) -> bool);
 
 /// The list.
-pub const FEATURES: [Feature; 76] = [
+pub const FEATURES: [Feature; 79] = [
     ("a joint with a drive", |robot| {
         robot.drives().next().is_some()
     }),
@@ -42,6 +42,23 @@ pub const FEATURES: [Feature; 76] = [
     }),
     ("a residue in an axis", |robot| {
         any(robot, |body| residue(&body.axis))
+    }),
+    ("an axis of another length than 1", |robot| {
+        any(robot, |body| !(0.98..1.02).contains(&size(&body.axis)))
+    }),
+    ("a residue in an axis of another length", |robot| {
+        let residue = |body: &Body| {
+            let length = size(&body.axis);
+            let small = |entry: f64| entry != 0.0 && entry.abs() < 1e-5 * length;
+            let other = !(0.98..1.02).contains(&length);
+            other && body.axis.iter().any(|word| small(word.value()))
+        };
+        any(robot, residue)
+    }),
+    ("a number that is computed", |robot| {
+        let computed = |word: &Written| word.to_string().contains('/') && !right(word);
+        let mut offsets = robot.bodies.iter().flat_map(|body| &body.at.xyz);
+        offsets.any(computed) || angle(robot, computed)
     }),
     ("a residue in a centre of mass", |robot| {
         weighs(robot, |inertial| residue(&inertial.at.xyz))
@@ -292,6 +309,11 @@ fn is_residue(word: &Written) -> bool {
     size > 0.0 && size < 1e-5
 }
 
+fn size(axis: &[Written; 3]) -> f64 {
+    let squares = axis.iter().map(|entry| entry.value() * entry.value());
+    squares.sum::<f64>().sqrt()
+}
+
 fn residue(words: &[Written]) -> bool {
     words.iter().any(is_residue)
 }
@@ -303,7 +325,9 @@ fn plain(body: &Body) -> bool {
         .inertial
         .as_mut()
         .is_some_and(|inertial| placed(&mut inertial.at) || residue(&inertial.tensor));
-    !weighed && !placed(&mut body.at) && !residue(&body.axis)
+    let length = size(&body.axis);
+    let small = |word: &Written| !word.is_zero() && word.value().abs() < 1e-5 * length;
+    !weighed && !placed(&mut body.at) && !body.axis.iter().any(small)
 }
 
 /// Whether it holds of an angle of a joint or of an inertia.

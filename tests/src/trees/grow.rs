@@ -5,8 +5,10 @@
 //! * residues of 1e-18 to 1e-6 where a zero was meant: in offsets, in roll, pitch and yaw, in axes,
 //!   in centres of mass, in the axes of inertias and in their products;
 //! * offsets and rotations that a fixed joint takes back but for rounding;
+//! * in tokens, lengths and angles that are products and quotients, by `pi` or not;
 //! * right angles written with 2 to 17 digits, with `pi`, as sums of two or three parts, and so many
 //!   turns of them that the angle is huge; angles beside right ones;
+//! * axes of length 1 but for their digits, and of any other length;
 //! * axes that are coaxial, parallel, antiparallel, intersecting or nothing of all that;
 //! * links without inertial, massless ones in the middle, points, thin rods;
 //! * every kind of joint, and fixed ones everywhere; up to 20 joints; bases that are free;

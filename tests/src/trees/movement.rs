@@ -31,8 +31,8 @@ impl Movement {
     pub fn of(robot: &Robot, body: &Body) -> Self {
         let (mut first, mut factor, mut offset) = (body, Big::one(), Big::zero());
         while let Some((leader, mimic)) = robot.leader(first) {
-            offset = offset + &factor * Big::new(mimic.offset.value());
-            factor = factor * Big::new(mimic.multiplier.value());
+            offset = offset + &factor * mimic.offset.number();
+            factor = factor * mimic.multiplier.number();
             first = leader;
         }
         if robot.is_free(first) {
@@ -47,7 +47,7 @@ impl Movement {
             };
         }
         // What is not there, or off the path, stands where it is locked, or at zero.
-        Self::Held(factor * Big::new(robot.locked(first).unwrap_or(0.0)) + offset)
+        Self::Held(factor * robot.locked(first).unwrap_or_else(Big::zero) + offset)
     }
 
     /// Whether it moves.

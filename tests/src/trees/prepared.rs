@@ -114,6 +114,11 @@ impl<'r> Prepared<'r> {
         })
     }
 
+    /// The truth about it.
+    pub(super) const fn dense(&self) -> &Dense {
+        &self.dense
+    }
+
     /// What the generator made of it.
     #[must_use]
     pub const fn chain(&self) -> &Chain {
@@ -333,7 +338,7 @@ impl<'r> Prepared<'r> {
         !self.chain.all_lead() && self.states.iter().any(drowned)
     }
 
-    fn input(&self, input: Input, arguments: &Arguments) -> f64 {
+    pub(super) fn input(&self, input: Input, arguments: &Arguments) -> f64 {
         match input {
             Input::Variable(Variable::Actions, k) => arguments.actions[usize::from(k)],
             Input::Variable(variable, k) => {
@@ -347,7 +352,7 @@ impl<'r> Prepared<'r> {
     }
 
     /// The place among the dense robot's of a coordinate or a velocity of the chain.
-    fn place(&self, space: Space, index: usize) -> usize {
+    pub(super) fn place(&self, space: Space, index: usize) -> usize {
         let name = &self.chain.spaces().entries(space)[index].name;
         let entries = match space {
             Space::Coordinates => &self.dense.coordinates,
@@ -368,7 +373,7 @@ impl<'r> Prepared<'r> {
     }
 
     /// A result by the velocities of the dense robot instead of the chain's.
-    fn in_order(&self, function: Function, found: &[f64]) -> Vec<f64> {
+    pub(super) fn in_order(&self, function: Function, found: &[f64]) -> Vec<f64> {
         let mut order = vec![0; self.dense.velocities.len()];
         for velocity in 0..order.len() {
             order[self.place(Space::Velocities, velocity)] = velocity;
@@ -474,7 +479,7 @@ fn coordinates(dense: &Dense, seed: u64, of: u64) -> Vec<f64> {
 }
 
 /// The number at the end of `joint3` or `link3`.
-fn id(name: &str) -> usize {
+pub(super) fn id(name: &str) -> usize {
     let digits = name.trim_start_matches(char::is_alphabetic);
     digits.parse().expect("names end in their number")
 }

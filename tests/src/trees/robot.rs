@@ -4,6 +4,8 @@
 //! joint carries has the joint's number, the root is link 0; numbers stay when others are taken
 //! away, so that a smaller robot moves as the one before. It computes nothing but who carries whom.
 
+use crate::big::Big;
+
 use super::movement::Movement;
 use super::written::{Reading, Written};
 
@@ -184,13 +186,13 @@ impl Robot {
 
     /// Where a joint is held by its kind or by what is asked; none where it is not.
     #[must_use]
-    pub fn locked(&self, body: &Body) -> Option<f64> {
+    pub fn locked(&self, body: &Body) -> Option<Big> {
         if body.kind == Kind::Fixed {
-            return Some(0.0);
+            return Some(Big::zero());
         }
         let mut locks = self.asked.lock.iter();
         let (_, at) = locks.find(|(joint, _)| *joint == body.id)?;
-        Some(at.as_ref().map_or(0.0, Written::value))
+        Some(at.as_ref().map_or_else(Big::zero, Written::number))
     }
 
     /// The joint that a joint follows, where it does.

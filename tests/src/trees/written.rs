@@ -4,12 +4,13 @@
 //! means, read here and by nothing of the generator: its value, whether its digits are those that a
 //! right angle rounds to, and whether it is what rounding left of zero.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 use std::fmt;
 
 use crate::big::Big;
 
-/// One word: `0.1575`, `-1.6653e-16`, or `pi/2` where the text is Rust.
+/// One word: `0.1575`, `-1.6653e-16`, or a product or quotient such as `pi/2`, `2*pi/7` and `1/3` where the text is
+/// Rust.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Written(String);
 
@@ -64,16 +65,52 @@ impl Written {
     /// Where it is no number.
     #[must_use]
     pub fn value(&self) -> f64 {
-        self.in_pi()
-            .unwrap_or_else(|| self.0.parse().expect("a number was written"))
+        self.number().to_f64()
     }
 
-    /// What is meant of an offset or a direction.
+    /// The number, of which each factor that is written in digits is the nearest `f64`.
+    ///
+    /// # Panics
+    /// Where it is no number.
     #[must_use]
-    pub fn meant(&self, reading: Reading) -> f64 {
-        let value = self.value();
-        let residue = reading == Reading::Digits && value.abs() < RESIDUE;
-        if residue { 0.0 } else { value }
+    pub fn number(&self) -> Big {
+        let factor = |word: &str| match word {
+            "pi" => Big::pi(),
+            digits => Big::new(digits.parse().expect("a number was written")),
+        };
+        let (sign, rest) = match self.0.strip_prefix('-') {
+            Some(rest) if self.is_computed() => (-Big::one(), rest),
+            _ => (Big::one(), self.0.as_str()),
+        };
+        let end = |rest: &str| rest.find(['*', '/']).unwrap_or(rest.len());
+        let (first, mut rest) = rest.split_at(end(rest));
+        let mut product = sign * factor(first);
+        while let Some(operation) = rest.chars().next() {
+            let (next, after) = rest[1..].split_at(end(&rest[1..]));
+            product = if operation == '*' {
+                product * factor(next)
+            } else {
+                product / factor(next)
+            };
+            rest = after;
+        }
+        product
+    }
+
+    /// Whether it is a product or a quotient.
+    fn is_computed(&self) -> bool {
+        self.0.contains(['*', '/']) || self.0.ends_with("pi")
+    }
+
+    /// What is meant of an offset, or of an entry of a direction times a power of two.
+    #[must_use]
+    pub fn meant(&self, reading: Reading, times: f64) -> Big {
+        let residue = reading == Reading::Digits && (self.value() * times).abs() < RESIDUE;
+        if residue && !self.is_computed() {
+            Big::zero()
+        } else {
+            self.number()
+        }
     }
 
     /// Whether it is 0.
@@ -98,7 +135,7 @@ impl Written {
     #[must_use]
     pub fn sin_cos(&self, reading: Reading) -> (Big, Big) {
         let Some(quarters) = self.quarters(reading) else {
-            return Big::new(self.meant(reading)).sin_cos();
+            return self.meant(reading, 1.0).sin_cos();
         };
         let sine = |quarters: i64| {
             Big::new(match quarters.rem_euclid(4) {
@@ -120,7 +157,7 @@ impl Written {
         }
         let right = quarters * FRAC_PI_2;
         let close = (value - right).abs() < RESIDUE && reading == Reading::Digits;
-        let meant = if self.in_pi().is_some() || reading == Reading::Computed || close {
+        let meant = if self.is_computed() || reading == Reading::Computed || close {
             right
         } else if reading == Reading::Exact {
             return None;
@@ -130,19 +167,6 @@ impl Written {
         };
         #[expect(clippy::cast_possible_truncation, reason = "at most a million")]
         (close || (value - meant).abs() <= f64::EPSILON * value.abs()).then_some(quarters as i64)
-    }
-
-    /// `pi`, `pi/2` and what is opposite to them.
-    fn in_pi(&self) -> Option<f64> {
-        let (sign, word) = match self.0.strip_prefix('-') {
-            Some(rest) => (-1.0, rest),
-            None => (1.0, self.0.as_str()),
-        };
-        match word {
-            "pi" => Some(sign * PI),
-            "pi/2" => Some(sign * FRAC_PI_2),
-            _ => None,
-        }
     }
 
     /// How many digits stand behind the point, the exponent counted; none for a whole number.
@@ -176,6 +200,8 @@ mod tests {
             ("1.57079632679489662", Some(1)),
             ("pi/2", Some(1)),
             ("-pi", Some(-2)),
+            ("3*pi/2", Some(3)),
+            ("pi/3", None),
             ("1570796.327", Some(1_000_000)),
             ("1.5707963267948961", Some(1)),
             ("1.5707", None),
@@ -196,9 +222,11 @@ mod tests {
     #[test]
     fn residues_are_zero_where_digits_count() {
         let residue = Written::new("-1.6653e-16");
-        assert_eq!(residue.meant(Reading::Digits), 0.0);
-        assert_eq!(residue.meant(Reading::Exact), -1.6653e-16);
-        assert_eq!(Written::new("1e-15").meant(Reading::Digits), 1e-15);
+        let meant = |word: &Written, reading, times| word.meant(reading, times).to_f64();
+        assert_eq!(meant(&residue, Reading::Digits, 1.0), 0.0);
+        assert_eq!(meant(&residue, Reading::Exact, 1.0), -1.6653e-16);
+        assert_eq!(meant(&Written::new("1e-15"), Reading::Digits, 1.0), 1e-15);
+        assert_eq!(meant(&Written::new("1e-14"), Reading::Digits, 0.0625), 0.0);
     }
 
     #[test]

@@ -176,6 +176,28 @@ fn wants_json() {
 }
 
 #[test]
+fn a_byte_order_mark_is_no_part_of_the_states() {
+    let states = r#"{"states":[{"q":[0.1,0.2,0.3],"qd":[0,0,0]}]}"#;
+    let plain = eval("--function bias", states);
+    let marked = eval("--function bias", &format!("\u{feff}{states}"));
+    assert_eq!((&*marked.remarks, marked.code), ("", 0));
+    assert_eq!(marked.output, plain.output);
+    let mistaken = eval("--function bias", "\u{feff}{\"states\":[{\"q\":[0,0,}]}");
+    assert_eq!(
+        mistaken.remarks,
+        "error: states.json:1:22: not JSON: expected value\n"
+    );
+}
+
+#[test]
+fn states_in_utf_16_are_told_by_name() {
+    let states: String = "{\"states\":[]}".chars().flat_map(|c| [c, '\0']).collect();
+    let answer = eval("--function bias", &states);
+    let expected = "error: states.json is written in UTF-16\n  hint: save it as UTF-8\n";
+    assert_eq!(answer.remarks, expected);
+}
+
+#[test]
 fn a_result_that_no_number_can_hold_is_a_mistake() {
     let states = r#"{"states":[{"q":[0,0,0],"qd":[1e30,0,0]}]}"#;
     let answer = eval("--function bias --scalar f32 --format json", states);

@@ -63,7 +63,7 @@ pub(super) fn held_at<'g>(
             Movement::Helix => {
                 let pitch = kind.pitch().unwrap_or_default();
                 Pose {
-                    translation: axis * (q * graph.constant(pitch.value)),
+                    translation: axis * (q * graph.number(pitch.exact())),
                     ..turn(axis)
                 }
             }

@@ -20,7 +20,7 @@ const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 impl<'g> Reader<'g, '_> {
     pub(super) fn number(&self, number: &Number) -> Term<'g> {
-        self.graph.constant(number.value)
+        self.graph.number(number.exact())
     }
 
     /// The inputs of the struct field that stands for a target, or what is described where none

@@ -8,7 +8,7 @@ use super::{Body, Moved, Reader, Seat};
 use crate::chain::BodyId;
 use crate::chain::tree::{Branch, Tree};
 use crate::description::{Description, LinkId};
-use crate::expression::{Double, Graph, Term};
+use crate::expression::Term;
 use crate::joint::Posture;
 use crate::list::List;
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
@@ -34,7 +34,7 @@ pub(super) fn seat<'g>(
         let seat = if let Some(held) = branch.held {
             Seat {
                 body: parent.body,
-                pose: pose * held_at(graph, joint.kind, axes, graph.constant(held.value)),
+                pose: pose * held_at(graph, joint.kind, axes, reader.number(&held)),
             }
         } else {
             let (last, link) = moved(
@@ -77,11 +77,11 @@ fn moved<'g>(
     let mut moved = Moved::Own;
     if let Some(follow) = branch.follows {
         reader.note_follower(description, branch.joint, follow);
-        let offset = number(graph, follow.offset);
+        let offset = graph.number(follow.offset);
         placement = placement * held_at(graph, kind, axes, offset);
         moved = Moved::Follows {
             leader: follow.leader,
-            factor: number(graph, follow.multiplier),
+            factor: graph.number(follow.multiplier),
         };
     } else {
         reader.report.joints.push(name.clone());
@@ -114,11 +114,4 @@ fn moved<'g>(
         }
     }
     (parent.expect("joints that move have velocities"), link)
-}
-
-/// A number of 106 bits.
-fn number(graph: &Graph, value: Double) -> Term<'_> {
-    let first = value.to_f64();
-    let rest = value - Double::from(first);
-    graph.constant(first) + graph.constant(rest.to_f64())
 }

@@ -9,7 +9,7 @@ use super::matrices::{across, of_length_1};
 use super::{Contradiction, Reader, Scalar, held};
 use crate::chain::Chain;
 use crate::dense::{Body, BodyId, Closed};
-use crate::expression::Arithmetic;
+use crate::expression::{Arithmetic, Double};
 use crate::list::{Id, List};
 use crate::space::FrameId;
 
@@ -44,10 +44,15 @@ impl Reader<'_> {
                 }
                 let nothing = [[Scalar::literal(0.0); 3]; 2];
                 let link = seats.get(link.text.as_str()).copied();
-                frames.push(Some(bodies.push(held(link, placement, nothing, 0.0))));
+                frames.push(Some(bodies.push(held(
+                    link,
+                    placement,
+                    nothing,
+                    Double::ZERO,
+                ))));
             }
             let size = match (described.closure.length(), &*axes) {
-                (Some(length), _) => Scalar::literal(length.value),
+                (Some(length), _) => Scalar::written(length.exact()),
                 (None, [[ax, ay, az], [bx, by, bz]]) => *ax * *bx + *ay * *by + *az * *bz,
                 (None, _) => Scalar::literal(0.0),
             };

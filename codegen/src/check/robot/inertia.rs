@@ -23,9 +23,9 @@ impl Reader<'_> {
             place: link.name.place,
         };
         let inertial = link.inertial.as_ref().unwrap_or(&nothing);
-        let [mass] = mass.unwrap_or([Scalar::literal(inertial.mass.value)]);
+        let [mass] = mass.unwrap_or([Scalar::written(inertial.mass.exact())]);
         let tensor = self.field(|target| matches!(target, Target::InertiaOf(of) if is(of)));
-        let described = inertial.inertia.map(|entry| Scalar::literal(entry.value));
+        let described = inertial.inertia.map(|entry| Scalar::written(entry.exact()));
         let [xx, xy, xz, yy, yz, zz] = tensor.unwrap_or(described);
         // ½ Tr(I) − I, and the mass.
         let half = (xx + yy + zz) * Scalar::exact(0.5);
@@ -53,7 +53,7 @@ impl Reader<'_> {
         let said = |part: Part| {
             let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
             let number = numbers.get(if numbers.len() == 1 { 0 } else { place });
-            number.map(|number| Scalar::literal(number.value))
+            number.map(|number| Scalar::written(number.exact()))
         };
         let zero = Scalar::literal(0.0);
         let ratio = said(Part::Ratio).unwrap_or(Scalar::exact(1.0));

@@ -7,7 +7,7 @@ use super::matrices::across;
 use super::{Contradiction, Motion, Places, Reader, Scalar, held, place};
 use crate::dense::{Body, BodyId, Freedom, Matrix, Moved};
 use crate::description::Joint;
-use crate::expression::Arithmetic;
+use crate::expression::{Arithmetic, Double};
 use crate::joint::{self, Along, Movement, Posture};
 use crate::list::List;
 
@@ -23,7 +23,7 @@ impl Reader<'_> {
     ) -> Result<BodyId, Contradiction> {
         if !joint.kind.moves() {
             let nothing = [[Scalar::literal(0.0); 3]; 2];
-            return Ok(bodies.push(held(parent, placement, nothing, 0.0)));
+            return Ok(bodies.push(held(parent, placement, nothing, Double::ZERO)));
         }
         let velocities = joint.kind.velocities(&joint.name.text);
         for (k, (own, freedom)) in velocities.enumerate() {
@@ -88,7 +88,7 @@ impl Reader<'_> {
         Ok(match turn {
             Some(turn) => {
                 let nothing = [[Scalar::literal(0.0); 3]; 2];
-                bodies.push(held(Some(body), turn.inverse(), nothing, 0.0))
+                bodies.push(held(Some(body), turn.inverse(), nothing, Double::ZERO))
             }
             None => body,
         })
@@ -113,7 +113,7 @@ impl Reader<'_> {
             Movement::Turn => [axis, nothing],
             Movement::Slide => [nothing, axis],
             Movement::Helix => {
-                let pitch = Scalar::literal(joint.kind.pitch().unwrap_or_default().value);
+                let pitch = Scalar::written(joint.kind.pitch().unwrap_or_default().exact());
                 [axis, axis.map(|entry| entry * pitch)]
             }
         })

@@ -2,13 +2,13 @@
 //!
 //! In: the joints as they were described, and what the request drops, locks and cuts. Out: the joints that are
 //! kept, and whether each moves by itself, with another, or not at all. Where a follower is held is computed
-//! in 106 bits, of which no step before is rounded.
+//! in 106 bits.
 
 use std::collections::HashMap;
 
 use super::{Motion, Reader, Scalar};
-use crate::description::{Joint, LinkId, Mimic};
-use crate::expression::{Arithmetic, Double};
+use crate::description::{Joint, LinkId, Mimic, Number};
+use crate::expression::Double;
 use crate::list::List;
 
 impl<'d> Reader<'d> {
@@ -62,18 +62,19 @@ impl<'d> Reader<'d> {
             return if moves {
                 Motion::Own
             } else {
-                Motion::Held(0.0)
+                Motion::Held(Double::ZERO)
             };
         }
         let (mut factor, mut offset) = (Scalar::exact(1.0), Scalar::exact(0.0));
-        // Where it is held is a number of 53 bits, of which no step before is rounded.
+        // Where it is held is a number of 106 bits.
         let [mut value, mut along] = [0.0, 1.0].map(Double::from);
         let mut at = joint;
         while let Some((mimic, leader)) = self.leader(at) {
-            offset = offset + factor * Scalar::literal(mimic.offset.value);
-            factor = factor * Scalar::literal(mimic.multiplier.value);
-            value = value + along * Double::from(mimic.offset.value);
-            along = along * Double::from(mimic.multiplier.value);
+            let (times, plus) = (mimic.multiplier.exact(), mimic.offset.exact());
+            offset = offset + factor * Scalar::written(plus);
+            factor = factor * Scalar::written(times);
+            value = value + along * plus;
+            along = along * times;
             at = leader;
         }
         let there = kept.iter().any(|other| other.name.text == at.name.text);
@@ -82,8 +83,8 @@ impl<'d> Reader<'d> {
                 Motion::Follows(&at.name.text, factor, offset)
             }
             // Also where a joint stands that is not kept, a lock tells.
-            Motion::Held(held) => Motion::Held((along * Double::from(held) + value).to_f64()),
-            _ => Motion::Held(value.to_f64()),
+            Motion::Held(held) => Motion::Held(along * held + value),
+            _ => Motion::Held(value),
         }
     }
 
@@ -106,12 +107,12 @@ impl<'d> Reader<'d> {
     }
 
     /// Where a joint is held, by its kind or by what was asked.
-    fn locked(&self, joint: &Joint) -> Option<f64> {
+    fn locked(&self, joint: &Joint) -> Option<Double> {
         if !joint.kind.moves() {
-            return Some(0.0);
+            return Some(Double::ZERO);
         }
         let mut locks = self.request.lock.iter();
         let (_, at) = locks.find(|(lock, _)| lock.text == joint.name.text)?;
-        Some(at.map_or(0.0, |at| at.value))
+        Some(at.as_ref().map_or(Double::ZERO, Number::exact))
     }
 }

@@ -38,9 +38,9 @@ impl Reader<'_> {
         let described = self
             .request
             .gravity
-            .map(|gravity| gravity.map(|entry| entry.value));
-        let described = described.unwrap_or([0.0, 0.0, -9.81]);
-        field.unwrap_or(described.map(Scalar::literal))
+            .map(|gravity| gravity.map(|entry| Scalar::written(entry.exact())));
+        let described = described.unwrap_or([0.0, 0.0, -9.81].map(Scalar::literal));
+        field.unwrap_or(described)
     }
 
     pub(super) fn origin(&self, joint: &Joint) -> Result<Matrix<Scalar>, Contradiction> {
@@ -86,7 +86,7 @@ impl Reader<'_> {
                                 [usize::try_from(quarters.rem_euclid(4)).unwrap_or(0)];
                             (Scalar::literal(sine), Scalar::literal(cosine))
                         }
-                        None => Scalar::literal(angle.value).sin_cos(),
+                        None => Scalar::written(angle.exact()).sin_cos(),
                     };
                     Matrix::rotation(axis, turn)
                 }
@@ -113,7 +113,7 @@ impl Reader<'_> {
         if zero && self.quarters(item, number)? == Some(0) {
             return Ok(Scalar::literal(0.0));
         }
-        Ok(Scalar::literal(number.value))
+        Ok(Scalar::written(number.exact()))
     }
 
     /// What was made of a number, if that is within its digits or its last bits.

@@ -8,9 +8,10 @@ use std::ffi::{OsStr, OsString};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::super::options::{STANDARD_INPUT, is_standard_input, mistake, read, unreadable};
+use super::super::options::{STANDARD_INPUT, is_standard_input, read, unreadable};
 use super::listed;
 use super::npy;
+use crate::description::is_utf_16;
 use crate::error::{Errors, Place};
 use crate::space::{ACTION, Spaces, Variable};
 
@@ -236,12 +237,27 @@ fn each<'f>(
 
 /// The text of a file of JSON and what messages call it.
 fn text(path: &Path, input: &mut dyn Read) -> Result<(String, String), Errors> {
-    if is_standard_input(path) {
-        let text = String::from_utf8(read(input)?);
-        let text = text.map_err(|_| mistake("<stdin> is not written in UTF-8"))?;
-        return Ok((text, STANDARD_INPUT.to_owned()));
+    let (bytes, name) = if is_standard_input(path) {
+        (read(input)?, STANDARD_INPUT.to_owned())
+    } else {
+        let name = path.file_name().map_or(path, Path::new);
+        let bytes = std::fs::read(path).map_err(|reason| unreadable(path, &reason))?;
+        (bytes, name.display().to_string())
+    };
+    // Programs of Windows put a mark before the text.
+    let unmarked = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    match std::str::from_utf8(unmarked) {
+        Ok(text) if !is_utf_16(unmarked) => Ok((text.to_owned(), name)),
+        _ => {
+            let encoding = if is_utf_16(unmarked) {
+                "is written in UTF-16"
+            } else {
+                "is not written in UTF-8"
+            };
+            let mut errors = Errors::new();
+            let message = format!("{name} {encoding}");
+            errors.push_with_hint(Place::Unknown, message, "save it as UTF-8");
+            Err(errors)
+        }
     }
-    let name = path.file_name().map_or(path, Path::new);
-    let text = std::fs::read_to_string(path).map_err(|reason| unreadable(path, &reason))?;
-    Ok((text, name.display().to_string()))
 }

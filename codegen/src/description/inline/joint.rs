@@ -253,7 +253,7 @@ pub(super) fn direction(
         let say = |remark: axis::Remark| {
             complaint_with_hint(span, format!("{subject} {}", remark.what), remark.hint)
         };
-        return match axis::unit(numbers) {
+        return match axis::direction(numbers) {
             Ok((axis, doubt)) => Ok((axis, doubt.map(say))),
             Err(refusal) => Err(say(refusal)),
         };

@@ -98,7 +98,7 @@ fn a_whole_robot_in_place() {
     };
     assert_eq!(pitch.value, 0.01);
     assert_eq!(scara.joints[2].name.text, "z-axis");
-    assert_eq!(scara.joints[2].axis.map(|x| x.value), [0.0, 0.6, 0.8]);
+    assert_eq!(scara.joints[2].axis.map(|x| x.value), [0.0, 0.75, 1.0]);
 
     assert!(scara.links[0].inertial.is_none());
     let upper = scara.links[1].inertial.as_ref().unwrap();
@@ -259,13 +259,13 @@ fn joints_are_refused_with_what_to_write() {
 
 #[test]
 #[expect(clippy::float_cmp, reason = "reading is exact")]
-fn an_axis_of_another_length_is_made_a_unit_vector_with_a_doubt() {
+fn an_axis_of_another_length_is_kept_with_a_warning() {
     let item = fine(
         "struct Arm;\nlink base;\njoint j: revolute([0.0, 3.0, 4.0]);\nlink arm;\n\
          joint k: revolute([0.577, 0.577, 0.577]);\nlink tool;",
     );
     let arm = item.description.unwrap();
-    assert_eq!(arm.joints[0].axis.map(|x| x.value), [0.0, 0.6, 0.8]);
+    assert_eq!(arm.joints[0].axis.map(|x| x.value), [0.0, 0.75, 1.0]);
     let [doubt] = &arm.warnings[..] else {
         panic!("{:?}", arm.warnings);
     };

@@ -243,7 +243,7 @@ pub(super) fn direction<'t>(
         return along_x(place);
     };
     let place = reader.value_place(&xyz);
-    match axis::unit(numbers) {
+    match axis::direction(numbers) {
         Ok((axis, doubt)) => {
             if let Some(doubt) = doubt {
                 reader.warn(place, format!("{subject} {}", doubt.what), Some(doubt.hint));

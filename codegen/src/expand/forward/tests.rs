@@ -383,14 +383,20 @@ fn an_inertia_that_no_body_has_is_not_called_singular() {
 
 /// The arm with a field for the mass of a link.
 fn with_field(links: &[End], link: &str) -> Result<Chain, Errors> {
+    with_fields(links, &[("payload", link)])
+}
+
+/// The arm with fields for the masses of links.
+fn with_fields(links: &[End], fields: &[(&str, &str)]) -> Result<Chain, Errors> {
+    let parameter = |(field, link): &(&str, &str)| Parameter {
+        field: Ident::new(field, Span::call_site()),
+        target: Target::MassOf(Name::from(*link)),
+        range: None,
+    };
     let request = Request {
         functions: vec![vec![ForwardDynamics]],
         scalar: Real::F64,
-        parameters: vec![Parameter {
-            field: Ident::new("payload", Span::call_site()),
-            target: Target::MassOf(Name::from(link)),
-            range: None,
-        }],
+        parameters: fields.iter().map(parameter).collect(),
         ..Request::default()
     };
     understand(&described(links), &request)
@@ -410,7 +416,27 @@ fn a_field_that_spoils_the_digits_at_the_end_of_its_range_is_named() {
 fn a_field_that_does_not_help_is_named() {
     let chain = with_field(&[(0.0, 0.0); 2], "upper").expect("a tree");
     let refusal = refusal(&chain, ForwardDynamics, Real::F64);
-    let hint = "(field \"payload\" is described as zero, and does not help)";
+    let hint = "(field \"payload\", which is described as zero, does not help)";
+    assert!(refusal.contains(hint), "{refusal}");
+}
+
+#[test]
+fn several_fields_that_do_not_help_are_named_in_the_plural() {
+    let fields = [("p", "upper"), ("a", "lower")];
+    let chain = with_fields(&[(0.0, 0.0); 3], &fields).expect("a tree");
+    let refusal = refusal(&chain, ForwardDynamics, Real::F64);
+    let hint = "(fields \"p\" and \"a\", which are described as zero, do not help)";
+    assert!(refusal.contains(hint), "{refusal}");
+}
+
+#[test]
+fn several_fields_at_the_ends_of_their_ranges_are_named_in_the_plural() {
+    let fields = [("p", "hand"), ("a", "lower")];
+    let links = [(0.0, 0.0), (0.0, 0.0), (0.0, 1e-18)];
+    let chain = with_fields(&links, &fields).expect("a tree");
+    let refusal = refusal(&chain, ForwardDynamics, Real::F64);
+    let hint = "fields \"p\" and \"a\" are described as zero and taken at the ends of what they may be: \
+                declare their ranges";
     assert!(refusal.contains(hint), "{refusal}");
 }
 

@@ -17,7 +17,7 @@ impl Reason {
     pub const fn words(self) -> &'static str {
         match self {
             Self::Angle => "angles leave the range of its sines",
-            Self::Overflow => "it overflows within its range",
+            Self::Overflow => "a number may overflow, as far as ranges tell",
             Self::Divisor => "a divisor may be zero, as far as ranges tell",
         }
     }

@@ -31,7 +31,7 @@ impl Reader<'_> {
         let quarters = (angle.value * core::f64::consts::FRAC_2_PI).round();
         let written = angle.resolution > 0.0;
         let right = Big::pi() * Big::new(quarters / 2.0);
-        let away = (big(angle) - right).abs().to_f64();
+        let away = (Big::new(angle.value) - right).abs().to_f64();
         // Half of the last digit, and what reading and printing in binary round.
         let open = angle.resolution / 2.0 * (1.0 + 1e-9) + angle.value.abs() * f64::EPSILON;
         let is_right = quarters != 0.0 && angle.resolution <= 0.01 && away <= open;
@@ -75,7 +75,7 @@ impl Reader<'_> {
 }
 
 pub(super) fn big(number: &Number) -> Big {
-    Big::new(number.value)
+    Big::new(number.value) + Big::new(number.rest)
 }
 
 /// A direction with length 1.

@@ -68,7 +68,9 @@ pub(super) fn body(id: usize, parent: usize, before: &[Body], numbers: &mut Numb
 
 /// The coordinate axis that an axis lies along, but for residues.
 fn coordinate(axis: &[Written; 3]) -> Option<usize> {
-    axis.iter().position(|entry| entry.value().abs() > 0.999)
+    let square = |entry: &Written| entry.value() * entry.value();
+    let whole: f64 = axis.iter().map(square).sum();
+    axis.iter().position(|entry| square(entry) > 0.998 * whole)
 }
 
 fn kind(numbers: &mut Numbers) -> Kind {

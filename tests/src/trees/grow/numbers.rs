@@ -44,6 +44,17 @@ impl Numbers<'_> {
         }
     }
 
+    /// With 2 to 17 digits; in tokens sometimes sevenths or thirds of a number.
+    pub(super) fn part(&mut self, size: f64) -> Written {
+        if self.door == Door::Inline && self.random.chance(6) {
+            let (times, of) = (1 + self.random.below(6), *self.random.choose(&[3, 7]));
+            let sign = if self.random.chance(2) { "" } else { "-" };
+            return Written::new(format!("{sign}{times}*{size:e}/{of}"));
+        }
+        let value = size * self.random.unit();
+        self.number(value)
+    }
+
     /// With 2 to 17 digits.
     pub(super) fn number(&mut self, value: f64) -> Written {
         let digits = *self.random.choose(&[2, 3, 4, 6, 9, 17]);
@@ -56,8 +67,7 @@ impl Numbers<'_> {
             if self.random.chance(3) {
                 self.zero()
             } else {
-                let value = size * self.random.unit();
-                self.number(value)
+                self.part(size)
             }
         })
     }
@@ -89,6 +99,10 @@ impl Numbers<'_> {
             7..=10 => self.right_angle(),
             11 => self.beside_a_right_angle(),
             12 if self.random.chance(2) => self.huge_angle(),
+            13 if self.door == Door::Inline => {
+                let angles = ["pi/3", "-pi/6", "2*pi/7", "3*pi/4", "-pi/180", "1.5*pi"];
+                Written::new(*self.random.choose(&angles))
+            }
             _ => {
                 let value = 3.0 * self.random.unit();
                 self.number(value)
@@ -128,8 +142,23 @@ impl Numbers<'_> {
         }
     }
 
-    /// Of length 1, mostly along a coordinate axis, sometimes nearly.
+    /// Of length 1, or of any between a thousandth and a thousand.
     pub(super) fn axis(&mut self) -> [Written; 3] {
+        let axis = self.unit_axis();
+        if !self.random.chance(3) {
+            return axis;
+        }
+        let exponent = i32::try_from(self.random.below(6)).expect("a small number") - 3;
+        let length: f64 = format!("1e{exponent}").parse().expect("a number");
+        let length = length * (5.5 + 4.5 * self.random.unit());
+        axis.map(|entry| match entry.value() {
+            0.0 => entry,
+            value => self.number(length * value),
+        })
+    }
+
+    /// Of length 1, mostly along a coordinate axis, sometimes nearly.
+    fn unit_axis(&mut self) -> [Written; 3] {
         let mut axis = [0.0; 3];
         let k = self.random.below(3);
         axis[k] = self.sign();

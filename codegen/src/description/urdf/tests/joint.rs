@@ -98,13 +98,13 @@ fn axes_are_directions() {
 
 #[test]
 #[expect(clippy::float_cmp, reason = "reading is exact")]
-fn an_axis_of_another_length_is_made_a_unit_vector_with_a_doubt() {
+fn an_axis_of_another_length_is_kept_with_a_warning() {
     let robot = fine(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\n\
          <joint name=\"j\" type=\"prismatic\"><parent link=\"a\"/><child link=\"b\"/>\
          <axis xyz=\"0 3 4\"/></joint></robot>",
     );
-    assert_eq!(robot.joints[0].axis.map(|x| x.value), [0.0, 0.6, 0.8]);
+    assert_eq!(robot.joints[0].axis.map(|x| x.value), [0.0, 0.75, 1.0]);
     assert_eq!(
         robot.warnings[0].hint.as_deref(),
         Some("of length 1 it is 0 0.6 0.8")

@@ -81,11 +81,30 @@ pub fn difference_floating<T: Number>(
     [vx, vy, vz, wx, wy, wz]
 }
 
-/// A quaternion with length 1.
+/// A quaternion with length 1, whatever its length; NaN where all entries are zero, or one is not finite.
 #[inline(always)]
-pub fn normalized<T: Number>([x, y, z, w]: [T; 4]) -> [T; 4] {
+pub fn normalized<T: Number>(quaternion: [T; 4]) -> [T; 4] {
+    let [x, y, z, w] = moderate(quaternion);
     let length = (x * x + y * y + z * z + w * w).sqrt();
     [x / length, y / length, z / length, w / length]
+}
+
+/// A quaternion over its largest entry, where that is beyond 2⁻⁴⁰ to 2⁴⁰ and squares may overflow or vanish, and
+/// else over 1, which changes no digit.
+#[inline(always)]
+fn moderate<T: Number>([x, y, z, w]: [T; 4]) -> [T; 4] {
+    let [one, half, most, least] = [1.0, 0.5, MODERATE, 1.0 / MODERATE].map(|n| x.like(n));
+    // 1 of a number that is not negative, 0 of another.
+    let step = |x: T| half + half * sign(x);
+    let larger = |a: T, b: T| {
+        let first = step(a - b);
+        first * a + (one - first) * b
+    };
+    let [a, b, c, d] = [x, y, z, w].map(|entry| sign(entry) * entry);
+    let largest = larger(larger(a, b), larger(c, d));
+    let is_moderate = step(most - largest) * step(largest - least);
+    let size = is_moderate + (one - is_moderate) * largest;
+    [x / size, y / size, z / size, w / size]
 }
 
 /// The quaternion of a turn by a vector.

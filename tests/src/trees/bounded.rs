@@ -1,0 +1,94 @@
+//! Errors beside the bounds that are printed of them, by a truth that reads the file by itself.
+//!
+//! In: a [`Prepared`] robot, a function, a type of number. Out: the greatest share of its bound that the error of a
+//! result takes in states of the range that bounds are for. What is lost while a file is read is an error here like
+//! any other.
+
+use homogen_codegen::Function;
+use homogen_codegen::accuracy::range::Range;
+use homogen_codegen::accuracy::{self, Accuracy, Means};
+use homogen_codegen::expand::program_as;
+use homogen_codegen::formulation::Formulation;
+use homogen_codegen::schedule::run;
+use homogen_codegen::space::{FrameId, Space};
+
+use super::prepared::{Prepared, id};
+use crate::arguments::Arguments;
+use crate::big::Big;
+use crate::climb::{any, of_results};
+use crate::oracle::frame_0;
+use crate::states::Random;
+use crate::tested::Tested;
+
+/// What 256 bits may leave of nothing, in any unit.
+const DUST: f64 = 1e-50;
+
+impl Prepared<'_> {
+    /// The worst share, and of which result it is; none where the function has no bound, or nothing to be of.
+    #[must_use]
+    pub fn share_of_bound<T: Tested>(
+        &self,
+        function: Function,
+        states: usize,
+        random: &mut Random,
+    ) -> Option<(f64, String)> {
+        let (chain, frame) = (self.chain(), FrameId::FIRST);
+        let link = chain.frames.get(frame).map(|frame| id(&frame.name));
+        if function.of_a_frame() && link.is_none() {
+            return None;
+        }
+        let program =
+            program_as(Formulation::default(), chain, &[function], frame, T::REAL).ok()?;
+        let means = Means {
+            scalar: T::REAL,
+            ..Means::default()
+        };
+        let Accuracy::Within(promise) = accuracy::of(chain, &[function], &program, means)? else {
+            return None;
+        };
+        let bounds = of_results(chain, function, &promise.bounds);
+        let bounds = self.in_order(function, &bounds);
+        let mut robot = self.dense().robot.clone();
+        robot.frames = link.iter().map(|&link| self.dense().body(link)).collect();
+        let mut worst = (0.0, String::new());
+        for _ in 0..states {
+            let state = self.within_range::<T>(random);
+            let found = run::<T>(&program, |input| T::literal(self.input(input, &state)));
+            let found: Vec<f64> = found.into_iter().map(T::to_f64).collect();
+            let expected = frame_0::evaluate(&robot, function, 0, &state);
+            let found = self.in_order(function, &found).into_iter();
+            let results = found.zip(expected).zip(&bounds).enumerate();
+            for (k, ((found, expected), bound)) in results {
+                let error = (Big::new(found) - expected).abs().to_f64();
+                if error > DUST && error / bound > worst.0 {
+                    let what = format!("entry {k}, {found:e}, is off by {error:e} of {bound:e}");
+                    worst = (error / bound, what);
+                }
+            }
+        }
+        Some(worst)
+    }
+
+    /// Numbers of the type within the range, many at its ends.
+    fn within_range<T: Tested>(&self, random: &mut Random) -> Arguments {
+        let range = Range::of(self.chain());
+        let mut drawn = |space: Space, ranges: &[[f64; 2]]| {
+            let mut numbers = vec![0.0; ranges.len()];
+            for (k, &ends) in ranges.iter().enumerate() {
+                numbers[self.place(space, k)] = any::<T>(ends, random);
+            }
+            numbers
+        };
+        let q = drawn(Space::Coordinates, &range.q);
+        let qd = drawn(Space::Velocities, &range.qd);
+        let qdd = drawn(Space::Velocities, &range.qdd);
+        let actions = range.actions.iter();
+        Arguments {
+            tau: vec![0.0; qd.len()],
+            actions: actions.map(|&ends| any::<T>(ends, random)).collect(),
+            q,
+            qd,
+            qdd,
+        }
+    }
+}

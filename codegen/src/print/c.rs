@@ -79,17 +79,17 @@ pub fn print(listing: &Listing, writing: &Writing<'_>) -> Source {
 impl Writing<'_> {
     /// A name of the file alone.
     fn own(&self, name: &str) -> String {
-        format!("{}{name}", self.prefix)
+        names::own(self.prefix, name)
     }
 
     /// The macro for a product and a sum.
     fn mul_add(&self) -> String {
-        self.own("mul_add").to_uppercase()
+        names::constant(self.prefix, "mul_add")
     }
 
     /// The macro before functions that are not to be inlined.
     fn apart(&self) -> String {
-        self.own("apart").to_uppercase()
+        names::constant(self.prefix, "apart")
     }
 
     /// What the files need to be compiled.

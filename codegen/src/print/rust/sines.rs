@@ -20,8 +20,19 @@ pub(super) fn function(real: Real) -> TokenStream {
     TokenStream::from_str(text(real)).unwrap_or_default()
 }
 
+/// What is said of the function, and the function from the word `fn` on: between them stands that it is not inlined.
+///
+/// # Panics
+/// Never: the texts are our own.
+#[cfg(feature = "pretty")]
+pub(in crate::print) fn parts(real: Real) -> [&'static str; 2] {
+    let between = "#[inline(never)]\n";
+    let parts = text(real).split_once(between);
+    parts.expect("it is not inlined").into()
+}
+
 /// The function as it was written.
-pub(in crate::print) const fn text(real: Real) -> &'static str {
+const fn text(real: Real) -> &'static str {
     match real {
         Real::F32 => include_str!("sines/single.rs"),
         Real::F64 | Real::Generic => include_str!("sines/double.rs"),

@@ -4,6 +4,8 @@
 
 use std::path::{Path, PathBuf};
 
+use syn::ext::IdentExt;
+
 use super::Builder;
 use super::command::Language;
 use super::file::{doubt, write};
@@ -74,7 +76,7 @@ impl Builder {
 
     pub(crate) fn c(&self, listing: &Listing, header: &str) -> Source {
         let robot = match &self.name {
-            Some(name) => name.to_string(),
+            Some(name) => name.unraw().to_string(),
             None => listing.about.robot.clone(),
         };
         let prefix = self.library.c_prefix.clone();

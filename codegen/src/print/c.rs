@@ -23,6 +23,7 @@ use crate::real::Real;
 
 pub(super) use declarations::results;
 pub(super) use header::Header;
+pub use names::own;
 pub(super) use names::symbols;
 
 /// Functions in C99.
@@ -79,7 +80,7 @@ pub fn print(listing: &Listing, writing: &Writing<'_>) -> Source {
 impl Writing<'_> {
     /// A name of the file alone.
     fn own(&self, name: &str) -> String {
-        names::own(self.prefix, name)
+        own(self.prefix, name)
     }
 
     /// The macro for a product and a sum.

@@ -8,6 +8,7 @@ mod described;
 mod literals;
 mod names;
 mod project;
+mod standard;
 mod stub;
 #[cfg(test)]
 mod tests;

@@ -139,8 +139,8 @@ pub(super) fn parameters(
 ) -> String {
     let spaces = &listing.spaces;
     let number = number(listing.scalar);
-    let robot =
-        (!listing.parameters.is_empty()).then(|| format!("const {} *robot", own(prefix, structure)));
+    let robot = (!listing.parameters.is_empty())
+        .then(|| format!("const {} *robot", own(prefix, structure)));
     let arguments = listed.arguments(spaces).into_iter();
     let arguments = arguments
         .map(|argument| declarator(argument.name(), &argument_lengths(argument, spaces)))

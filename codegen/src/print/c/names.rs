@@ -40,26 +40,30 @@ pub(super) fn prefix(robot: &str) -> String {
 }
 
 /// A name of a file.
-pub(super) fn own(prefix: &str, name: &str) -> String {
-    joined(prefix, name, is_own)
+#[must_use]
+pub fn own(prefix: &str, name: &str) -> String {
+    joined(prefix, name, is_another(prefix, name, is_own))
 }
 
 /// A constant or a macro of a file, in capitals.
 pub(super) fn constant(prefix: &str, name: &str) -> String {
     // That is how the macros begin that all files share.
-    let shared = |name: &str| is_own_constant(name) || prefix.eq_ignore_ascii_case("homogen_");
-    joined(prefix, name, shared).to_uppercase()
+    let is_shared = prefix.eq_ignore_ascii_case("homogen_");
+    let is_apart = is_shared || is_another(prefix, name, is_own_constant);
+    joined(prefix, name, is_apart).to_uppercase()
 }
 
-/// A prefix and a name, apart where a part of the prefix and the name together could be another name.
-fn joined(prefix: &str, name: &str, is_name: impl Fn(&str) -> bool) -> String {
+fn joined(prefix: &str, name: &str, is_apart: bool) -> String {
+    let between = if is_apart { "_" } else { "" };
+    format!("{prefix}{between}{name}")
+}
+
+/// Whether a prefix and a name could be another prefix and another name.
+fn is_another(prefix: &str, name: &str, is_name: impl Fn(&str) -> bool) -> bool {
     let whole = format!("{prefix}{name}");
-    let mut ends = prefix.match_indices('_').map(|(end, _)| end + 1);
-    if ends.any(|end| is_name(&whole[end..]) && end < prefix.len()) {
-        format!("{prefix}_{name}")
-    } else {
-        whole
-    }
+    let ends = prefix.match_indices('_').map(|(end, _)| end + 1);
+    let mut within = ends.filter(|end| *end < prefix.len());
+    within.any(|end| is_name(&whole[end..]))
 }
 
 /// What is called without a function of the robot.
@@ -77,7 +81,8 @@ const OWN: [&str; 8] = [
 /// Whether the file of some robot has a name that ends like this behind its prefix.
 fn is_own(name: &str) -> bool {
     let of_state = name.strip_prefix("prepared_").unwrap_or(name);
-    let goes_on = |rest: &str| rest.is_empty() || rest.starts_with("_and_") || rest.starts_with("_of_");
+    let goes_on =
+        |rest: &str| rest.is_empty() || rest.starts_with("_and_") || rest.starts_with("_of_");
     let mut functions = Function::ALL.into_iter().chain(Function::OF_LOOPS);
     OWN.contains(&name)
         || functions.any(|function| of_state.strip_prefix(function.name()).is_some_and(goes_on))
@@ -132,14 +137,18 @@ fn may_be_macro(name: &str) -> bool {
     let mut letters = name.chars().filter(char::is_ascii_alphabetic);
     let many = letters.clone().nth(1).is_some() || name == "I";
     let in_capitals = many && letters.all(|letter| letter.is_ascii_uppercase());
-    let reserved = name
-        .strip_prefix('_')
-        .is_some_and(|rest| rest.starts_with(|first: char| first == '_' || first.is_ascii_uppercase()));
+    let reserved = name.strip_prefix('_').is_some_and(|rest| {
+        rest.starts_with(|first: char| first == '_' || first.is_ascii_uppercase())
+    });
     in_capitals || reserved || MACROS.contains(&name)
 }
 
 /// The names of the entries of a space, behind its letter, in capitals.
-pub(super) fn constants(spaces: &Spaces, space: Space, (prefix, letter): (&str, &str)) -> Vec<String> {
+pub(super) fn constants(
+    spaces: &Spaces,
+    space: Space,
+    (prefix, letter): (&str, &str),
+) -> Vec<String> {
     let mut names = Names::default();
     let entries = spaces.names(space);
     entries
@@ -204,7 +213,10 @@ mod tests {
         assert_eq!(own("mobile_base_", "regressor"), "mobile_base__regressor");
         assert_eq!(own("mobile_base_", "gravity"), "mobile_base_gravity");
         assert_eq!(own("arm_prepared_", "bias"), "arm_prepared__bias");
-        assert_eq!(own("arm_constrained_", "forward_dynamics"), "arm_constrained__forward_dynamics");
+        assert_eq!(
+            own("arm_constrained_", "forward_dynamics"),
+            "arm_constrained__forward_dynamics"
+        );
         assert_eq!(own("base_", "regressor"), "base_regressor");
         assert_eq!(constant("arm_", "q_nq"), "ARM_Q_NQ");
         assert_eq!(constant("arm_q_", "nq"), "ARM_Q__NQ");
@@ -213,10 +225,23 @@ mod tests {
 
     #[test]
     fn members_are_no_macros() {
-        let wishes = ["payload", "G", "I", "EOF", "M_PI", "unix", "near", "_Payload", "__FILE__", "int", "int_"];
+        let wishes = [
+            "payload", "G", "I", "EOF", "M_PI", "unix", "near", "_Payload", "__FILE__", "int",
+            "int_",
+        ];
         let found = members(wishes.map(str::to_owned).into_iter());
         let names = [
-            "payload", "G", "I_", "EOF_", "M_PI_", "unix_", "near_", "_Payload_", "__FILE___", "int_", "int__",
+            "payload",
+            "G",
+            "I_",
+            "EOF_",
+            "M_PI_",
+            "unix_",
+            "near_",
+            "_Payload_",
+            "__FILE___",
+            "int_",
+            "int__",
         ];
         assert_eq!(found, names);
     }

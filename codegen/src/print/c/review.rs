@@ -197,7 +197,9 @@ impl<'l> Test<'l> {
             });
             let failures = self.local("failures");
             let numbers = numbers.join(", ");
-            counts.push(format!("{failures} += {compare}({first}, {numbers}, {size});"));
+            counts.push(format!(
+                "{failures} += {compare}({first}, {numbers}, {size});"
+            ));
         }
         let symbol = &self.symbols[vector.function];
         lines.push(format!("{symbol}({});", call.join(", ")));

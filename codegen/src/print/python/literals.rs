@@ -8,11 +8,14 @@ use crate::wording::visible;
 
 /// Lines as a docstring, its further lines behind `indent`.
 pub(super) fn docstring(lines: &[String], indent: &str) -> String {
-    let indented = lines.iter().enumerate().map(|(k, line)| match (k, &**line) {
-        (_, "") => String::new(),
-        (0, line) => escaped(&visible(line)),
-        (_, line) => format!("{indent}{}", escaped(&visible(line))),
-    });
+    let indented = lines
+        .iter()
+        .enumerate()
+        .map(|(k, line)| match (k, &**line) {
+            (_, "") => String::new(),
+            (0, line) => escaped(&visible(line)),
+            (_, line) => format!("{indent}{}", escaped(&visible(line))),
+        });
     let text = indented.collect::<Vec<_>>().join("\n");
     let end = if lines.len() > 1 {
         format!("\n{indent}")

@@ -41,6 +41,7 @@ use crate::function::Function;
 use crate::joint::drive::Part;
 use crate::print::Listing;
 use crate::print::rust::Library;
+use crate::print::rust::in_every_edition;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
@@ -389,7 +390,7 @@ impl Builder {
     fn field(mut self, field: &str, target: Target, range: Option<[f64; 2]>) -> Self {
         if let Some(field) = self.parsed(field) {
             self.request.parameters.push(Parameter {
-                field,
+                field: in_every_edition(&field),
                 target,
                 range,
             });

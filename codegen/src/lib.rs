@@ -88,6 +88,7 @@ pub mod schedule;
 pub mod simplify;
 #[doc(hidden)]
 pub mod space;
+mod template;
 mod wording;
 
 pub use builder::Builder;

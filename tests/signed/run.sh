@@ -67,6 +67,9 @@ done
 one fields "$PWD/robots/two_link.urdf" --tip tip --field load=payload_on:tip --range load=0..4 --field g=gravity \
     --field c=com_of:fore --prepare --functions inverse_dynamics+mass_matrix,gravity,kinetic_energy
 one free "$PWD/robots/quadruped.urdf" --floating --external hr_foot --functions inverse_dynamics,bias
+one every_joint "$PWD/tests/robots/every_joint.urdf" --tip link_geared \
+    --functions forward_kinematics,body_jacobian_rate,inverse_dynamics,mass_matrix,base_regressor
+one every_joint_free "$PWD/tests/robots/every_joint.urdf" --floating --functions inverse_dynamics,mass_matrix,gravity_derivative
 one humanoid "$PWD/tests/robots/humanoid.urdf" --tip left_arm_9 --functions inverse_dynamics,mass_matrix,gravity
 
 # What a reviewer would not see, the tests do: a digit of the code, in the middle of a number.

@@ -157,7 +157,7 @@ impl Builder {
 fn field(parameter: &Parameter) -> String {
     let item = parameter.target.item();
     let item = item.map_or_else(String::new, |name| format!(":{}", name.text));
-    format!("{}={}{item}", parameter.name(), parameter.target.key())
+    format!("{}={}{item}", parameter.field, parameter.target.key())
 }
 
 /// A path without spaces.

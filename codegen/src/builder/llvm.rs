@@ -4,6 +4,8 @@
 
 use std::num::NonZeroUsize;
 
+use syn::ext::IdentExt;
+
 use super::Builder;
 use super::command::Language;
 use crate::error::Errors;
@@ -41,7 +43,7 @@ impl Builder {
     /// How names of functions begin in languages without modules.
     pub(super) fn prefix(&self, listing: &Listing) -> String {
         let robot = match &self.name {
-            Some(name) => name.to_string(),
+            Some(name) => name.unraw().to_string(),
             None => listing.about.robot.clone(),
         };
         let prefix = self.library.c_prefix.clone();

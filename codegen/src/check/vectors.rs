@@ -3,6 +3,9 @@
 //! In: a description, its chain, the functions. Out: for each of them arguments, results and how far these may be
 //! off. Results are made of the description by dense matrices of 106 bits, and where they are solved for by
 //! elimination in the same: of a program nothing is taken but how far rounding can take it at that very state.
+//!
+//! Of quaternions the results are those of length 1, next to which the type of number has one; angles are such that
+//! sines of them are bounded.
 
 use super::{robot, states};
 use crate::accuracy::Means;
@@ -13,11 +16,12 @@ use crate::expression::{Double, Input};
 use crate::function::{Function, Given, Truth};
 use crate::list::Id;
 use crate::print::{Listed, Vector};
+use crate::quaternion::{normalize, of_length_1};
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::Program;
-use crate::schedule::bound::{self, Conditions, Value};
-use crate::space::{FrameId, Variable};
+use crate::schedule::bound::{self, Conditions, Found, Reason, Value};
+use crate::space::{FrameId, Kind, Variable};
 
 /// Results of so many numbers are told at two states, longer ones at one.
 const SHORT: usize = 100;
@@ -26,6 +30,12 @@ const SHORT: usize = 100;
 /// roundoff.
 const UNBOUNDED: f64 = 16.0;
 
+/// How often a state is moved nearer to zero until the sines of its angles are bounded.
+const NEARER: usize = 8;
+
+/// By which factor.
+const BY: f64 = 8.0;
+
 /// Those of all functions, one state after the other.
 pub fn vectors(
     description: &Description,
@@ -33,52 +43,73 @@ pub fn vectors(
     chain: &Chain,
     (functions, means): (&[Listed], Means),
 ) -> Vec<Vector> {
-    let scalar = means.scalar;
-    let drawn = states::states(chain, request, 2).into_iter();
-    let rounded = drawn.map(|state| rounded(&state, chain, scalar));
     let mut vectors = Vec::new();
-    for (index, state) in rounded.enumerate() {
-        // A robot that contradicts its chain has been refused before.
-        let Ok(robot) = robot::robot(description, request, chain, &state.fields) else {
-            continue;
-        };
-        let dense = Dense::of(robot, state);
-        for (function, listed) in functions.iter().enumerate() {
-            if index > 0 && listed.program.results.len() > SHORT {
-                continue;
-            }
-            let named = |name: &String| chain.frames.find(|of| of.name == *name);
-            let frame = listed
-                .frame
-                .as_ref()
-                .and_then(named)
-                .unwrap_or(FrameId::FIRST);
-            let expected = listed.functions.iter();
-            let expected = expected.map(|&function| truth(&dense, function, (frame, scalar)));
-            let Some(expected) = expected.collect::<Option<Vec<_>>>() else {
-                continue;
+    for (index, drawn) in states::states(chain, request, 2).iter().enumerate() {
+        let mut wanted: Vec<usize> = (0..functions.len())
+            .filter(|&function| index == 0 || functions[function].program.results.len() <= SHORT)
+            .collect();
+        let mut state = rounded(drawn, chain, (index, means.scalar));
+        for _ in 0..=NEARER {
+            // A robot that contradicts its chain has been refused before.
+            let Ok(robot) = robot::robot(description, request, chain, &state.fields) else {
+                break;
             };
-            let expected = expected.concat();
-            let tolerances = tolerances(&dense.state, &listed.program, &expected, means);
-            let arguments = listed.arguments(chain.spaces()).into_iter();
-            let arguments = arguments.map(|argument| (argument, numbers(&dense.state, argument)));
-            vectors.push(Vector {
-                function,
-                arguments: arguments.collect(),
-                fields: dense.state.fields.to_vec(),
-                expected: expected
+            let dense = Dense::of(robot, state);
+            wanted.retain(|&function| {
+                let listed = &functions[function];
+                let found = rounding(&dense.state, &listed.program, means);
+                if found
                     .iter()
-                    .map(|entry| in_type(entry.to_f64(), scalar))
-                    .collect(),
-                tolerances,
+                    .any(|found| found.reason == Some(Reason::Angle))
+                {
+                    return true;
+                }
+                vectors.extend(vector(
+                    &dense,
+                    chain,
+                    (function, listed),
+                    (&found, means.scalar),
+                ));
+                false
             });
+            if wanted.is_empty() {
+                break;
+            }
+            state = nearer(&dense.state, chain, (index, means.scalar));
         }
     }
     vectors
 }
 
-/// A state that the type of number has, of few digits.
-fn rounded(state: &State, chain: &Chain, scalar: Real) -> State {
+/// What a function should return at a state; none where an equation has no solution.
+fn vector(
+    dense: &Dense,
+    chain: &Chain,
+    (function, listed): (usize, &Listed),
+    (found, scalar): (&[Found], Real),
+) -> Option<Vector> {
+    let named = |name: &String| chain.frames.find(|of| of.name == *name);
+    let frame = listed.frame.as_ref().and_then(named);
+    let frame = frame.unwrap_or(FrameId::FIRST);
+    let expected = listed.functions.iter();
+    let expected = expected.map(|&function| truth(dense, function, (frame, scalar)));
+    let expected = expected.collect::<Option<Vec<_>>>()?.concat();
+    let arguments = listed.arguments(chain.spaces()).into_iter();
+    let arguments = arguments.map(|argument| (argument, numbers(&dense.state, (argument, scalar))));
+    let written = expected.iter();
+    Some(Vector {
+        function,
+        arguments: arguments.collect(),
+        fields: dense.state.fields.to_vec(),
+        expected: written
+            .map(|entry| in_type(entry.to_f64(), scalar))
+            .collect(),
+        tolerances: tolerances(found, &expected, scalar),
+    })
+}
+
+/// A state that the type of number has, of few digits; the index says which entries of quaternions are small.
+fn rounded(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> State {
     let short = |value: &f64| in_type(shortened(*value), scalar);
     let ranges = chain.spaces().coordinates.iter();
     let q = state.q.iter().zip(ranges).map(|(q, entry)| {
@@ -92,12 +123,14 @@ fn rounded(state: &State, chain: &Chain, scalar: Real) -> State {
         Double::from(found.unwrap_or_else(|| in_type(q, scalar)))
     });
     let mut q: Vec<Double> = q.collect();
-    for quaternion in chain.spaces().quaternions() {
-        // Few digits have no length 1.
-        let exact = state.q.iter().zip(&mut q).skip(quaternion.index());
-        for (exact, entry) in exact.take(4) {
-            *entry = in_type(exact.to_f64(), scalar).into();
-        }
+    for (k, quaternion) in chain.spaces().quaternions().enumerate() {
+        let entries = quaternion.index()..quaternion.index() + 4;
+        let direction = std::array::from_fn(|k| state.q[quaternion.plus(k)].to_f64());
+        // Without its scalar a rotation would be that of its own inverse.
+        let written = of_length_1(direction, (k + index) % 3, scalar);
+        q[entries.clone()].copy_from_slice(&written.map(Double::from));
+        // What is written is off from this by less than rounding would make it.
+        normalize(&mut q[entries]);
     }
     State {
         q: q.into(),
@@ -107,6 +140,24 @@ fn rounded(state: &State, chain: &Chain, scalar: Real) -> State {
         actions: state.actions.iter().map(short).collect(),
         fields: (state.fields).map(|field| field.iter().map(short).collect()),
     }
+}
+
+/// The same state with angles nearer to zero, as far as limits let them.
+fn nearer(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> State {
+    let coordinates = chain.spaces().coordinates.iter();
+    let q = state.q.iter().zip(coordinates).map(|(q, entry)| {
+        let [least, most] = entry.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+        match entry.kind {
+            Kind::Turn => (q.to_f64() / BY).max(least).min(most).into(),
+            _ => *q,
+        }
+    });
+    let q: Vec<Double> = q.collect();
+    let nearer = State {
+        q: q.into(),
+        ..state.clone()
+    };
+    rounded(&nearer, chain, (index, scalar))
 }
 
 /// The number of four digits that is nearest, the same on every machine.
@@ -125,9 +176,13 @@ fn in_type(value: f64, scalar: Real) -> f64 {
     }
 }
 
-fn numbers(state: &State, argument: Variable) -> Vec<f64> {
+/// An argument as it is written.
+fn numbers(state: &State, (argument, scalar): (Variable, Real)) -> Vec<f64> {
     match argument {
-        Variable::Q => state.q.iter().map(|q| q.to_f64()).collect(),
+        Variable::Q => {
+            let q = state.q.iter();
+            q.map(|q| in_type(q.to_f64(), scalar)).collect()
+        }
         Variable::Qd => state.qd.to_vec(),
         Variable::Qdd => state.qdd.to_vec(),
         Variable::Tau => state.tau.to_vec(),
@@ -201,24 +256,27 @@ fn solved(dense: &Dense, mut right: Vec<Vec<Approximate>>) -> Option<Vec<Vec<App
     Some(rows.collect())
 }
 
-/// How far the results of a program may be off at a state: by rounding, and by that of what they are held against.
-fn tolerances(
-    state: &State,
-    program: &Program,
-    expected: &[Approximate],
-    means: Means,
-) -> Vec<f64> {
+/// How far rounding can take the results of a program at a state.
+fn rounding(state: &State, program: &Program, means: Means) -> Vec<Found> {
     let scalar = means.scalar;
     let range = |input: Input| {
-        let value = state.get(input).to_f64();
-        Value::between(value, value)
+        let meant = state.get(input);
+        let (exact, written) = (meant.to_f64(), in_type(meant.to_f64(), scalar));
+        Value {
+            error: (meant - written.into()).to_f64().abs(),
+            ..Value::between(exact.min(written), exact.max(written))
+        }
     };
     let conditions = Conditions {
         scalar,
         angles: means.trigonometry.reach(scalar),
         range: &range,
     };
-    let found = bound::results(program, &conditions);
+    bound::results(program, &conditions)
+}
+
+/// How far results may be off: by rounding, and by that of what they are held against.
+fn tolerances(found: &[Found], expected: &[Approximate], scalar: Real) -> Vec<f64> {
     let largest = expected
         .iter()
         .map(|entry| entry.size())
@@ -248,9 +306,11 @@ fn upwards(value: f64) -> f64 {
 mod tests {
     use crate::Builder;
     use crate::expression::{Arithmetic, Input};
+    use crate::function::Function;
     use crate::print::{Listing, Vector};
-    use crate::real::Real;
+    use crate::real::{Real, Trigonometry};
     use crate::schedule::{Operand, Operation, run};
+    use crate::space::{Kind, Variable};
 
     /// How many results of all vectors are not what they should be, in an arithmetic.
     fn failures<T: Arithmetic + Into<f64>>(listing: &Listing) -> usize {
@@ -324,6 +384,54 @@ mod tests {
                 });
             *changed.expect("a literal") *= 1.0 + 1e-9;
             assert!(failures::<f64>(&wrong) > 0, "{file}");
+        }
+    }
+
+    /// Quaternions have length 1 to the last digit of no type, and limits go beyond what sines are bounded for.
+    #[test]
+    fn programs_of_every_joint_pass_on_either_base() {
+        for is_free in [false, true] {
+            let builder = Builder::from_urdf("../tests/robots/every_joint.urdf")
+                .tip("link_geared")
+                .generate([
+                    Function::ForwardKinematics,
+                    Function::BodyJacobian,
+                    Function::BodyJacobianRate,
+                    Function::InverseDynamics,
+                    Function::MassMatrix,
+                    Function::CoriolisMatrix,
+                    Function::GravityDerivative,
+                    Function::BaseRegressor,
+                ]);
+            let builder = if is_free { builder.floating() } else { builder };
+            let [double, single] = [Real::F64, Real::F32].map(|real| {
+                let listing = builder.clone().scalar(real).file_listing();
+                let listing = listing.expect("a robot");
+                check_angles(&listing, real);
+                listing
+            });
+            assert_eq!((failures::<f64>(&double), failures::<f32>(&single)), (0, 0));
+        }
+    }
+
+    fn check_angles(listing: &Listing, real: Real) {
+        let reach = Trigonometry::Own.reach(real);
+        let vectors = &listing.review.as_ref().expect("it becomes a file").vectors;
+        for (function, listed) in listing.functions.iter().enumerate() {
+            let of = |vector: &&Vector| vector.function == function;
+            assert!(
+                vectors.iter().any(|vector| of(&vector)),
+                "{}",
+                listed.name()
+            );
+            for vector in vectors.iter().filter(of) {
+                let mut arguments = vector.arguments.iter();
+                let q = arguments.find(|(argument, _)| *argument == Variable::Q);
+                let entries = q.map_or(&[][..], |(_, q)| q).iter();
+                let entries = entries.zip(&listing.spaces.coordinates);
+                let mut turns = entries.filter(|(_, entry)| entry.kind == Kind::Turn);
+                assert!(turns.all(|(q, _)| q.abs() <= reach), "{}", listed.name());
+            }
         }
     }
 }

@@ -24,6 +24,7 @@ use super::options::{Robot, Scalar, is_standard_input};
 use super::{Answer, Said, check, count, json, options};
 use crate::description::freed;
 use crate::expand::{expand, understand};
+use crate::template::filled;
 use crate::wording::visible;
 
 /// The page, with a mark where each of the following goes.
@@ -124,11 +125,13 @@ fn page(data: &Value) -> String {
         "default-src 'none'; script-src 'sha256-{SCRIPT_HASH}'; style-src 'sha256-{STYLE_HASH}'; \
          base-uri 'none'; form-action 'none'"
     );
-    // The data comes last: nothing is looked for in it.
-    PAGE.replacen("%policy%", &policy, 1)
-        .replacen("%style%", STYLE, 1)
-        .replacen("%script%", SCRIPT, 1)
-        .replacen("%data%", &json::in_markup(data), 1)
+    let words = [
+        ("@POLICY@", &*policy),
+        ("@STYLE@", STYLE),
+        ("@SCRIPT@", SCRIPT),
+        ("@DATA@", &json::in_markup(data)),
+    ];
+    filled(PAGE, &words)
 }
 
 /// The same with everything that is not to be seen written out, in names and in what is said of them.

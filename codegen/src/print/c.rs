@@ -23,6 +23,7 @@ use crate::real::Real;
 
 pub(super) use declarations::results;
 pub(super) use header::Header;
+pub use names::own;
 pub(super) use names::symbols;
 
 /// Functions in C99.
@@ -79,17 +80,17 @@ pub fn print(listing: &Listing, writing: &Writing<'_>) -> Source {
 impl Writing<'_> {
     /// A name of the file alone.
     fn own(&self, name: &str) -> String {
-        format!("{}{name}", self.prefix)
+        own(self.prefix, name)
     }
 
     /// The macro for a product and a sum.
     fn mul_add(&self) -> String {
-        self.own("mul_add").to_uppercase()
+        names::constant(self.prefix, "mul_add")
     }
 
     /// The macro before functions that are not to be inlined.
     fn apart(&self) -> String {
-        self.own("apart").to_uppercase()
+        names::constant(self.prefix, "apart")
     }
 
     /// What the files need to be compiled.

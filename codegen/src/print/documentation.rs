@@ -272,7 +272,10 @@ pub(super) fn head(listing: &Listing, asked: &str) -> Vec<String> {
 pub(super) fn price(listed: &Listed, name: &str) -> Vec<String> {
     let mut lines = vec![format!("{name}: {}.", listed.price)];
     let said = listed.accuracy.iter().flat_map(error::lines);
-    lines.extend(said.map(|line| format!("    {}", line.replacen("Error", "error", 1))));
+    lines.extend(said.map(|line| match line.strip_prefix("Error") {
+        Some(rest) => format!("    error{rest}"),
+        None => format!("    {line}"),
+    }));
     lines
 }
 

@@ -8,6 +8,7 @@ mod described;
 mod literals;
 mod names;
 mod project;
+mod standard;
 mod stub;
 #[cfg(test)]
 mod tests;
@@ -119,8 +120,7 @@ fn real(real: Real) -> String {
         Real::F32 => ("f32", 8, 16, "3200.0"),
         Real::F64 | Real::Generic => ("f64", 4, 8, "2e5"),
     };
-    let sines =
-        rust::sines::text(real).replace("#[inline(never)]\nfn ", "#[inline(always)]\npub fn ");
+    let [about, function] = rust::sines::parts(real);
     format!(
         "//! The type of number, and its sines.
 
@@ -139,7 +139,8 @@ pub const WIDE: usize = {wide};
 /// Up to which magnitude angles have sines of this file \\[rad\\].
 pub const LIMIT: Real = {limit};
 
-{sines}",
+{about}#[inline(always)]
+pub {function}",
         described::dtype(real)
     )
 }

@@ -45,6 +45,7 @@ pub use item::{Declaration, Item};
 pub use lanes::lanes;
 #[cfg(feature = "pretty")]
 pub(super) use lanes::under;
+pub(crate) use names::in_every_edition;
 #[cfg(feature = "pretty")]
 pub use pretty::Source;
 pub use review::appendix;

@@ -100,7 +100,9 @@ where
                 target = Pose::new(*target.rotation(), beyond);
             }
             let start = Instant::now();
-            let found = reach.solve(arm, &target, &middle).expect("a pose and limits");
+            let found = reach
+                .solve(arm, &target, &middle)
+                .expect("a pose and limits");
             tally.microseconds.push(start.elapsed().as_secs_f64() * 1e6);
             let looks = u32::try_from(found.looks).expect("a few hundred");
             tally.looks += f64::from(looks);

@@ -6,6 +6,8 @@
 use std::path::Path;
 use std::{fs, io, process};
 
+use crate::template::filled;
+
 /// The files, with words between `@` for what differs.
 const TEMPLATE: [(&str, &str); 6] = [
     ("Cargo.toml", include_str!("firmware/manifest.toml")),
@@ -18,30 +20,12 @@ const TEMPLATE: [(&str, &str); 6] = [
 
 /// The files of a firmware: paths and texts.
 pub(super) fn firmware(words: &[(&str, String)]) -> Vec<(&'static str, String)> {
+    let words = words.iter().map(|(word, value)| (*word, value.as_str()));
+    let words: Vec<_> = words.collect();
     let files = TEMPLATE.iter();
     files
-        .map(|(path, text)| (*path, filled(text, words)))
+        .map(|(path, text)| (*path, filled(text, &words)))
         .collect()
-}
-
-fn filled(text: &str, words: &[(&str, String)]) -> String {
-    // One pass: what stands for a word may look like another.
-    let mut filled = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(at) = rest.find('@') {
-        let (before, from) = rest.split_at(at);
-        filled.push_str(before);
-        let mut known = words.iter();
-        if let Some((word, value)) = known.find(|(word, _)| from.starts_with(word)) {
-            filled.push_str(value);
-            rest = &from[word.len()..];
-        } else {
-            filled.push('@');
-            rest = &from[1..];
-        }
-    }
-    filled.push_str(rest);
-    filled
 }
 
 /// Writes a folder that is not there, whole or not at all.
@@ -67,15 +51,4 @@ pub(super) fn write_fresh(
         // What is left of it is of no use, and the first reason is the one to tell.
         let _ = fs::remove_dir_all(&fresh);
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::filled;
-
-    #[test]
-    fn what_stands_for_a_word_is_not_looked_through() {
-        let words = [("@A@", "@B@".to_owned()), ("@B@", "b".to_owned())];
-        assert_eq!(filled("a@A@ @B@ @ @C@", &words), "a@B@ b @ @C@");
-    }
 }

@@ -9,7 +9,7 @@ use std::fmt::Write;
 use super::Writing;
 use super::declarations::{VALUES, argument_lengths, lengths, members, number, results};
 use super::literals::literal;
-use super::names::unscoped;
+use super::names::{ascii, unscoped};
 use crate::formulation::Sines;
 use crate::print::large::columns;
 use crate::print::review::filled;
@@ -82,6 +82,14 @@ pub(super) fn once(
     }
 }
 
+/// What the entries of fields would like to be called, as every compiler takes it.
+fn in_ascii(fields: Fields<'_>) -> Vec<Vec<String>> {
+    let fields = fields.entries().into_iter();
+    fields
+        .map(|entries| entries.iter().map(|entry| ascii(entry)).collect())
+        .collect()
+}
+
 /// What nothing in a function can be called that has these results.
 fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> Names {
     let mut names = unscoped();
@@ -121,7 +129,7 @@ impl<'w> Writer<'w> {
         let readable = Readable {
             arguments,
             spaces: &listing.spaces,
-            fields: &fields.entries(),
+            fields: &in_ascii(fields),
         };
         let length = listing.length;
         let stored = match filled {

@@ -6,8 +6,14 @@ use crate::wording::visible;
 
 /// Lines as a comment of their own.
 pub(super) fn comment(lines: &[String]) -> String {
-    let lines: Vec<_> = lines.iter().map(|line| harmless(line)).collect();
-    format!("/* {}\n */\n", lines.join("\n * ").replace(" \n", "\n"))
+    let mut text = "/*".to_owned();
+    for (k, line) in lines.iter().enumerate() {
+        text.push_str(if k == 0 { "" } else { "\n *" });
+        let line = harmless(line.trim_end_matches(' '));
+        text.extend((!line.is_empty()).then_some(" "));
+        text.push_str(&line);
+    }
+    text + "\n */\n"
 }
 
 /// A text that neither ends the comment around it nor seems to begin another, holds no trigraph, and

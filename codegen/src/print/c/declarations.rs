@@ -7,10 +7,11 @@ use std::fmt::Write;
 
 use super::comments::{comment, harmless};
 use super::literals::literal;
-use super::names::{ascii, constants, unscoped};
+use super::names::{self, constant, constants, own};
 use crate::function::Function;
 use crate::print::{Listed, Listing, documentation};
 use crate::real::Real;
+use crate::request::Parameter;
 use crate::space::{ACTION, Quantity, Space, Spaces, Variable};
 use crate::wording::code;
 
@@ -42,7 +43,7 @@ pub(super) fn structure(text: &mut String, listing: &Listing, prefix: &str) {
             harmless(&about)
         );
     }
-    let _ = writeln!(text, "}} {prefix}robot;\n");
+    let _ = writeln!(text, "}} {};\n", own(prefix, "robot"));
 }
 
 /// The member of a struct that holds what is computed once.
@@ -57,13 +58,16 @@ pub(super) fn prepared(text: &mut String, listing: &Listing, prefix: &str) {
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "typedef struct {{\n    {number} {VALUES}[{count}]; /* What {prefix}prepare computes. */\n}} {prefix}prepared;\n"
+        "typedef struct {{\n    {number} {VALUES}[{count}]; /* What {} computes. */\n}} {};\n",
+        own(prefix, "prepare"),
+        own(prefix, "prepared")
     );
 }
 
 /// The parameters of the function that fills it.
 pub(super) fn of_prepare(prefix: &str) -> String {
-    format!("const {prefix}robot *robot, {prefix}prepared *prepared")
+    let [robot, prepared] = ["robot", "prepared"].map(|name| own(prefix, name));
+    format!("const {robot} *robot, {prepared} *prepared")
 }
 
 /// The values of base parameters, where they are asked for.
@@ -79,7 +83,8 @@ pub(super) fn base_parameters(text: &mut String, listing: &Listing, prefix: &str
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "static const {number} {prefix}base_parameters[{count}] = {{{}}};\n",
+        "static const {number} {}[{count}] = {{{}}};\n",
+        own(prefix, "base_parameters"),
         numbers.join(", ")
     );
 }
@@ -89,11 +94,7 @@ pub(super) fn base_parameters(text: &mut String, listing: &Listing, prefix: &str
 /// What a field of a struct in another language is called does not matter: only its place is that of
 /// its definition.
 pub(super) fn members(listing: &Listing) -> Vec<String> {
-    let mut names = unscoped();
-    let parameters = listing.parameters.iter();
-    parameters
-        .map(|parameter| names.alone(&ascii(&parameter.name())))
-        .collect()
+    names::members(listing.parameters.iter().map(Parameter::name))
 }
 
 /// The entries of coordinates and velocities, and of residuals where there are loops, by which arguments and
@@ -116,7 +117,7 @@ pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
             "/* The entries of {}. */\nenum {{",
             letters.join(", ")
         );
-        let names = constants(&listing.spaces, space, &format!("{prefix}{letter}_"));
+        let names = constants(&listing.spaces, space, (prefix, letter));
         for (name, entry) in names.iter().zip(listing.spaces.entries(space)) {
             let units = variables.iter().map(|of| of.unit(entry.kind));
             let units: Vec<_> = units.filter(|unit| *unit != "1").collect();
@@ -125,7 +126,7 @@ pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
             let about = harmless(&about);
             let _ = writeln!(text, "    {name}, /* {about} */");
         }
-        let count = format!("{prefix}N{letter}").to_uppercase();
+        let count = constant(prefix, &format!("n{letter}"));
         let _ = writeln!(text, "    {count}\n}};\n");
     }
 }
@@ -138,8 +139,8 @@ pub(super) fn parameters(
 ) -> String {
     let spaces = &listing.spaces;
     let number = number(listing.scalar);
-    let robot =
-        (!listing.parameters.is_empty()).then(|| format!("const {prefix}{structure} *robot"));
+    let robot = (!listing.parameters.is_empty())
+        .then(|| format!("const {} *robot", own(prefix, structure)));
     let arguments = listed.arguments(spaces).into_iter();
     let arguments = arguments
         .map(|argument| declarator(argument.name(), &argument_lengths(argument, spaces)))

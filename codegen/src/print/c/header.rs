@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use super::comments::comment;
 use super::declarations::{self, base_parameters, indices, of_prepare, parameters, structure};
-use super::names::{ascii, symbols};
+use super::names::{ascii, own, prepared_symbols, symbols};
 use super::review;
 use crate::print::documentation::{self, Angles};
 use crate::print::{Listing, Prepared};
@@ -79,8 +79,9 @@ impl Header<'_> {
         let prefix = self.prefix;
         let mut text = comment(&documentation::of_prepare(&prepared.price));
         let filled = of_prepare(prefix);
-        let _ = writeln!(text, "HOMOGEN_FN void {prefix}prepare({filled});\n");
-        let symbols = symbols(listing, &format!("{prefix}prepared_"));
+        let prepare = own(prefix, "prepare");
+        let _ = writeln!(text, "HOMOGEN_FN void {prepare}({filled});\n");
+        let symbols = prepared_symbols(listing, prefix);
         for (listed, name) in prepared.functions.iter().zip(symbols) {
             let once = Some(&prepared.price);
             let about = documentation::of_function(listing, listed, Some(self.angles), once);

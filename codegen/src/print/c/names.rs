@@ -1,8 +1,13 @@
 //! Names that C takes.
 //!
-//! In: texts. Out: the words that nothing can be called, how names begin, names of functions and of the
-//! entries of a space. It never names a value.
+//! In: texts. Out: the words that nothing can be called, how names begin, names of functions, of what stands beside
+//! them, of members and of the entries of a space. It never names a value.
+//!
+//! A name of a file is its prefix and a name of our own, which begins with a letter and has no two underscores side
+//! by side. Where both together could be read as the prefix of another robot and a longer name of our own, as
+//! `mobile_base_regressor` of the robots `mobile` and `mobile_base`, a second underscore stands between them.
 
+use crate::function::Function;
 use crate::print::Listing;
 use crate::schedule::{Names, sanitize};
 use crate::space::{Space, Spaces};
@@ -12,20 +17,98 @@ pub(super) fn unscoped() -> Names {
     Names::beside(&KEYWORDS)
 }
 
-/// How the names of a robot begin: `double pendulum` is `double_pendulum_`.
+/// How the names of a robot begin: `double pendulum` is `double_pendulum_`. Letters beyond ASCII are spelt by their
+/// numbers, so that robots which differ by them alone can be linked with each other.
 pub(super) fn prefix(robot: &str) -> String {
-    let name = ascii(&sanitize(robot));
-    // Names that begin with an underscore are those of the compiler.
-    let letter = if name.starts_with('_') { "n" } else { "" };
-    format!("{letter}{name}_")
+    let mut name = String::new();
+    let mut after_letter = false;
+    for letter in sanitize(robot).chars() {
+        let is_letter = !letter.is_ascii();
+        let between = is_letter || after_letter;
+        if between && !name.is_empty() && !name.ends_with('_') && letter != '_' {
+            name.push('_');
+        }
+        if is_letter {
+            name.push_str(&format!("u{:x}", u32::from(letter)));
+        } else {
+            name.push(letter);
+        }
+        after_letter = is_letter;
+    }
+    name.push('_');
+    name
+}
+
+/// A name of a file.
+#[must_use]
+pub fn own(prefix: &str, name: &str) -> String {
+    joined(prefix, name, is_another(prefix, name, is_own))
+}
+
+/// A constant or a macro of a file, in capitals.
+pub(super) fn constant(prefix: &str, name: &str) -> String {
+    // That is how the macros begin that all files share.
+    let is_shared = prefix.eq_ignore_ascii_case("homogen_");
+    let is_apart = is_shared || is_another(prefix, name, is_own_constant);
+    joined(prefix, name, is_apart).to_uppercase()
+}
+
+fn joined(prefix: &str, name: &str, is_apart: bool) -> String {
+    let between = if is_apart { "_" } else { "" };
+    format!("{prefix}{between}{name}")
+}
+
+/// Whether a prefix and a name could be another prefix and another name.
+fn is_another(prefix: &str, name: &str, is_name: impl Fn(&str) -> bool) -> bool {
+    let whole = format!("{prefix}{name}");
+    let ends = prefix.match_indices('_').map(|(end, _)| end + 1);
+    let mut within = ends.filter(|end| *end < prefix.len());
+    within.any(|end| is_name(&whole[end..]))
+}
+
+/// What is called without a function of the robot.
+const OWN: [&str; 8] = [
+    "base_parameters",
+    "failures",
+    "prepare",
+    "prepared",
+    "robot",
+    "self_test",
+    "sin_cos",
+    "turn",
+];
+
+/// Whether the file of some robot has a name that ends like this behind its prefix.
+fn is_own(name: &str) -> bool {
+    let of_state = name.strip_prefix("prepared_").unwrap_or(name);
+    let goes_on =
+        |rest: &str| rest.is_empty() || rest.starts_with("_and_") || rest.starts_with("_of_");
+    let mut functions = Function::ALL.into_iter().chain(Function::OF_LOOPS);
+    OWN.contains(&name)
+        || functions.any(|function| of_state.strip_prefix(function.name()).is_some_and(goes_on))
+}
+
+/// The same of constants: entries may have any name.
+fn is_own_constant(name: &str) -> bool {
+    let mut spaces = ["q_", "v_", "c_"].into_iter();
+    spaces.any(|space| name.to_ascii_lowercase().starts_with(space))
 }
 
 /// The names of the functions behind a prefix, in ASCII, which linkers want.
 pub(in crate::print) fn symbols(listing: &Listing, prefix: &str) -> Vec<String> {
+    functions(listing, |name| own(prefix, name))
+}
+
+/// The same of the functions that read what has been computed of the fields.
+pub(super) fn prepared_symbols(listing: &Listing, prefix: &str) -> Vec<String> {
+    functions(listing, |name| own(prefix, &format!("prepared_{name}")))
+}
+
+fn functions(listing: &Listing, symbol: impl Fn(&str) -> String) -> Vec<String> {
     let mut names = Names::default();
     let listed = listing.functions.iter();
     listed
-        .map(|listed| format!("{prefix}{}", names.fresh(&ascii(&listed.name()))))
+        .map(|listed| symbol(&names.fresh(&ascii(&listed.name()))))
         .collect()
 }
 
@@ -34,23 +117,61 @@ pub(super) fn ascii(text: &str) -> String {
     text.replace(|letter: char| !letter.is_ascii(), "_")
 }
 
-/// The names of the entries of a space behind a prefix, in capitals.
-pub(super) fn constants(spaces: &Spaces, space: Space, prefix: &str) -> Vec<String> {
+/// The names of members, alike to those wished for.
+///
+/// What a header defines beside it is not known: capitals are for macros, and so is a first underscore before a
+/// capital or another; in small letters there are a few that headers of common platforms define.
+pub(super) fn members(wishes: impl Iterator<Item = String>) -> Vec<String> {
+    let mut names = unscoped();
+    let members = wishes.map(|wish| {
+        let mut member = ascii(&wish);
+        if may_be_macro(&member) {
+            member.push('_');
+        }
+        names.alone(&member)
+    });
+    members.collect()
+}
+
+fn may_be_macro(name: &str) -> bool {
+    let mut letters = name.chars().filter(char::is_ascii_alphabetic);
+    let many = letters.clone().nth(1).is_some() || name == "I";
+    let in_capitals = many && letters.all(|letter| letter.is_ascii_uppercase());
+    let reserved = name.strip_prefix('_').is_some_and(|rest| {
+        rest.starts_with(|first: char| first == '_' || first.is_ascii_uppercase())
+    });
+    in_capitals || reserved || MACROS.contains(&name)
+}
+
+/// The names of the entries of a space, behind its letter, in capitals.
+pub(super) fn constants(
+    spaces: &Spaces,
+    space: Space,
+    (prefix, letter): (&str, &str),
+) -> Vec<String> {
     let mut names = Names::default();
     let entries = spaces.names(space);
     entries
-        .map(|name| format!("{prefix}{}", names.fresh(&ascii(name))).to_uppercase())
+        .map(|name| constant(prefix, &format!("{letter}_{}", names.fresh(&ascii(name)))))
         .collect()
 }
+
+/// Words in small letters that headers of C, POSIX, Windows, Qt and AltiVec define, and compilers of some systems.
+#[rustfmt::skip]
+const MACROS: [&str; 28] = [
+    "cdecl", "complex", "emit", "environ", "errno", "far", "foreach", "forever", "huge", "i386", "imaginary",
+    "interface", "linux", "mips", "near", "noreturn", "pascal", "pixel", "signals", "slots", "small", "sparc",
+    "stderr", "stdin", "stdout", "sun", "unix", "vector",
+];
 
 /// Words that C or C++ reserves, or Rust, which calls the fields alike; two that common compilers
 /// define; and the macros of the files.
 #[rustfmt::skip]
-const KEYWORDS: [&str; 137] = [
+const KEYWORDS: [&str; 138] = [
     "abstract", "alignas", "alignof", "and", "and_eq", "as", "asm", "async", "auto", "await",
     "become", "bitand", "bitor", "bool", "box", "break", "case", "catch", "char", "char16_t",
     "char32_t", "char8_t", "class", "co_await", "co_return", "co_yield", "compl", "concept",
-    "const", "const_cast", "consteval", "constexpr", "constinit", "continue", "crate", "decltype",
+    "const", "const_cast", "consteval", "constexpr", "constinit", "continue", "contract_assert", "crate", "decltype",
     "default", "delete", "do", "double", "dyn", "dynamic_cast", "else", "enum", "explicit",
     "export", "extern", "false", "final", "float", "fn", "for", "friend", "gen", "goto", "if",
     "impl", "in", "inline", "int", "let", "long", "loop", "macro", "match", "mod", "move", "mut",
@@ -66,28 +187,62 @@ const KEYWORDS: [&str; 137] = [
 
 #[cfg(test)]
 mod tests {
-    use super::prefix;
+    use super::{constant, members, own, prefix};
 
     #[test]
     fn names_begin_with_a_letter_and_are_ascii() {
         let robots = [
-            "double pendulum",
-            "UR5e",
-            "2nd",
-            "\u{6a5f}\u{5668}",
-            "",
-            "*/",
+            ("double pendulum", "double_pendulum_"),
+            ("UR5e", "ur5e_"),
+            ("2nd", "n2nd_"),
+            ("\u{6a5f}\u{5668}", "u6a5f_u5668_"),
+            ("\u{624b}\u{81c2} 2", "u624b_u81c2_2_"),
+            ("Kamera-\u{f6}se", "kamera_uf6_se_"),
+            ("", "unnamed_"),
+            ("*/", "unnamed_"),
         ];
+        for (robot, begins) in robots {
+            assert_eq!(prefix(robot), begins);
+        }
+    }
+
+    /// Of two robots that are linked with each other, none has a name of the other.
+    #[test]
+    fn a_name_that_another_robot_could_have_stands_apart() {
+        assert_eq!(own("mobile_", "base_regressor"), "mobile_base_regressor");
+        assert_eq!(own("mobile_base_", "regressor"), "mobile_base__regressor");
+        assert_eq!(own("mobile_base_", "gravity"), "mobile_base_gravity");
+        assert_eq!(own("arm_prepared_", "bias"), "arm_prepared__bias");
         assert_eq!(
-            robots.map(prefix),
-            [
-                "double_pendulum_",
-                "ur5e_",
-                "n2nd_",
-                "n___",
-                "unnamed_",
-                "unnamed_"
-            ]
+            own("arm_constrained_", "forward_dynamics"),
+            "arm_constrained__forward_dynamics"
         );
+        assert_eq!(own("base_", "regressor"), "base_regressor");
+        assert_eq!(constant("arm_", "q_nq"), "ARM_Q_NQ");
+        assert_eq!(constant("arm_q_", "nq"), "ARM_Q__NQ");
+        assert_eq!(constant("homogen_", "q_h"), "HOMOGEN__Q_H");
+    }
+
+    #[test]
+    fn members_are_no_macros() {
+        let wishes = [
+            "payload", "G", "I", "EOF", "M_PI", "unix", "near", "_Payload", "__FILE__", "int",
+            "int_",
+        ];
+        let found = members(wishes.map(str::to_owned).into_iter());
+        let names = [
+            "payload",
+            "G",
+            "I_",
+            "EOF_",
+            "M_PI_",
+            "unix_",
+            "near_",
+            "_Payload_",
+            "__FILE___",
+            "int_",
+            "int__",
+        ];
+        assert_eq!(found, names);
     }
 }

@@ -7,12 +7,14 @@ use std::fmt::Write;
 
 use super::Writing;
 use super::comments::{comment, harmless};
-use super::declarations::{argument_lengths, lengths, members, number, results};
+use super::declarations::{argument_lengths, lengths, number, results};
 use super::literals::literal;
-use super::names::symbols;
+use super::names::{constant, own, symbols, unscoped};
 use crate::print::review::{self, Limits};
-use crate::print::{Listed, Listing, Vector};
+use crate::print::{Listing, Vector};
+use crate::schedule::Names;
 use crate::space::Space;
+use crate::template;
 
 /// What makes the compiler take the tests.
 const SWITCH: &str = "HOMOGEN_SELF_TEST";
@@ -29,7 +31,7 @@ pub(super) fn limits(text: &mut String, listing: &Listing, prefix: &str) {
     let mut about = vec![format!(
         "Limits, each for an array: static const {} lower[] = {};",
         number(listing.scalar),
-        format!("{prefix}lower").to_uppercase()
+        constant(prefix, "lower")
     )];
     if limits.iter().any(infinite) {
         about.push("The largest number that there is stands where none is described.".to_owned());
@@ -44,7 +46,7 @@ pub(super) fn limits(text: &mut String, listing: &Listing, prefix: &str) {
         let numbers = numbers.iter().map(|limit| limit.clamp(-largest, largest));
         let numbers = numbers.map(|limit| literal(limit, listing.scalar));
         let numbers: Vec<String> = numbers.collect();
-        let name = format!("{prefix}{name}").to_uppercase();
+        let name = constant(prefix, name);
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
@@ -80,7 +82,8 @@ pub(super) fn declaration(text: &mut String, listing: &Listing, prefix: &str) {
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "#ifdef {SWITCH}\n{about}HOMOGEN_FN int {prefix}self_test(void);\n#endif\n"
+        "#ifdef {SWITCH}\n{about}HOMOGEN_FN int {}(void);\n#endif\n",
+        own(prefix, "self_test")
     );
 }
 
@@ -88,20 +91,20 @@ pub(super) fn declaration(text: &mut String, listing: &Listing, prefix: &str) {
 pub(super) fn appendix(listing: &Listing, writing: &Writing<'_>) -> String {
     let mut text = String::new();
     if let (true, Some(review)) = (is_tested(listing), &listing.review) {
-        let prefix = writing.prefix;
-        let tests = TESTS.replace("ROBOT_", prefix);
-        let tests = tests.replace("NUMBER", number(listing.scalar));
-        text.push_str(&tests);
-        let symbols = symbols(listing, prefix);
+        let test = Test::of(listing, writing.prefix);
+        let words = [
+            ("@compare@", &*test.compare),
+            ("@self_test@", &test.own),
+            ("@failures@", &test.local("failures")),
+            ("@number@", number(listing.scalar)),
+        ];
+        text.push_str(&template::filled(TESTS, &words));
         for vector in &review.vectors {
-            let listed = &listing.functions[vector.function];
-            text.push_str(&call(
-                listing,
-                (listed, vector),
-                (prefix, &symbols[vector.function]),
-            ));
+            text.push_str(&test.call(vector));
         }
-        text.push_str("    return failures;\n}\n#endif\n");
+        let failures = test.local("failures");
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "    return {failures};\n}}\n#endif");
     }
     let origins = review::origins(listing);
     if !origins.is_empty() {
@@ -111,90 +114,138 @@ pub(super) fn appendix(listing: &Listing, writing: &Writing<'_>) -> String {
     text
 }
 
-/// The block that calls a function and counts what is wrong.
-fn call(
-    listing: &Listing,
-    (listed, vector): (&Listed, &Vector),
-    (prefix, symbol): (&str, &str),
-) -> String {
-    let (spaces, number) = (&listing.spaces, number(listing.scalar));
-    let mut text = "    {\n".to_owned();
-    let mut line = |line: &str| {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "        {line}");
-    };
-    let written = |numbers: &[f64]| -> Vec<String> {
-        let each = numbers.iter().map(|&value| literal(value, listing.scalar));
-        each.collect()
-    };
-    let mut call: Vec<String> = Vec::new();
-    if !listing.parameters.is_empty() {
-        let fields = vector.fields.iter().zip(members(listing));
-        let fields: Vec<String> = fields
-            .map(|(values, _)| match &*written(values) {
+/// The function that tests all others, in the making.
+struct Test<'l> {
+    listing: &'l Listing,
+    /// The names of the functions that it calls, in the order of the listing.
+    symbols: Vec<String>,
+    /// The name of that which compares numbers.
+    compare: String,
+    /// Its own.
+    own: String,
+    /// The name of the struct with fields.
+    robot: String,
+    /// What nothing in it can be called.
+    taken: Names,
+}
+
+impl<'l> Test<'l> {
+    fn of(listing: &'l Listing, prefix: &str) -> Self {
+        let symbols = symbols(listing, prefix);
+        let [compare, test, robot] =
+            ["failures", "self_test", "robot"].map(|name| own(prefix, name));
+        let mut taken = unscoped();
+        for name in symbols.iter().chain([&compare, &test, &robot]) {
+            taken.take(name);
+        }
+        Self {
+            listing,
+            symbols,
+            compare,
+            own: test,
+            robot,
+            taken,
+        }
+    }
+
+    /// A name within it.
+    fn local(&self, wish: &str) -> String {
+        self.taken.clone().alone(wish)
+    }
+
+    /// Numbers of the code, one after the other.
+    fn written(&self, numbers: &[f64]) -> Vec<String> {
+        let numbers = numbers.iter();
+        numbers
+            .map(|&value| literal(value, self.listing.scalar))
+            .collect()
+    }
+
+    /// The block that calls a function and counts what is wrong.
+    fn call(&self, vector: &Vector) -> String {
+        let Self {
+            listing, compare, ..
+        } = self;
+        let (spaces, number) = (&listing.spaces, number(listing.scalar));
+        let (mut call, mut lines) = self.arguments(vector);
+        let quantities = results(&listing.functions[vector.function].functions);
+        let mut counts = Vec::new();
+        let (mut expected, mut tolerances) = (&*vector.expected, &*vector.tolerances);
+        for (name, quantity) in &quantities {
+            let lengths = lengths(quantity, spaces);
+            let size = lengths.iter().product::<usize>();
+            let (own, rest) = expected.split_at(size.min(expected.len()));
+            let (most, others) = tolerances.split_at(size.min(tolerances.len()));
+            (expected, tolerances) = (rest, others);
+            let name = self.local(name);
+            lines.push(format!("{number} {};", declared(&name, &lengths)));
+            let first = match lengths.len() {
+                0 => format!("&{name}"),
+                1 => name.clone(),
+                depth => format!("&{name}{}", "[0]".repeat(depth)),
+            };
+            call.push(if lengths.is_empty() {
+                first.clone()
+            } else {
+                name.clone()
+            });
+            let numbers = [("expected", own), ("off_by", most)].map(|(what, numbers)| {
+                let list = self.local(&format!("{name}_{what}"));
+                let start = format!("static const {number} {list}[{size}] = {{");
+                lines.push(filled(&start, &self.written(numbers), "};"));
+                list
+            });
+            let failures = self.local("failures");
+            let numbers = numbers.join(", ");
+            counts.push(format!(
+                "{failures} += {compare}({first}, {numbers}, {size});"
+            ));
+        }
+        let symbol = &self.symbols[vector.function];
+        lines.push(format!("{symbol}({});", call.join(", ")));
+        lines.extend(counts);
+        let mut text = "    {\n".to_owned();
+        for line in lines {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "        {line}");
+        }
+        text + "    }\n"
+    }
+
+    /// What a function is called with, and the lines that declare it.
+    fn arguments(&self, vector: &Vector) -> (Vec<String>, Vec<String>) {
+        let Self { listing, robot, .. } = self;
+        let number = number(listing.scalar);
+        let (mut call, mut lines) = (Vec::new(), Vec::new());
+        if !listing.parameters.is_empty() {
+            let fields = vector.fields.iter();
+            let fields = fields.map(|values| match &*self.written(values) {
                 [value] => value.clone(),
                 values => format!("{{{}}}", values.join(", ")),
-            })
-            .collect();
-        line(&filled(
-            &format!("const {prefix}robot robot = {{"),
-            &fields,
-            "};",
-        ));
-        call.push("&robot".to_owned());
-    }
-    for (argument, numbers) in &vector.arguments {
-        let lengths = argument_lengths(*argument, spaces);
-        let name = declared(argument.name(), &lengths);
-        let numbers = match &*lengths {
-            [_, each] => {
-                let rows = numbers
-                    .chunks(*each)
-                    .map(|row| format!("{{{}}}", written(row).join(", ")));
-                rows.collect()
-            }
-            _ => written(numbers),
-        };
-        line(&filled(
-            &format!("const {number} {name} = {{"),
-            &numbers,
-            "};",
-        ));
-        call.push(argument.name().to_owned());
-    }
-    let quantities = results(&listed.functions);
-    let mut counts = Vec::new();
-    let (mut expected, mut tolerances) = (&*vector.expected, &*vector.tolerances);
-    for (name, quantity) in &quantities {
-        let lengths = lengths(quantity, spaces);
-        let size = lengths.iter().product::<usize>();
-        let (own, rest) = expected.split_at(size.min(expected.len()));
-        let (most, others) = tolerances.split_at(size.min(tolerances.len()));
-        (expected, tolerances) = (rest, others);
-        line(&format!("{number} {};", declared(name, &lengths)));
-        let first = match lengths.len() {
-            0 => format!("&{name}"),
-            1 => name.clone(),
-            depth => format!("&{name}{}", "[0]".repeat(depth)),
-        };
-        call.push(if lengths.is_empty() {
-            first.clone()
-        } else {
-            name.clone()
-        });
-        for (what, numbers) in [("expected", own), ("off_by", most)] {
-            let start = format!("static const {number} {name}_{what}[{size}] = {{");
-            line(&filled(&start, &written(numbers), "};"));
+            });
+            let fields: Vec<String> = fields.collect();
+            let name = self.local("robot");
+            let start = format!("const {robot} {name} = {{");
+            lines.push(filled(&start, &fields, "};"));
+            call.push(format!("&{name}"));
         }
-        counts.push(format!(
-            "failures += {prefix}failures({first}, {name}_expected, {name}_off_by, {size});"
-        ));
+        for (argument, numbers) in &vector.arguments {
+            let lengths = argument_lengths(*argument, &listing.spaces);
+            let name = self.local(argument.name());
+            let numbers = match &*lengths {
+                [_, each] => {
+                    let rows = numbers.chunks(*each);
+                    rows.map(|row| format!("{{{}}}", self.written(row).join(", ")))
+                        .collect()
+                }
+                _ => self.written(numbers),
+            };
+            let start = format!("const {number} {} = {{", declared(&name, &lengths));
+            lines.push(filled(&start, &numbers, "};"));
+            call.push(name);
+        }
+        (call, lines)
     }
-    line(&format!("{symbol}({});", call.join(", ")));
-    for count in counts {
-        line(&count);
-    }
-    text + "    }\n"
 }
 
 /// `mass_matrix[2][2]`.
@@ -208,21 +259,21 @@ fn filled(start: &str, items: &[String], end: &str) -> String {
     review::filled((start, "            "), items, end)
 }
 
-/// The head of the function.
+/// The head of the function, with words between `@` for what differs.
 const TESTS: &str = "
 #ifdef HOMOGEN_SELF_TEST
-static int ROBOT_failures(const NUMBER *found, const NUMBER *expected, const NUMBER *off_by, int count)
+static int @compare@(const @number@ *found, const @number@ *expected, const @number@ *off_by, int count)
 {
     int failures = 0;
     for (int k = 0; k < count; k++) {
-        const NUMBER off = found[k] - expected[k];
+        const @number@ off = found[k] - expected[k];
         /* What is no number is wrong. */
         failures += !(off <= off_by[k] && -off <= off_by[k]);
     }
     return failures;
 }
 
-HOMOGEN_FN int ROBOT_self_test(void)
+HOMOGEN_FN int @self_test@(void)
 {
-    int failures = 0;
+    int @failures@ = 0;
 ";

@@ -10,7 +10,7 @@ use super::body::{Body, body, once};
 use super::comments::comment;
 use super::declarations::{of_prepare, parameters};
 use super::header::guard;
-use super::names::symbols;
+use super::names::{prepared_symbols, symbols};
 use super::{review, sections, sines};
 use crate::formulation::Sines;
 use crate::print::{Fields, Listed, Listing, documentation};
@@ -76,7 +76,7 @@ impl Functions {
 
 fn functions(listing: &Listing, writing: &Writing<'_>, symbols: &[String]) -> Functions {
     let prefix = writing.prefix;
-    let prepared = super::names::symbols(listing, &format!("{prefix}prepared_"));
+    let prepared = prepared_symbols(listing, prefix);
     let mut names = Names::default();
     for name in symbols.iter().chain(&prepared) {
         names.take(name);
@@ -95,9 +95,10 @@ fn functions(listing: &Listing, writing: &Writing<'_>, symbols: &[String]) -> Fu
     let Some(all) = &listing.prepared else {
         return functions;
     };
-    let mut own = |section: &str| names.alone(&format!("{prefix}prepare_{section}"));
+    let prepare = writing.own("prepare");
+    let mut own = |section: &str| names.alone(&format!("{prepare}_{section}"));
     let once = once(listing, all, writing, &mut own);
-    functions.push(&format!("{prefix}prepare({})", of_prepare(prefix)), &once);
+    functions.push(&format!("{prepare}({})", of_prepare(prefix)), &once);
     for (listed, name) in all.functions.iter().zip(prepared) {
         let parameters = parameters(listing, listed, (prefix, "prepared"));
         let fields = Fields::Computed(&all.names);

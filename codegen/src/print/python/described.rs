@@ -6,9 +6,9 @@
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
-use super::names::unscoped;
+use super::names::{in_module, unscoped};
 use crate::list::Id;
-use crate::print::rust::names::{ident, of_methods, type_name};
+use crate::print::rust::names::{self as rust, ident, of_methods, type_name};
 use crate::print::rust::{Item, under};
 use crate::print::steps::Step;
 use crate::print::{Listed, Listing, documentation};
@@ -72,7 +72,7 @@ pub(super) const fn dtype(real: Real) -> &'static str {
 
 impl<'l> Class<'l> {
     pub fn of(listing: &'l Listing, item: &Item, module: &'l str, options: &str) -> Self {
-        let mut names = unscoped();
+        let mut names = in_module(module);
         let name = names.alone(&item.ident.unraw().to_string());
         let of_methods = of_methods(listing);
         let methods = listing.functions.iter().zip(&of_methods);
@@ -91,6 +91,10 @@ impl<'l> Class<'l> {
         }
         for own in OWN {
             attributes.take(own);
+        }
+        // The extension has functions of these names.
+        for word in rust::KEYWORDS {
+            attributes.take(word);
         }
         let fields = listing.parameters.iter();
         let fields = fields.map(|field| (attributes.fresh(&field.name()), field));

@@ -8,9 +8,15 @@ use crate::wording::visible;
 
 /// Lines as a docstring, its further lines behind `indent`.
 pub(super) fn docstring(lines: &[String], indent: &str) -> String {
-    let lines: Vec<String> = lines.iter().map(|line| escaped(&visible(line))).collect();
-    let text = lines.join(&format!("\n{indent}"));
-    let text = text.replace(&format!("{indent}\n"), "\n");
+    let indented = lines
+        .iter()
+        .enumerate()
+        .map(|(k, line)| match (k, &**line) {
+            (_, "") => String::new(),
+            (0, line) => escaped(&visible(line)),
+            (_, line) => format!("{indent}{}", escaped(&visible(line))),
+        });
+    let text = indented.collect::<Vec<_>>().join("\n");
     let end = if lines.len() > 1 {
         format!("\n{indent}")
     } else {
@@ -35,7 +41,14 @@ pub(super) fn string(text: &str) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('\\', "\\\\").replace('"', "\\\"")
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if matches!(letter, '"' | '\\') {
+            escaped.push('\\');
+        }
+        escaped.push(letter);
+    }
+    escaped
 }
 
 #[cfg(test)]

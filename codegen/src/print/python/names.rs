@@ -2,6 +2,7 @@
 //!
 //! In: texts. Out: the words that nothing can be called, names of modules. It never names a value.
 
+use super::standard;
 use crate::schedule::{Names, sanitize};
 
 /// Names in a scope of their own.
@@ -9,15 +10,48 @@ pub(super) fn unscoped() -> Names {
     Names::beside(&KEYWORDS)
 }
 
+/// Names of classes in a module, beside what its files call otherwise.
+pub(super) fn in_module(module: &str) -> Names {
+    let mut names = unscoped();
+    for own in OWN {
+        names.take(own);
+    }
+    names.take(&format!("_{module}"));
+    names
+}
+
 /// A text as the name of a module, in ASCII: `Arm-Py` is `arm_py`. None where that would hide NumPy.
+///
+/// A module of Python's own name would never be found, and gets an underscore.
 #[must_use]
 pub fn module(text: &str) -> Option<String> {
     let name = sanitize(text).replace(|letter: char| !letter.is_ascii(), "_");
-    let name = unscoped().alone(&name);
+    let mut names = unscoped();
+    for own in standard::MODULES {
+        names.take(own);
+    }
+    let name = names.alone(&name);
     // Links and libraries want a letter first.
     let letter = if name.starts_with('_') { "n" } else { "" };
     (name != "numpy").then(|| format!("{letter}{name}"))
 }
+
+/// What the files of a module call otherwise.
+const OWN: [&str; 13] = [
+    "__all__",
+    "__doc__",
+    "__file__",
+    "__name__",
+    "__path__",
+    "_ArrayLike",
+    "_Final",
+    "_NDArray",
+    "_NamedTuple",
+    "_np",
+    "float",
+    "int",
+    "list",
+];
 
 /// Words that Python reserves: always, in places, or by custom.
 const KEYWORDS: [&str; 39] = [
@@ -34,11 +68,13 @@ mod tests {
     #[test]
     fn modules_are_words_of_ascii() {
         let folders = [
-            "arm_py", "Arm-Py", "class", "None", "__init__", "2nd", "机器", "a.b", "",
+            "arm_py", "Arm-Py", "class", "None", "__init__", "2nd", "机器", "a.b", "", "typing",
+            "Test",
         ];
         let modules = folders.map(|folder| module(folder).expect("a name"));
         let wanted = [
             "arm_py", "arm_py", "class_", "none", "init", "n2nd", "n__", "a_b", "unnamed",
+            "typing_", "test_",
         ];
         assert_eq!(modules, wanted);
         assert_eq!(module("NumPy"), None);

@@ -28,7 +28,7 @@ pub(super) fn type_of(argument: Variable, lengths: Lengths<'_>, dialect: &Dialec
 
 /// `let [q_1, _, q_3] = *q;`, or `let _ = q;` where no entry is read.
 pub(super) fn unpack((argument, entries): &(Variable, Entries), dialect: &Dialect) -> TokenStream {
-    let name = ident(argument.name());
+    let name = dialect.argument(*argument);
     if entries.iter().all(Option::is_none) {
         return quote! { let _ = #name; };
     }
@@ -47,7 +47,8 @@ pub(super) fn unpack((argument, entries): &(Variable, Entries), dialect: &Dialec
                 let (c, f) = entries.split_at(3);
                 quote! { ([#(#c),*], [#(#f),*]) }
             });
-            quote! { let [#(#actions),*] = #name.map(|action| (action.c(), action.f())); }
+            let action = dialect.local("action");
+            quote! { let [#(#actions),*] = #name.map(|#action| (#action.c(), #action.f())); }
         }
     }
 }

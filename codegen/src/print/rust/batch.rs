@@ -49,7 +49,10 @@ impl<'p> Batched<'p> {
     pub(super) fn call(&self) -> TokenStream {
         let lengths = known(&self.listing.spaces);
         let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
-        let (name, arguments) = (ident(self.function.name()), method::names(self.function));
+        let (name, arguments) = (
+            ident(self.function.name()),
+            method::names(self.function, self.dialect),
+        );
         quote! { <Self as #of>::#name(self, #(#arguments),*) }
     }
 
@@ -79,12 +82,16 @@ impl<'p> Batched<'p> {
     pub(super) fn method(&self) -> TokenStream {
         let lengths = known(&self.listing.spaces);
         let runtime = self.runtime;
-        let (name, arguments) = (ident(self.function.name()), method::names(self.function));
+        let results = self.dialect.local("results");
+        let (name, arguments) = (
+            ident(self.function.name()),
+            method::names(self.function, self.dialect),
+        );
         let visibility = &self.item.visibility;
         let signature = signature(self.function, (&lengths, &[]), runtime, self.dialect);
         let about = doc(&[
             format!(
-                "[`{name}`](Self::{name}) of each state of some slices, into `results`, with the same bits."
+                "[`{name}`](Self::{name}) of each state of some slices, into `{results}`, with the same bits."
             ),
             String::new(),
             "As many states at a time as the processor's vectors have lanes.".to_owned(),
@@ -96,7 +103,7 @@ impl<'p> Batched<'p> {
         quote! {
             #about
             #visibility #signature {
-                #runtime::batch::Batch::of(self).#name(#(#arguments,)* results)
+                #runtime::batch::Batch::of(self).#name(#(#arguments,)* #results)
             }
         }
     }
@@ -113,16 +120,17 @@ pub(super) fn signature(
     let number = &dialect.number;
     let name = format_ident!("{}_batch", function.name());
     let parameters = function.arguments().iter().map(|argument| {
-        let name: Ident = ident(argument.name());
+        let name: Ident = dialect.argument(*argument);
         let length = lengths(argument.space());
         quote! { #name: &[[#number; #length]] }
     });
     let result = result_type(&[function], lengths, dialect);
+    let results = dialect.local("results");
     quote! {
         fn #name<#number: #runtime::batch::Number #(, #unknown)*>(
             &self,
             #(#parameters,)*
-            results: &mut [#result],
+            #results: &mut [#result],
         ) -> ::core::result::Result<(), #runtime::batch::BatchError>
         where
             Self: ::core::marker::Sync,

@@ -66,7 +66,12 @@ pub(super) fn body(
     dialect: &Dialect,
 ) -> Body {
     let mut names = dialect.names.clone();
-    let first = arguments.first().map(|argument| ident(argument.name()));
+    for &argument in arguments {
+        names.take(&dialect.argument(argument).to_string());
+    }
+    let first = arguments
+        .first()
+        .map(|&argument| dialect.argument(argument));
     let (numerals, constant) = dialect.numerals(first.as_ref(), &mut names);
     let (fused, mul_add) = dialect.fused(&mut names);
     let readable = Readable {

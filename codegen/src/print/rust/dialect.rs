@@ -17,6 +17,7 @@ use crate::print::Listing;
 use crate::print::documentation::Angles;
 use crate::real::Real;
 use crate::schedule::{LONGEST_SCOPE, Names};
+use crate::space::Variable;
 
 /// How many sines and cosines a reader can pair on one line.
 const ON_ONE_LINE: usize = 4;
@@ -79,6 +80,16 @@ impl Dialect {
             bare: false,
             fields: made.then_some(real),
         }
+    }
+
+    /// A name that a function binds: where the struct has no fields its own name is a pattern, which binds nothing.
+    pub fn local(&self, wish: &str) -> Ident {
+        ident(&self.names.clone().alone(wish))
+    }
+
+    /// What a function calls an argument.
+    pub fn argument(&self, argument: Variable) -> Ident {
+        self.local(argument.name())
     }
 
     /// The generic parameter of a function with its bound.
@@ -151,15 +162,16 @@ impl Dialect {
 
     /// How numbers are written, and the statement that this takes in a function with that first argument.
     pub fn numerals(&self, first: Option<&Ident>, names: &mut Names) -> (Numerals, TokenStream) {
+        let value = self.local("number");
         let made = match (&self.generic, &self.world, first) {
             (Some(_), World::Runtime(runtime), Some(first)) if self.inlined => {
-                quote! { |number| #runtime::Scalar::like(#first[0], number) }
+                quote! { |#value| #runtime::Scalar::like(#first[0], #value) }
             }
             (Some(number), World::Runtime(runtime), _) => {
                 quote! { <#number as #runtime::Scalar>::constant }
             }
             (Some(_), World::Lanes(path), Some(first)) => {
-                quote! { |number| #path::number::Number::like(#first[0], number) }
+                quote! { |#value| #path::number::Number::like(#first[0], #value) }
             }
             (_, _, _) if self.bare => return (Numerals::Bare, TokenStream::new()),
             (_, _, _) if self.real == Real::F32 => return (Numerals::Single, TokenStream::new()),
@@ -277,7 +289,9 @@ impl Dialect {
         let mut functions = listing.functions.iter();
         let angles = functions.any(|listed| !listed.program.angles.is_empty());
         match &self.world {
-            World::Core(Library { sin_cos: None, .. }) if angles => sines::function(self.real),
+            World::Core(Library { sin_cos: None, .. }) if angles => {
+                sines::function(self.real, &self.robot)
+            }
             World::Core(_) | World::Runtime(_) | World::Lanes(_) => TokenStream::new(),
         }
     }

@@ -5,7 +5,7 @@
 //! anything yet: there is nothing unsafe but the promise that no other function has these names.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use syn::ext::IdentExt;
 
 use super::arguments;
@@ -65,28 +65,29 @@ fn function(
     let each: Vec<_> = each.collect();
     let arguments: Vec<_> = arguments
         .iter()
-        .map(|argument| ident(argument.name()))
+        .map(|&argument| dialect.argument(argument))
         .collect();
     let results = c::results(&listed.functions);
     let types = results
         .iter()
         .map(|(_, quantity)| type_of(quantity, &lengths, dialect));
-    let results: Vec<_> = results.iter().map(|(name, _)| ident(name)).collect();
+    let results: Vec<_> = results
+        .iter()
+        .map(|(name, _)| dialect.local(name))
+        .collect();
 
     let (receiver, value) = if listing.parameters.is_empty() {
         (TokenStream::new(), quote! { #robot })
     } else {
-        (quote! { robot: &#robot, }, quote! { robot })
+        let value = dialect.local("robot");
+        (quote! { #value: &#robot, }, quote! { #value })
     };
     let call = quote! { #value.#method(#(#arguments),*) };
     // What several functions return is a tuple, several quantities of one a struct.
     let values: Vec<_> = listed
         .functions
         .iter()
-        .map(|function| {
-            let value = ident(function.name());
-            format_ident!("{value}_")
-        })
+        .map(|function| dialect.local(&format!("{}_", function.name())))
         .collect();
     let pattern = match &*values {
         [value] => quote! { #value },

@@ -7,7 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use syn::ext::IdentExt;
 use syn::{GenericParam, Generics, Visibility, parse_quote};
 
-use super::names::{ident, type_name, unscoped};
+use super::names::{ident, of_type, type_name, unscoped};
 use crate::schedule::Names;
 
 /// The struct, as its door sees it.
@@ -35,12 +35,12 @@ pub enum Declaration {
 }
 
 impl Item {
-    /// A public struct to be made.
+    /// A public struct to be made, called like this as far as files have no type of that name.
     #[must_use]
     pub fn made(ident: Ident) -> Self {
         Self {
             visibility: parse_quote! { pub },
-            ident,
+            ident: of_type(&ident),
             generics: Generics::default(),
             declaration: Declaration::Made,
         }

@@ -13,7 +13,7 @@ use super::declaration;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::literal;
-use super::names::{ident, of_methods};
+use super::names::of_methods;
 use super::steps;
 use super::world::World;
 use crate::print::{Fields, Listed, Listing, c, documentation};
@@ -62,10 +62,12 @@ fn method(
     let number = &dialect.number;
     let parameters = arguments.iter().map(|argument| {
         let length = literal(listing.spaces.len(argument.space()));
-        let argument = ident(argument.name());
+        let argument = dialect.argument(*argument);
         quote! { #argument: &[#number; #length] }
     });
-    let first = arguments.first().map(|argument| ident(argument.name()));
+    let first = arguments
+        .first()
+        .map(|&argument| dialect.argument(argument));
     let constant = |value: f64| {
         let value = Literal::f64_unsuffixed(value);
         quote! { #path::number::Number::like(#first[0], #value) }

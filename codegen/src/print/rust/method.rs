@@ -77,7 +77,7 @@ pub(super) fn in_trait(
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
-    let arguments = names(function).into_iter();
+    let arguments = names(function, dialect).into_iter();
     let lengths = known(&listing.spaces);
     // Controllers that serve any robot know of no actions from outside.
     let acted = listing.spaces.actions() > 0 && function.takes_actions();
@@ -91,9 +91,11 @@ pub(super) fn in_trait(
 }
 
 /// The names of a function's arguments.
-pub(super) fn names(function: Function) -> Vec<Ident> {
+pub(super) fn names(function: Function, dialect: &Dialect) -> Vec<Ident> {
     let arguments = function.arguments().iter();
-    arguments.map(|argument| ident(argument.name())).collect()
+    arguments
+        .map(|&argument| dialect.argument(argument))
+        .collect()
 }
 
 /// The implementation of a function's trait, for arrays of the given lengths (which may be the
@@ -164,7 +166,7 @@ pub(super) fn parameters(
     dialect: &Dialect,
 ) -> TokenStream {
     let parameters = arguments(functions, acted).into_iter().map(|argument| {
-        let name = ident(argument.name());
+        let name = dialect.argument(argument);
         let of = type_of(argument, lengths, dialect);
         quote! { #name: &#of }
     });

@@ -43,9 +43,32 @@ pub(in crate::print) fn type_name(text: &str) -> String {
     unscoped().alone(&name)
 }
 
+/// The name of a type: one that the language has gets an underscore.
+pub(super) fn of_type(name: &Ident) -> Ident {
+    if PRIMITIVE.contains(&&*name.to_string()) {
+        return ident(&format!("{name}_"));
+    }
+    in_every_edition(name)
+}
+
+/// The same name, raw where some edition reserves it.
+pub(crate) fn in_every_edition(name: &Ident) -> Ident {
+    if unscoped().alone(&name.to_string()) == name.to_string() {
+        name.clone()
+    } else {
+        Ident::new_raw(&name.to_string(), name.span())
+    }
+}
+
+/// Types that the language has.
+const PRIMITIVE: [&str; 17] = [
+    "bool", "char", "f32", "f64", "i128", "i16", "i32", "i64", "i8", "isize", "str", "u128", "u16",
+    "u32", "u64", "u8", "usize",
+];
+
 /// Reserved words of all editions up to 2024.
 #[rustfmt::skip]
-const KEYWORDS: [&str; 54] = [
+pub(in crate::print) const KEYWORDS: [&str; 54] = [
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
     "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
     "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",

@@ -20,7 +20,9 @@ use super::world::World;
 use crate::print::review::{self, Limits};
 use crate::print::{Listed, Listing, Vector, c};
 use crate::real::Real;
+use crate::schedule::Names;
 use crate::space::{ACTION, Variable};
+use crate::template;
 use crate::wording::visible;
 
 /// The constants, in a block of their own.
@@ -105,14 +107,49 @@ fn tests(listing: &Listing, item: &Item) -> String {
     if vectors.is_empty() {
         return text;
     }
-    let robot = item.ident.to_string();
     let number = match listing.scalar {
         Real::F32 => "f32",
         Real::F64 | Real::Generic => "f64",
     };
-    let module = c::prefix(&item.ident.unraw().to_string());
-    let head = TESTS.replace("MODULE", &format!("{module}vectors"));
-    text.push_str(&head.replace("ROBOT", &robot).replace("NUMBER", number));
+    let robot = item.ident.to_string();
+    // No struct is called so: what is left are names of the module.
+    let mut own = words(&calls(listing, vectors, "Self", number));
+    let (name, used) = if own.clone().alone(&robot) == robot {
+        (robot.clone(), robot)
+    } else {
+        let name = own.alone("Robot");
+        let used = format!("{robot} as {name}");
+        (name, used)
+    };
+    let module = format!("{}vectors", c::prefix(&item.ident.unraw().to_string()));
+    let words = [
+        ("@module@", &*module),
+        ("@used@", &used),
+        ("@number@", number),
+    ];
+    text.push_str(&template::filled(TESTS, &words));
+    text.push_str(&calls(listing, vectors, &name, number));
+    text.push_str("}\n");
+    text
+}
+
+/// All words of the module, which has these calls.
+fn words(calls: &str) -> Names {
+    let is_word = |letter: char| letter == '_' || letter.is_alphanumeric();
+    let code = TESTS
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"));
+    let mut names = Names::default();
+    for line in code.chain(calls.lines()) {
+        let words = line.split(|letter| !is_word(letter));
+        words.for_each(|word| names.take(word));
+    }
+    names
+}
+
+/// A test for each function.
+fn calls(listing: &Listing, vectors: &[Vector], robot: &str, number: &str) -> String {
+    let mut text = String::new();
     let functions = listing
         .functions
         .iter()
@@ -125,16 +162,16 @@ fn tests(listing: &Listing, item: &Item) -> String {
                 call(
                     listing,
                     (listed, vector),
-                    (&robot, &method.to_string()),
+                    (robot, &method.to_string()),
                     number,
                 )
             })
             .collect();
         if !calls.is_empty() {
+            // Writing to a string cannot fail.
             let _ = write!(text, "\n    #[test]\n    fn {method}() {{\n{calls}    }}\n");
         }
     }
-    text.push_str("}\n");
     text
 }
 
@@ -257,17 +294,17 @@ fn filled(start: &str, items: &[String], end: &str) -> String {
     review::filled((start, "            "), items, end)
 }
 
-/// The head of the module.
+/// The head of the module, with words between `@` for what differs.
 const TESTS: &str = "
 /// What functions should return at a state or two: by dense 4×4 matrices of the description, in 106 bits. Each number
 /// may be off by what rounding can make of it there.
 #[cfg(test)]
 #[allow(clippy::all, clippy::pedantic)]
 #[rustfmt::skip]
-mod MODULE {
-    use super::ROBOT;
+mod @module@ {
+    use super::@used@;
 
-    fn near<'a>(found: impl Iterator<Item = &'a NUMBER>, expected: &[NUMBER], tolerances: &[NUMBER]) {
+    fn near<'a>(found: impl Iterator<Item = &'a @number@>, expected: &[@number@], tolerances: &[@number@]) {
         let mut entry = 0;
         for &found in found {
             let off = if found > expected[entry] { found - expected[entry] } else { expected[entry] - found };

@@ -7,21 +7,74 @@
 
 use std::str::FromStr;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 
+use super::names::ident;
 use crate::real::Real;
+use crate::schedule::Names;
 
 /// The name of the function.
 pub(super) const NAME: &str = "sin_cos";
 
-/// The function.
-pub(super) fn function(real: Real) -> TokenStream {
+/// The function, which binds nothing that is called as the struct.
+pub(super) fn function(real: Real, robot: &Ident) -> TokenStream {
     // The text is Rust: it is compiled below.
-    TokenStream::from_str(text(real)).unwrap_or_default()
+    let function = TokenStream::from_str(text(real)).unwrap_or_default();
+    let mut names = Names::default();
+    take(&function, &mut names);
+    let other = names.alone(&robot.to_string());
+    if *robot == other {
+        return function;
+    }
+    renamed(function, robot, &ident(&other))
+}
+
+/// Takes all words of tokens.
+fn take(tokens: &TokenStream, names: &mut Names) {
+    for token in tokens.clone() {
+        match token {
+            TokenTree::Ident(word) => names.take(&word.to_string()),
+            TokenTree::Group(group) => take(&group.stream(), names),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
+
+/// The same tokens where what is bound to one name is bound to another: attributes, functions and what is found in
+/// something else keep theirs.
+fn renamed(tokens: TokenStream, from: &Ident, to: &Ident) -> TokenStream {
+    let mut before = String::new();
+    let tokens = tokens.into_iter().map(|token| {
+        let keeps = [".", ":", "fn", "#"].contains(&&*before);
+        before = token.to_string();
+        match token {
+            // The type behind a colon is none of the struct's name.
+            TokenTree::Ident(word) if word == *from && !keeps => to.clone().into(),
+            TokenTree::Group(group) if !keeps => {
+                let inside = renamed(group.stream(), from, to);
+                let mut renamed = Group::new(group.delimiter(), inside);
+                renamed.set_span(group.span());
+                renamed.into()
+            }
+            other => other,
+        }
+    });
+    tokens.collect()
+}
+
+/// What is said of the function, and the function from the word `fn` on: between them stands that it is not inlined.
+///
+/// # Panics
+/// Never: the texts are our own.
+#[cfg(feature = "pretty")]
+pub(in crate::print) fn parts(real: Real) -> [&'static str; 2] {
+    let between = "#[inline(never)]\n";
+    let parts = text(real).split_once(between);
+    parts.expect("it is not inlined").into()
 }
 
 /// The function as it was written.
-pub(in crate::print) const fn text(real: Real) -> &'static str {
+const fn text(real: Real) -> &'static str {
     match real {
         Real::F32 => include_str!("sines/single.rs"),
         Real::F64 | Real::Generic => include_str!("sines/double.rs"),
@@ -30,6 +83,8 @@ pub(in crate::print) const fn text(real: Real) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use quote::format_ident;
+
     use super::{Real, function};
 
     mod double {
@@ -69,7 +124,29 @@ mod tests {
             (Real::F32, "fn sin_cos (angle : f32)"),
             (Real::F64, "fn sin_cos (angle : f64)"),
         ] {
-            assert_eq!(function(real).to_string().matches(start).count(), 1);
+            let function = function(real, &format_ident!("Arm"));
+            assert_eq!(function.to_string().matches(start).count(), 1);
+        }
+    }
+
+    #[test]
+    fn nothing_is_bound_that_is_called_as_the_struct() {
+        for real in [Real::F32, Real::F64] {
+            let plain = function(real, &format_ident!("Arm")).to_string();
+            for name in ["angle", "near", "r", "z", "quadrant"] {
+                let function = function(real, &format_ident!("{name}")).to_string();
+                let of = |text: &str, name: &str| {
+                    // Behind what is said of it.
+                    let (_, code) = text.split_once("fn sin_cos").expect("a function");
+                    let words = code.split(|c: char| !c.is_alphanumeric() && c != '_');
+                    words.filter(|word| *word == name).count()
+                };
+                assert_eq!(of(&function, name), 0);
+                assert_eq!(of(&function, &format!("{name}_")), of(&plain, name));
+            }
+            for name in ["inline", "core", "to_bits", "sin_cos"] {
+                assert_eq!(function(real, &format_ident!("{name}")).to_string(), plain);
+            }
         }
     }
 }

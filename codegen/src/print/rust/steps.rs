@@ -36,6 +36,7 @@ pub(super) fn steps(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
     let steps = Steps {
         motions: &listing.data.motions,
         kernels,
+        dialect,
     };
     let methods = of_robot.iter().map(|&step| {
         let about = doc(&step.about().map(str::to_owned));
@@ -44,7 +45,7 @@ pub(super) fn steps(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
         let generics = dialect.bound().map(|bound| quote! { <#bound> });
         let row = |space| array(&dialect.number, &literal(listing.spaces.len(space)));
         let arguments = step.arguments().iter().map(|&(argument, space)| {
-            let (argument, row) = (format_ident!("{argument}"), row(space));
+            let (argument, row) = (dialect.local(argument), row(space));
             quote! { #argument: &#row }
         });
         let head = quote! { #visibility fn #name #generics(&self, #(#arguments),*) };
@@ -100,6 +101,7 @@ fn neutral(
 struct Steps<'l> {
     motions: &'l [DataMotion],
     kernels: TokenStream,
+    dialect: &'l Dialect,
 }
 
 /// The coordinates and velocities of a joint, and what moves it.
@@ -129,8 +131,8 @@ impl Steps<'_> {
     /// Statements, and the entries of the result.
     fn body(&self, step: Step, listing: &Listing) -> (TokenStream, Vec<TokenStream>) {
         let arguments = step.arguments().iter().map(|&(argument, space)| {
-            let entries = names(argument, 0..listing.spaces.len(space));
-            (format_ident!("{argument}"), entries)
+            let entries = self.names(argument, 0..listing.spaces.len(space));
+            (self.dialect.local(argument), entries)
         });
         let (arguments, entries): (Vec<_>, Vec<_>) = arguments.unzip();
         let mut statements = quote! { #(let [#(#entries),*] = *#arguments;)* };
@@ -153,7 +155,7 @@ impl Steps<'_> {
             let (q, v) = (&q[own.coordinates.clone()], &v[own.velocities]);
             if let DataMotion::Posture(posture) = own.motion {
                 let kernel = self.kernel("integrate", posture);
-                let moved = names("moved", own.coordinates);
+                let moved = self.names("moved", own.coordinates);
                 statements.extend(quote! { let [#(#moved),*] = #kernel([#(#q),*], [#(#v),*]); });
                 results.extend(moved.iter().map(|entry| quote! { #entry }));
             } else {
@@ -174,7 +176,7 @@ impl Steps<'_> {
             let [q0, q1] = [q0, q1].map(|names| &names[own.coordinates.clone()]);
             if let DataMotion::Posture(posture) = own.motion {
                 let kernel = self.kernel("difference", posture);
-                let v = names("v", own.velocities);
+                let v = self.names("v", own.velocities);
                 statements.extend(quote! { let [#(#v),*] = #kernel([#(#q0),*], [#(#q1),*]); });
                 results.extend(v.iter().map(|entry| quote! { #entry }));
             } else {
@@ -194,6 +196,12 @@ impl Steps<'_> {
             }
         }
         q.iter().map(|entry| quote! { #entry }).collect()
+    }
+
+    /// Names of some entries.
+    fn names(&self, name: &str, entries: Range<usize>) -> Vec<Ident> {
+        let names = entries.map(|k| format!("{name}_{}", k + 1));
+        names.map(|name| self.dialect.local(&name)).collect()
     }
 
     /// What there is for a posture.
@@ -218,8 +226,4 @@ const fn quaternion(motion: DataMotion) -> Option<usize> {
         DataMotion::Posture(Posture::Floating) => Some(3),
         _ => None,
     }
-}
-
-fn names(name: &str, entries: Range<usize>) -> Vec<Ident> {
-    entries.map(|k| format_ident!("{name}_{}", k + 1)).collect()
 }

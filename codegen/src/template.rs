@@ -1,0 +1,35 @@
+//! Texts with gaps.
+//!
+//! In: a text of our own, with words between `@` for what differs, and what stands for each. Out: the whole text. It is
+//! gone through once: what stands for a word is never looked through, whatever it looks like.
+
+/// The text with what stands for its words; a word that stands for nothing stays.
+pub(crate) fn filled(text: &str, words: &[(&str, &str)]) -> String {
+    let mut filled = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find('@') {
+        let (before, from) = rest.split_at(at);
+        filled.push_str(before);
+        let mut known = words.iter();
+        if let Some((word, value)) = known.find(|(word, _)| from.starts_with(word)) {
+            filled.push_str(value);
+            rest = &from[word.len()..];
+        } else {
+            filled.push('@');
+            rest = &from[1..];
+        }
+    }
+    filled.push_str(rest);
+    filled
+}
+
+#[cfg(test)]
+mod tests {
+    use super::filled;
+
+    #[test]
+    fn what_stands_for_a_word_is_not_looked_through() {
+        let words = [("@A@", "@B@"), ("@B@", "b")];
+        assert_eq!(filled("a@A@ @B@ @ @C@", &words), "a@B@ b @ @C@");
+    }
+}

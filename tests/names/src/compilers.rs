@@ -1,0 +1,245 @@
+//! What compiles the files of a batch, and runs what they carry.
+//!
+//! In: a [`Batch`] that is written. Out: every complaint of a compiler, and every test that fails, as text. All
+//! robots stand in one program of each language: so each is linked with each.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use homogen_codegen::print::c::{own, prefix};
+
+use crate::files::Batch;
+
+/// A complaint, and where it comes from.
+pub type Complaint = String;
+
+/// Headers that are read before those of the robots, and define what they can.
+const HEADERS: [&str; 12] = [
+    "complex.h",
+    "errno.h",
+    "fenv.h",
+    "float.h",
+    "inttypes.h",
+    "limits.h",
+    "math.h",
+    "signal.h",
+    "stdio.h",
+    "stdlib.h",
+    "string.h",
+    "time.h",
+];
+
+const C: [&str; 8] = [
+    "-std=c99",
+    "-pedantic",
+    "-Wall",
+    "-Wextra",
+    "-Wconversion",
+    "-Werror",
+    "-O1",
+    "-ffp-contract=off",
+];
+
+const CPP: [&str; 6] = [
+    "-std=c++20",
+    "-pedantic",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "-O0",
+];
+
+/// Whether a program is at hand.
+#[must_use]
+pub fn is_here(program: &str) -> bool {
+    let version = Command::new(program).arg("--version").output();
+    version.is_ok_and(|output| output.status.success())
+}
+
+/// The files in Rust in one crate, with their tests; functions for C beside them.
+///
+/// # Errors
+/// What the compiler or a test says.
+pub fn rust(batch: &Batch, edition: &str) -> Result<(), Complaint> {
+    let mut main = "// Names that users choose are not ours to criticise.\n\
+         #![deny(warnings)]\n#![allow(non_camel_case_types, non_snake_case, uncommon_codepoints)]\n\
+         #![allow(confusable_idents, mixed_script_confusables, dead_code)]\n"
+        .to_owned();
+    for (number, _) in &batch.robots {
+        for kind in ["r", "x"] {
+            // Writing to a string cannot fail.
+            let _ = writeln!(main, "#[path = \"{kind}{number}.rs\"]\nmod {kind}{number};");
+        }
+    }
+    let file = batch.folder.join(format!("all_{edition}.rs"));
+    write(&file, &main);
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let program = batch.folder.join(format!("all_{edition}"));
+    let mut command = Command::new(rustc);
+    command.args([
+        "--test",
+        "--edition",
+        edition,
+        "-C",
+        "debuginfo=0",
+        "-C",
+        "opt-level=0",
+    ]);
+    succeed(command.arg("-o").arg(&program).arg(&file))?;
+    succeed(Command::new(program).arg("--quiet"))
+}
+
+/// The files in C, each by itself, in one program that runs all tests, beside headers that define much.
+///
+/// # Errors
+/// What the compiler says, or how many numbers are wrong.
+pub fn c(batch: &Batch, compiler: &str) -> Result<Vec<PathBuf>, Complaint> {
+    let mut objects = Vec::new();
+    for (number, _) in &batch.robots {
+        let source = batch.folder.join(format!("c{number}.c"));
+        let object = batch.folder.join(format!("c{number}_{compiler}.o"));
+        let mut command = Command::new(compiler);
+        command.args(C).args(["-DHOMOGEN_SELF_TEST", "-c"]);
+        succeed(command.arg(source).arg("-o").arg(&object))?;
+        objects.push(object);
+    }
+    let main = batch.folder.join("main.c");
+    write(&main, &program(batch));
+    let mut command = Command::new(compiler);
+    // Macros of POSIX as well as those of the standard.
+    command
+        .args(C)
+        .args(["-D_GNU_SOURCE", "-DHOMOGEN_SELF_TEST"])
+        .arg(main);
+    let program = batch.folder.join(format!("main_{compiler}"));
+    succeed(command.args(&objects).arg("-o").arg(&program).arg("-lm"))?;
+    succeed(&mut Command::new(program))?;
+    Ok(objects)
+}
+
+/// A program in C++ that reads all headers, with objects of C.
+///
+/// # Errors
+/// What the compiler says, or how many numbers are wrong.
+pub fn cpp(batch: &Batch, compiler: &str, objects: &[PathBuf]) -> Result<(), Complaint> {
+    let main = batch.folder.join("main.cpp");
+    write(&main, &program(batch));
+    let mut command = Command::new(compiler);
+    command.args(CPP).arg("-DHOMOGEN_SELF_TEST").arg(main);
+    let program = batch.folder.join(format!("main_{compiler}"));
+    succeed(command.args(objects).arg("-o").arg(&program).arg("-lm"))?;
+    succeed(&mut Command::new(program))
+}
+
+/// The program that runs all tests, in C and C++ alike.
+fn program(batch: &Batch) -> String {
+    let mut text = String::new();
+    for header in HEADERS {
+        // C++ has a complex.h of its own, which is none of C.
+        let _ = match header {
+            "complex.h" => writeln!(text, "#ifndef __cplusplus\n#include <complex.h>\n#endif"),
+            header => writeln!(text, "#include <{header}>"),
+        };
+    }
+    for word in ["near", "far", "small", "interface", "signals", "slots"] {
+        let _ = writeln!(text, "#define {word}");
+    }
+    for (number, _) in &batch.robots {
+        let _ = writeln!(text, "#include \"c{number}.h\"");
+    }
+    text.push_str("int main(void)\n{\n    int wrong = 0;\n");
+    for (number, robot) in &batch.robots {
+        let test = own(&prefix(&robot.name), "self_test");
+        let _ = writeln!(
+            text,
+            "    if ({test}() != 0) {{ wrong++; fprintf(stderr, \"robot {number}\\n\"); }}"
+        );
+    }
+    text + "    return wrong != 0;\n}\n"
+}
+
+/// The texts of packages for Python: whether Python reads them.
+///
+/// # Errors
+/// What it says.
+pub fn python_texts(packages: &[PathBuf]) -> Result<(), Complaint> {
+    const READ: &str = "\
+import ast, keyword, pathlib, sys
+for folder in map(pathlib.Path, sys.stdin.read().splitlines()):
+    assert folder.name.isidentifier() and not keyword.iskeyword(folder.name), folder
+    assert folder.name not in getattr(sys, 'stdlib_module_names', ()), folder
+    for file in [*folder.rglob('*.py'), *folder.rglob('*.pyi')]:
+        ast.parse(file.read_text(encoding='utf-8'), str(file))
+        compile(file.read_text(encoding='utf-8'), str(file), 'exec')
+";
+    let list = packages.iter().map(|folder| folder.display().to_string());
+    let list = list.collect::<Vec<_>>().join("\n");
+    let Some(folder) = packages.first().and_then(|package| package.parent()) else {
+        return Ok(());
+    };
+    let [script, input] = ["read.py", "packages"].map(|name| folder.with_file_name(name));
+    write(&script, READ);
+    write(&input, &list);
+    let input = fs::File::open(input).map_err(|reason| reason.to_string())?;
+    succeed(Command::new("python3").arg(script).stdin(input))
+}
+
+/// The packages as extensions in Rust, in one workspace: their crates are checked, not linked.
+///
+/// # Errors
+/// What cargo says.
+pub fn python_crates(packages: &[PathBuf]) -> Result<(), Complaint> {
+    let Some(folder) = packages.first().and_then(|package| package.parent()) else {
+        return Ok(());
+    };
+    for package in packages {
+        let manifest = package.join("Cargo.toml");
+        let text = fs::read_to_string(&manifest).map_err(|reason| reason.to_string())?;
+        // Each is a workspace of its own where it is alone.
+        let (text, _) = text.rsplit_once("[workspace]").unwrap_or((&text, ""));
+        let text: String = text.lines().fold(String::new(), |mut text, line| {
+            let profile = line == "[profile.release]" || line == "strip = true";
+            text.push_str(if profile { "" } else { line });
+            text.push('\n');
+            text
+        });
+        write(&manifest, &text);
+    }
+    let members = packages.iter().filter_map(|package| package.file_name());
+    let members = members.map(|name| format!("{:?}", name.to_string_lossy()));
+    let members = members.collect::<Vec<_>>().join(", ");
+    let text = format!("[workspace]\nresolver = \"3\"\nmembers = [{members}]\n");
+    write(&folder.join("Cargo.toml"), &text);
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.args(["check", "--workspace", "--quiet"]);
+    command.env("CARGO_TARGET_DIR", folder.with_file_name("checked"));
+    succeed(
+        command
+            .arg("--manifest-path")
+            .arg(folder.join("Cargo.toml")),
+    )
+}
+
+fn write(file: &Path, text: &str) {
+    fs::write(file, text).expect("a file in a folder of our own");
+}
+
+/// Runs to a good end.
+fn succeed(command: &mut Command) -> Result<(), Complaint> {
+    let output = command.output();
+    let output = output.map_err(|reason| format!("{command:?}: {reason}"))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let said =
+        [output.stdout, output.stderr].map(|said| String::from_utf8_lossy(&said).into_owned());
+    let said = said.concat();
+    let head: String = said
+        .lines()
+        .take(60)
+        .fold(String::new(), |head, line| head + line + "\n");
+    Err(format!("{command:?}\n{head}"))
+}

@@ -1,0 +1,112 @@
+//! Three hundred robots of any names.
+//!
+//! `cargo run --release -p homogen-names -- [--seed N] [--robots N] [--python N] [--folder PATH]`
+//!
+//! In: a seed; how many robots (300), and of how many the packages for Python are checked by cargo (0), which takes
+//! the network and some seconds each. Out: how many files were compiled by which compilers, every complaint, and a
+//! status that says whether there was one. Compilers that are missing are told.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use homogen_names::compilers::{c, cpp, is_here, python_crates, python_texts, rust};
+use homogen_names::files::Batch;
+
+/// How many robots stand in one program.
+const TOGETHER: u64 = 50;
+
+struct Wanted {
+    seed: u64,
+    robots: u64,
+    python: usize,
+    folder: PathBuf,
+}
+
+impl Wanted {
+    fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+        let mut wanted = Self {
+            seed: 1,
+            robots: 300,
+            python: 0,
+            folder: std::env::temp_dir().join(format!("homogen-names-{}", std::process::id())),
+        };
+        while let Some(word) = words.next() {
+            let mut next = || words.next().ok_or_else(|| format!("{word} needs a value"));
+            let number = |text: String| text.parse().map_err(|_| format!("{text} is no number"));
+            match word.as_str() {
+                "--seed" => wanted.seed = number(next()?)?,
+                "--robots" => wanted.robots = number(next()?)?,
+                "--python" => {
+                    wanted.python = usize::try_from(number(next()?)?).unwrap_or(usize::MAX)
+                }
+                "--folder" => wanted.folder = next()?.into(),
+                other => return Err(format!("there is no option {other}")),
+            }
+        }
+        Ok(wanted)
+    }
+}
+
+fn main() -> ExitCode {
+    match Wanted::read(std::env::args().skip(1)) {
+        Ok(wanted) => told(&wanted),
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn told(wanted: &Wanted) -> ExitCode {
+    let mut complaints = Vec::new();
+    let mut packages_left = wanted.python;
+    let (mut robots, mut packages) = (0, 0);
+    let (mut from, end) = (wanted.seed, wanted.seed + wanted.robots);
+    while from < end {
+        let to = end.min(from + TOGETHER);
+        let batch = Batch::of(from..to, &wanted.folder.join(format!("from_{from}")));
+        robots += batch.robots.len();
+        let refused = batch.write().into_iter();
+        complaints
+            .extend(refused.map(|(number, said)| format!("robot {number} is refused: {said}")));
+        for edition in ["2021", "2024"] {
+            complaints.extend(rust(&batch, edition).err());
+        }
+        for (compiler, of_cpp) in [("gcc", "g++"), ("clang", "clang++")] {
+            if !is_here(compiler) {
+                eprintln!("not compiled with {compiler}, which is missing");
+                continue;
+            }
+            match c(&batch, compiler) {
+                Ok(objects) if is_here(of_cpp) => {
+                    complaints.extend(cpp(&batch, of_cpp, &objects).err());
+                }
+                Ok(_) => eprintln!("not compiled with {of_cpp}, which is missing"),
+                Err(complaint) => complaints.push(complaint),
+            }
+        }
+        let (refused, written) = batch.write_python();
+        let refused = refused.into_iter();
+        complaints
+            .extend(refused.map(|(number, said)| format!("robot {number} in Python: {said}")));
+        complaints.extend(python_texts(&written).err());
+        let checked = &written[..written.len().min(packages_left)];
+        packages_left -= checked.len();
+        complaints.extend(python_crates(checked).err());
+        packages += checked.len();
+        eprintln!("{robots} robots, {} complaints", complaints.len());
+        from = to;
+    }
+    for complaint in &complaints {
+        println!("{complaint}\n");
+    }
+    println!(
+        "{robots} robots in Rust, C, C++ and Python, {packages} packages checked by cargo, {} complaints",
+        complaints.len()
+    );
+    if complaints.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}

@@ -1,0 +1,214 @@
+//! Random robots whose names are anything.
+//!
+//! In: a seed. Out: the text of a file, and the options of the command line that name its parts. Few joints and few
+//! functions: what is looked at are the names, and that files pass the tests that they carry.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+use homogen_random::Random;
+
+use crate::pool::{identifier, name};
+
+/// A robot and what is asked of it.
+#[derive(Clone, Debug)]
+pub struct Robot {
+    /// What it is called, by its file or by an option.
+    pub name: String,
+    /// The file.
+    pub urdf: String,
+    /// The options, but for what is written and where.
+    pub options: Vec<String>,
+}
+
+/// Functions that are asked for, few at a time.
+const FUNCTIONS: [&str; 20] = [
+    "forward_kinematics",
+    "body_jacobian",
+    "geometric_jacobian_rate",
+    "velocity",
+    "acceleration",
+    "inverse_dynamics",
+    "gravity",
+    "bias",
+    "mass_matrix",
+    "mass_matrix_inverse",
+    "forward_dynamics",
+    "regressor",
+    "base_regressor",
+    "kinetic_energy",
+    "center_of_mass",
+    "centroidal_momentum",
+    "momentum",
+    "inverse_dynamics_derivatives",
+    "mass_matrix+bias",
+    "center_of_mass_velocity",
+];
+
+/// Those of robots with loops.
+const OF_LOOPS: [&str; 3] = ["constraint", "constraint_jacobian", "constraint_bias"];
+
+/// What moves joints; those with axes have one.
+const KINDS: [(&str, bool); 9] = [
+    ("revolute", true),
+    ("continuous", true),
+    ("prismatic", true),
+    ("spherical", false),
+    ("planar", true),
+    ("floating", false),
+    ("cylindrical", true),
+    ("universal", true),
+    ("translation", false),
+];
+
+impl Robot {
+    /// The robot of a seed.
+    #[must_use]
+    pub fn of(seed: u64) -> Self {
+        let mut random = Random::new(seed);
+        let random = &mut random;
+        let has_loop = random.chance(6);
+        let count = if has_loop { 3 } else { 1 + random.below(3) };
+        let links = distinct(random, count + 1);
+        let joints = distinct(random, count);
+        let called = name(random);
+        let urdf = urdf(random, (&called, &links, &joints), has_loop);
+        let mut robot = Self {
+            name: called,
+            urdf,
+            options: Vec::new(),
+        };
+        robot.ask(random, &links, has_loop);
+        robot
+    }
+
+    fn ask(&mut self, random: &mut Random, links: &[String], has_loop: bool) {
+        if random.chance(3) {
+            let name = identifier(random);
+            self.name = name.trim_start_matches("r#").to_owned();
+            self.option("name", &name);
+        }
+        let last = links.len() - 1;
+        // Names with commas are several to these options.
+        let tip = &links[if has_loop { last - 1 } else { last }];
+        self.option("tip", tip);
+        if random.chance(3) && !links[1].contains(',') {
+            self.option("frames", &links[1]);
+        }
+        if random.chance(4) && !has_loop {
+            self.options.push("--floating".to_owned());
+        }
+        let mut functions = BTreeSet::new();
+        for _ in 0..2 + random.below(3) {
+            functions.insert(*random.choose(&FUNCTIONS));
+        }
+        if has_loop {
+            functions.insert(*random.choose(&OF_LOOPS));
+            let loop_name = name(random);
+            let text = format!(
+                "{loop_name:?}: revolute(z) {{ from: {:?}, to: {:?}, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }}",
+                links[2], links[3]
+            );
+            self.option("loop", &text);
+        }
+        let functions: Vec<&str> = functions.into_iter().collect();
+        self.option("functions", &functions.join(","));
+        let scalar = *random.choose(&["f32", "f64"]);
+        self.option("scalar", scalar);
+        let mut fields = BTreeSet::new();
+        for (word, chance) in [("mass_of", 3), ("com_of", 4)] {
+            let field = identifier(random);
+            let alike = field.trim_start_matches("r#").to_owned();
+            if random.chance(chance) && fields.insert(alike) {
+                self.option("field", &format!("{field}={word}:{}", links[1]));
+            }
+        }
+        let field = identifier(random);
+        if random.chance(4) && fields.insert(field.trim_start_matches("r#").to_owned()) {
+            self.option("field", &format!("{field}=gravity"));
+        }
+    }
+
+    fn option(&mut self, option: &str, value: &str) {
+        self.options.push(format!("--{option}={value}"));
+    }
+}
+
+/// So many names, none twice.
+fn distinct(random: &mut Random, count: usize) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    while names.len() < count {
+        let name = name(random);
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+fn urdf(
+    random: &mut Random,
+    (name, links, joints): (&str, &[String], &[String]),
+    has_loop: bool,
+) -> String {
+    let mut text = format!("<robot name=\"{}\">\n", escaped(name));
+    for (k, link) in links.iter().enumerate() {
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "  <link name=\"{}\"><inertial><origin xyz=\"0.1 0.0{k} -0.03\"/><mass value=\"1.{k}\"/>\
+             <inertia ixx=\"0.02\" ixy=\"0.001\" ixz=\"-0.002\" iyy=\"0.03\" iyz=\"0.0005\" izz=\"0.025\"/>\
+             </inertial></link>",
+            escaped(link)
+        );
+    }
+    for (k, joint) in joints.iter().enumerate() {
+        let (kind, has_axis) = if has_loop {
+            KINDS[1]
+        } else {
+            *random.choose(&KINDS)
+        };
+        // Of a loop the third joint stands beside the first.
+        let parent = if has_loop && k == 2 { 0 } else { k };
+        let axis = random.choose(&["1 0 0", "0 1 0", "0.6 0 0.8"]);
+        let axis = if has_loop { "0 0 1" } else { axis };
+        let mut motion = String::new();
+        if has_axis {
+            let _ = write!(motion, "<axis xyz=\"{axis}\"/>");
+        }
+        if kind == "universal" {
+            motion = "<axis xyz=\"1 0 0\"/><axis2 xyz=\"0 1 0\"/>".to_owned();
+        }
+        if ["revolute", "prismatic"].contains(&kind) {
+            let most = random.choose(&["2", "0.5", "3000", "1e6"]);
+            let _ = write!(
+                motion,
+                "<limit lower=\"-{most}\" upper=\"{most}\" effort=\"50\" velocity=\"3\"/>"
+            );
+        }
+        let turn = if has_loop { "0 0 0" } else { "0.1 0.2 0.3" };
+        let _ = writeln!(
+            text,
+            "  <joint name=\"{}\" type=\"{kind}\"><parent link=\"{}\"/><child link=\"{}\"/>\
+             <origin xyz=\"0.2 0 0\" rpy=\"{turn}\"/>{motion}</joint>",
+            escaped(joint),
+            escaped(&links[parent]),
+            escaped(&links[k + 1])
+        );
+    }
+    text + "</robot>\n"
+}
+
+/// A text between quotes in XML.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '"' => escaped.push_str("&quot;"),
+            letter => escaped.push(letter),
+        }
+    }
+    escaped
+}

@@ -180,7 +180,7 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
         return Err(errors);
     }
-    let mut chain = settled(chain::build(description, request)?)?;
+    let mut chain = settled(chain::build(description, request)?, request.strict)?;
     let doubts = forward::doubts(&chain, request);
     if request.strict && !doubts.is_empty() {
         let mut errors = chain.source.errors();

@@ -34,19 +34,26 @@ pub fn vectors(
     (functions, means): (&[Listed], Means),
 ) -> Vec<Vector> {
     let scalar = means.scalar;
-    let drawn = states::states(chain, request, 2).into_iter();
-    let rounded = drawn.map(|state| rounded(&state, chain, scalar));
+    let at = |state: &State| {
+        let robot = robot::robot(description, request, chain, &state.fields)?;
+        Ok(Dense::of(robot, state.clone()))
+    };
     let mut vectors = Vec::new();
-    for (index, state) in rounded.enumerate() {
+    for (index, state) in states::states(chain, request, 2).iter().enumerate() {
         // A robot that contradicts its chain has been refused before.
-        let Ok(robot) = robot::robot(description, request, chain, &state.fields) else {
+        let Ok(open) = at(&rounded(state, chain, scalar)) else {
             continue;
         };
-        let dense = Dense::of(robot, state);
+        let closed = states::closed(chain, request, index, at).ok().flatten();
+        let closed = closed.and_then(|state| at(&in_type_as_it_is(&state, scalar)).ok());
         for (function, listed) in functions.iter().enumerate() {
             if index > 0 && listed.program.results.len() > SHORT {
                 continue;
             }
+            // Accelerations under loops are determined where these are closed.
+            let mut of_loops = listed.functions.iter();
+            let is_constrained = of_loops.any(|function| function.is_constrained());
+            let dense = closed.as_ref().filter(|_| is_constrained).unwrap_or(&open);
             let named = |name: &String| chain.frames.find(|of| of.name == *name);
             let frame = listed
                 .frame
@@ -54,7 +61,7 @@ pub fn vectors(
                 .and_then(named)
                 .unwrap_or(FrameId::FIRST);
             let expected = listed.functions.iter();
-            let expected = expected.map(|&function| truth(&dense, function, (frame, scalar)));
+            let expected = expected.map(|&function| truth(dense, function, (frame, scalar)));
             let Some(expected) = expected.collect::<Option<Vec<_>>>() else {
                 continue;
             };
@@ -106,6 +113,22 @@ fn rounded(state: &State, chain: &Chain, scalar: Real) -> State {
         tau: state.tau.map(short),
         actions: state.actions.iter().map(short).collect(),
         fields: (state.fields).map(|field| field.iter().map(short).collect()),
+    }
+}
+
+/// The same state in numbers of the type: with fewer digits, loops that are closed would be open.
+fn in_type_as_it_is(state: &State, scalar: Real) -> State {
+    let rounded = |value: &f64| in_type(*value, scalar);
+    let short = |value: &f64| in_type(shortened(*value), scalar);
+    State {
+        q: (state.q.iter())
+            .map(|q| Double::from(in_type(q.to_f64(), scalar)))
+            .collect(),
+        qd: state.qd.map(rounded),
+        qdd: state.qdd.map(short),
+        tau: state.tau.map(short),
+        actions: state.actions.iter().map(short).collect(),
+        fields: (state.fields).map(|field| field.iter().map(rounded).collect()),
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod closing;
 mod data;
+mod redundancy;
 mod robot;
 mod solved;
 mod states;
@@ -29,6 +30,7 @@ use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
 use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
 use crate::wording::quoted;
+pub use redundancy::{Redundancy, redundancy};
 use robot::Contradiction;
 pub use vectors::vectors;
 

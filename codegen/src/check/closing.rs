@@ -92,7 +92,12 @@ fn keep_closed(
     for _ in 0..TIMES {
         let opening: Vec<f64> = system.rows.iter().map(|row| dot(row, &state.qd)).collect();
         let step = system.step(&opening, 0.0);
-        state.qd = state.qd.iter().zip(step).map(|(qd, step)| qd + step).collect();
+        state.qd = state
+            .qd
+            .iter()
+            .zip(step)
+            .map(|(qd, step)| qd + step)
+            .collect();
     }
     Ok(())
 }
@@ -117,7 +122,11 @@ impl System {
         let numbers = |of: &[Approximate]| of.iter().map(|entry| entry.to_f64()).collect();
         Self {
             residuals: numbers(&dense.residuals()),
-            rows: dense.residual_rates().iter().map(|row| numbers(row)).collect(),
+            rows: dense
+                .residual_rates()
+                .iter()
+                .map(|row| numbers(row))
+                .collect(),
         }
     }
 
@@ -125,7 +134,8 @@ impl System {
     fn step(&self, residuals: &[f64], damping: f64) -> Vec<f64> {
         let count = self.rows.first().map_or(0, Vec::len);
         let column = |k: usize| self.rows.iter().map(move |row| row[k]);
-        let product = |i: usize, k: usize| column(i).zip(column(k)).map(|(a, b)| a * b).sum::<f64>();
+        let product =
+            |i: usize, k: usize| column(i).zip(column(k)).map(|(a, b)| a * b).sum::<f64>();
         let mut matrix: Vec<Vec<f64>> = (0..count)
             .map(|i| (0..count).map(|k| product(i, k)).collect())
             .collect();
@@ -244,5 +254,7 @@ fn squares(numbers: &[f64]) -> f64 {
 }
 
 fn largest(numbers: &[f64]) -> f64 {
-    numbers.iter().fold(0.0, |most, number| most.max(number.abs()))
+    numbers
+        .iter()
+        .fold(0.0, |most, number| most.max(number.abs()))
 }

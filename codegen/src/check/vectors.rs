@@ -26,6 +26,12 @@ const SHORT: usize = 100;
 /// roundoff.
 const UNBOUNDED: f64 = 16.0;
 
+/// The same of what may depend on the part of the whole that counts as nothing.
+const CERTAIN: f64 = 2.0;
+
+/// How many units of roundoff a pivot may be off by.
+const ROUNDINGS: f64 = 16.0;
+
 /// Those of all functions, one state after the other.
 pub fn vectors(
     description: &Description,
@@ -45,15 +51,25 @@ pub fn vectors(
             continue;
         };
         let closed = states::closed(chain, request, index, at).ok().flatten();
-        let closed = closed.and_then(|state| at(&in_type_as_it_is(&state, scalar)).ok());
+        let mut closed = closed.and_then(|state| at(&in_type_as_it_is(&state, scalar)).ok());
         for (function, listed) in functions.iter().enumerate() {
             if index > 0 && listed.program.results.len() > SHORT {
                 continue;
             }
             // Accelerations under loops are determined where these are closed.
-            let mut of_loops = listed.functions.iter();
-            let is_constrained = of_loops.any(|function| function.is_constrained());
-            let dense = closed.as_ref().filter(|_| is_constrained).unwrap_or(&open);
+            let is_constrained = listed
+                .functions
+                .iter()
+                .any(|function| function.is_constrained());
+            let dense = match &mut closed {
+                Some(closed) if is_constrained => {
+                    if is_uncertain(closed, &listed.functions, scalar) {
+                        continue;
+                    }
+                    closed
+                }
+                _ => &open,
+            };
             let named = |name: &String| chain.frames.find(|of| of.name == *name);
             let frame = listed
                 .frame
@@ -114,6 +130,17 @@ fn rounded(state: &State, chain: &Chain, scalar: Real) -> State {
         actions: state.actions.iter().map(short).collect(),
         fields: (state.fields).map(|field| field.iter().map(short).collect()),
     }
+}
+
+/// Whether results under loops depend on which part of the whole counts as nothing, or on the rounding of a pivot.
+fn is_uncertain(dense: &mut Dense, functions: &[Function], scalar: Real) -> bool {
+    let limits = (scalar.vanishing(), ROUNDINGS * scalar.roundoff());
+    functions.iter().any(|function| match function.truth() {
+        Truth::Constrained(value) => {
+            dense.sensitivity(value, limits) > CERTAIN * scalar.roundoff().sqrt()
+        }
+        _ => false,
+    })
 }
 
 /// The same state in numbers of the type: with fewer digits, loops that are closed would be open.
@@ -250,14 +277,10 @@ fn tolerances(
     let tolerances = pairs.map(|(found, expected)| {
         let bound = found.value.error;
         let unbounded = || UNBOUNDED * scalar.roundoff().sqrt() * largest;
-        let bound = if bound.is_finite() {
-            bound
-        } else {
-            unbounded()
-        };
         // What a reader of the file rounds, and what numbers of the description are known to.
         let written = 2.0 * scalar.roundoff() * expected.size() + scalar.smallest();
-        bound + written + expected.noise()
+        let most = bound + written + expected.noise();
+        if most.is_finite() { most } else { unbounded() }
     });
     tolerances.map(upwards).collect()
 }

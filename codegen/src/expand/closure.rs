@@ -8,11 +8,11 @@
 
 mod measured;
 
-use measured::{Measured, measured};
 use crate::chain::{Chain, Loop};
 use crate::error::{Complaint, Errors};
 use crate::space::Kind;
 use crate::wording::{list, quoted};
+use measured::{Measured, measured};
 
 /// Largest residual [m, 1] and largest share of a motion that 10 written digits explain.
 const ROUNDED: f64 = 1e-9;
@@ -87,7 +87,9 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
             let value = measured.value;
             errors.push_with_hint(
                 closed.place,
-                format!("loop {name} cannot close: {residual} is {value}{unit} whatever the joints do"),
+                format!(
+                    "loop {name} cannot close: {residual} is {value}{unit} whatever the joints do"
+                ),
                 "put it elsewhere by `at` or `to_at`, or give it a type that leaves this free",
             );
         } else if !measured.is_constant() && measured.share <= SLIGHT {
@@ -114,7 +116,12 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
 fn warning(closed: &Loop, measured: &[Measured]) -> Option<Complaint> {
     let slight: Vec<(String, f64)> = (closed.rows.iter().zip(measured))
         .filter(|(_, of)| of.is_constant() && !of.is_open() && !of.is_explained_by_rounding())
-        .map(|(row, of)| (quoted(&row.name(&closed.name)), of.share.max(of.value.abs() / of.size)))
+        .map(|(row, of)| {
+            (
+                quoted(&row.name(&closed.name)),
+                of.share.max(of.value.abs() / of.size),
+            )
+        })
         .collect();
     let most = slight.iter().map(|(_, share)| *share).reduce(f64::max)?;
     let names = list(slight.iter().map(|(name, _)| name.as_str()));

@@ -146,9 +146,17 @@ fn of_loop(rows: &[Row], samples: &[&Sample]) -> Vec<Measured> {
     let measure = |(k, row): (usize, &Row)| {
         let values = samples.iter().map(|sample| sample.values[k]);
         let value = values.fold(0.0, |most: f64, value| {
-            if value.abs() > most.abs() { value } else { most }
+            if value.abs() > most.abs() {
+                value
+            } else {
+                most
+            }
         });
-        let size = if row.kind() == Kind::Slide { extent } else { 1.0 };
+        let size = if row.kind() == Kind::Slide {
+            extent
+        } else {
+            1.0
+        };
         let share = |sample: &&Sample| share(sample, k, (first, row.kind()), size);
         Measured {
             value,

@@ -177,6 +177,8 @@ pub struct Report {
     pub snapped: Vec<Snapped>,
     /// What loops would close, and is closed whatever the robot does, by name.
     pub closed: Vec<String>,
+    /// Residuals that depend on others where the loops are closed, by name.
+    pub dependent: Vec<String>,
     /// Doubts, each with its place.
     pub warnings: Vec<Complaint>,
 }

@@ -6,7 +6,9 @@
 //! layout, no regrouping, no rules, no schedule. What they may differ by is what the rounding of their
 //! literals to `f64` explains. It never changes a program.
 
+mod closing;
 mod data;
+mod redundancy;
 mod robot;
 mod solved;
 mod states;
@@ -28,6 +30,7 @@ use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
 use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
 use crate::wording::quoted;
+pub use redundancy::{Redundancy, redundancy};
 use robot::Contradiction;
 pub use vectors::vectors;
 
@@ -55,12 +58,21 @@ impl Check {
         let (description, request) = &freed(description, request);
         let place = description.name.place;
         let count = if chain.joints.len() > SEVERAL { 1 } else { 2 };
-        let judge = |state: State| {
+        let at = |state: &State| {
             let robot = robot::robot(description, request, chain, &state.fields)?;
-            Ok(Dense::of(robot, state))
+            Ok(Dense::of(robot, state.clone()))
         };
-        let states = states::states(chain, request, count).into_iter().map(judge);
-        let states: Result<Vec<Dense>, Contradiction> = states.collect();
+        let states = || {
+            let mut states = states::states(chain, request, count);
+            // The equations of the loops hold in every state; where some depend on others, only in closed ones.
+            if let [_, second] = &mut *states
+                && let Some(closed) = states::closed(chain, request, 1, at)?
+            {
+                *second = closed;
+            }
+            states.iter().map(at).collect()
+        };
+        let states: Result<Vec<Dense>, Contradiction> = states();
         match states {
             Ok(states) => Ok(Self {
                 source: chain.source.clone(),

@@ -68,6 +68,8 @@ type Moving<'a> = (
 /// A robot at a state.
 pub(crate) struct Dense {
     pub(crate) state: State,
+    /// The part of the whole that is added to each pivot of the equations of loops, as rounding may do.
+    pub(crate) disturbance: f64,
     posture: Posture,
     mass_matrix: OnceCell<Square<VelocityId, Approximate>>,
     regressor: OnceCell<List<ParameterId, List<VelocityId, Approximate>>>,
@@ -77,6 +79,7 @@ impl Dense {
     pub(crate) fn of(robot: Robot, state: State) -> Self {
         Self {
             posture: Posture::of(robot, &state.q),
+            disturbance: 0.0,
             state,
             mass_matrix: OnceCell::new(),
             regressor: OnceCell::new(),

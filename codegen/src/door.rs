@@ -106,7 +106,7 @@ fn spaces(description: &Description, request: &request::Request) -> Option<Space
         tip: request.tip.clone().filter(|_| request.path_only),
         ..request::Request::default()
     };
-    let chain = settled(chain::build(description, &shape).ok()?).ok()?;
+    let chain = settled(chain::build(description, &shape).ok()?, false).ok()?;
     Some(chain.spaces().clone())
 }
 

@@ -28,7 +28,7 @@ use std::cell::LazyCell;
 
 use crate::accuracy::{self, Accuracy, Articulated, Means};
 use crate::chain::{self, Chain};
-use crate::check::Check;
+use crate::check::{self, Check, Redundancy};
 use crate::description::{Description, freed};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
@@ -180,8 +180,16 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
         return Err(errors);
     }
-    let mut chain = settled(chain::build(description, request)?)?;
-    let doubts = forward::doubts(&chain, request);
+    let mut chain = settled(chain::build(description, request)?, request.strict)?;
+    let mut doubts = forward::doubts(&chain, request);
+    if solves_loops(&chain, request) {
+        let Redundancy {
+            dependent,
+            warnings,
+        } = check::redundancy(description, request, &chain);
+        chain.report.dependent = dependent;
+        doubts.extend(warnings);
+    }
     if request.strict && !doubts.is_empty() {
         let mut errors = chain.source.errors();
         for doubt in doubts {
@@ -191,6 +199,13 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
     }
     chain.report.warnings.extend(doubts);
     Ok(chain)
+}
+
+/// Whether forces or accelerations under loops are asked for.
+fn solves_loops(chain: &Chain, request: &Request) -> bool {
+    let items = request.items(!chain.loops.is_empty());
+    let mut functions = items.iter().flatten();
+    !chain.loops.is_empty() && functions.any(|function| function.is_constrained())
 }
 
 /// Refuses a type of number that the processor would call a library for.

@@ -1,10 +1,13 @@
 //! The states at which an expansion is checked.
 //!
 //! In: a chain. Out: states drawn from the hash of its description, the same on every machine:
-//! coordinates within their limits, fields near what is described in their place.
+//! coordinates within their limits, fields near what is described in their place; and states of a robot with loops
+//! in which these are closed.
 
+use super::closing;
+use super::robot::Contradiction;
 use crate::chain::Chain;
-use crate::dense::State;
+use crate::dense::{Dense, State};
 use crate::expression::Double;
 use crate::list::Id;
 use crate::quaternion::normalize;
@@ -18,6 +21,25 @@ pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<Stat
     (0..count)
         .map(|_| state(chain, request, &mut random))
         .collect()
+}
+
+/// The state of that number whose loops are closed; none of a robot without loops.
+///
+/// # Errors
+/// Those of `at`.
+pub(super) fn closed(
+    chain: &Chain,
+    request: &Request,
+    number: usize,
+    at: impl Fn(&State) -> Result<Dense, Contradiction>,
+) -> Result<Option<State>, Contradiction> {
+    /// From how many states the way to a closed one is looked for.
+    const STARTS: usize = 8;
+    if chain.loops.is_empty() {
+        return Ok(None);
+    }
+    let starts = states(chain, request, STARTS * (number + 1)).into_iter();
+    closing::closed(starts.skip(STARTS * number).collect(), chain, at)
 }
 
 fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {

@@ -5,7 +5,7 @@
 //! elimination in the same: of a program nothing is taken but how far rounding can take it at that very state.
 //!
 //! Of quaternions the results are those of length 1, next to which the type of number has one; angles are such that
-//! sines of them are bounded.
+//! sines of them are bounded; accelerations under loops are told where these are closed.
 
 use super::{robot, states};
 use crate::accuracy::Means;
@@ -30,6 +30,12 @@ const SHORT: usize = 100;
 /// roundoff.
 const UNBOUNDED: f64 = 16.0;
 
+/// The same of what may depend on the part of the whole that counts as nothing.
+const CERTAIN: f64 = 2.0;
+
+/// How many units of roundoff a pivot may be off by.
+const ROUNDINGS: f64 = 16.0;
+
 /// How often a state is moved nearer to zero until the sines of its angles are bounded.
 const NEARER: usize = 8;
 
@@ -43,20 +49,24 @@ pub fn vectors(
     chain: &Chain,
     (functions, means): (&[Listed], Means),
 ) -> Vec<Vector> {
+    let (scalar, listed) = (means.scalar, functions.iter().enumerate());
+    let at = |state: State| {
+        let robot = robot::robot(description, request, chain, &state.fields)?;
+        Ok(Dense::of(robot, state))
+    };
+    let is_constrained =
+        |(_, listed): &(usize, &Listed)| listed.functions.iter().any(|of| of.is_constrained());
+    let (constrained, free): (Vec<_>, Vec<_>) = listed.partition(is_constrained);
     let mut vectors = Vec::new();
     for (index, drawn) in states::states(chain, request, 2).iter().enumerate() {
-        let mut wanted: Vec<usize> = (0..functions.len())
-            .filter(|&function| index == 0 || functions[function].program.results.len() <= SHORT)
-            .collect();
-        let mut state = rounded(drawn, chain, (index, means.scalar));
+        let is_wanted =
+            |(_, listed): &&(usize, &Listed)| index == 0 || listed.program.results.len() <= SHORT;
+        let mut wanted: Vec<_> = free.iter().filter(is_wanted).collect();
+        let mut state = rounded(drawn, chain, (index, scalar));
         for _ in 0..=NEARER {
             // A robot that contradicts its chain has been refused before.
-            let Ok(robot) = robot::robot(description, request, chain, &state.fields) else {
-                break;
-            };
-            let dense = Dense::of(robot, state);
-            wanted.retain(|&function| {
-                let listed = &functions[function];
+            let Ok(dense) = at(state) else { break };
+            wanted.retain(|(function, listed)| {
                 let found = rounding(&dense.state, &listed.program, means);
                 if found
                     .iter()
@@ -64,18 +74,28 @@ pub fn vectors(
                 {
                     return true;
                 }
-                vectors.extend(vector(
-                    &dense,
-                    chain,
-                    (function, listed),
-                    (&found, means.scalar),
-                ));
+                let of = (*function, *listed);
+                vectors.extend(vector(&dense, chain, of, (&found, scalar)));
                 false
             });
             if wanted.is_empty() {
                 break;
             }
-            state = nearer(&dense.state, chain, (index, means.scalar));
+            state = nearer(&dense.state, chain, (index, scalar));
+        }
+        let mut wanted = constrained.iter().filter(is_wanted).peekable();
+        if wanted.peek().is_none() {
+            continue;
+        }
+        let closed = states::closed(chain, request, index, |state| at(state.clone()));
+        let closed = closed.ok().flatten();
+        let closed = closed.and_then(|state| at(as_it_is(&state, chain, scalar)).ok());
+        let Some(mut closed) = closed else { continue };
+        for &(function, listed) in wanted {
+            if !is_uncertain(&mut closed, &listed.functions, scalar) {
+                let found = rounding(&closed.state, &listed.program, means);
+                vectors.extend(vector(&closed, chain, (function, listed), (&found, scalar)));
+            }
         }
     }
     vectors
@@ -139,6 +159,36 @@ fn rounded(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> Stat
         tau: state.tau.map(short),
         actions: state.actions.iter().map(short).collect(),
         fields: (state.fields).map(|field| field.iter().map(short).collect()),
+    }
+}
+
+/// Whether results under loops depend on which part of the whole counts as nothing, or on the rounding of a pivot.
+fn is_uncertain(dense: &mut Dense, functions: &[Function], scalar: Real) -> bool {
+    let limits = (scalar.vanishing(), ROUNDINGS * scalar.roundoff());
+    functions.iter().any(|function| match function.truth() {
+        Truth::Constrained(value) => {
+            dense.sensitivity(value, limits) > CERTAIN * scalar.roundoff().sqrt()
+        }
+        _ => false,
+    })
+}
+
+/// The same state in numbers of the type: with fewer digits, loops that are closed would be open.
+fn as_it_is(state: &State, chain: &Chain, scalar: Real) -> State {
+    let exact = |value: &f64| in_type(*value, scalar);
+    let short = |value: &f64| in_type(shortened(*value), scalar);
+    let q = state.q.iter();
+    let mut q: Vec<Double> = q.map(|q| in_type(q.to_f64(), scalar).into()).collect();
+    for quaternion in chain.spaces().quaternions() {
+        normalize(&mut q[quaternion.index()..][..4]);
+    }
+    State {
+        q: q.into(),
+        qd: state.qd.map(exact),
+        qdd: state.qdd.map(short),
+        tau: state.tau.map(short),
+        actions: state.actions.iter().map(short).collect(),
+        fields: (state.fields).map(|field| field.iter().map(exact).collect()),
     }
 }
 
@@ -292,7 +342,8 @@ fn tolerances(found: &[Found], expected: &[Approximate], scalar: Real) -> Vec<f6
         };
         // What a reader of the file rounds, and what numbers of the description are known to.
         let written = 2.0 * scalar.roundoff() * expected.size() + scalar.smallest();
-        bound + written + expected.noise()
+        let most = bound + written + expected.noise();
+        if most.is_finite() { most } else { unbounded() }
     });
     tolerances.map(upwards).collect()
 }

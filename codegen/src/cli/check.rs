@@ -148,6 +148,7 @@ pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
         answer["loops"] = loops.collect();
         answer["constraints"] = names(Space::Constraints);
         answer["closed"] = json!(report.closed);
+        answer["dependent"] = json!(report.dependent);
     }
     answer
 }
@@ -179,6 +180,12 @@ fn loops(chain: &Chain, line: &mut impl FnMut(String)) {
     if !chain.report.closed.is_empty() {
         let names = chain.report.closed.join(", ");
         line(format!("  closed whatever the joints do: {names}"));
+    }
+    if !chain.report.dependent.is_empty() {
+        let names = chain.report.dependent.join(", ");
+        line(format!(
+            "  implied by the others where loops are closed: {names}"
+        ));
     }
 }
 

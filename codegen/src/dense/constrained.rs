@@ -4,7 +4,7 @@
 //! In: a [`Dense`]. Out: residuals, what velocities change them by, their accelerations, the forces of driven
 //! joints, and q̈ and λ of M q̈ + h = τ + Jᵗ λ, J q̈ + γ = 0 by elimination, row after row of the loops, without
 //! what depends on rows before them: of a pivot d beside the whole a the reciprocal is 1/d less its part of
-//! 1/(1 + (d/εa)²)⁴.
+//! 1/(1 + (d/εa)²)⁴, and 0 where roundings of the description leave nothing known of a.
 
 use super::{Approximate, Dense, Matrix, Motion};
 use crate::closure::Row;
@@ -13,6 +13,12 @@ use crate::list::List;
 use crate::space::VelocityId;
 
 type Scalar = Approximate;
+
+/// What the equations of the loops are solved with: the rows of J, each times a matrix, and times each other.
+struct Weighed {
+    moved: Vec<Vec<Scalar>>,
+    matrix: Vec<Vec<Scalar>>,
+}
 
 impl Dense {
     /// The residuals of all loops.
@@ -96,18 +102,12 @@ impl Dense {
         let held = self.torques(Motion::Coasting).into_iter();
         let forces = held.zip(Scalar::exactly(&self.state.tau));
         let forces: Vec<Scalar> = forces.map(|(held, tau)| tau - held).collect();
-        let matrix = || self.mass_matrix().rows().map(Vec::from).collect();
-        let solved = |forces: &[Scalar]| solve(matrix(), forces.to_vec());
-        let free = solved(&forces);
-        let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| solved(row)).collect();
-        let matrix: Vec<Vec<Scalar>> = (rows.iter())
-            .map(|row| moved.iter().map(|moved| dot(row, moved)).collect())
-            .collect();
+        let mut accelerations = self.free(&forces);
+        let Weighed { moved, matrix } = self.by_mass_matrix(&rows);
         let mut multipliers: Vec<Scalar> = (rows.iter().zip(&bias))
-            .map(|(row, bias)| -(dot(row, &free) + *bias))
+            .map(|(row, bias)| -(dot(row, &accelerations) + *bias))
             .collect();
         self.eliminate(matrix, &mut multipliers, vanishing);
-        let mut accelerations = free;
         for (moved, multiplier) in moved.iter().zip(&multipliers) {
             for (acceleration, moved) in accelerations.iter_mut().zip(moved) {
                 *acceleration = *acceleration + *moved * *multiplier;
@@ -116,28 +116,56 @@ impl Dense {
         [accelerations, multipliers].concat()
     }
 
+    /// q̈ of open loops.
+    fn free(&self, forces: &[Scalar]) -> Vec<Scalar> {
+        let matrix = self.mass_matrix().rows().map(Vec::from).collect();
+        solve(matrix, forces.to_vec())
+    }
+
+    /// J M⁻¹ Jᵗ.
+    fn by_mass_matrix(&self, rows: &[List<VelocityId, Scalar>]) -> Weighed {
+        let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| self.free(row)).collect();
+        let matrix = rows
+            .iter()
+            .map(|row| moved.iter().map(|moved| dot(row, moved)).collect());
+        Weighed {
+            matrix: matrix.collect(),
+            moved,
+        }
+    }
+
+    /// J Jᵗ of the velocities that nothing drives.
+    fn by_passive(&self, rows: &[List<VelocityId, Scalar>]) -> Weighed {
+        let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| self.passive(row)).collect();
+        let row = |row: &Vec<Scalar>| moved.iter().map(|other| dot(row, other)).collect();
+        Weighed {
+            matrix: moved.iter().map(row).collect(),
+            moved,
+        }
+    }
+
+    /// The entries of the velocities that nothing drives.
+    fn passive(&self, of: &List<VelocityId, Scalar>) -> Vec<Scalar> {
+        let passive = of.ids().filter(|k| !self.posture.actuated().contains(k));
+        passive.map(|k| of[k]).collect()
+    }
+
     /// τ of the velocities that are driven in the motion of the state, of which λ gives the others what they
     /// need: by the normal equations of that.
     pub(crate) fn driven(&self, vanishing: f64) -> Vec<Scalar> {
         let needed = self.torques(Motion::Driven);
-        let driven = |k: VelocityId| self.posture.actuated().contains(&k);
-        let passive: Vec<VelocityId> = needed.ids().filter(|&k| !driven(k)).collect();
         let rows = self.residual_rates();
-        let some = |of: &List<VelocityId, Scalar>| -> Vec<Scalar> {
-            passive.iter().map(|&k| of[k]).collect()
-        };
-        let own: Vec<Vec<Scalar>> = rows.iter().map(&some).collect();
-        let mut multipliers: Vec<Scalar> = own.iter().map(|row| dot(row, &some(&needed))).collect();
-        let matrix = own
-            .iter()
-            .map(|row| own.iter().map(|other| dot(row, other)).collect());
-        self.eliminate(matrix.collect(), &mut multipliers, vanishing);
+        let Weighed { moved, matrix } = self.by_passive(&rows);
+        let passive = self.passive(&needed);
+        let mut multipliers: Vec<Scalar> = moved.iter().map(|row| dot(row, &passive)).collect();
+        self.eliminate(matrix, &mut multipliers, vanishing);
         let torque = |k: VelocityId| {
             let held = rows.iter().zip(&multipliers);
             held.fold(needed[k], |torque, (row, multiplier)| {
                 torque - row[k] * *multiplier
             })
         };
+        let driven = |k: VelocityId| self.posture.actuated().contains(&k);
         needed
             .ids()
             .map(|k| {
@@ -150,13 +178,74 @@ impl Dense {
             .collect()
     }
 
-    /// λ of S λ = y in the place of y, row after row.
-    fn eliminate(&self, mut matrix: Vec<Vec<Scalar>>, y: &mut [Scalar], vanishing: f64) {
+    /// The pivot of each row beside the whole, for accelerations or for driven joints: below ε the row depends on those
+    /// before it, far above it does not.
+    pub(crate) fn independence(&self, vanishing: f64, of_driven: bool) -> Vec<f64> {
+        let rows = self.residual_rates();
+        let Weighed { matrix, .. } = if of_driven {
+            self.by_passive(&rows)
+        } else {
+            self.by_mass_matrix(&rows)
+        };
+        let mut nothing = vec![Scalar::exact(0.0); rows.len()];
+        self.eliminate(matrix, &mut nothing, vanishing)
+    }
+
+    /// By which part of its largest entry a solution changes where ε is halved or doubled, or where rounding changes
+    /// each pivot by a part of the whole.
+    pub(crate) fn sensitivity(
+        &mut self,
+        solution: impl Fn(&Self, f64) -> Vec<Scalar>,
+        (vanishing, rounding): (f64, f64),
+    ) -> f64 {
+        let mut at = |times: f64, disturbance: f64| {
+            self.disturbance = disturbance;
+            solution(self, times * vanishing)
+        };
+        let whole = at(1.0, 0.0);
+        let others = [at(0.5, 0.0), at(2.0, 0.0), at(1.0, rounding)];
+        self.disturbance = 0.0;
+        let largest = whole.iter().map(|entry| entry.size()).fold(0.0, f64::max);
+        let changes = others.iter().map(|other| {
+            let pairs = other.iter().zip(&whole);
+            pairs.map(|(a, b)| (*a - *b).size()).fold(0.0, f64::max)
+        });
+        let change = changes.fold(0.0, f64::max);
+        if change > 0.0 { change / largest } else { 0.0 }
+    }
+
+    /// The number of velocities that change a residual.
+    pub(crate) fn held(&self) -> usize {
+        let rows = self.residual_rates();
+        let velocities = self.state.qd.ids();
+        let changes = |k: &VelocityId| rows.iter().any(|row| row[*k].size() > row[*k].error);
+        velocities.filter(changes).count()
+    }
+
+    /// λ of S λ = y in the place of y, row after row; the pivots beside the wholes.
+    fn eliminate(
+        &self,
+        mut matrix: Vec<Vec<Scalar>>,
+        y: &mut [Scalar],
+        vanishing: f64,
+    ) -> Vec<f64> {
         let wholes = self.wholes(&matrix);
-        let mut reciprocals = Vec::new();
+        let (mut reciprocals, mut shares) = (Vec::new(), Vec::new());
         for k in 0..y.len() {
-            let reciprocal = reciprocal(matrix[k][k], wholes[k] * Scalar::exact(vanishing));
+            let whole = wholes[k];
+            let pivot = matrix[k][k] + whole * Scalar::exact(self.disturbance);
+            let is_known = whole.size() > whole.error || whole.error.is_infinite();
+            let reciprocal = if is_known {
+                reciprocal(pivot, whole * Scalar::exact(vanishing))
+            } else {
+                Scalar::exact(0.0)
+            };
             reciprocals.push(reciprocal);
+            shares.push(if is_known {
+                pivot.size() / whole.size()
+            } else {
+                0.0
+            });
             for i in k + 1..y.len() {
                 let factor = matrix[i][k] * reciprocal;
                 let (above, below) = matrix.split_at_mut(i);
@@ -171,6 +260,7 @@ impl Dense {
             let left = later.fold(y[k], |sum, term| sum - term);
             y[k] = left * reciprocals[k];
         }
+        shares
     }
 
     /// For each row the sum of the diagonal over the rows of its loop that measure the same.

@@ -78,6 +78,12 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
         let names = list(report.closed.iter().map(String::as_str));
         facts.push(format!("closed whatever the joints do: {names}"));
     }
+    if !report.dependent.is_empty() {
+        let names = list(report.dependent.iter().map(String::as_str));
+        facts.push(format!(
+            "implied by the others where loops are closed: {names}"
+        ));
+    }
     let drives = |is: fn(&Drive<Expr>) -> Expr| {
         let driven = chain.joints.iter();
         let driven = driven.filter(|joint| !chain.graph.term(is(&joint.drive)).is_zero());

@@ -1,74 +1,139 @@
-//! What loops close in every posture, and what they never can.
+//! Residuals that no joint changes, and loops that cannot close.
 //!
-//! In: a chain. Out: the same without the residuals that are zero whatever the joints do, as those across
-//! the plane of a four-bar are; or a mistake for each that is some other number whatever they do, and for
-//! each loop of which nothing is left. It never evaluates a posture.
+//! In: a chain. Out: the chain without the residuals that are zero whatever the joints do, such as those across the
+//! plane of a four-bar, however it is mounted; an error for each residual that is never zero or that joints hardly
+//! change, and for each loop of which nothing is left. Digits decide: a residual that joints change by less than
+//! [`LEAST`] of what they move the links by is taken as zero and reported, with a warning where the rounding of
+//! `f64` does not explain it.
 
-use super::program::expressions_by;
+mod measured;
+
 use crate::chain::{Chain, Loop};
-use crate::error::Errors;
-use crate::expression::Double;
-use crate::function::Function;
-use crate::layout::Layout;
-use crate::model::Way;
-use crate::space::{FrameId, Kind};
-use crate::wording::quoted;
+use crate::error::{Complaint, Errors};
+use crate::space::Kind;
+use crate::wording::{list, quoted};
+use measured::{Measured, measured};
 
-/// What digits that were rounded to make frames may leave of nothing [m, 1].
+/// Largest residual [m, 1] and largest share of a motion that 10 written digits explain.
 const ROUNDED: f64 = 1e-9;
+
+/// The share of the motion of a loop's links below which a residual is left out: 2⁻¹⁰. Such a constraint can be met
+/// by no joint, but for the digits of axes and offsets that were meant to be parallel or at right angles.
+const LEAST: f64 = 1.0 / 1024.0;
+
+/// The share below which a residual is refused: 2⁻⁶, a misalignment of 0.9°.
+const SLIGHT: f64 = 1.0 / 64.0;
 
 /// The chain with the residuals that joints can change.
 ///
 /// # Errors
-/// Where a loop cannot close, or holds nothing.
-pub fn settled(mut chain: Chain) -> Result<Chain, Errors> {
+/// Loops that cannot close, hardly move, or hold nothing; and where `strict` is set, warnings.
+pub fn settled(mut chain: Chain, strict: bool) -> Result<Chain, Errors> {
     if chain.loops.is_empty() {
         return Ok(chain);
     }
-    let (layout, way) = (Layout::DESCRIBED, Way::PLAIN);
-    let (graph, results) =
-        expressions_by(&chain, &[Function::Constraint], FrameId::FIRST, layout, way);
-    let values = results.iter().map(|&result| graph.value(result));
-    let values: Vec<Option<f64>> = values.map(|value| value.map(Double::to_f64)).collect();
+    let measured = measured(&chain);
     let mut errors = chain.source.errors();
-    let mut rest = &*values;
-    for closed in &chain.loops {
-        let (own, others) = rest.split_at(closed.rows.len());
-        rest = others;
-        for (row, value) in closed.rows.iter().zip(own) {
-            let Some(value) = value.filter(|value| value.abs() > ROUNDED) else {
-                continue;
-            };
-            let unit = if row.kind() == Kind::Slide { " m" } else { "" };
-            errors.push_with_hint(
-                closed.place,
-                format!(
-                    "loop {} cannot close: {} is {value}{unit} whatever the joints do",
-                    quoted(&closed.name),
-                    quoted(&row.name(&closed.name))
-                ),
-                "put it elsewhere by `at` or `to_at`, or give it a type that leaves this free",
-            );
-        }
-        if own.iter().all(Option::is_some) && errors.is_empty() {
-            let name = quoted(&closed.name);
-            let message = format!("loop {name} holds nothing: it is closed whatever the joints do");
-            errors.push_with_hint(closed.place, message, "leave it out");
+    let mut warnings = Vec::new();
+    for (closed, rows) in chain.loops.iter().zip(&measured) {
+        refuse(closed, rows, &mut errors);
+        warnings.extend(warning(closed, rows));
+    }
+    if strict {
+        for warning in warnings.drain(..) {
+            let message = format!("{} (refused: strict)", warning.message);
+            errors.push(warning.place, message);
         }
     }
-    let mut constant = values.into_iter().map(|value| value.is_some());
-    let mut closed = Vec::new();
+    let mut left_out = Vec::new();
     chain.close(|loops| {
-        for Loop { name, rows, .. } in loops {
+        for (Loop { name, rows, .. }, measured) in loops.iter_mut().zip(measured) {
+            let mut measured = measured.iter();
             rows.retain(|row| {
-                let leaves = constant.next().unwrap_or(false);
-                closed.extend(leaves.then(|| row.name(name)));
-                !leaves
+                let constant = measured.next().is_some_and(Measured::is_constant);
+                left_out.extend(constant.then(|| row.name(name)));
+                !constant
             });
         }
     });
-    chain.report.closed = closed;
+    chain.report.closed = left_out;
+    chain.report.warnings.extend(warnings);
     errors.into_result(chain)
+}
+
+impl Measured {
+    fn is_constant(&self) -> bool {
+        self.share <= LEAST
+    }
+
+    /// No digits of the description explain the value.
+    fn is_open(&self) -> bool {
+        self.is_constant() && self.value.abs() > LEAST * self.size && self.value.abs() > ROUNDED
+    }
+
+    fn is_explained_by_rounding(&self) -> bool {
+        self.share <= ROUNDED && self.value.abs() <= ROUNDED
+    }
+}
+
+/// Errors of one loop.
+fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
+    let before = errors.complaints().len();
+    let name = quoted(&closed.name);
+    for (row, measured) in closed.rows.iter().zip(measured) {
+        let residual = quoted(&row.name(&closed.name));
+        if measured.is_open() {
+            let unit = if row.kind() == Kind::Slide { " m" } else { "" };
+            let value = measured.value;
+            errors.push_with_hint(
+                closed.place,
+                format!(
+                    "loop {name} cannot close: {residual} is {value}{unit} whatever the joints do"
+                ),
+                "put it elsewhere by `at` or `to_at`, or give it a type that leaves this free",
+            );
+        } else if !measured.is_constant() && measured.share <= SLIGHT {
+            let share = measured.share;
+            errors.push_with_hint(
+                closed.place,
+                format!(
+                    "loop {name} blocks the joints: they change {residual} by {share:.0e} of what they move the \
+                     links by, at most"
+                ),
+                "axes that should be parallel or at right angles are not: write axes and angles with more \
+                 digits, or give the loop a type that leaves this free",
+            );
+        }
+    }
+    let holds_nothing = measured.iter().all(Measured::is_constant);
+    if holds_nothing && errors.complaints().len() == before {
+        let message = format!("loop {name} holds nothing: it is closed whatever the joints do");
+        errors.push_with_hint(closed.place, message, "leave it out");
+    }
+}
+
+/// The warning about the residuals of one loop that are left out although rounding to `f64` does not explain them.
+fn warning(closed: &Loop, measured: &[Measured]) -> Option<Complaint> {
+    let slight: Vec<(String, f64)> = (closed.rows.iter().zip(measured))
+        .filter(|(_, of)| of.is_constant() && !of.is_open() && !of.is_explained_by_rounding())
+        .map(|(row, of)| {
+            (
+                quoted(&row.name(&closed.name)),
+                of.share.max(of.value.abs() / of.size),
+            )
+        })
+        .collect();
+    let most = slight.iter().map(|(_, share)| *share).reduce(f64::max)?;
+    let names = list(slight.iter().map(|(name, _)| name.as_str()));
+    let is = if slight.len() == 1 { "is" } else { "are" };
+    Some(Complaint {
+        place: closed.place,
+        message: format!(
+            "loop {}: {names} {is} taken as zero, being {most:.0e} of what the joints move, at most",
+            quoted(&closed.name)
+        ),
+        hint: Some("write axes, angles and offsets with more digits".to_owned()),
+    })
 }
 
 #[cfg(test)]

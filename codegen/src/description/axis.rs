@@ -1,8 +1,8 @@
-//! Directions of axes.
+//! Directions of axes, and quaternions: numbers whose length means nothing.
 //!
-//! In: three numbers with their digits. Out: the same direction, as it was written where its length is nearly 1
-//! and with length 1 where not, and a doubt where digits do not excuse the difference; or why it is no direction.
-//! What the written digits leave open is no doubt: `0.577 0.577 0.577` is a unit vector, `0 0 2` is not.
+//! In: numbers with their digits. Out: an axis as it was written where its length is nearly 1 and with length 1
+//! where not, a quaternion as it was written; and a doubt where digits do not excuse the difference; or why it is
+//! none. What the written digits leave open is no doubt: `0.577 0.577 0.577` is a unit vector, `0 0 2` is not.
 
 use super::Number;
 
@@ -23,13 +23,40 @@ pub(super) struct Remark {
 ///
 /// Whoever computes with it makes its length 1 to more digits than numbers of a file have.
 pub(super) fn unit(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), Remark> {
-    let values = axis.map(|number| number.value);
+    let measured = measure(&axis).ok_or_else(|| Remark {
+        what: "is zero".to_owned(),
+        hint: "give it a direction, such as 0 0 1".to_owned(),
+    })?;
+    let mut unit = axis;
+    if (measured.length - 1.0).abs() > LARGEST_EXCUSE {
+        for (number, value) in unit.iter_mut().zip(measured.direction) {
+            number.value = value;
+        }
+    }
+    Ok((unit, measured.doubt))
+}
+
+/// What is doubtful about a quaternion, or wrong with it. Whoever computes with it makes its length 1.
+pub(super) fn quaternion(entries: &[Number; 4]) -> Result<Option<Remark>, Remark> {
+    let measured = measure(entries).ok_or_else(|| Remark {
+        what: "is zero".to_owned(),
+        hint: "give it a rotation, such as 0 0 0 1".to_owned(),
+    })?;
+    Ok(measured.doubt)
+}
+
+struct Measured<const N: usize> {
+    length: f64,
+    direction: [f64; N],
+    doubt: Option<Remark>,
+}
+
+/// Length and direction, to the digits that messages need; none of what is zero.
+fn measure<const N: usize>(numbers: &[Number; N]) -> Option<Measured<N>> {
+    let values = numbers.map(|number| number.value);
     let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest == 0.0 {
-        return Err(Remark {
-            what: "is zero".to_owned(),
-            hint: "give it a direction, such as 0 0 1".to_owned(),
-        });
+        return None;
     }
     // Scaled, so that no square overflows or vanishes.
     let scaled = values.map(|x| x / largest);
@@ -37,26 +64,24 @@ pub(super) fn unit(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), R
     let direction = scaled.map(|x| x / of_scaled);
     let length = largest * of_scaled;
 
-    let open: f64 = axis
+    let open: f64 = numbers
         .iter()
         .zip(direction)
         .map(|(number, cosine)| digits_open(number) * cosine.abs())
         .sum();
     let excess = (length - 1.0).abs();
     let doubt = (excess > open.min(LARGEST_EXCUSE) + UNNOTICED).then(|| {
-        let [x, y, z] = direction;
+        let entries = direction.map(|entry| entry.to_string());
         Remark {
             what: format!("has length {}: taken with length 1", readable(length)),
-            hint: format!("of length 1 it is {x} {y} {z}"),
+            hint: format!("of length 1 it is {}", entries.join(" ")),
         }
     });
-    let mut unit = axis;
-    if excess > LARGEST_EXCUSE {
-        for (number, value) in unit.iter_mut().zip(direction) {
-            number.value = value;
-        }
-    }
-    Ok((unit, doubt))
+    Some(Measured {
+        length,
+        direction,
+        doubt,
+    })
 }
 
 /// By how much the digits of a number leave it open; whole numbers are meant as they stand.

@@ -175,6 +175,8 @@ pub struct Report {
     pub dropped: Vec<String>,
     /// Angles taken for right angles, and residues taken for zero.
     pub snapped: Vec<Snapped>,
+    /// Quaternions taken for rotations by right angles.
+    pub turned: Vec<Turned>,
     /// What loops would close, and is closed whatever the robot does, by name.
     pub closed: Vec<String>,
     /// Residuals that depend on others where the loops are closed, by name.
@@ -210,13 +212,27 @@ pub struct Snapped {
     pub place: Place,
 }
 
+/// A quaternion x, y, z, w that was taken for a rotation by right angles.
+#[derive(Clone, Debug)]
+pub struct Turned {
+    /// The joint or link it belongs to.
+    pub item: String,
+    /// As written.
+    pub written: [f64; 4],
+    /// What the entries mean: of each four times the square, with the sign of the entry; 1 of ½, 2 of √½, 4 of 1.
+    pub squares: [i64; 4],
+    /// Where it stands.
+    pub place: Place,
+}
+
 impl Report {
-    /// How many angles were taken for right angles, and how many residues for zero.
+    /// How many angles and quaternions were taken for right angles, and how many residues for zero.
     #[must_use]
     pub fn right_angles_and_residues(&self) -> (usize, usize) {
         let residues = self.snapped.iter().filter(|number| number.quarters == 0);
         let residues = residues.count();
-        (self.snapped.len() - residues, residues)
+        let angles = self.snapped.len() - residues;
+        (angles + self.turned.len(), residues)
     }
 }
 
@@ -339,9 +355,11 @@ fn identifies(request: &Request, chain: &Chain) -> bool {
 /// All the mistakes that are found.
 pub fn build(description: &Description, request: &Request) -> Result<Chain, Errors> {
     let (description, request) = &freed(description, request);
-    let tree = check::check(description, request)?;
-    let chain = numbers::check_merged(merge::merge(description, request, &tree))?;
-    let chain = closure::check_merged(chain, request)?;
+    let beside = |errors: Errors| errors.beside(description.warnings.iter().cloned());
+    let tree = check::check(description, request).map_err(beside)?;
+    let merged = merge::merge(description, request, &tree);
+    let chain = numbers::check_merged(merged).map_err(beside)?;
+    let chain = closure::check_merged(chain, request).map_err(beside)?;
     let mut chain = physical::check(description, request, &tree, chain)?;
     let links = chain.joints.iter().filter_map(|joint| joint.link.as_ref());
     let mut parameters: List<_, Entry> = links.flat_map(|(link, _)| parameters(link)).collect();

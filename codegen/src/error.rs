@@ -1,8 +1,8 @@
 //! Every mistake and every doubt about a description, each with its place.
 //!
 //! In: a place, a sentence, a hint. Out: one [`Errors`] that holds them all, to be shown to a
-//! person or handed to the compiler. It never stops at the first mistake: the stages push, and
-//! ask once at the end whether anything was pushed.
+//! person or handed to the compiler, with the warnings found until then beside them, which may be the cause. It
+//! never stops at the first mistake: the stages push, and ask once at the end whether anything was pushed.
 
 use std::fmt;
 
@@ -28,6 +28,17 @@ pub enum Place {
     Token(Span),
 }
 
+impl Place {
+    /// Line and column in the description's file; none where it is not in one.
+    #[must_use]
+    pub const fn line_and_column(self) -> Option<(u32, u32)> {
+        match self {
+            Self::File { line, column } => Some((line, column)),
+            Self::Token(_) | Self::Unknown => None,
+        }
+    }
+}
+
 /// One mistake or one doubt: what is wrong, where, and what to do about it.
 #[derive(Clone, Debug)]
 pub struct Complaint {
@@ -46,6 +57,8 @@ pub struct Errors {
     anchor: Option<Span>,
     complaints: Vec<Complaint>,
     left_out: usize,
+    /// What is shown beside mistakes.
+    warnings: Vec<Complaint>,
 }
 
 /// How many mistakes are kept; of the others, which only a broken file of megabytes has, the
@@ -98,6 +111,27 @@ impl Errors {
         for complaint in other.complaints {
             self.record(complaint);
         }
+        self.warn(other.warnings);
+    }
+
+    /// Adds warnings, to be shown where there are mistakes as well; each once.
+    pub fn warn(&mut self, warnings: impl IntoIterator<Item = Complaint>) {
+        for warning in warnings {
+            let place = warning.place.line_and_column();
+            let is_same = |known: &Complaint| {
+                known.message == warning.message && known.place.line_and_column() == place
+            };
+            if self.warnings.len() < KEPT && !self.warnings.iter().any(is_same) {
+                self.warnings.push(warning);
+            }
+        }
+    }
+
+    /// The same mistakes with warnings beside them.
+    #[must_use]
+    pub fn beside(mut self, warnings: impl IntoIterator<Item = Complaint>) -> Self {
+        self.warn(warnings);
+        self
     }
 
     /// Records a complaint as a mistake.
@@ -152,33 +186,45 @@ impl Errors {
     #[must_use]
     pub fn to_compile_errors(&self) -> TokenStream {
         let anchor = self.anchor.unwrap_or_else(Span::call_site);
-        self.complaints
-            .iter()
-            .map(|complaint| {
-                let span = match complaint.place {
-                    Place::Token(span) => span,
-                    Place::File { .. } | Place::Unknown => anchor,
-                };
-                let mut message = self.locate(complaint);
-                if let Some(hint) = &complaint.hint {
-                    message = format!("{message}\nhint: {}", visible(hint));
+        let last = self.complaints.len().saturating_sub(1);
+        let errors = self.complaints.iter().enumerate().map(|(k, complaint)| {
+            let span = match complaint.place {
+                Place::Token(span) => span,
+                Place::File { .. } | Place::Unknown => anchor,
+            };
+            let mut message = self.with_hint(complaint, "hint: ");
+            // Macros have no warnings of their own.
+            if k == last {
+                for warning in &self.warnings {
+                    let warning = self.with_hint(warning, "hint: ");
+                    message = format!("{message}\nwarning: {warning}");
                 }
-                quote_spanned!(span=> ::core::compile_error! { #message })
-            })
-            .collect()
+            }
+            quote_spanned!(span=> ::core::compile_error! { #message })
+        });
+        errors.collect()
+    }
+
+    /// A complaint with its hint in a line of its own.
+    fn with_hint(&self, complaint: &Complaint, before: &str) -> String {
+        let message = self.locate(complaint);
+        match &complaint.hint {
+            Some(hint) => format!("{message}\n{before}{}", visible(hint)),
+            None => message,
+        }
     }
 }
 
 impl fmt::Display for Errors {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         for complaint in &self.complaints {
-            writeln!(out, "error: {}", self.locate(complaint))?;
-            if let Some(hint) = &complaint.hint {
-                writeln!(out, "  hint: {}", visible(hint))?;
-            }
+            writeln!(out, "error: {}", self.with_hint(complaint, "  hint: "))?;
         }
         if self.left_out > 0 {
             writeln!(out, "and {} more", self.left_out)?;
+        }
+        for warning in &self.warnings {
+            writeln!(out, "warning: {}", self.with_hint(warning, "  hint: "))?;
         }
         Ok(())
     }

@@ -15,7 +15,7 @@ use crate::description::{Name, Number};
 use crate::error::{Complaint, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
-use crate::joint::drive::{Part, Parts};
+use crate::joint::drive::{Motor, Part, Parts};
 use crate::list::id;
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
@@ -166,6 +166,19 @@ impl Request {
             Some((_, _, numbers)) => numbers,
             None if modelled => described.of(part),
             None => &[],
+        }
+    }
+
+    /// The motors of a joint beside the one whose rotor and ratio are parts, which what is asked for replaces all.
+    #[must_use]
+    pub fn further_motors<'r>(&self, joint: &str, described: &'r Parts) -> &'r [Motor] {
+        let is_replaced = |(name, part, _): &(Name, Part, Vec<Number>)| {
+            matches!(part, Part::Rotor | Part::Ratio) && name.text == joint
+        };
+        if self.models_armature() && !self.drives.iter().any(is_replaced) {
+            described.further()
+        } else {
+            &[]
         }
     }
 

@@ -2,9 +2,10 @@
 //!
 //! In: a number as it was written. Out: the quarter turns it means, if π/2 or a multiple of it
 //! rounds to the digits that stand there, or if it is a residue: what a program that computed in
-//! `f64` left of a right angle or of zero. It never guesses beyond those digits and the last bits.
+//! `f64` left of a right angle or of zero. The same of quaternions, whose entries are ½, √½ and 1 where they turn
+//! by right angles. It never guesses beyond those digits and the last bits.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use crate::description::Number;
 
@@ -40,11 +41,104 @@ pub fn quarters(angle: &Number) -> Option<i64> {
     close.then_some(quarters as i64)
 }
 
+/// What a quaternion's entries mean that turns axes into axes: of each four times the square, with the sign of the
+/// entry, so that ½ is 1, √½ is 2 and 1 is 4. The squares of one quaternion are all the same, or zero.
+pub type Squares = [i64; 4];
+
+/// The right angles that the digits of a quaternion mean; none where they are of another.
+pub fn right_angles(entries: &[Number; 4]) -> Option<Squares> {
+    let squares = entries.map(|entry| {
+        let values = [0.0, 0.5, FRAC_1_SQRT_2, 1.0].into_iter().zip([0, 1, 2, 4]);
+        let mut values = values.filter(|(value, _)| means(&entry, *value));
+        values
+            .next()
+            .map(|(_, square)| if entry.value < 0.0 { -square } else { square })
+    });
+    let [Some(x), Some(y), Some(z), Some(w)] = squares else {
+        return None;
+    };
+    is_one(&[x, y, z, w]).then_some([x, y, z, w])
+}
+
+/// The right angles that a quaternion is of, whatever its length, because its entries are of one size or zero.
+pub fn exact_right_angles(entries: &[Number; 4]) -> Option<Squares> {
+    let sizes = entries.map(|entry| entry.value.abs());
+    let largest = sizes.into_iter().fold(0.0, f64::max);
+    let count = sizes.iter().filter(|size| **size == largest).count();
+    let equal = sizes.iter().all(|size| *size == 0.0 || *size == largest);
+    let square = match count {
+        1 => 4,
+        2 => 2,
+        4 => 1,
+        _ => return None,
+    };
+    let signed = |value: f64| match value {
+        0.0 => 0,
+        value if value < 0.0 => -square,
+        _ => square,
+    };
+    equal.then(|| entries.map(|entry| signed(entry.value)))
+}
+
+/// Whether an entry of a quaternion means a value, by its size.
+fn means(entry: &Number, value: f64) -> bool {
+    let distance = (entry.value.abs() - value).abs();
+    if value == 0.0 {
+        return entry.value == 0.0 || is_residue(entry);
+    }
+    let tolerance = entry.resolution / 2.0 * (1.0 + 1e-9) + value * f64::EPSILON;
+    let written = entry.resolution <= COARSEST && distance <= tolerance;
+    distance == 0.0 || written || (entry.resolution > 0.0 && distance < RESIDUE)
+}
+
+/// Whether an entry of a quaternion is not what it means to the last bit, which no √½ is.
+pub fn is_rounded(entry: &Number, square: i64) -> bool {
+    let meant = match square.abs() {
+        0 => 0.0,
+        1 => 0.5,
+        2 => return true,
+        _ => 1.0,
+    };
+    entry.value.abs() != meant
+}
+
+/// Whether the squares are those of a rotation.
+fn is_one(squares: &Squares) -> bool {
+    let sizes = squares.map(i64::abs);
+    let largest = sizes.into_iter().fold(0, i64::max);
+    sizes.iter().sum::<i64>() == 4 && sizes.iter().all(|size| *size == 0 || *size == largest)
+}
+
+/// The rotation matrix of such a quaternion: of entries −1, 0 and 1.
+pub fn rotation([x, y, z, w]: Squares) -> [[f64; 3]; 3] {
+    // Four times the product of two entries, which are of one size.
+    let product = |a: i64, b: i64| a * b.signum();
+    let twice = [
+        [
+            2 - product(y, y) - product(z, z),
+            product(x, y) - product(z, w),
+            product(x, z) + product(y, w),
+        ],
+        [
+            product(x, y) + product(z, w),
+            2 - product(x, x) - product(z, z),
+            product(y, z) - product(x, w),
+        ],
+        [
+            product(x, z) - product(y, w),
+            product(y, z) + product(x, w),
+            2 - product(x, x) - product(y, y),
+        ],
+    ];
+    #[expect(clippy::cast_precision_loss, reason = "−2, 0 or 2")]
+    twice.map(|row| row.map(|entry| entry as f64 / 2.0))
+}
+
 #[cfg(test)]
 mod tests {
     use std::f64::consts::FRAC_PI_2;
 
-    use super::{is_residue, quarters};
+    use super::{exact_right_angles, is_residue, quarters, right_angles, rotation};
     use crate::description::Number;
 
     fn written(value: f64, resolution: f64) -> Number {
@@ -110,5 +204,65 @@ mod tests {
         ] {
             assert_eq!(quarters(&written(value, resolution)), None, "{value}");
         }
+    }
+
+    /// A quaternion as it is written.
+    fn quaternion(words: [&str; 4]) -> [Number; 4] {
+        words.map(|word| {
+            let decimals = word.split_once('.').map_or(0, |(_, rest)| rest.len());
+            let resolution = 10_f64.powi(-i32::try_from(decimals).expect("few decimals"));
+            written(word.parse().expect("a number"), resolution)
+        })
+    }
+
+    #[test]
+    fn quaternions_of_right_angles_are_known_by_their_digits() {
+        for (words, squares) in [
+            (["0.7071068", "0", "0", "0.7071068"], Some([2, 0, 0, 2])),
+            (
+                ["0.707", "0", "-0.7071067811865475", "0"],
+                Some([2, 0, -2, 0]),
+            ),
+            (
+                ["0.5", "-0.5", "0.50", "0.4999999999999999"],
+                Some([1, -1, 1, 1]),
+            ),
+            (["0", "0.0", "1", "0"], Some([0, 0, 4, 0])),
+            (["0.000000000000000061", "0", "0", "1"], Some([0, 0, 0, 4])),
+            (["0.7", "0", "0", "0.7"], None),
+            (["0.70711", "0", "0", "0.70710"], None),
+            (["0.7071", "0", "0", "1"], None),
+            (["0.7071", "0.7071", "0", "0.7071"], None),
+            (["0.5", "0", "0", "0.5"], None),
+        ] {
+            assert_eq!(right_angles(&quaternion(words)), squares, "{words:?}");
+        }
+    }
+
+    #[test]
+    fn quaternions_of_one_size_are_of_right_angles_at_any_length() {
+        for (words, squares) in [
+            (["0.7", "0", "0", "-0.7"], Some([2, 0, 0, -2])),
+            (["3", "3", "-3", "3"], Some([1, 1, -1, 1])),
+            (["0", "0", "0.2", "0"], Some([0, 0, 4, 0])),
+            (["1", "1", "0", "1"], None),
+            (["0.6", "0", "0", "0.8"], None),
+        ] {
+            assert_eq!(exact_right_angles(&quaternion(words)), squares, "{words:?}");
+        }
+    }
+
+    #[test]
+    fn rotations_of_right_angles_are_products_of_quarter_turns() {
+        // About x, y and z; about their diagonal; half a turn about the diagonal of x and y.
+        let none = [0.0; 3];
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let opposite = |row: [f64; 3]| std::array::from_fn(|k| none[k] - row[k]);
+        assert_eq!(rotation([2, 0, 0, 2]), [x, opposite(z), y]);
+        assert_eq!(rotation([0, -2, 0, -2]), [z, y, opposite(x)]);
+        assert_eq!(rotation([0, 0, 2, 2]), [opposite(y), x, z]);
+        assert_eq!(rotation([1, 1, 1, 1]), [z, x, y]);
+        assert_eq!(rotation([2, 2, 0, 0]), [y, x, opposite(z)]);
+        assert_eq!(rotation([0, 0, 0, 4]), [x, y, z]);
     }
 }

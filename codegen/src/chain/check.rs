@@ -92,10 +92,14 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     tree.external = external::check(description, request, &tree, &links, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
-        errors.push(
-            robot.place,
-            format!("no joint of {} moves", quoted(&robot.text)),
-        );
+        let message = format!("no joint of {} moves", quoted(&robot.text));
+        match mimic::stuck(description, &tree).first() {
+            Some(stuck) => {
+                let message = format!("{message}: {}", stuck.why);
+                errors.push_with_hint(stuck.place, message, stuck.hint.as_str());
+            }
+            None => errors.push(robot.place, message),
+        }
     }
     errors.into_result(tree)
 }

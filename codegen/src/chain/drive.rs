@@ -68,8 +68,15 @@ fn check_joint(
 /// One number for all velocities, or one for each; none negative.
 fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
     let count = joint.kind.freedoms().len();
+    let name = &joint.name.text;
     for part in Part::ALL {
-        let numbers = request.drive(&joint.name.text, &joint.drive, part);
+        let numbers = request.drive(name, &joint.drive, part);
+        let further = request.further_motors(name, &joint.drive).iter();
+        let further = further.filter_map(|motor| match part {
+            Part::Rotor => motor.rotor.as_ref(),
+            Part::Ratio => motor.ratio.as_ref(),
+            _ => None,
+        });
         let what = called(part, &joint.name);
         let place = numbers.first().map_or(joint.place, |number| number.place);
         if numbers.len() > 1 && numbers.len() != count {
@@ -80,7 +87,7 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
                 "give one number for all of them, or one for each",
             );
         }
-        for Number { value, place, .. } in numbers {
+        for Number { value, place, .. } in numbers.iter().chain(further) {
             if !value.is_finite() {
                 errors.push(*place, format!("the {what} is not a number"));
             } else if *value < 0.0 && part != Part::Ratio {
@@ -90,6 +97,7 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
             }
         }
     }
+    check_motors(joint, request, errors);
     let said = |part| request.drive(&joint.name.text, &joint.drive, part).first();
     // A file has the ratio of many a gear without the rotor behind it, and says nothing with it.
     let mut asked = request.drives.iter();
@@ -101,6 +109,29 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
             "give the inertia of the rotor, or the armature alone, which has the ratio in it",
         );
     }
+}
+
+/// Of a joint with several motors, what is asked for replaces them all: rotor and ratio together.
+fn check_motors(joint: &Joint, request: &Request, errors: &mut Errors) {
+    let asked = |of: Part| {
+        let mut drives = request.drives.iter();
+        drives.find(|(name, part, _)| *part == of && name.text == joint.name.text)
+    };
+    let several = !joint.drive.further().is_empty();
+    let alone = match (asked(Part::Rotor), asked(Part::Ratio)) {
+        (Some((name, part, _)), None) | (None, Some((name, part, _))) if several => (name, *part),
+        _ => return,
+    };
+    let (name, part) = alone;
+    let count = 1 + joint.drive.further().len();
+    errors.push_with_hint(
+        name.place,
+        format!(
+            "the {} is that of one motor, and the file has {count} of them",
+            called(part, name)
+        ),
+        "give rotor and ratio together, which replace them all; or the armature, which is added",
+    );
 }
 
 fn called(part: Part, joint: &Name) -> String {

@@ -139,13 +139,46 @@ pub fn hold(tree: &mut Tree, follows: &List<JointId, Option<Follow>>) {
     }
 }
 
-/// That a joint is held whose leader was left out, or never moves; that one has its own coordinate whose
-/// leader is nowhere.
-pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
+/// A joint that is held because the one that it follows has no coordinate.
+pub struct Stuck {
+    pub place: Place,
+    /// Which joint follows which, and why that has none.
+    pub why: String,
+    pub hint: String,
+}
+
+/// The joints whose leader was left out, or never moves.
+pub fn stuck(description: &Description, tree: &Tree) -> Vec<Stuck> {
     let moves = |joint: JointId| {
         let mut there = tree.branches.iter();
         there.any(|branch| branch.joint == joint) && description[joint].kind.moves()
     };
+    let follow = |branch: &Branch| Some((branch.joint, branch.follows?));
+    let follows = tree.branches.iter().filter_map(follow);
+    let stuck = follows
+        .filter(|(_, follow)| !(moves(follow.leader) || tree.locks.contains_key(&follow.leader)));
+    let stuck = stuck.map(|(joint, follow)| {
+        let name = |joint: JointId| quoted(&description[joint].name.text);
+        let (own, leader) = (name(joint), name(follow.leader));
+        let (why, hint) = if description[follow.leader].kind.moves() {
+            let hint = format!("lock {own} where it should be, or keep {leader}");
+            ("which has no coordinate here", hint)
+        } else {
+            let hint = format!("let {own} follow a joint that moves, or leave <mimic> out");
+            ("which is fixed", hint)
+        };
+        Stuck {
+            place: description[joint].place,
+            why: format!("joint {own} follows joint {leader}, {why}"),
+            hint,
+        }
+    });
+    stuck.collect()
+}
+
+/// That a joint is held whose leader was left out, or never moves; that one has its own coordinate whose
+/// leader is nowhere.
+pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
     let orphans = tree.branches.iter().filter(|branch| branch.held.is_none());
     let orphans = orphans.filter_map(|branch| {
         let joint = &description[branch.joint];
@@ -159,21 +192,10 @@ pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
             hint: Some("name the joint that leads, or leave <mimic> out".to_owned()),
         })
     });
-    let follow = |branch: &Branch| Some((branch.joint, branch.follows?));
-    let follows = tree.branches.iter().filter_map(follow);
-    let alone = follows
-        .filter(|(_, follow)| !(moves(follow.leader) || tree.locks.contains_key(&follow.leader)));
-    let alone = alone.map(|(joint, follow)| {
-        let name = |joint: JointId| quoted(&description[joint].name.text);
-        let (own, leader) = (name(joint), name(follow.leader));
-        Complaint {
-            place: description[joint].place,
-            message: format!(
-                "joint {own} follows joint {leader}, which has no coordinate here: held where \
-                     zero would take it"
-            ),
-            hint: Some(format!("lock {own} where it should be, or keep {leader}")),
-        }
+    let stuck = stuck(description, tree).into_iter().map(|stuck| Complaint {
+        place: stuck.place,
+        message: format!("{}: held where zero would take it", stuck.why),
+        hint: Some(stuck.hint),
     });
-    orphans.chain(alone).collect()
+    orphans.chain(stuck).collect()
 }

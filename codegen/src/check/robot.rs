@@ -46,6 +46,12 @@ pub(super) fn robot(
                 (key, number.quarters)
             })
             .collect(),
+        turned: (chain.report.turned.iter())
+            .map(|turned| {
+                let key = (turned.item.as_str(), turned.written.map(f64::to_bits));
+                (key, turned.squares)
+            })
+            .collect(),
     };
     let links: HashMap<&str, LinkId> =
         places(description.links.iter().map(|link| link.name.text.as_str()));
@@ -217,4 +223,6 @@ struct Reader<'d> {
     fields: &'d List<FieldId, Vec<f64>>,
     /// What was taken for quarter turns or zero, by item and bits.
     snapped: HashMap<(&'d str, u64), i64>,
+    /// What quaternions were taken for, by item and bits.
+    turned: HashMap<(&'d str, [u64; 4]), [i64; 4]>,
 }

@@ -133,6 +133,7 @@ pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
         "dropped": report.dropped,
         "mimicked": mimicked,
         "snapped": snapped.collect::<Value>(),
+        "turned": turned(chain),
         "warnings": json::warnings(&report.warnings),
         "details": {
             "hash": format!("{:016x}", description.source.hash),
@@ -151,6 +152,30 @@ pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
         answer["dependent"] = json!(report.dependent);
     }
     answer
+}
+
+/// Quaternions that were taken for rotations by right angles.
+fn turned(chain: &Chain) -> Value {
+    let turned = chain.report.turned.iter().map(|turned| {
+        let (line, column) = json::line_and_column(turned.place);
+        json!({
+            "line": line, "column": column, "item": turned.item,
+            "written": turned.written, "meant": turned.squares.map(root),
+        })
+    });
+    turned.collect()
+}
+
+/// An entry of a quaternion of right angles, of which four times the square is told.
+fn root(square: i64) -> String {
+    let sign = if square < 0 { "−" } else { "" };
+    let size = match square.abs() {
+        0 => "0",
+        1 => "½",
+        2 => "√½",
+        _ => "1",
+    };
+    format!("{sign}{size}")
 }
 
 /// Quarter turns as people write them.
@@ -281,6 +306,13 @@ fn in_text(description: &Description, chain: &Chain) -> String {
     for number in &report.snapped {
         let (row, column) = json::line_and_column(number.place);
         let (item, written, meant) = (&number.item, number.written, meant(number.quarters));
+        line(format!("  {row}:{column}: {written} of {item} is {meant}"));
+    }
+    for quaternion in &report.turned {
+        let (row, column) = json::line_and_column(quaternion.place);
+        let written = quaternion.written.map(|entry| entry.to_string()).join(" ");
+        let meant = quaternion.squares.map(root).join(" ");
+        let item = &quaternion.item;
         line(format!("  {row}:{column}: {written} of {item} is {meant}"));
     }
     line(counted(report.warnings.len(), "warning", "warnings"));

@@ -1,8 +1,9 @@
-//! Directions of axes.
+//! Directions of axes, and quaternions: numbers whose length means nothing.
 //!
-//! In: three numbers with their digits. Out: the same direction, exactly: as it was written, or times a power of
-//! two where its length is far from 1; a warning where digits do not excuse another length than 1; or why it is no
-//! direction. What the written digits leave open is no doubt: `0.577 0.577 0.577` is a unit vector, `0 0 2` is not.
+//! In: numbers with their digits. Out: the direction of an axis, exactly: as it was written, or times a power of two
+//! where its length is far from 1; a quaternion as it was written; a warning where digits do not excuse another length
+//! than 1; or why it is none. What the written digits leave open is no doubt: `0.577 0.577 0.577` is a unit vector,
+//! `0 0 2` is not.
 
 use super::Number;
 use crate::expression::Double;
@@ -27,13 +28,40 @@ pub(super) struct Remark {
 /// digits than numbers of a file have. A power of two makes any axis as large as others, so that what rounding left
 /// of zero is known by its size.
 pub(super) fn direction(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), Remark> {
-    let values = axis.map(|number| number.value);
+    let measured = measure(&axis).ok_or_else(|| Remark {
+        what: "is zero".to_owned(),
+        hint: "give it a direction, such as 0 0 1".to_owned(),
+    })?;
+    let Measured {
+        largest, of_parts, ..
+    } = measured;
+    let moderate = axis.map(|number| moderate(number, largest, of_parts));
+    Ok((moderate, measured.doubt))
+}
+
+/// What is doubtful about a quaternion, or wrong with it. Whoever computes with it makes its length 1.
+pub(super) fn quaternion(entries: &[Number; 4]) -> Result<Option<Remark>, Remark> {
+    let measured = measure(entries).ok_or_else(|| Remark {
+        what: "is zero".to_owned(),
+        hint: "give it a rotation, such as 0 0 0 1".to_owned(),
+    })?;
+    Ok(measured.doubt)
+}
+
+struct Measured {
+    /// The largest magnitude among the numbers.
+    largest: f64,
+    /// The length of the numbers divided by that.
+    of_parts: f64,
+    doubt: Option<Remark>,
+}
+
+/// Length and direction, to the digits that messages need; none of what is zero.
+fn measure<const N: usize>(numbers: &[Number; N]) -> Option<Measured> {
+    let values = numbers.map(|number| number.value);
     let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest == 0.0 {
-        return Err(Remark {
-            what: "is zero".to_owned(),
-            hint: "give it a direction, such as 0 0 1".to_owned(),
-        });
+        return None;
     }
     // Scaled, so that no square overflows or vanishes; for messages and to choose a power of two.
     let parts = values.map(|x| x / largest);
@@ -41,23 +69,24 @@ pub(super) fn direction(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark
     let cosines = parts.map(|x| x / of_parts);
     let length = largest * of_parts;
 
-    let open: f64 = axis
+    let open: f64 = numbers
         .iter()
         .zip(cosines)
         .map(|(number, cosine)| digits_open(number) * cosine.abs())
         .sum();
     let excess = (length - 1.0).abs();
     let doubt = (excess > open.min(LARGEST_EXCUSE) + UNNOTICED).then(|| {
-        let [x, y, z] = cosines;
+        let entries = cosines.map(|entry| entry.to_string());
         Remark {
             what: format!("has length {}: taken with length 1", readable(length)),
-            hint: format!("of length 1 it is {x} {y} {z}"),
+            hint: format!("of length 1 it is {}", entries.join(" ")),
         }
     });
-    Ok((
-        axis.map(|number| moderate(number, largest, of_parts)),
+    Some(Measured {
+        largest,
+        of_parts,
         doubt,
-    ))
+    })
 }
 
 /// Times the power of two that makes the length of an axis, a product of two numbers, at least 1 and less than 2,

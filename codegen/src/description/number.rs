@@ -34,6 +34,35 @@ pub(super) fn read(word: &str, place: Place) -> Result<Number, Refusal> {
     }
 }
 
+/// The first character of a text of numbers that looks like another: where it is, what is to be said of it, and what
+/// to do about it.
+pub(super) fn look_alike(text: &str) -> Option<(usize, String, &'static str)> {
+    let is_one = |(_, letter): &(usize, char)| !letter.is_ascii();
+    let mut letters = text.char_indices().filter(is_one);
+    letters.find_map(|(at, letter)| {
+        let (name, hint) = match letter {
+            '\u{a0}' => ("a no-break space", "write a space"),
+            '\u{202f}' => ("a narrow no-break space", "write a space"),
+            '\u{3000}' => ("an ideographic space", "write a space"),
+            '\u{200b}' | '\u{2060}' | '\u{feff}' => ("a space without width", "remove it"),
+            '\u{2212}' | '\u{fe63}' | '\u{ff0d}' => ("a minus sign that is no hyphen", "write -"),
+            '\u{2010}'..='\u{2015}' => ("a dash", "write -"),
+            '\u{ff0b}' => ("a wide plus sign", "write +"),
+            '\u{ff0e}' | '\u{3002}' => ("a wide point", "write ."),
+            '\u{ff0c}' | '\u{3001}' | '\u{60c}' => (
+                "a wide comma",
+                "write spaces between numbers, and decimal points in them",
+            ),
+            '\u{ff10}'..='\u{ff19}' => ("a wide digit", "write 0 to 9"),
+            letter if letter.is_whitespace() => ("white space of another kind", "write a space"),
+            letter if letter.is_numeric() => ("a digit of another script", "write 0 to 9"),
+            _ => return None,
+        };
+        let code = u32::from(letter);
+        Some((at, format!("has {name} (U+{code:04X}) in it"), hint))
+    })
+}
+
 /// Reads a word that may be infinite, for bounds that need not exist.
 pub(super) fn read_bound(word: &str) -> Result<f64, Refusal> {
     let (sign, name) = match word.strip_prefix('-') {
@@ -104,6 +133,12 @@ fn refuse(word: &str) -> Refusal {
         return Refusal {
             what: "is empty".to_owned(),
             hint: None,
+        };
+    } else if let Some((_, what, hint)) = look_alike(word) {
+        let what = format!("{what}: {}", quoted(word));
+        return Refusal {
+            what,
+            hint: Some(hint),
         };
     } else {
         ("is not a number", None)

@@ -130,6 +130,8 @@ pub enum Step {
     Translate([Number; 3]),
     /// About one axis \[rad\].
     Rotate(Axis, Number),
+    /// By a quaternion x, y, z, w of any length but 0.
+    Turn([Number; 4]),
 }
 
 /// A coordinate axis.

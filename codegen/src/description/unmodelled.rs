@@ -14,6 +14,7 @@ pub struct Unmodelled {
     gears: Vec<Met>,
     rotors: Vec<Met>,
     limits: Vec<Met>,
+    soft_limits: Vec<Met>,
 }
 
 /// What of it is modelled all the same.
@@ -32,14 +33,11 @@ pub struct Modelled<'a> {
 struct Met {
     place: Place,
     item: String,
-    /// What it is made of.
+    /// What friction is made of.
     words: Vec<&'static str>,
     /// The joint that it is of, where one is told.
     joint: Option<String>,
 }
-
-/// Friction that the model knows.
-const KNOWN: [&str; 2] = ["damping", "friction"];
 
 impl Unmodelled {
     /// Friction of a joint that moves: the attributes that are not zero.
@@ -53,10 +51,17 @@ impl Unmodelled {
         self.gears.push(met);
     }
 
-    /// The inertia of a rotor.
-    pub(super) fn rotor(&mut self, place: Place, transmission: &str) {
-        let met = Met::new(place, transmission, Vec::new(), None);
+    /// The inertia of a rotor, and the joint that gets it.
+    pub(super) fn rotor(&mut self, place: Place, transmission: &str, joint: Option<String>) {
+        let met = Met::new(place, transmission, Vec::new(), joint);
         self.rotors.push(met);
+    }
+
+    /// That there is no joint of that name to get a rotor.
+    pub(super) fn dismount(&mut self, joint: &str) {
+        for met in self.gears.iter_mut().chain(&mut self.rotors) {
+            met.joint.take_if(|of| of == joint);
+        }
     }
 
     /// Limits of a coordinate that has none.
@@ -64,18 +69,20 @@ impl Unmodelled {
         self.limits.push(Met::new(place, joint, Vec::new(), None));
     }
 
+    /// Soft limits that are narrower than the limits.
+    pub(super) fn soft_limits(&mut self, place: Place, joint: &str) {
+        let met = Met::new(place, joint, Vec::new(), None);
+        self.soft_limits.push(met);
+    }
+
     /// A doubt for each kind that was met.
     #[must_use]
     pub fn doubts(&self, modelled: &Modelled<'_>) -> Vec<Complaint> {
-        let is_left = |met: &&Met| {
-            let mut words = met.words.iter();
-            !modelled.friction || words.any(|word| !KNOWN.contains(word))
-        };
-        let friction: Vec<&Met> = self.friction.iter().filter(is_left).collect();
+        let friction = self.friction.iter().filter(|_| !modelled.friction);
+        let friction: Vec<&Met> = friction.collect();
         let mut words: Vec<&str> = Vec::new();
         for &word in friction.iter().flat_map(|met| &met.words) {
-            let known = modelled.friction && KNOWN.contains(&word);
-            if !known && !words.contains(&word) {
+            if !words.contains(&word) {
                 words.push(word);
             }
         }
@@ -94,18 +101,29 @@ impl Unmodelled {
             |of| format!("not modelled: the reduction of {of}"),
             "coordinates, torques and inertias are those of the joint, without the motor",
         );
-        let rotors = self.rotors.iter().filter(|_| !modelled.armature);
-        let rotors = doubt(
-            &rotors.collect::<Vec<_>>(),
+        let (mounted, lost): (Vec<_>, Vec<_>) =
+            self.rotors.iter().partition(|met| met.joint.is_some());
+        let mounted = doubt(
+            if modelled.armature { &[] } else { &mounted },
             |of| format!("not modelled: the rotor of {of}"),
             "ask for its inertia with the word rotors",
+        );
+        let lost = doubt(
+            &lost,
+            |of| format!("not modelled: the rotor of {of}, which is of no joint alone"),
+            "name one <joint> and its <actuator> in the transmission; what several move together is not modelled",
         );
         let limits = doubt(
             &self.limits.iter().collect::<Vec<_>>(),
             |of| format!("not used: the limits of {of}, of type continuous"),
             "the type that has limits is revolute",
         );
-        [friction, gears, rotors, limits]
+        let soft_limits = doubt(
+            &self.soft_limits.iter().collect::<Vec<_>>(),
+            |of| format!("not used: the soft limits of {of}, which are narrower than the limits"),
+            "ranges are those of <limit>, and soft limits a controller's: narrow <limit>, if they are meant",
+        );
+        [friction, gears, mounted, lost, limits, soft_limits]
             .into_iter()
             .flatten()
             .collect()

@@ -8,9 +8,11 @@
 
 mod closure;
 mod element;
+mod elements;
 mod joint;
 mod link;
 mod plain;
+mod survey;
 mod transmission;
 mod xml;
 
@@ -26,18 +28,9 @@ use super::{Description, Name, Source, Unmodelled, names};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
+#[doc(hidden)]
+pub use self::elements::page;
 pub(crate) use self::xml::LARGEST_FILE;
-
-/// What a robot may hold, mechanics or not.
-const PARTS: [&str; 7] = [
-    "link",
-    "joint",
-    "loop_joint",
-    "material",
-    "gazebo",
-    "transmission",
-    "sensor",
-];
 
 /// Reads the text of a file named `file`; `anchor` is the token that named it, for the compiler.
 ///
@@ -58,11 +51,17 @@ pub fn read(
         errors: Errors::new(),
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
-        unknown: 0,
+        is_of_version_1_0: false,
         xacro: None,
         call: None,
     };
     let mut description = robot(&mut reader, document.root_element());
+    if description.is_some() {
+        survey::survey(&mut reader, document.root_element());
+    }
+    reader
+        .warnings
+        .sort_by_key(|warning| warning.place.line_and_column());
     let is_whole = || reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
     let call = reader.call.filter(|_| !is_whole());
     if let Some(place) = reader.xacro.or(call) {
@@ -71,6 +70,7 @@ pub fn read(
         return None;
     }
     errors.append(reader.errors);
+    errors.warn(reader.warnings.iter().cloned());
     if let Some(description) = &mut description {
         description.source = Source {
             file: Some(file.to_owned()),
@@ -127,20 +127,26 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         place: Place::Unknown,
     });
     let subject = format!("robot {}", quoted(&name.text));
+    version(reader, root, &subject);
     let mut links = Vec::new();
     let mut joints = Vec::new();
     let mut loops = Vec::new();
     let mut geared = Vec::new();
-    for child in reader.children(root, &subject, &PARTS) {
+    for child in Reader::children(root) {
         match child.tag_name().name() {
             "link" => links.extend(link::read(reader, child)),
-            "joint" => joints.extend(joint::read(reader, child)),
+            "joint" | "drake.joint" => joints.extend(joint::read(reader, child)),
             "loop_joint" => loops.extend(closure::read(reader, child)),
             "transmission" => geared.extend(transmission::read(reader, child)),
+            "ros2_control" => {
+                let inner = Reader::children(child).into_iter();
+                let inner = inner.filter(|inner| inner.tag_name().name() == "transmission");
+                geared.extend(inner.filter_map(|inner| transmission::read(reader, inner)));
+            }
             _ => {}
         }
     }
-    transmission::mount(geared, &mut joints);
+    transmission::mount(reader, geared, &mut joints);
     if links.is_empty() && reader.errors.is_empty() {
         reader
             .errors
@@ -155,6 +161,28 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     })
+}
+
+/// Notes the version; warns of one that is not known.
+fn version<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>, subject: &str) {
+    const KNOWN: [&str; 4] = ["1", "1.0", "1.1", "1.2"];
+    let version = root.attribute_node("version");
+    let written = version.map(|version| reader.value(&version).trim().to_owned());
+    reader.is_of_version_1_0 = written
+        .as_deref()
+        .is_none_or(|text| text == "1" || text == "1.0");
+    if let (Some(version), Some(written)) = (version, written)
+        && !KNOWN.contains(&written.as_str())
+    {
+        reader.warn(
+            reader.value_place(&version),
+            format!(
+                "{subject} has the version {}, which is not known: read as 1.1",
+                quoted(&written)
+            ),
+            Some("versions of URDF are 1.0 and 1.1".to_owned()),
+        );
+    }
 }
 
 #[cfg(test)]

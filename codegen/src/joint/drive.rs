@@ -59,20 +59,59 @@ impl Part {
 }
 
 /// What is said of a joint: of each part nothing, one number for all of the joint's velocities, or one for
-/// each.
+/// each; and of motors beyond the first.
 #[derive(Clone, Debug, Default)]
-pub struct Parts([Vec<Number>; Part::ALL.len()]);
+pub struct Parts {
+    numbers: [Vec<Number>; Part::ALL.len()],
+    further: Vec<Motor>,
+}
+
+/// A motor, as far as it is told.
+#[derive(Clone, Copy, Debug)]
+pub struct Motor {
+    /// The inertia of its rotor \[kg m²\].
+    pub rotor: Option<Number>,
+    /// Turns of the rotor for each of the joint; of a slide rad/m. One where it is not told.
+    pub ratio: Option<Number>,
+}
 
 impl Parts {
     /// What is said of a part.
     #[must_use]
     pub fn of(&self, part: Part) -> &[Number] {
-        &self.0[part as usize]
+        &self.numbers[part as usize]
+    }
+
+    /// Motors beside the one whose rotor and ratio are parts: what they reflect adds to it.
+    #[must_use]
+    pub fn further(&self) -> &[Motor] {
+        &self.further
+    }
+
+    /// Adds a motor: the first with a rotor becomes the rotor and the ratio.
+    pub fn mount(&mut self, motor: Motor) {
+        let [rotor, ratio] = [Part::Rotor, Part::Ratio].map(|part| self.of(part).first().copied());
+        let first = Motor { rotor, ratio };
+        let value = |number: Option<Number>| number.map(|number| number.value);
+        if rotor.is_some() || (ratio.is_some() && motor.rotor.is_none()) {
+            // A gear without a rotor reflects nothing, and is often told once for each interface.
+            if motor.rotor.is_some() || value(motor.ratio) != value(ratio) {
+                self.further.push(motor);
+            }
+            return;
+        }
+        if value(motor.ratio) != value(ratio) {
+            self.further.extend(ratio.map(|_| first));
+        }
+        let parts = [(Part::Rotor, motor.rotor), (Part::Ratio, motor.ratio)];
+        for (part, number) in parts {
+            self.say(part, number.into_iter().collect());
+        }
     }
 
     /// Says something of a part, in place of what was said before.
     pub fn say(&mut self, part: Part, numbers: Vec<Number>) {
-        self.0[part as usize] = numbers;
+        self.numbers[part as usize] = numbers;
     }
 }
 

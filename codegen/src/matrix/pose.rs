@@ -4,6 +4,7 @@ use std::array;
 use std::ops::{Add, Mul};
 
 use super::Vector;
+use super::vector::towards_one;
 use crate::expression::{Double, Graph, Term};
 
 /// A rotation matrix R, row by row.
@@ -84,6 +85,39 @@ impl<'g> Rotation<Term<'g>> {
         let x = axis(smallest).cross(direction).normalized();
         let x = x.expect("an axis is not along its smallest entry");
         Self::from_columns([x, direction.cross(x), direction])
+    }
+
+    /// By a quaternion x, y, z, w of any length; none of one that is zero, or depends on an input.
+    #[must_use]
+    pub fn of_quaternion(entries: [Term<'g>; 4]) -> Option<Self> {
+        let mut size = 0.0_f64;
+        for entry in entries {
+            size = size.max(entry.value()?.to_f64().abs());
+        }
+        let graph = entries[0].graph();
+        let scale = graph.constant(towards_one(size));
+        let [x, y, z, w] = entries.map(|entry| entry * scale);
+        let square = x * x + y * y + z * z + w * w;
+        square.value().filter(|square| square.is_sharp())?;
+        let (one, two) = (graph.constant(1.0), graph.constant(2.0));
+        let twice = |product: Term<'g>| two * product / square;
+        Some(Self([
+            [
+                one - twice(y * y + z * z),
+                twice(x * y - z * w),
+                twice(x * z + y * w),
+            ],
+            [
+                twice(x * y + z * w),
+                one - twice(x * x + z * z),
+                twice(y * z - x * w),
+            ],
+            [
+                twice(x * z - y * w),
+                twice(y * z + x * w),
+                one - twice(x * x + y * y),
+            ],
+        ]))
     }
 
     /// About x by an angle of which sine and cosine are given.

@@ -89,7 +89,7 @@ impl<'g> Vector<Term<'g>> {
 }
 
 /// A power of two that makes a number about as large as 1, as far as its exponent reaches.
-fn towards_one(size: f64) -> f64 {
+pub(super) fn towards_one(size: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     let exponent = (size.to_bits() & EXPONENT).clamp(1 << 52, 2045 << 52);
     f64::from_bits((2046 << 52) - exponent)

@@ -53,7 +53,16 @@ impl Drive {
             let or_zero = |number: Option<Big>| number.unwrap_or_else(Big::zero);
             let ratio = said(Part::Ratio).unwrap_or_else(Big::one);
             // A rotor turns so many times as fast, and with as many times the torque.
-            let rotor = or_zero(said(Part::Rotor)) * &ratio * &ratio;
+            let mut rotor = or_zero(said(Part::Rotor)) * &ratio * &ratio;
+            for motor in request.further_motors(&joint.name.text, &joint.drive) {
+                let ratio = motor
+                    .ratio
+                    .map_or_else(Big::one, |ratio| Big::new(ratio.value));
+                let inertia = motor
+                    .rotor
+                    .map_or_else(Big::zero, |rotor| Big::new(rotor.value));
+                rotor = rotor + inertia * &ratio * &ratio;
+            }
             Self {
                 velocity,
                 factor: factor.clone(),

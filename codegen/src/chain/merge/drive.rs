@@ -2,7 +2,7 @@
 //!
 //! In: what is said of it, and the struct fields that stand for it. Out: a [`Drive`], zero where nothing is
 //! modelled. The armature is what the joint feels: that which is given, and that of a rotor times the
-//! square of its ratio.
+//! square of its ratio, of each motor.
 
 use super::Reader;
 use crate::description::Joint;
@@ -24,7 +24,13 @@ impl<'g> Reader<'g, '_> {
         };
         let or_zero = |term: Option<Term<'g>>| term.unwrap_or_else(|| self.graph.constant(0.0));
         let ratio = said(Part::Ratio).unwrap_or_else(|| self.graph.constant(1.0));
-        let rotor = or_zero(said(Part::Rotor)) * ratio * ratio;
+        let mut rotor = or_zero(said(Part::Rotor)) * ratio * ratio;
+        for motor in self.request.further_motors(&joint.name.text, &joint.drive) {
+            let [inertia, ratio] = [motor.rotor, motor.ratio];
+            let ratio = ratio.map_or_else(|| self.graph.constant(1.0), |ratio| self.number(&ratio));
+            let inertia = or_zero(inertia.map(|inertia| self.number(&inertia)));
+            rotor = rotor + inertia * ratio * ratio;
+        }
         let described = Drive {
             armature: or_zero(said(Part::Armature)) + rotor,
             damping: or_zero(said(Part::Damping)),

@@ -7,7 +7,7 @@
 use super::Reader;
 use crate::chain::tree::{Branch, Follow};
 use crate::chain::turn::roll_pitch_yaw;
-use crate::chain::{Mimicked, Snapped, angle};
+use crate::chain::{Mimicked, Snapped, Turned, angle};
 use crate::description::{Axis, Description, Joint, JointId, Number, Step};
 use crate::expression::{Double, Input, Term};
 use crate::joint::{Freedom, JointKind, Motion};
@@ -115,7 +115,28 @@ impl<'g> Reader<'g, '_> {
                         Axis::Z => Rotation::about_z(angle),
                     })
                 }
+                Step::Turn(entries) => pose * Pose::rotation(self.turned(item, entries)),
             })
+    }
+
+    /// The rotation by a quaternion, exact where it is one by right angles.
+    fn turned(&mut self, item: &str, entries: &[Number; 4]) -> Rotation<Term<'g>> {
+        let written = angle::right_angles(entries).filter(|_| !self.request.exact);
+        if let Some(squares) = written.or_else(|| angle::exact_right_angles(entries)) {
+            let mut pairs = entries.iter().zip(squares);
+            if written.is_some() && pairs.any(|(entry, square)| angle::is_rounded(entry, square)) {
+                self.report.turned.push(Turned {
+                    item: item.to_owned(),
+                    written: entries.map(|entry| entry.value),
+                    squares,
+                    place: entries[0].place,
+                });
+            }
+            let rotation = angle::rotation(squares);
+            return Rotation(rotation.map(|row| row.map(|entry| self.graph.constant(entry))));
+        }
+        let entries = entries.map(|entry| self.component(item, &entry));
+        Rotation::of_quaternion(entries).expect("a quaternion of zeros is refused")
     }
 
     /// An entry of an offset \[m\] or of a direction, 0 where rounding left no more of it.

@@ -57,7 +57,16 @@ impl Reader<'_> {
         };
         let zero = Scalar::literal(0.0);
         let ratio = said(Part::Ratio).unwrap_or(Scalar::exact(1.0));
-        let rotor = said(Part::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
+        let mut rotor = said(Part::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
+        for motor in self.request.further_motors(&joint.name.text, &joint.drive) {
+            let turns = motor
+                .ratio
+                .map_or(Scalar::exact(1.0), |ratio| Scalar::literal(ratio.value));
+            let inertia = motor
+                .rotor
+                .map_or(zero, |rotor| Scalar::literal(rotor.value));
+            rotor = rotor + turns * turns * inertia;
+        }
         [Part::Armature, Part::Damping, Part::Friction].map(|part| {
             let field = self.field(|target| {
                 let of = target.drives();

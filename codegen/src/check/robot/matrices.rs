@@ -39,6 +39,51 @@ pub(super) fn of_length_1(direction: [Scalar; 3]) -> [Scalar; 3] {
     scaled.map(|entry| entry / length)
 }
 
+/// The rotation by a quaternion x, y, z, w of any length.
+pub(super) fn by_quaternion(entries: [Scalar; 4]) -> Matrix<Scalar> {
+    let sizes = entries.iter().map(|entry| entry.size());
+    let largest = Scalar::exact(sizes.fold(0.0, f64::max));
+    let entries = entries.map(|entry| entry / largest);
+    let squares = entries.map(|entry| entry * entry);
+    let [x, y, z, w] = squares;
+    let twice = Scalar::exact(2.0) / (x + y + z + w);
+    by_products(entries, |a, b| a * b, twice)
+}
+
+/// R = 1 + 2 w v̲ + 2 v̲² of a quaternion v, w, from products of its entries, and what they are multiplied by to be
+/// twice those of one of length 1.
+pub(super) fn by_products<T: Copy>(
+    [x, y, z, w]: [T; 4],
+    product: impl Fn(T, T) -> Scalar,
+    twice: Scalar,
+) -> Matrix<Scalar> {
+    let one = Scalar::exact(1.0);
+    let rows = [
+        [
+            one - (product(y, y) + product(z, z)) * twice,
+            (product(x, y) - product(z, w)) * twice,
+            (product(x, z) + product(y, w)) * twice,
+        ],
+        [
+            (product(x, y) + product(z, w)) * twice,
+            one - (product(x, x) + product(z, z)) * twice,
+            (product(y, z) - product(x, w)) * twice,
+        ],
+        [
+            (product(x, z) - product(y, w)) * twice,
+            (product(y, z) + product(x, w)) * twice,
+            one - (product(x, x) + product(y, y)) * twice,
+        ],
+    ];
+    let mut turn = Matrix::identity();
+    for (row, entries) in rows.into_iter().enumerate() {
+        for (column, entry) in entries.into_iter().enumerate() {
+            turn.0[row][column] = entry;
+        }
+    }
+    turn
+}
+
 /// A turn that takes z to the normal of a plane. Along an axis of the frame, x and y go to those that
 /// follow it; else x goes to the product of the normal with the axis that it is farthest from.
 pub(super) fn across(normal: [Scalar; 3]) -> Matrix<Scalar> {

@@ -5,7 +5,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::matrices::{of_length_1, placed};
+use super::matrices::{by_products, by_quaternion, of_length_1, placed};
 use super::{Contradiction, Reader, Scalar};
 use crate::dense::Matrix;
 use crate::description::{Axis, Joint, Number, Step};
@@ -90,10 +90,46 @@ impl Reader<'_> {
                     };
                     Matrix::rotation(axis, turn)
                 }
+                Step::Turn(entries) => self.turned(item, entries)?,
             };
             placement = placement.times(&step);
         }
         Ok(placement)
+    }
+
+    /// The rotation by a quaternion. That it is one by right angles, as a report claims, is held against its
+    /// digits.
+    fn turned(&self, item: &str, entries: &[Number; 4]) -> Result<Matrix<Scalar>, Contradiction> {
+        let written = entries.map(|entry| entry.value);
+        let bits = written.map(f64::to_bits);
+        let Some(&squares) = self.turned.get(&(item, bits)) else {
+            let [x, y, z, w] = entries.each_ref();
+            let [x, y, z] = [
+                self.component(item, x)?,
+                self.component(item, y)?,
+                self.component(item, z)?,
+            ];
+            return Ok(by_quaternion([x, y, z, self.component(item, w)?]));
+        };
+        let excused = entries.iter().zip(squares).all(|(entry, square)| {
+            #[expect(clippy::cast_precision_loss, reason = "at most 4")]
+            let meant = (square.abs() as f64 / 4.0).sqrt() * square.signum() as f64;
+            let digits = 0.5 * entry.resolution + entry.value.abs() * f64::EPSILON;
+            (entry.value - meant).abs() <= (1.0 + 1e-6) * digits.max(4.0 * f64::EPSILON)
+        });
+        let is_of_length_1 = squares.iter().map(|square| square.abs()).sum::<i64>() == 4;
+        if !excused || !is_of_length_1 || self.request.exact {
+            return Err(Contradiction(format!(
+                "that {written:?} of {item} is rounded"
+            )));
+        }
+        // 4 a b of two entries is whole, since both squares are the same; a matrix of 0 and ±1.
+        let product = |a: i64, b: i64| {
+            #[expect(clippy::cast_precision_loss, reason = "at most 4")]
+            let product = (a.signum() * b) as f64;
+            Scalar::exact(product)
+        };
+        Ok(by_products(squares, product, Scalar::exact(0.5)))
     }
 
     pub(super) fn components(

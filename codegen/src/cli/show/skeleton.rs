@@ -16,6 +16,7 @@ use crate::layout::{Layout, arrange};
 use crate::list::{Id, List};
 use crate::matrix::{Pose, Rotation};
 use crate::print::Listing;
+use crate::quaternion::normalize;
 use crate::request::Request;
 use crate::space::{Entry, Kind, Variable};
 
@@ -224,6 +225,16 @@ fn center(inertial: &Inertial) -> [f64; 3] {
                     point[a] * cosine - point[b] * sine,
                     point[a] * sine + point[b] * cosine,
                 );
+            }
+            Step::Turn(entries) => {
+                let mut entries = entries.map(|entry| Double::from(entry.value));
+                normalize(&mut entries);
+                let [x, y, z, w] = entries;
+                let cross = |[a, b, c]: [Double; 3]| [y * c - z * b, z * a - x * c, x * b - y * a];
+                let once = cross(point);
+                let twice = cross(once);
+                let two = Double::from(2.0);
+                point = std::array::from_fn(|k| point[k] + two * (w * once[k] + twice[k]));
             }
         }
     }

@@ -14,9 +14,6 @@ use crate::closure::{ALL, Definition};
 use crate::description::{Loop, Step};
 use crate::wording::{known, quoted};
 
-/// What it may hold.
-const PARTS: [&str; 5] = ["link1", "link2", "axis", "axis2", "rod"];
-
 /// Reads a loop; none where it has no name, no type or not two links.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Loop> {
     let name = reader.name(node, "name", "a loop joint");
@@ -24,7 +21,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
         Some(name) => format!("loop joint {}", quoted(&name.text)),
         None => "the loop joint without a name".to_owned(),
     };
-    let children = reader.children(node, &subject, &PARTS);
+    let children = Reader::children(node);
     let kind = kind(reader, node, &subject);
     let closure = kind.and_then(|kind| {
         let length = || {
@@ -59,7 +56,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
         let element = reader.required(node, &children, end, &subject, &hint)?;
         let what = format!("the <{end}> of {subject}");
         let link = reader.name(element, "link", &what)?;
-        let place: Vec<Step> = reader.placement(element, &what, &["link"]);
+        let place: Vec<Step> = reader.placement(element, &what);
         Some((link, place))
     });
     let ((from, at), (to, to_at)) = (from?, to?);

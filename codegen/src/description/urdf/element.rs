@@ -8,15 +8,15 @@ use std::borrow::Cow;
 
 use roxmltree::{Attribute, Node};
 
-use super::plain::{FOR_COLON, unescaped};
+use super::plain::unescaped;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
-use crate::description::{Axis, Name, Number, Step, Unmodelled};
+use crate::description::{Axis, Name, Number, Step, Unmodelled, axis};
 use crate::error::{Complaint, Errors, Place};
-use crate::wording::{nearest, quoted};
+use crate::wording::quoted;
 
-/// The most warnings, and the most unknown elements that are looked at.
-const MOST_DOUBTS: usize = 1000;
+/// The most warnings.
+pub(super) const MOST_WARNINGS: usize = 1000;
 
 /// The elements of xacro itself; of any other name is the call of a macro.
 const OF_XACRO: [&str; 10] = [
@@ -32,6 +32,9 @@ const OF_XACRO: [&str; 10] = [
     "unless",
 ];
 
+/// 2π, and what people round it to.
+const MORE_THAN_A_TURN: f64 = 6.3;
+
 /// Why a number alone should end with its last digit.
 const ENDS_IN_SPACE: &str =
     "urdfdom, with which ROS reads, takes it for no number and leaves out what it is part of";
@@ -42,8 +45,8 @@ pub(super) struct Reader<'r, 't> {
     pub(super) errors: Errors,
     pub(super) warnings: Vec<Complaint>,
     pub(super) unmodelled: Unmodelled,
-    /// How many elements of unknown names were met.
-    pub(super) unknown: usize,
+    /// Whether the robot has no version, or 1.0, and nobody has said yet that it should have another.
+    pub(super) is_of_version_1_0: bool,
     /// Where something stands that xacro should have replaced.
     pub(super) xacro: Option<Place>,
     /// Where a macro is called that xacro may have left because it did not know it.
@@ -62,7 +65,7 @@ impl<'t> Reader<'_, 't> {
     }
 
     pub(super) fn warn(&mut self, place: Place, message: String, hint: Option<String>) {
-        if self.warnings.len() == MOST_DOUBTS {
+        if self.warnings.len() == MOST_WARNINGS {
             return;
         }
         self.warnings.push(Complaint {
@@ -74,7 +77,7 @@ impl<'t> Reader<'_, 't> {
 
     /// An element that xacro should have replaced, unless it is the call of a macro that it did not know: those it
     /// leaves, and every other reader passes over them.
-    fn left_by_xacro(&mut self, place: Place, name: &str, subject: &str) {
+    pub(super) fn left_by_xacro(&mut self, place: Place, name: &str, subject: &str) {
         if OF_XACRO.contains(&name) {
             self.xacro.get_or_insert(place);
             return;
@@ -90,33 +93,9 @@ impl<'t> Reader<'_, 't> {
         );
     }
 
-    /// The elements within an element; warns of those that look like a slip of a known one, since
-    /// a misspelt `<origin>` would move the robot.
-    pub(super) fn children<'a>(
-        &mut self,
-        node: Node<'a, 't>,
-        subject: &str,
-        known: &[&'static str],
-    ) -> Vec<Node<'a, 't>> {
-        let children: Vec<_> = node.children().filter(Node::is_element).collect();
-        for child in &children {
-            let name = child.tag_name().name();
-            let prefixed = name.split_once(FOR_COLON);
-            if let Some(("xacro", name)) = prefixed {
-                self.left_by_xacro(self.place(*child), name, subject);
-            } else if self.unknown < MOST_DOUBTS && prefixed.is_none() && !known.contains(&name) {
-                self.unknown += 1;
-                let Some(meant) = nearest(name, known) else {
-                    continue;
-                };
-                self.warn(
-                    self.place(*child),
-                    format!("<{name}> in {subject} is ignored"),
-                    Some(format!("did you mean <{meant}>?")),
-                );
-            }
-        }
-        children
+    /// The elements within an element.
+    pub(super) fn children<'a>(node: Node<'a, 't>) -> Vec<Node<'a, 't>> {
+        node.children().filter(Node::is_element).collect()
     }
 
     /// The one element of that name; complains of a second one that says anything else.
@@ -226,11 +205,29 @@ impl<'t> Reader<'_, 't> {
             self.xacro.get_or_insert(self.positions.place(start));
             return None;
         }
+        if let Some((offset, what, hint)) = number::look_alike(&text) {
+            // In a value with references, offsets are not those of the file.
+            let offset = if matches!(text, Cow::Borrowed(_)) {
+                offset
+            } else {
+                0
+            };
+            let place = self.positions.place(start + offset);
+            self.errors
+                .push_with_hint(place, format!("{subject} {what}"), hint);
+            return None;
+        }
         let count = text.split_ascii_whitespace().count();
         if count != N {
             let numbers = if count == 1 { "number" } else { "numbers" };
             let message = format!("{subject} has {count} {numbers} instead of {N}");
-            self.errors.push(self.positions.place(start), message);
+            let place = self.positions.place(start);
+            if text.contains([',', ';']) {
+                let hint = "write spaces between numbers, and decimal points in them";
+                self.errors.push_with_hint(place, message, hint);
+            } else {
+                self.errors.push(place, message);
+            }
             return None;
         }
         if N == 1 && text.ends_with(|end: char| end.is_ascii_whitespace()) {
@@ -266,52 +263,81 @@ impl<'t> Reader<'_, 't> {
 
     /// The placement in `<origin xyz="…" rpy="…"/>`; none means that frames coincide.
     pub(super) fn origin(&mut self, origin: Option<Node<'_, 't>>, subject: &str) -> Vec<Step> {
-        origin.map_or_else(Vec::new, |node| self.placement(node, subject, &[]))
+        origin.map_or_else(Vec::new, |node| self.placement(node, subject))
     }
 
-    /// The placement that an element has in its own `xyz` and `rpy`, beside attributes that are read
-    /// elsewhere.
-    pub(super) fn placement(
-        &mut self,
-        node: Node<'_, 't>,
-        subject: &str,
-        beside: &[&str],
-    ) -> Vec<Step> {
+    /// The placement that an element has in its own `xyz`, and `rpy` or `quat_xyzw`.
+    pub(super) fn placement(&mut self, node: Node<'_, 't>, subject: &str) -> Vec<Step> {
         let mut steps = Vec::new();
-        for attribute in node.attributes() {
-            let name = attribute.name();
-            if name == "quat_xyzw" {
-                self.errors.push_with_hint(
-                    self.value_place(&attribute),
-                    format!("the origin of {subject} has a quaternion, which is not read"),
-                    "write rpy=\"roll pitch yaw\"",
-                );
-            } else if !matches!(name, "xyz" | "rpy") && !beside.contains(&name) {
-                self.warn(
-                    self.positions.place(attribute.range().start),
-                    format!(
-                        "attribute {} of the origin of {subject} is ignored",
-                        quoted(name)
-                    ),
-                    Some("an origin has xyz and rpy".to_owned()),
-                );
-            }
-        }
         if let Some(xyz) = node.attribute_node("xyz") {
             let subject = format!("xyz of the origin of {subject}");
             steps.extend(self.numbers(&xyz, &subject).map(Step::Translate));
         }
-        if let Some(rpy) = node.attribute_node("rpy") {
-            let subject = format!("rpy of the origin of {subject}");
-            if let Some([roll, pitch, yaw]) = self.numbers(&rpy, &subject) {
-                // Roll, pitch and yaw turn about fixed axes, which is the reverse order about
-                // moving ones.
-                steps.push(Step::Rotate(Axis::Z, yaw));
-                steps.push(Step::Rotate(Axis::Y, pitch));
-                steps.push(Step::Rotate(Axis::X, roll));
+        let [rpy, quaternion] = ["rpy", "quat_xyzw"].map(|name| node.attribute_node(name));
+        match (rpy, quaternion) {
+            (Some(rpy), None) => {
+                let subject = format!("rpy of the origin of {subject}");
+                steps.extend(self.angles(&rpy, &subject).into_iter().flatten());
             }
+            (None, Some(quaternion)) => {
+                let subject = format!("quat_xyzw of the origin of {subject}");
+                steps.extend(self.quaternion(&quaternion, &subject).map(Step::Turn));
+            }
+            (Some(_), Some(quaternion)) => self.errors.push_with_hint(
+                self.positions.place(quaternion.range().start),
+                format!("the origin of {subject} has both rpy and quat_xyzw"),
+                "leave one of them out",
+            ),
+            (None, None) => {}
         }
         steps
+    }
+
+    /// Roll, pitch and yaw turn about fixed axes, which is the reverse order about moving ones.
+    fn angles(&mut self, rpy: &Attribute<'_, 't>, subject: &str) -> Option<[Step; 3]> {
+        let [roll, pitch, yaw]: [Number; 3] = self.numbers(rpy, subject)?;
+        let mut angles = [roll, pitch, yaw].into_iter();
+        if let Some(angle) = angles.find(|angle| angle.value.abs() > MORE_THAN_A_TURN) {
+            let degrees = angle.value;
+            self.warn(
+                angle.place,
+                format!("{subject} has an angle of {degrees} rad, more than a turn"),
+                Some(format!(
+                    "angles are in radians: {degrees} degrees are {}",
+                    degrees.to_radians()
+                )),
+            );
+        }
+        Some([
+            Step::Rotate(Axis::Z, yaw),
+            Step::Rotate(Axis::Y, pitch),
+            Step::Rotate(Axis::X, roll),
+        ])
+    }
+
+    fn quaternion(&mut self, written: &Attribute<'_, 't>, subject: &str) -> Option<[Number; 4]> {
+        let entries = self.numbers(written, subject)?;
+        let place = self.value_place(written);
+        match axis::quaternion(&entries) {
+            Ok(doubt) => {
+                if let Some(doubt) = doubt {
+                    self.warn(place, format!("{subject} {}", doubt.what), Some(doubt.hint));
+                }
+            }
+            Err(refusal) => {
+                let message = format!("{subject} {}", refusal.what);
+                self.errors.push_with_hint(place, message, refusal.hint);
+                return None;
+            }
+        }
+        if std::mem::take(&mut self.is_of_version_1_0) {
+            self.warn(
+                self.positions.place(written.range().start),
+                format!("{subject} is of URDF 1.1, which the robot does not name as its version"),
+                Some("write <robot version=\"1.1\">: other readers may pass over it".to_owned()),
+            );
+        }
+        Some(entries)
     }
 
     /// The value of an attribute in one line.

@@ -1,10 +1,9 @@
 //! `<joint>`: what moves, about or along which axis, from which link to which.
 //!
 //! In: one element. Out: a [`Joint`], as far as it could be read, and complaints. Friction is kept
-//! and noted, for it is modelled where it is asked for; what tells a controller (soft limits, calibration)
-//! is passed over. URDF itself
-//! knows no screw joints, which have `<thread pitch="…"/>` in metres per radian, and no universal ones,
-//! which have `<axis2 xyz="…"/>`.
+//! and noted, for it is modelled where it is asked for. URDF itself knows no screw joints, which have
+//! `<thread pitch="…"/>` in metres per radian, and no universal ones, which have `<axis2 xyz="…"/>`; `<drake:joint>`
+//! has types of its own (Drake, "Parsing Models for Multibody Dynamics").
 
 use roxmltree::Node;
 
@@ -16,21 +15,6 @@ use crate::joint::JointKind;
 use crate::joint::drive::{Part, Parts};
 use crate::wording::quoted;
 
-/// What a joint may hold, mechanics or not.
-const PARTS: [&str; 11] = [
-    "origin",
-    "parent",
-    "child",
-    "axis",
-    "axis2",
-    "limit",
-    "thread",
-    "mimic",
-    "dynamics",
-    "calibration",
-    "safety_controller",
-];
-
 /// Reads a joint; none where it has no name or hangs nowhere.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Joint> {
     let name = reader.name(node, "name", "a joint");
@@ -38,7 +22,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
         Some(name) => format!("joint {}", quoted(&name.text)),
         None => "the joint without a name".to_owned(),
     };
-    let children = reader.children(node, &subject, &PARTS);
+    let children = Reader::children(node);
     let kind = kind(reader, node, &children, &subject);
     let parent = end(reader, node, &children, "parent", &subject);
     let child = end(reader, node, &children, "child", &subject);
@@ -52,9 +36,18 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
     }
     let origin = reader.only(&children, "origin", &subject);
     let origin = reader.origin(origin, &subject);
-    let axis = axis(reader, node, &children, kind, &subject);
-    let second_axis = second_axis(reader, node, &children, kind, &subject);
+    let axes = if kind.is_some_and(|kind| has_axes_of_drake(node, kind)) {
+        axes_of_drake(reader, node, &children, kind, &subject)
+    } else {
+        [
+            axis(reader, node, &children, kind, &subject),
+            second_axis(reader, node, &children, kind, &subject),
+        ]
+    };
+    let [axis, second_axis] = axes;
+    out_of_place(reader, &children, kind, &subject);
     let limits = limits(reader, &children, kind, &subject);
+    soft_limits(reader, &children, limits, kind, &subject);
     let mimic = mimic(reader, &children, kind, &subject);
     let drive = dynamics(reader, &children, kind, &subject);
     Some(Joint {
@@ -80,7 +73,11 @@ fn kind<'t>(
     subject: &str,
 ) -> Option<JointKind> {
     let name = reader.name(node, "type", subject)?;
-    match kind::read(&name.text, subject) {
+    let word = match name.text.as_str() {
+        "ball" if is_of_drake(node) => "spherical",
+        word => word,
+    };
+    match kind::read(word, subject) {
         Ok(kind) => kind
             .with_pitch(|| {
                 let hint = "<thread pitch=\"…\"/>, in metres per radian";
@@ -95,6 +92,70 @@ fn kind<'t>(
         Err((message, hint)) => {
             reader.errors.push_with_hint(name.place, message, hint);
             None
+        }
+    }
+}
+
+/// Whether it is Drake's element, whose types are `ball`, `planar` and `universal`.
+fn is_of_drake(node: Node<'_, '_>) -> bool {
+    node.tag_name().name() == "drake.joint"
+}
+
+/// Whether its axes are those of the frame, and nothing that is written.
+fn has_axes_of_drake(node: Node<'_, '_>, kind: JointKind) -> bool {
+    is_of_drake(node) && (matches!(kind, JointKind::Planar) || kind.definition().axes() == 2)
+}
+
+/// Planar joints of Drake move across z, universal ones turn about x and then y.
+fn axes_of_drake<'t>(
+    reader: &mut Reader<'_, 't>,
+    node: Node<'_, 't>,
+    children: &[Node<'_, 't>],
+    kind: Option<JointKind>,
+    subject: &str,
+) -> [[Number; 3]; 2] {
+    let place = reader.place(node);
+    let along = |entries: [f64; 3]| entries.map(|value| number::computed(value, place));
+    if let Some(axis) = reader.only(children, "axis", subject) {
+        let word = kind.map_or("", JointKind::word);
+        reader.warn(
+            reader.place(axis),
+            format!("the axis of {subject} is ignored, as Drake ignores that of type {word}"),
+            Some(format!(
+                "rotate its <origin>, or write <joint type=\"{word}\">"
+            )),
+        );
+    }
+    let first = match kind {
+        Some(JointKind::Planar) => [0.0, 0.0, 1.0],
+        _ => [1.0, 0.0, 0.0],
+    };
+    [along(first), along([0.0, 1.0, 0.0])]
+}
+
+/// Warns of a second axis or a thread where the type has none.
+fn out_of_place<'t>(
+    reader: &mut Reader<'_, 't>,
+    children: &[Node<'_, 't>],
+    kind: Option<JointKind>,
+    subject: &str,
+) {
+    let Some(kind) = kind else { return };
+    let wanted = [
+        ("axis2", kind.definition().axes() == 2, "universal"),
+        ("thread", kind.pitch().is_some(), "screw"),
+    ];
+    for (name, is_wanted, of) in wanted {
+        let mut found = children.iter();
+        if let Some(found) = found.find(|child| child.tag_name().name() == name && !is_wanted) {
+            reader.warn(
+                reader.place(*found),
+                format!(
+                    "<{name}> in {subject} is ignored: its type is {}",
+                    kind.word()
+                ),
+                Some(format!("the type that has one is {of}")),
+            );
         }
     }
 }
@@ -144,7 +205,7 @@ fn mimic<'t>(
     })
 }
 
-/// Friction and damping; takes note of them and of whatever else `<dynamics>` says, if it is not zero. What
+/// Friction and damping; takes note of them, if they are not zero. What
 /// is not a number is one that is not finite, to be refused where it is asked for.
 fn dynamics<'t>(
     reader: &mut Reader<'_, 't>,
@@ -164,11 +225,14 @@ fn dynamics<'t>(
         let part = Part::from_word(attribute.name()).filter(|part| part.resists());
         if let Some(part) = part {
             let place = reader.value_place(&attribute);
-            let number = number::read(reader.value(&attribute).trim(), place);
-            let number = number.unwrap_or_else(|_| number::computed(f64::NAN, place));
-            drive.say(part, vec![number]);
+            let value = reader.value(&attribute);
+            // Of a joint with several velocities one number for each.
+            let words = value.split_ascii_whitespace();
+            let number = |word| number::read(word, place);
+            let number = |word| number(word).unwrap_or_else(|_| number::computed(f64::NAN, place));
+            drive.say(part, words.map(number).collect());
         }
-        words.push(part.map_or("other dynamics", Part::word));
+        words.extend(part.map(Part::word));
     }
     if !words.is_empty() {
         let place = reader.place(node);
@@ -322,7 +386,39 @@ fn limits<'t>(
     })
 }
 
-/// Whether a value is the number zero, however it is written.
+/// Takes note of soft limits that are narrower than the limits, which are the range of the coordinate.
+fn soft_limits<'t>(
+    reader: &mut Reader<'_, 't>,
+    children: &[Node<'_, 't>],
+    limits: Option<Limits>,
+    kind: Option<JointKind>,
+    subject: &str,
+) {
+    let Some(node) = reader.only(children, "safety_controller", subject) else {
+        return;
+    };
+    if !kind.is_some_and(JointKind::moves) {
+        return;
+    }
+    let soft = ["soft_lower_limit", "soft_upper_limit"].map(|name| {
+        let written = node
+            .attribute(name)
+            .and_then(|text| text.trim().parse().ok());
+        written.unwrap_or(0.0)
+    });
+    let [lower, upper]: [f64; 2] = soft;
+    // A limit that is not written is zero, says URDF; both are where nothing is said.
+    let is_said = lower < upper;
+    let (least, most) = limits.map_or((f64::NEG_INFINITY, f64::INFINITY), |limits| {
+        (limits.lower, limits.upper)
+    });
+    if is_said && (lower > least || upper < most) {
+        reader.unmodelled.soft_limits(reader.place(node), subject);
+    }
+}
+
+/// Whether a value is nothing but zeros, however they are written.
 fn is_zero(value: &str) -> bool {
-    value.trim().parse() == Ok(0.0)
+    let mut numbers = value.split_ascii_whitespace();
+    numbers.all(|number| number.parse() == Ok(0.0))
 }

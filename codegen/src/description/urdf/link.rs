@@ -9,21 +9,11 @@ use super::element::Reader;
 use crate::description::{Inertial, Link, Name, Number};
 use crate::wording::quoted;
 
-/// What a link may hold, mechanics or not.
-const PARTS: [&str; 6] = [
-    "inertial",
-    "visual",
-    "collision",
-    "gazebo",
-    "sensor",
-    "contact",
-];
-
 /// Reads a link; none where it has no name.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Link> {
     let name = reader.name(node, "name", "a link");
     let subject = subject(name.as_ref());
-    let children = reader.children(node, &subject, &PARTS);
+    let children = Reader::children(node);
     let inertial = reader
         .only(&children, "inertial", &subject)
         .and_then(|node| inertial(reader, node, &subject));
@@ -39,7 +29,7 @@ fn subject(name: Option<&Name>) -> String {
 
 fn inertial<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>, link: &str) -> Option<Inertial> {
     let subject = format!("the inertial of {link}");
-    let children = reader.children(node, &subject, &["origin", "mass", "inertia"]);
+    let children = Reader::children(node);
     let origin = reader.only(&children, "origin", &subject);
     let origin = reader.origin(origin, &subject);
     let mass = reader

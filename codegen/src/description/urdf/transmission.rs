@@ -1,80 +1,128 @@
 //! `<transmission>`: motors and gears.
 //!
-//! In: one element. Out: the inertia of a rotor and its ratio, for the joint that one motor drives alone; a
-//! doubt where it says that a gear stands between motor and joint, or a rotor behind it. The ratio is
-//! `<mechanicalReduction>`, or Drake's `<drake:gear_ratio value="…"/>`, which goes with its
-//! `<drake:rotor_inertia value="…"/>` (Drake, "Parsing files to populate a MultibodyPlant"); URDF itself
-//! has no word for a rotor. It never looks at anything else: torques and coordinates are those of joints.
+//! In: one element. Out: of each motor that drives a joint with no other in its transmission, the inertia of its
+//! rotor and its ratio; a doubt where a gear stands between motor and joint, or a rotor behind it. The ratio is
+//! `<mechanicalReduction>`, an element or an attribute, or Drake's `<drake:gear_ratio value="…"/>`, which goes with
+//! its `<drake:rotor_inertia value="…"/>` (Drake, "Parsing Models for Multibody Dynamics"); URDF itself has no word
+//! for a rotor. It never looks at anything else: torques and coordinates are those of joints.
+
+use std::collections::HashMap;
 
 use roxmltree::Node;
 
 use super::element::Reader;
 use crate::description::{Joint, Number, number};
-use crate::joint::drive::Part;
+use crate::joint::drive::Motor;
 use crate::wording::quoted;
 
-/// A motor and the joint that it drives.
+/// The motors of a transmission and the joint that they drive.
 pub(super) struct Geared {
     joint: String,
-    parts: Vec<(Part, Number)>,
+    motors: Vec<Motor>,
 }
 
-/// Reads what stands between a motor and its joint.
+/// What a reduction is called, as an element and as an attribute.
+const REDUCTIONS: [&str; 2] = ["mechanicalReduction", "mechanical_reduction"];
+
+/// Reads what stands between motors and their joint.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Geared> {
-    let all = |name: &str| {
-        let found = |node: &Node<'_, 't>| called(node, name);
-        node.descendants().filter(found).collect::<Vec<_>>()
-    };
     let name = node.attribute_node("name");
     let name = name.map(|name| reader.value(&name));
     let subject = format!("transmission {}", quoted(&name.unwrap_or_default()));
-    let driven = match (&*all("joint"), &*all("actuator")) {
-        ([joint], [_]) => joint.attribute_node("name"),
+    let joints = all(node, "joint");
+    let actuators = all(node, "actuator");
+    let driven = match &*joints {
+        [joint] => joint.attribute_node("name"),
         _ => None,
     };
     let driven = driven.map(|joint| reader.value(&joint).into_owned());
+    let reductions = reductions(reader, node);
     let is_one = |text: &str| text.trim().parse() == Ok(1.0);
-    let reductions = all("mechanicalReduction");
-    let gear = reductions.iter();
-    let mut gear = gear.filter(|gear| !is_one(gear.text().unwrap_or_default()));
-    if let Some(gear) = gear.next() {
-        let place = reader.place(*gear);
-        reader.unmodelled.gear(place, &subject, driven.clone());
+    if let Some(gear) = reductions.iter().find(|gear| !is_one(&gear.text)) {
+        reader
+            .unmodelled
+            .gear(reader.positions.place(gear.at), &subject, driven.clone());
     }
-    let rotors = all("rotor_inertia");
-    if let Some(rotor) = rotors.first() {
-        let place = reader.place(*rotor);
-        reader.unmodelled.rotor(place, &subject);
+    let rotors = all(node, "rotor_inertia");
+    // What no joint gets is not modelled, whatever is asked for.
+    let motors: Vec<Node<'_, 't>> = match &*actuators {
+        [_] => vec![node],
+        several => several.to_vec(),
+    };
+    let mounted = driven.is_some() && !motors.is_empty();
+    for rotor in rotors.iter().take(1) {
+        let joint = driven.clone().filter(|_| mounted);
+        reader
+            .unmodelled
+            .rotor(reader.place(*rotor), &subject, joint);
     }
-    let mut parts = Vec::new();
-    let mut say = |part: Part, node: Option<&Node<'_, 't>>, text: &str| {
-        if let Some(node) = node {
-            let place = reader.place(*node);
-            let number = number::read(text.trim(), place);
-            let number = number.unwrap_or_else(|_| number::computed(f64::NAN, place));
-            parts.push((part, number));
+    let motor = |motor: &Node<'_, 't>| {
+        let mut own = reductions.iter().filter(|gear| within(*motor, gear.at));
+        // A reduction may stand beside the joint, and again beside the motor.
+        let reduction = own.next().or_else(|| {
+            let mut outside = reductions.iter();
+            outside.find(|gear| !actuators.iter().any(|motor| within(*motor, gear.at)))
+        });
+        let reduction = reduction.map(|gear| read_number(reader, &gear.text, gear.at));
+        let value = |name: &str| {
+            let found = all(*motor, name).into_iter().next()?;
+            let value = found.attribute("value").unwrap_or_default();
+            Some(read_number(reader, value, found.range().start))
+        };
+        Motor {
+            rotor: value("rotor_inertia"),
+            ratio: value("gear_ratio").or(reduction),
         }
     };
-    let value = |node: &Node<'_, 't>| node.attribute("value").unwrap_or_default().to_owned();
-    // A reduction may stand beside the joint and again beside the motor.
-    let reduction = reductions.first();
-    let text = reduction.and_then(Node::text).unwrap_or_default();
-    say(Part::Ratio, reduction, text);
-    let ratios = all("gear_ratio");
-    say(
-        Part::Ratio,
-        ratios.first(),
-        &ratios.first().map(value).unwrap_or_default(),
-    );
-    say(
-        Part::Rotor,
-        rotors.first(),
-        &rotors.first().map(value).unwrap_or_default(),
-    );
     Some(Geared {
         joint: driven?,
-        parts,
+        motors: motors.iter().map(motor).collect(),
     })
+}
+
+/// A number; what is none is one that is not finite, to be refused where it is asked for.
+fn read_number(reader: &Reader<'_, '_>, text: &str, at: usize) -> Number {
+    let place = reader.positions.place(at);
+    let number = number::read(text.trim(), place);
+    number.unwrap_or_else(|_| number::computed(f64::NAN, place))
+}
+
+/// A reduction as it is written.
+struct Reduction {
+    at: usize,
+    text: String,
+}
+
+/// All reductions, in the order of the text.
+fn reductions<'t>(reader: &Reader<'_, 't>, node: Node<'_, 't>) -> Vec<Reduction> {
+    let mut found = Vec::new();
+    for inner in node.descendants().filter(Node::is_element) {
+        for attribute in inner.attributes() {
+            if REDUCTIONS.contains(&attribute.name()) {
+                found.push(Reduction {
+                    at: attribute.range().start,
+                    text: reader.value(&attribute).into_owned(),
+                });
+            }
+        }
+        if REDUCTIONS.iter().any(|name| called(&inner, name)) {
+            found.push(Reduction {
+                at: inner.range().start,
+                text: inner.text().unwrap_or_default().to_owned(),
+            });
+        }
+    }
+    found
+}
+
+/// Whether something that begins there stands in an element.
+fn within(node: Node<'_, '_>, at: usize) -> bool {
+    node.range().contains(&at)
+}
+
+fn all<'a, 't>(node: Node<'a, 't>, name: &str) -> Vec<Node<'a, 't>> {
+    let found = node.descendants().skip(1).filter(|node| called(node, name));
+    found.collect()
 }
 
 /// Whether an element has a name, behind Drake's prefix where that belongs.
@@ -86,14 +134,19 @@ fn called(node: &Node<'_, '_>, name: &str) -> bool {
 /// What `drake:` is read as.
 const PREFIX: &str = "drake.";
 
-/// Gives joints what was read for them.
-pub(super) fn mount(geared: Vec<Geared>, joints: &mut [Joint]) {
-    for Geared { joint, parts } in geared {
-        let driven = joints.iter_mut().find(|known| known.name.text == joint);
-        if let Some(driven) = driven {
-            for (part, number) in parts {
-                driven.drive.say(part, vec![number]);
+/// Gives joints the motors that were read for them.
+pub(super) fn mount(reader: &mut Reader<'_, '_>, geared: Vec<Geared>, joints: &mut [Joint]) {
+    let places: HashMap<String, usize> = (joints.iter().enumerate().rev())
+        .map(|(place, joint)| (joint.name.text.clone(), place))
+        .collect();
+    for Geared { joint, motors } in geared {
+        match places.get(&joint) {
+            Some(&place) => {
+                for motor in motors {
+                    joints[place].drive.mount(motor);
+                }
             }
+            None => reader.unmodelled.dismount(&joint),
         }
     }
 }

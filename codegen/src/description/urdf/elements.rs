@@ -1,0 +1,202 @@
+//! Everything that may stand in a URDF file, and what becomes of it.
+//!
+//! In: nothing. Out: one table, the only list of elements and attributes that the reader knows: of URDF 1.0
+//! and 1.1, and of the extensions of ROS, Gazebo, Drake, MuJoCo, Bullet and Isaac. [`survey`](super::survey)
+//! warns by it of what is left out, and the guide's page "What is read and what is not" is printed from it.
+//! It never reads a number.
+
+mod actuators;
+mod format;
+mod simulators;
+
+use std::fmt::Write;
+
+pub(super) use self::format::ROBOT;
+
+/// What may stand in an element.
+pub(super) struct Content {
+    pub(super) attributes: &'static [Entry],
+    pub(super) elements: &'static [Entry],
+    pub(super) others: Others,
+}
+
+/// What becomes of elements and attributes that have no row.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Others {
+    /// They are ignored, with a warning.
+    Warned,
+    /// The same; and the element's values are attributes, so that text in it is one of them gone astray.
+    WarnedLikeText,
+    /// They are settings without mechanics, but what stands in them is looked at by the same rows.
+    PassedOver,
+}
+
+/// An element or an attribute.
+pub(super) struct Entry {
+    /// As it is written; a name with Drake's prefix is known without it as well.
+    pub(super) name: &'static str,
+    pub(super) when: When,
+    pub(super) becomes: Becomes,
+    /// What may stand in it; none where nobody looks.
+    pub(super) content: Option<&'static Content>,
+}
+
+/// Values for which a warning is due: of an attribute, or of an element's attribute `value` or text.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum When {
+    Always,
+    /// Anything but the number 0.
+    NotZero,
+    /// Anything but the number 1.
+    NotOne,
+    /// `true` or `1`.
+    True,
+    /// `false` or `0`.
+    False,
+    /// Three numbers that are not 0 0 -9.81.
+    NotStandardGravity,
+}
+
+/// What the reader makes of it.
+#[derive(Clone, Copy)]
+pub(super) enum Becomes {
+    /// This, in the words of the guide.
+    Read(&'static str),
+    /// Nothing: it has no mechanics.
+    Nothing(&'static str),
+    /// Nothing, though it is mechanics: a warning.
+    Lost(&'static Lost),
+}
+
+/// Mechanics that are left out.
+pub(super) struct Lost {
+    /// What it is, with its article.
+    pub(super) what: &'static str,
+    /// What the user can do about it.
+    pub(super) hint: &'static str,
+}
+
+impl Entry {
+    const fn new(name: &'static str, becomes: Becomes) -> Self {
+        Self {
+            name,
+            when: When::Always,
+            becomes,
+            content: None,
+        }
+    }
+
+    /// What is read.
+    const fn read(name: &'static str, what: &'static str) -> Self {
+        Self::new(name, Becomes::Read(what))
+    }
+
+    /// What has no mechanics.
+    const fn nothing(name: &'static str, what: &'static str) -> Self {
+        Self::new(name, Becomes::Nothing(what))
+    }
+
+    /// Mechanics that are left out.
+    const fn lost(name: &'static str, what: &'static Lost) -> Self {
+        Self::new(name, Becomes::Lost(what))
+    }
+
+    const fn when(self, when: When) -> Self {
+        Self { when, ..self }
+    }
+
+    const fn with(self, content: &'static Content) -> Self {
+        Self {
+            content: Some(content),
+            ..self
+        }
+    }
+
+    /// Whether an element or attribute of this name is meant.
+    pub(super) fn is(&self, written: &str) -> bool {
+        self.name == written || self.name.strip_prefix("drake:") == Some(written)
+    }
+}
+
+impl Content {
+    pub(super) fn element(&self, written: &str) -> Option<&'static Entry> {
+        self.elements.iter().find(|entry| entry.is(written))
+    }
+
+    pub(super) fn attribute(&self, written: &str) -> Option<&'static Entry> {
+        self.attributes.iter().find(|entry| entry.is(written))
+    }
+}
+
+/// Each element that has content, as the guide calls it.
+const PLACES: [(&str, &Content); 14] = [
+    ("`<robot>`", &ROBOT),
+    ("`<link>`", &format::LINK),
+    ("`<inertial>`", &format::INERTIAL),
+    ("`<origin>`", &format::ORIGIN),
+    ("`<joint>` and `<drake:joint>`", &format::JOINT),
+    ("`<limit>`", &format::LIMIT),
+    ("`<dynamics>`", &format::DYNAMICS),
+    ("`<mimic>`", &format::MIMIC),
+    ("`<safety_controller>`", &format::SAFETY_CONTROLLER),
+    ("`<loop_joint>`", &format::LOOP_JOINT),
+    ("`<transmission>`", &actuators::TRANSMISSION),
+    (
+        "`<actuator>` and `<joint>` of a transmission",
+        &actuators::END,
+    ),
+    ("`<gazebo>`, at any depth", &simulators::GAZEBO),
+    ("`<mujoco>`", &simulators::MUJOCO),
+];
+
+/// Where an element stands that is read, for one that stands elsewhere.
+pub(super) fn home(written: &str) -> Option<&'static str> {
+    let reads = |content: &Content| {
+        let entry = content.element(written);
+        entry.is_some_and(|entry| matches!(entry.becomes, Becomes::Read(_)))
+    };
+    let place = PLACES.iter().find(|(_, content)| reads(content));
+    place.map(|(name, _)| name.trim_matches('`'))
+}
+
+/// The table as the guide shows it, in Markdown: of each element what may stand in it, attributes first.
+#[must_use]
+pub fn page() -> String {
+    let mut page = String::new();
+    for (place, content) in PLACES {
+        // Writing to a string cannot fail.
+        let _ = write!(page, "## In {place}\n\n| | becomes |\n|---|---|\n");
+        let rows = content.attributes.iter().map(|entry| (entry, true));
+        let rows = rows.chain(content.elements.iter().map(|entry| (entry, false)));
+        for (entry, is_attribute) in rows {
+            let name = if is_attribute {
+                format!("`{}`", entry.name)
+            } else {
+                format!("`<{}>`", entry.name)
+            };
+            let when = match entry.when {
+                When::Always => "",
+                When::NotZero => " that is not 0",
+                When::NotOne => " that is not 1",
+                When::True => " that is true",
+                When::False => " that is false",
+                When::NotStandardGravity => " that is not 0 0 -9.81",
+            };
+            let becomes = match entry.becomes {
+                Becomes::Read(what) => what.to_owned(),
+                Becomes::Nothing(what) => format!("nothing: {what}"),
+                Becomes::Lost(Lost { what, hint }) => format!("**a warning**: {what}; {hint}"),
+            };
+            let _ = writeln!(page, "| {name}{when} | {becomes} |");
+        }
+        let others = match content.others {
+            Others::Warned => "Anything else is ignored, with a warning.",
+            Others::WarnedLikeText => {
+                "Anything else is ignored, with a warning; so are values that stand in it as elements or text."
+            }
+            Others::PassedOver => "Anything else is a setting, and passed over.",
+        };
+        let _ = writeln!(page, "\n{others}\n");
+    }
+    page
+}

@@ -1,0 +1,349 @@
+//! Elements and attributes of URDF itself, and of those extensions that are part of links and joints.
+
+use super::actuators::{ROS2_CONTROL, TRANSMISSION};
+use super::simulators::{
+    BULLET_CONTACT, CONSTRAINT, DEFORMABLE, FORCE, FRAME, GAZEBO, GRAVITY, IGNORED_BY_DRAKE,
+    KINEMATIC, MUJOCO,
+};
+use super::{Content, Entry, Lost, Others, When};
+
+/// The root element.
+pub(in super::super) const ROBOT: Content = Content {
+    attributes: &[
+        Entry::read("name", "the robot's name"),
+        Entry::read("version", "`1.0` or `1.1`, and a warning where it is another"),
+    ],
+    elements: &[
+        Entry::read("link", "a body and its frame").with(&LINK),
+        Entry::read("joint", "a joint").with(&JOINT),
+        Entry::read(
+            "drake:joint",
+            "a joint of Drake: `ball` is read as `spherical`, with a quaternion as its coordinates; \
+             `planar` moves across z, `universal` turns about x and then y; other types are those of `<joint>`",
+        )
+        .with(&JOINT),
+        Entry::read("loop_joint", "a closed loop").with(&LOOP_JOINT),
+        Entry::read(
+            "transmission",
+            "the inertia of a rotor and its ratio, where `rotors` asks for them, and a warning where not",
+        )
+        .with(&TRANSMISSION),
+        Entry::read("ros2_control", "the reductions of its `<transmission>`s, as in those").with(&ROS2_CONTROL),
+        Entry::nothing("gazebo", "settings of Gazebo; the mechanics among them are warned of").with(&GAZEBO),
+        Entry::nothing("mujoco", "settings of MuJoCo; the mechanics among them are warned of").with(&MUJOCO),
+        Entry::nothing("material", "colours"),
+        Entry::nothing("sensor", "sensors"),
+        Entry::lost("robot", &SECOND_ROBOT),
+        Entry::lost("frame", &FRAME),
+        Entry::lost("fixed_frame", &FRAME),
+        Entry::lost("force_element", &FORCE),
+        Entry::lost("drake:linear_bushing_rpy", &FORCE),
+        Entry::lost("drake:linear_spring_damper", &FORCE),
+        Entry::lost("drake:ball_constraint", &CONSTRAINT),
+        Entry::lost("drake:coupler_constraint", &CONSTRAINT),
+        Entry::lost("drake:distance_constraint", &CONSTRAINT),
+        Entry::lost("drake:tendon_constraint", &CONSTRAINT),
+        Entry::lost("drake:weld_constraint", &CONSTRAINT),
+        Entry::lost("deformable", &DEFORMABLE),
+        Entry::lost("drake:deformable", &DEFORMABLE),
+        Entry::nothing("drake:collision_filter_group", "pairs of links that may touch"),
+        Entry::lost("virtual_joint", &VIRTUAL_JOINT),
+        Entry::nothing("group", "SRDF: names of joints that are planned together"),
+        Entry::nothing("group_state", "SRDF: configurations by name"),
+        Entry::nothing("end_effector", "SRDF: names of groups"),
+        Entry::nothing("passive_joint", "SRDF: joints that a planner leaves alone"),
+        Entry::nothing("disable_collisions", "SRDF: pairs of links that may touch"),
+        Entry::nothing("enable_collisions", "SRDF: pairs of links that may touch"),
+        Entry::nothing("disable_default_collisions", "SRDF: links that may touch any other"),
+        Entry::nothing("link_sphere_approximation", "SRDF: collision geometry"),
+        Entry::nothing("joint_property", "SRDF: settings of planners"),
+        Entry::nothing("webots", "settings of Webots"),
+    ],
+    others: Others::Warned,
+};
+
+pub(super) const LINK: Content = Content {
+    attributes: &[
+        Entry::read("name", "its name"),
+        Entry::nothing("type", "a word that no reader uses"),
+        Entry::nothing("concave", "Bullet: collision geometry"),
+        Entry::lost("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
+    ],
+    elements: &[
+        Entry::read(
+            "inertial",
+            "mass, centre of mass, inertia; without one the link has no mass",
+        )
+        .with(&INERTIAL),
+        Entry::nothing("visual", "what is seen"),
+        Entry::nothing("collision", "what touches"),
+        Entry::nothing(
+            "gazebo",
+            "settings of Gazebo; the mechanics among them are warned of",
+        )
+        .with(&GAZEBO),
+        Entry::nothing("sensor", "sensors"),
+        Entry::nothing("contact", "how it touches").with(&BULLET_CONTACT),
+        Entry::nothing("surface", "how it touches"),
+        Entry::nothing("material", "colours"),
+        Entry::nothing("self_collide", "what touches"),
+        Entry::nothing("collision_checking", "what touches"),
+        Entry::nothing("self_collision_checking", "what touches"),
+        Entry::nothing("self_filter", "what a sensor leaves out"),
+        Entry::nothing("map", "settings of former versions of Gazebo"),
+        Entry::lost("gravity", &GRAVITY).when(When::False),
+        Entry::lost("kinematic", &KINEMATIC).when(When::True),
+    ],
+    others: Others::Warned,
+};
+
+pub(super) const INERTIAL: Content = Content {
+    attributes: &[],
+    elements: &[
+        Entry::read("origin", "the centre of mass, and the axes of the inertia").with(&ORIGIN),
+        Entry::read("mass", "`value` \\[kg\\]").with(&VALUE),
+        Entry::read(
+            "inertia",
+            "`ixx`, `ixy`, `ixz`, `iyy`, `iyz`, `izz` about the centre of mass [kg m²]",
+        )
+        .with(&INERTIA),
+    ],
+    others: Others::WarnedLikeText,
+};
+
+/// An element with one value.
+pub(super) const VALUE: Content = Content {
+    attributes: &[Entry::read("value", "the value")],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+const INERTIA: Content = Content {
+    attributes: &[
+        Entry::read("ixx", "an entry"),
+        Entry::read("ixy", "an entry"),
+        Entry::read("ixz", "an entry"),
+        Entry::read("iyy", "an entry"),
+        Entry::read("iyz", "an entry"),
+        Entry::read("izz", "an entry"),
+    ],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+pub(super) const ORIGIN: Content = Content {
+    attributes: &[
+        Entry::read("xyz", "the translation \\[m\\]"),
+        Entry::read(
+            "rpy",
+            "roll, pitch and yaw \\[rad\\]; a right angle where its digits are those of one, and a warning \
+             where an angle is more than a turn",
+        ),
+        Entry::read(
+            "quat_xyzw",
+            "URDF 1.1: the rotation as a quaternion, made of length 1; by right angles where its digits say so; \
+             together with `rpy` a mistake",
+        ),
+    ],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+pub(super) const JOINT: Content = Content {
+    attributes: &[
+        Entry::read("name", "its name, and that of its coordinate"),
+        Entry::read("type", "[what it allows](joints.md)"),
+        Entry::nothing("dont_collapse", "Isaac: whether fixed links are merged"),
+        Entry::lost("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
+    ],
+    elements: &[
+        Entry::read("origin", "the child's frame in the parent's where the coordinate is 0").with(&ORIGIN),
+        Entry::read("parent", "`link`, which it hangs on").with(&END),
+        Entry::read("child", "`link`, which it moves").with(&END),
+        Entry::read(
+            "axis",
+            "`xyz`, a direction in the child's frame, made of length 1; x, with a warning, where there is none",
+        )
+        .with(&AXIS),
+        Entry::read("axis2", "the second axis of type `universal`; a warning where the type has none").with(&AXIS),
+        Entry::read("thread", "`pitch` of type `screw` [m/rad]; a warning where the type has none").with(&THREAD),
+        Entry::read("limit", "the range of the coordinate, and of its rate").with(&LIMIT),
+        Entry::read("mimic", "that it follows another joint").with(&MIMIC),
+        Entry::read(
+            "dynamics",
+            "damping and friction, where `friction` asks for them, and a warning where not",
+        )
+        .with(&DYNAMICS),
+        Entry::read(
+            "safety_controller",
+            "nothing but a warning where its limits are narrower than those of `<limit>`, which are the range",
+        )
+        .with(&SAFETY_CONTROLLER),
+        Entry::nothing("calibration", "positions of switches"),
+        Entry::nothing("hardwareInterface", "a word for controllers"),
+        Entry::nothing("gazebo", "settings of Gazebo; the mechanics among them are warned of").with(&GAZEBO),
+        Entry::nothing("sensor", "sensors"),
+        Entry::nothing("map", "settings of former versions of Gazebo"),
+        Entry::lost("joint_properties", &JOINT_PROPERTIES),
+    ],
+    others: Others::Warned,
+};
+
+const END: Content = Content {
+    attributes: &[Entry::read("link", "its name")],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+const AXIS: Content = Content {
+    attributes: &[
+        Entry::read("xyz", "the direction"),
+        Entry::lost("rpy", &AXIS_RPY).when(When::NotZero),
+    ],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+const THREAD: Content = Content {
+    attributes: &[Entry::read("pitch", "the pitch")],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+pub(super) const LIMIT: Content = Content {
+    attributes: &[
+        Entry::read(
+            "lower",
+            "the smallest value [rad or m]; 0 where only the other is written",
+        ),
+        Entry::read(
+            "upper",
+            "the largest value [rad or m]; 0 where only the other is written",
+        ),
+        Entry::read("velocity", "the largest rate"),
+        Entry::read(
+            "effort",
+            "the largest torque or force, of which nothing is computed",
+        ),
+        Entry::nothing("acceleration", "nothing is computed of it"),
+        Entry::nothing("deceleration", "nothing is computed of it"),
+        Entry::nothing("jerk", "nothing is computed of it"),
+        Entry::nothing("drake:acceleration", "nothing is computed of it"),
+        Entry::nothing("drake:jerk", "nothing is computed of it"),
+        Entry::nothing("command_effort", "a limit of a motor"),
+        Entry::nothing("current", "a limit of a motor"),
+        Entry::nothing("gear_velocity", "a limit of a motor"),
+    ],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+pub(super) const DYNAMICS: Content = Content {
+    attributes: &[
+        Entry::read(
+            "damping",
+            "torque or force for each rate, where `friction` asks for it",
+        ),
+        Entry::read("friction", "Coulomb friction, where `friction` asks for it"),
+        Entry::nothing("coulomb_window", "a setting of former versions of Drake"),
+        Entry::lost("armature", &ARMATURE).when(When::NotZero),
+        Entry::lost("rotor_inertia", &ARMATURE).when(When::NotZero),
+        Entry::lost("spring_stiffness", &FORCE).when(When::NotZero),
+        Entry::lost("spring_reference", &FORCE).when(When::NotZero),
+        Entry::lost("stiffness", &FORCE).when(When::NotZero),
+        Entry::lost("K", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::lost("D", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::lost("mu_coulomb", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::lost("mu_viscous", &OTHER_DYNAMICS).when(When::NotZero),
+    ],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+pub(super) const MIMIC: Content = Content {
+    attributes: &[
+        Entry::read("joint", "the joint that it follows"),
+        Entry::read(
+            "multiplier",
+            "what the coordinate of that is multiplied by; 1 where it is not written",
+        ),
+        Entry::read("offset", "what is added then; 0 where it is not written"),
+    ],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+pub(super) const SAFETY_CONTROLLER: Content = Content {
+    attributes: &[
+        Entry::read("soft_lower_limit", "a warning where it is above `lower`"),
+        Entry::read("soft_upper_limit", "a warning where it is below `upper`"),
+        Entry::nothing("k_position", "a gain"),
+        Entry::nothing("k_velocity", "a gain"),
+        Entry::nothing("k_effort", "a gain"),
+    ],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+pub(super) const LOOP_JOINT: Content = Content {
+    attributes: &[
+        Entry::read("name", "its name"),
+        Entry::read("type", "[what it leaves free](loops.md)"),
+    ],
+    elements: &[
+        Entry::read("link1", "a link, and where the joint is on it").with(&LOOP_END),
+        Entry::read("link2", "a link, and where the joint is on it").with(&LOOP_END),
+        Entry::read("axis", "the axis, in the frames of both").with(&AXIS),
+        Entry::read("axis2", "the second axis, where the type has one").with(&AXIS),
+        Entry::read("rod", "`length` of type `rod` \\[m\\]").with(&ROD),
+    ],
+    others: Others::Warned,
+};
+
+const LOOP_END: Content = Content {
+    attributes: &[
+        Entry::read("link", "the link"),
+        Entry::read("xyz", "the translation"),
+        Entry::read("rpy", "roll, pitch and yaw"),
+        Entry::read("quat_xyzw", "the rotation"),
+    ],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+const ROD: Content = Content {
+    attributes: &[Entry::read("length", "the length")],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
+const SECOND_ROBOT: Lost = Lost {
+    what: "a second robot",
+    hint: "a file describes one robot: move its links and joints into the first",
+};
+
+const VIRTUAL_JOINT: Lost = Lost {
+    what: "a joint between the world and the robot",
+    hint: "the base is fixed; free it with `floating`, or write a joint and a link for the world",
+};
+
+const JOINT_PROPERTIES: Lost = Lost {
+    what: "damping and friction",
+    hint: "write them as <dynamics damping=\"…\" friction=\"…\"/>, as URDF has it since 2010",
+};
+
+const AXIS_RPY: Lost = Lost {
+    what: "a rotation of the axis",
+    hint: "URDF has none there: rotate the axis itself",
+};
+
+const ARMATURE: Lost = Lost {
+    what: "the inertia of a rotor",
+    hint: "say it with `armature` or `rotor` beside the file, or as <drake:rotor_inertia value=\"…\"/> in the \
+           <actuator> of a <transmission>",
+};
+
+const OTHER_DYNAMICS: Lost = Lost {
+    what: "other dynamics",
+    hint: "<dynamics> has damping and friction",
+};

@@ -1,0 +1,372 @@
+//! What a file holds beside what is read, from the root element to the last attribute.
+//!
+//! In: the document, and the table of [`elements`](super::elements). Out: a warning for each kind of element,
+//! attribute or text that is left out, unless it has no mechanics, at the first of its kind; and where xacro left
+//! something. Time and memory are in proportion to the document. It never reads what the readers of links and
+//! joints read.
+
+use std::collections::HashMap;
+
+use roxmltree::{Attribute, Node};
+
+use super::element::{MOST_WARNINGS, Reader};
+use super::elements::{self, Becomes, Content, Entry, Lost, Others, ROBOT, When};
+use crate::error::Place;
+use crate::wording::{list, nearest, quoted};
+
+/// Attributes of XML itself, in any element.
+const OF_XML: [&str; 3] = ["xmlns", "xml", "xsi"];
+
+/// How far up an element is named by what it stands in.
+const NAMED: usize = 3;
+
+/// Adds the warnings of everything in the root element.
+pub(super) fn survey<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) {
+    let mut survey = Survey {
+        reader,
+        found: Vec::new(),
+        known: HashMap::new(),
+    };
+    let mut open = vec![(root, &ROBOT)];
+    while let Some((node, content)) = open.pop() {
+        survey.attributes(node, content);
+        if content.others == Others::WarnedLikeText {
+            survey.text(node, content);
+        }
+        let before = open.len();
+        for child in node.children().filter(Node::is_element) {
+            open.extend(
+                survey
+                    .element(child, content)
+                    .map(|content| (child, content)),
+            );
+        }
+        // In the order of the text.
+        open[before..].reverse();
+    }
+    survey.warn();
+}
+
+/// Things of one kind.
+struct Found {
+    place: Place,
+    message: Message,
+    hint: Option<String>,
+    others: usize,
+}
+
+enum Message {
+    /// What it is, and where it stands.
+    Ignored(String, String),
+    Lost(&'static Lost, String),
+}
+
+/// What makes things one kind.
+#[derive(PartialEq, Eq, Hash)]
+enum Key<'k> {
+    Element(&'k str, &'k str),
+    Attribute(&'k str, &'k str),
+    Text(&'k str),
+    Lost(&'static str),
+}
+
+struct Survey<'s, 'r, 't> {
+    reader: &'s mut Reader<'r, 't>,
+    found: Vec<Found>,
+    /// Where the things of each kind are in the list.
+    known: HashMap<Key<'t>, usize>,
+}
+
+impl<'t> Survey<'_, '_, 't> {
+    /// Whether another thing of a kind is met; if so, it is counted.
+    fn is_known(&mut self, key: &Key<'t>) -> bool {
+        let known = self.known.get(key).copied();
+        if let Some(known) = known {
+            self.found[known].others += 1;
+        }
+        known.is_some() || self.found.len() >= MOST_WARNINGS
+    }
+
+    fn push(&mut self, key: Key<'t>, place: Place, message: Message, hint: Option<String>) {
+        self.known.insert(key, self.found.len());
+        self.found.push(Found {
+            place,
+            message,
+            hint,
+            others: 0,
+        });
+    }
+
+    /// Looks at an element in another; what may stand in it, if that is to be looked at.
+    fn element(
+        &mut self,
+        node: Node<'_, 't>,
+        content: &'static Content,
+    ) -> Option<&'static Content> {
+        let name = self.name(node);
+        let Some(entry) = content.element(name) else {
+            if content.others == Others::PassedOver {
+                return Some(content);
+            }
+            match name.strip_prefix("xacro:") {
+                Some(name) => self.left_by_xacro(node, name),
+                None => self.ignored(node, name, content),
+            }
+            return None;
+        };
+        if let Becomes::Lost(lost) = entry.becomes {
+            let value = node.attribute("value").or(node.text()).unwrap_or_default();
+            if is_due(entry, value) {
+                self.lost(
+                    self.reader.place(node),
+                    format!("<{name}>"),
+                    lost,
+                    node.parent_element(),
+                );
+            }
+            return None;
+        }
+        entry.content
+    }
+
+    fn left_by_xacro(&mut self, node: Node<'_, 't>, name: &str) {
+        let place = self.reader.place(node);
+        let subject = self.subject(node.parent_element());
+        self.reader.left_by_xacro(place, name, &subject);
+    }
+
+    /// An element that no row names.
+    fn ignored(&mut self, node: Node<'_, 't>, name: &'t str, content: &Content) {
+        let parent = node.parent_element();
+        let within = parent.map_or("", |parent| self.name(parent));
+        let key = Key::Element(within, name);
+        if self.is_known(&key) {
+            return;
+        }
+        let names = content.elements.iter().map(|entry| entry.name);
+        let hint = if content.attribute(name).is_some() {
+            let text = node.text().unwrap_or_default().trim();
+            let value = if text.is_empty() || text.len() > 40 {
+                "…"
+            } else {
+                text
+            };
+            Some(format!(
+                "write it as an attribute: <{within} {name}=\"{value}\"/>"
+            ))
+        } else if let Some(meant) = meant(name, names) {
+            Some(format!("did you mean <{meant}>?"))
+        } else if let Some(home) = elements::home(name) {
+            Some(format!("it stands in {home}: move it there"))
+        } else {
+            bodies(node)
+        };
+        let message = Message::Ignored(format!("<{name}>"), self.subject(parent));
+        self.push(key, self.reader.place(node), message, hint);
+    }
+
+    fn attributes(&mut self, node: Node<'_, 't>, content: &'static Content) {
+        for attribute in node.attributes() {
+            let name = self.attribute_name(&attribute);
+            if let Some(entry) = content.attribute(name) {
+                if let Becomes::Lost(lost) = entry.becomes
+                    && is_due(entry, attribute.value())
+                {
+                    let place = self.attribute_place(&attribute);
+                    self.lost(
+                        place,
+                        format!("attribute {}", quoted(name)),
+                        lost,
+                        Some(node),
+                    );
+                }
+                continue;
+            }
+            let prefix = name.split(':').next().unwrap_or_default();
+            if content.others == Others::PassedOver || OF_XML.contains(&prefix) {
+                continue;
+            }
+            let key = Key::Attribute(self.name(node), name);
+            if self.is_known(&key) {
+                continue;
+            }
+            let names = content.attributes.iter().map(|entry| entry.name);
+            let hint = if let Some(meant) = meant(name, names.clone()) {
+                Some(format!("did you mean {meant}?"))
+            } else if content.element(name).is_some() {
+                Some(format!("write it as an element: <{name} …/>"))
+            } else {
+                let names: Vec<_> = names.collect();
+                let known = list(names.iter().copied());
+                (!names.is_empty()).then(|| format!("known attributes: {known}"))
+            };
+            let what = format!("attribute {}", quoted(name));
+            let message = Message::Ignored(what, self.subject(Some(node)));
+            self.push(key, self.attribute_place(&attribute), message, hint);
+        }
+    }
+
+    /// Text in an element whose values are attributes.
+    fn text(&mut self, node: Node<'_, 't>, content: &Content) {
+        let is_text = |child: &Node<'_, 't>| {
+            child.is_text() && child.text().is_some_and(|text| !text.trim().is_empty())
+        };
+        let Some(text) = node.children().find(is_text) else {
+            return;
+        };
+        let key = Key::Text(self.name(node));
+        if self.is_known(&key) {
+            return;
+        }
+        let written = text.text().unwrap_or_default();
+        let blanks = written.len() - written.trim_start().len();
+        let place = self.reader.positions.place(text.range().start + blanks);
+        let names = content.attributes.iter().map(|entry| entry.name);
+        let names = list(names.take(6));
+        let hint = (!names.is_empty()).then(|| format!("its values are attributes: {names}"));
+        let message = Message::Ignored("text".to_owned(), self.subject(Some(node)));
+        self.push(key, place, message, hint);
+    }
+
+    fn lost(
+        &mut self,
+        place: Place,
+        what: String,
+        lost: &'static Lost,
+        within: Option<Node<'_, 't>>,
+    ) {
+        let key = Key::Lost(lost.what);
+        if self.is_known(&key) {
+            return;
+        }
+        let item = format!("{what} in {}", self.subject(within));
+        let hint = Some(lost.hint.to_owned());
+        self.push(key, place, Message::Lost(lost, item), hint);
+    }
+
+    fn warn(self) {
+        for found in self.found {
+            let more = |one: &str, several: &str| match found.others {
+                0 => String::new(),
+                1 => format!(" and 1 {one}"),
+                count => format!(" and {count} {several}"),
+            };
+            let message = match found.message {
+                Message::Ignored(what, within) => {
+                    let more = more("other place", "other places");
+                    format!("{what} in {within}{more} is ignored")
+                }
+                Message::Lost(lost, item) => {
+                    format!(
+                        "not modelled: {item}{}: {}",
+                        more("other", "others"),
+                        lost.what
+                    )
+                }
+            };
+            self.reader.warn(found.place, message, found.hint);
+        }
+    }
+
+    /// An element as messages call it.
+    fn subject(&self, node: Option<Node<'_, 't>>) -> String {
+        let mut text = String::new();
+        let mut node = node;
+        for _ in 0..NAMED {
+            let Some(at) = node else { break };
+            let tag = self.name(at);
+            let name = at.attribute("name").or(at.attribute("reference"));
+            if let Some(name) = name {
+                let kind = match tag {
+                    "loop_joint" => "loop joint".to_owned(),
+                    "drake:joint" => "joint".to_owned(),
+                    "robot" | "link" | "joint" | "transmission" => tag.to_owned(),
+                    _ => format!("<{tag}>"),
+                };
+                text.push_str(&format!("{kind} {}", quoted(name)));
+                return text;
+            }
+            let end = if at.parent_element().is_some() {
+                " of "
+            } else {
+                ""
+            };
+            text.push_str(&format!("the <{tag}>{end}"));
+            node = at.parent_element();
+        }
+        text.trim_end_matches(" of ").to_owned()
+    }
+
+    /// The name of an element, as it is written.
+    fn name(&self, node: Node<'_, 't>) -> &'t str {
+        let text = &self.reader.positions.text()[node.range()];
+        let text = text.strip_prefix('<').unwrap_or(text);
+        let ends = |c: char| c.is_ascii_whitespace() || c == '/' || c == '>';
+        &text[..text.find(ends).unwrap_or(text.len())]
+    }
+
+    /// The name of an attribute, as it is written.
+    fn attribute_name(&self, attribute: &Attribute<'_, 't>) -> &'t str {
+        let text = &self.reader.positions.text()[attribute.range()];
+        let ends = |c: char| c.is_ascii_whitespace() || c == '=';
+        &text[..text.find(ends).unwrap_or(text.len())]
+    }
+
+    fn attribute_place(&self, attribute: &Attribute<'_, 't>) -> Place {
+        self.reader.positions.place(attribute.range().start)
+    }
+}
+
+/// Whether a warning is due for a value.
+fn is_due(entry: &Entry, value: &str) -> bool {
+    let value = value.trim();
+    let mut numbers = value.split_ascii_whitespace().map(str::parse::<f64>);
+    match entry.when {
+        When::Always => true,
+        When::NotZero => numbers.any(|number| number != Ok(0.0)),
+        When::NotOne => numbers.any(|number| number != Ok(1.0)),
+        When::True => value == "1" || value.eq_ignore_ascii_case("true"),
+        When::False => value == "0" || value.eq_ignore_ascii_case("false"),
+        When::NotStandardGravity => !numbers.eq([Ok(0.0), Ok(0.0), Ok(-9.81)]),
+    }
+}
+
+/// The name that was probably meant: one that differs by a slip, or that is the longer or the shorter form.
+fn meant(name: &str, names: impl Iterator<Item = &'static str> + Clone) -> Option<&'static str> {
+    let known: Vec<_> = names.clone().collect();
+    let local = name.rsplit(':').next().unwrap_or(name);
+    let word = local.to_lowercase();
+    nearest(local, &known).or_else(|| {
+        let mut names = names;
+        names.find(|known| {
+            let known = known.to_lowercase();
+            let is_part = |part: &str, whole: &str| part.len() > 2 && whole.contains(part);
+            is_part(&word, &known) || is_part(&known, &word)
+        })
+    })
+}
+
+/// That links, joints or inertias stand in an element that is ignored, as far as a glance tells.
+fn bodies(node: Node<'_, '_>) -> Option<String> {
+    const GLANCE: usize = 1000;
+    let names = node.descendants().skip(1).take(GLANCE);
+    let mut counts = [0_usize; 3];
+    for name in names
+        .filter(Node::is_element)
+        .map(|node| node.tag_name().name())
+    {
+        let place = ["link", "joint", "inertial"]
+            .iter()
+            .position(|known| *known == name);
+        if let Some(place) = place {
+            counts[place] += 1;
+        }
+    }
+    let counts = counts.into_iter().zip(["link", "joint", "inertial"]);
+    let counts: Vec<_> = counts
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, name)| format!("{count} <{name}>"))
+        .collect();
+    let found = list(counts.iter().map(String::as_str));
+    (!found.is_empty()).then(|| format!("so is what stands in it: {found}"))
+}

@@ -17,6 +17,40 @@ pub(super) const SINE: &str = "sine";
 pub(super) const COSINE: &str = "cosine";
 pub(super) const SHIFTED: &str = "shifted";
 
+/// How accurate they are, and for which angles.
+pub(super) struct Range {
+    /// Beyond this magnitude \[rad\] the error grows with the angle.
+    pub limit: &'static str,
+    /// The same in turns.
+    pub turns: &'static str,
+    /// The error up to there [units in the last place].
+    pub error: &'static str,
+    /// The error beyond, a part of |angle|.
+    pub growth: &'static str,
+    /// From here on results mean nothing \[rad\].
+    pub end: &'static str,
+}
+
+/// That of a type of number.
+pub(super) const fn range(real: Real) -> Range {
+    match real {
+        Real::F32 => Range {
+            limit: "3200",
+            turns: "509",
+            error: "0.92",
+            growth: "6e-8",
+            end: "6e6",
+        },
+        Real::F64 | Real::Generic => Range {
+            limit: "2e5",
+            turns: "31,830",
+            error: "0.9",
+            growth: "1.2e-16",
+            end: "1e15",
+        },
+    }
+}
+
 /// The statements, from the angle to what the last step reads.
 pub(super) fn statements(real: Real) -> Vec<Statement> {
     let mut steps = Steps::default();

@@ -5,6 +5,7 @@
 //! from the end of a round to the next one, and calls nothing but sines, cosines, roots and fused products.
 
 use std::fmt::Write;
+use std::mem;
 
 use super::Writing;
 use super::declarations::{VALUES, argument_lengths, lengths, members, number, results};
@@ -13,11 +14,10 @@ use super::names::{ascii, unscoped};
 use crate::formulation::Sines;
 use crate::print::large::columns;
 use crate::print::review::filled;
+use crate::print::walk::{Language, walk};
 use crate::print::{Fields, Listed, Listing, Prepared};
 use crate::real::Real;
-use crate::schedule::{
-    Angle, Names, Operation, Program, Readable, Rounds, Routine, Statement, Stored, Value,
-};
+use crate::schedule::{Angle, Names, Operation, Program, Readable, Rounds, Routine, Stored, Value};
 use crate::space::{Quantity, Variable};
 
 /// A function, and those of its own that it calls.
@@ -111,6 +111,8 @@ pub(super) struct Writer<'w> {
     pub(super) real: Real,
     sines: Sines,
     pub(super) text: String,
+    /// What was written around the loop at hand.
+    outside: Vec<String>,
     names: Names,
     /// The array in which values wait, where there is one.
     pub(super) work: String,
@@ -119,6 +121,20 @@ pub(super) struct Writer<'w> {
 }
 
 impl<'w> Writer<'w> {
+    /// Of statements without a function around them.
+    pub(super) fn new(real: Real, writing: &'w Writing<'w>) -> Self {
+        Self {
+            writing,
+            real,
+            sines: Sines::default(),
+            text: String::new(),
+            outside: Vec::new(),
+            names: Names::default(),
+            work: String::new(),
+            filled: None,
+        }
+    }
+
     /// The statements of a program, and its routine; of one that fills a matrix, the matrix' name and lengths.
     fn of(
         (program, filled): (&Program, Option<(String, Vec<usize>)>),
@@ -137,20 +153,16 @@ impl<'w> Writer<'w> {
             None => Stored::AtTheEnd,
         };
         let routine = Routine::of((program, length), &readable, names, stored);
+        let work = routine.work.as_ref();
         let mut writer = Self {
-            writing,
-            real: listing.scalar,
             sines: listing.sines,
-            text: String::new(),
             names: routine.names.clone(),
-            work: routine
-                .work
-                .as_ref()
-                .map_or_else(String::new, |work| work.name.clone()),
+            work: work.map_or_else(String::new, |work| work.name.clone()),
             filled,
+            ..Self::new(listing.scalar, writing)
         };
         writer.load(&routine, (listing, fields));
-        writer.statements(&routine.statements);
+        walk(&mut writer, &routine.statements);
         (writer, routine)
     }
 
@@ -197,68 +209,6 @@ impl<'w> Writer<'w> {
         }
     }
 
-    /// What stands in blocks stands among the others: names are those of one scope already, and C
-    /// compilers take any number of them.
-    pub(super) fn statements(&mut self, statements: &[Statement]) {
-        for statement in statements {
-            match statement {
-                Statement::Operation(name, operation) => {
-                    let value = self.operation(operation);
-                    self.constant(name, &value);
-                }
-                Statement::SinesAndCosines(angles) => {
-                    for angle in angles {
-                        self.sine_and_cosine(angle);
-                    }
-                }
-                Statement::Block { statements, .. } => self.statements(statements),
-                Statement::Left(place, value) => {
-                    let value = self.read(value);
-                    self.put(*place, &value);
-                }
-                Statement::Found(result, value) => {
-                    let filled = self.filled.as_ref();
-                    let (name, lengths) =
-                        filled.expect("what is stored as it is found has a matrix");
-                    let (place, value) = (place(name, *result, lengths), self.read(value));
-                    self.line(&format!("{place} = {value};"));
-                }
-                Statement::Rounds(rounds) => self.rounds(rounds),
-            }
-        }
-    }
-
-    /// A table, and a loop over its columns.
-    fn rounds(&mut self, rounds: &Rounds) {
-        let Rounds { table, round, .. } = rounds;
-        let number = number(self.real);
-        let rows = rounds.rows.iter().map(|row| {
-            let row: Vec<String> = row.iter().map(|value| self.read(value)).collect();
-            format!("{{{}}}", row.join(", "))
-        });
-        let rows: Vec<String> = rows.collect();
-        let [height, count] = [rows.len(), rounds.count()];
-        let start = format!("    {number} {table}[{height}][{count}] = {{");
-        let filled = filled((&start, "        "), &rows, "};");
-        let _ = writeln!(self.text, "{filled}");
-        self.line(&format!(
-            "for (int {round} = 0; {round} < {count}; {round}++) {{"
-        ));
-        let before = std::mem::take(&mut self.text);
-        for (row, name) in rounds.taken.iter().enumerate() {
-            self.constant(name, &format!("{table}[{row}][{round}]"));
-        }
-        self.statements(&rounds.statements);
-        for (row, name) in rounds.left.iter().enumerate() {
-            self.line(&format!("{table}[{row}][{round}] = {name};"));
-        }
-        let inside = std::mem::replace(&mut self.text, before);
-        for line in inside.lines() {
-            let _ = writeln!(self.text, "    {line}");
-        }
-        self.line("}");
-    }
-
     /// A value as an expression that binds tighter than any infix operator.
     pub(super) fn read(&self, value: &Value) -> String {
         match value {
@@ -270,7 +220,7 @@ impl<'w> Writer<'w> {
     }
 
     /// Products with sums, rounded once where the file fuses them.
-    fn operation(&self, operation: &Operation<Value>) -> String {
+    fn spelled(&self, operation: &Operation<Value>) -> String {
         let fused = self.writing.fused.then(|| self.writing.mul_add());
         match (operation.clone().map(|value| self.read(&value)), fused) {
             (Operation::Add(a, b), _) => format!("{a} + {b}"),
@@ -345,6 +295,67 @@ impl<'w> Writer<'w> {
                 self.line(&format!("{place} = {value};"));
             }
         }
+    }
+}
+
+/// What stands in scopes stands among the rest: names are those of one scope already, and C compilers take any number
+/// of them.
+impl Language for Writer<'_> {
+    fn operation(&mut self, name: &str, operation: &Operation<Value>) {
+        let value = self.spelled(operation);
+        self.constant(name, &value);
+    }
+
+    fn sines_and_cosines(&mut self, angles: &[Angle]) {
+        for angle in angles {
+            self.sine_and_cosine(angle);
+        }
+    }
+
+    fn put(&mut self, place: usize, value: &Value) {
+        let value = self.read(value);
+        self.put_at(place, &value);
+    }
+
+    fn store(&mut self, result: usize, value: &Value) {
+        let filled = self.filled.as_ref();
+        let (name, lengths) = filled.expect("what is stored as it is found has a matrix");
+        let (place, value) = (place(name, result, lengths), self.read(value));
+        self.line(&format!("{place} = {value};"));
+    }
+
+    fn begin_loop(&mut self, rounds: &Rounds) {
+        let Rounds { table, round, .. } = rounds;
+        let number = number(self.real);
+        let rows = rounds.rows.iter().map(|row| {
+            let row: Vec<String> = row.iter().map(|value| self.read(value)).collect();
+            format!("{{{}}}", row.join(", "))
+        });
+        let rows: Vec<String> = rows.collect();
+        let [height, count] = [rows.len(), rounds.count()];
+        let start = format!("    {number} {table}[{height}][{count}] = {{");
+        let filled = filled((&start, "        "), &rows, "};");
+        let _ = writeln!(self.text, "{filled}");
+        self.line(&format!(
+            "for (int {round} = 0; {round} < {count}; {round}++) {{"
+        ));
+        self.outside.push(mem::take(&mut self.text));
+        for (row, name) in rounds.taken.iter().enumerate() {
+            self.constant(name, &format!("{table}[{row}][{round}]"));
+        }
+    }
+
+    fn end_loop(&mut self, rounds: &Rounds) {
+        let Rounds { table, round, .. } = rounds;
+        for (row, name) in rounds.left.iter().enumerate() {
+            self.line(&format!("{table}[{row}][{round}] = {name};"));
+        }
+        let outside = self.outside.pop().expect("a loop that began");
+        let inside = mem::replace(&mut self.text, outside);
+        for line in inside.lines() {
+            let _ = writeln!(self.text, "    {line}");
+        }
+        self.line("}");
     }
 }
 

@@ -8,6 +8,7 @@ use std::mem;
 
 use super::body::Writer;
 use super::declarations::number;
+use crate::print::walk::walk;
 use crate::schedule::Routine;
 
 /// The macro that keeps compilers from putting a function into the one that calls it.
@@ -40,7 +41,7 @@ impl Writer<'_> {
         self.line(&format!("{number} {}[{}];", work.name, work.len));
         for (place, value) in &work.given {
             let value = self.read(value);
-            self.put(*place, &value);
+            self.put_at(*place, &value);
         }
         let names: Vec<String> = (work.sections.iter())
             .map(|section| own(&section.name))
@@ -55,7 +56,7 @@ impl Writer<'_> {
                 let value = self.place(*place);
                 self.constant(name, &value);
             }
-            self.statements(&section.statements);
+            walk(self, &section.statements);
             let body = mem::take(&mut self.text);
             // Writing to a string cannot fail.
             let _ = writeln!(
@@ -74,7 +75,7 @@ impl Writer<'_> {
     }
 
     /// `work[3] = a;`.
-    pub(super) fn put(&mut self, place: usize, value: &str) {
+    pub(super) fn put_at(&mut self, place: usize, value: &str) {
         let place = self.place(place);
         self.line(&format!("{place} = {value};"));
     }

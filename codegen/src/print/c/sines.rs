@@ -1,23 +1,64 @@
 //! The sines and cosines that a source brings along.
 //!
-//! In: the type of number, and how names begin. Out: a function of the file alone, as text that has its
-//! own file here, with words between `@` in place of the names that it shares with the file. They are those of `homogen::trigonometry` up to an angle, which explains them line by
-//! line; the tests of the workspace hold the two together bit for bit.
+//! In: the type of number, and how the source is written. Out: a function of the file alone, from the
+//! [`statements`] that all languages share, and the last step by bits.
 
 use super::Writing;
+use super::body::Writer;
+use super::declarations::number;
+use crate::print::sines::{ANGLE, COSINE, SHIFTED, SINE, range, statements};
+use crate::print::walk::walk;
 use crate::real::Real;
-use crate::template::filled;
 
 /// The function and what it returns.
 pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
-    let text = match real {
-        Real::F32 => include_str!("sines/single.c"),
-        Real::F64 | Real::Generic => include_str!("sines/double.c"),
+    let mut writer = Writer::new(real, writing);
+    walk(&mut writer, &statements(real));
+    let [turn, sin_cos] = ["turn", "sin_cos"].map(|name| writing.own(name));
+    let number = number(real);
+    let (width, top) = match real {
+        Real::F32 => (32, "0x80000000u"),
+        Real::F64 | Real::Generic => (64, "0x8000000000000000u"),
     };
-    let names = [
-        ("@MUL_ADD@", &*writing.mul_add()),
-        ("@turn@", &writing.own("turn")),
-        ("@sin_cos@", &writing.own("sin_cos")),
-    ];
-    filled(text, &names)
+    let range = range(real);
+    let (limit, turns, error) = (range.limit, range.turns, range.error);
+    let (growth, end) = (range.growth, range.end);
+    let places = width - 2;
+    format!(
+        "/* The sine and the cosine of an angle. */
+typedef struct {{
+    {number} sine;
+    {number} cosine;
+}} {turn};
+
+/* Sine and cosine of an angle up to {limit} rad ({turns} turns), within {error} units in the last place.
+ *
+ * Without a branch, so that every angle takes the same time. Beyond {limit} rad the error grows as
+ * {growth} |angle|, from {end} rad on the results mean nothing and may be infinite or NaN; NaN and
+ * infinite angles give NaN. Reduction by Cody and Waite to |r| <= pi/4, there minimax polynomials.
+ * The sum `{SHIFTED}` has no room for a fraction: it is rounded to an integer, which its low bits hold.
+ */
+static HOMOGEN_FN {turn} {sin_cos}({number} {ANGLE})
+{{
+{statements}
+    /* In odd quadrants the two are exchanged: bits are chosen. */
+    union {{
+        {number} number;
+        uint{width}_t bits;
+    }} s, c, n;
+    {turn} turn;
+    uint{width}_t exchanged;
+    n.number = {SHIFTED};
+    s.number = {SINE};
+    c.number = {COSINE};
+    exchanged = (s.bits ^ c.bits) & (0u - (n.bits & 1u));
+    s.bits ^= exchanged ^ ((n.bits << {places}) & {top});
+    c.bits ^= exchanged ^ (((n.bits + 1u) << {places}) & {top});
+    turn.sine = s.number;
+    turn.cosine = c.number;
+    return turn;
+}}
+",
+        statements = writer.text
+    )
 }

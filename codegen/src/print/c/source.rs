@@ -43,9 +43,8 @@ pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
         text.push_str("#include <stdint.h>\n");
     }
     text.push_str(&arithmetic(listing.scalar));
-    if writing.fused || own_sines {
-        let fused = writing.fused.then_some(listing.scalar);
-        text.push_str(&product_and_sum(&writing.mul_add(), fused));
+    if writing.fused {
+        text.push_str(&product_and_sum(&writing.mul_add(), listing.scalar));
     }
     if own_sines {
         text.push('\n');
@@ -146,12 +145,8 @@ fn arithmetic(real: Real) -> String {
     )
 }
 
-/// The macro for a product and a sum, which are fused in a type of number, or not.
-fn product_and_sum(name: &str, fused: Option<Real>) -> String {
-    let apart = format!("#define {name}(a, b, c) ((a) * (b) + (c))\n");
-    let Some(real) = fused else {
-        return format!("\n/* Each is rounded by itself. */\n{apart}");
-    };
+/// The macro for a product and a sum, which are fused in a type of number.
+fn product_and_sum(name: &str, real: Real) -> String {
     let letter = match real {
         Real::F32 => "f",
         Real::F64 | Real::Generic => "",
@@ -168,7 +163,8 @@ fn product_and_sum(name: &str, fused: Option<Real>) -> String {
     (defined(__GNUC__) && (defined(__FMA__) || defined(__aarch64__)))
 #define {name}(a, b, c) __builtin_fma{letter}(a, b, c)
 #else
-{apart}#endif
+#define {name}(a, b, c) ((a) * (b) + (c))
+#endif
 "
     )
 }

@@ -327,9 +327,9 @@ const MUTATIONS: [Mutation; 43] = [
     },
     Mutation {
         name: "C: the last digit of a coefficient of the sine",
-        file: "codegen/src/print/c/sines/double.c",
-        from: "-0.1666666666666663)",
-        to: "-0.1666666666666662)",
+        file: "codegen/src/print/sines.rs",
+        from: "-0.166_666_666_666_666_3,",
+        to: "-0.166_666_666_666_666_2,",
         noticed_by: c99("two_link"),
     },
     Mutation {

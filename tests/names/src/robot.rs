@@ -17,7 +17,7 @@ pub struct Robot {
     pub name: String,
     /// The file.
     pub urdf: String,
-    /// The options, but for what is written and where.
+    /// The options, but for what is written and where. Python has no `--prepare`.
     pub options: Vec<String>,
 }
 
@@ -111,22 +111,39 @@ impl Robot {
             );
             self.option("loop", &text);
         }
-        let functions: Vec<&str> = functions.into_iter().collect();
-        self.option("functions", &functions.join(","));
         let scalar = *random.choose(&["f32", "f64"]);
         self.option("scalar", scalar);
+        let has_fields = self.fields(random, &links[1]);
+        // Whether a robot can have these is another question.
+        functions.retain(|function| match *function {
+            "base_regressor" => !has_fields,
+            "mass_matrix_inverse" | "forward_dynamics" => scalar == "f64",
+            _ => true,
+        });
+        functions.insert("gravity");
+        let functions: Vec<&str> = functions.into_iter().collect();
+        self.option("functions", &functions.join(","));
+    }
+
+    /// Whether any field was asked for.
+    fn fields(&mut self, random: &mut Random, link: &str) -> bool {
         let mut fields = BTreeSet::new();
-        for (word, chance) in [("mass_of", 3), ("com_of", 4)] {
+        let targets = [
+            (format!("mass_of:{link}"), 3),
+            (format!("com_of:{link}"), 4),
+            ("gravity".to_owned(), 4),
+        ];
+        for (target, chance) in targets {
             let field = identifier(random);
             let alike = field.trim_start_matches("r#").to_owned();
             if random.chance(chance) && fields.insert(alike) {
-                self.option("field", &format!("{field}={word}:{}", links[1]));
+                self.option("field", &format!("{field}={target}"));
             }
         }
-        let field = identifier(random);
-        if random.chance(4) && fields.insert(field.trim_start_matches("r#").to_owned()) {
-            self.option("field", &format!("{field}=gravity"));
+        if !fields.is_empty() && random.chance(3) {
+            self.options.push("--prepare".to_owned());
         }
+        !fields.is_empty()
     }
 
     fn option(&mut self, option: &str, value: &str) {

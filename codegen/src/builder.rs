@@ -388,7 +388,7 @@ impl Builder {
     fn field(mut self, field: &str, target: Target, range: Option<[f64; 2]>) -> Self {
         if let Some(field) = self.parsed(field) {
             self.request.parameters.push(Parameter {
-                field: in_every_edition(&field),
+                field: in_every_edition(field),
                 target,
                 range,
             });

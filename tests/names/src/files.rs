@@ -73,6 +73,7 @@ impl Batch {
     ///
     /// # Panics
     /// Where the folder cannot be written.
+    #[must_use]
     pub fn write_python(&self) -> (Vec<Refused>, Vec<PathBuf>) {
         let (mut refused, mut packages) = (Vec::new(), Vec::new());
         let mut modules = BTreeSet::new();

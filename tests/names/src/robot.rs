@@ -85,7 +85,7 @@ impl Robot {
     fn ask(&mut self, random: &mut Random, links: &[String], has_loop: bool) {
         if random.chance(3) {
             let name = identifier(random);
-            self.name = name.trim_start_matches("r#").to_owned();
+            name.trim_start_matches("r#").clone_into(&mut self.name);
             self.option("name", &name);
         }
         let last = links.len() - 1;
@@ -180,29 +180,13 @@ fn urdf(
         );
     }
     for (k, joint) in joints.iter().enumerate() {
-        let (kind, has_axis) = if has_loop {
-            KINDS[1]
-        } else {
-            *random.choose(&KINDS)
-        };
         // Of a loop the third joint stands beside the first.
         let parent = if has_loop && k == 2 { 0 } else { k };
-        let axis = random.choose(&["1 0 0", "0 1 0", "0.6 0 0.8"]);
-        let axis = if has_loop { "0 0 1" } else { axis };
-        let mut motion = String::new();
-        if has_axis {
-            let _ = write!(motion, "<axis xyz=\"{axis}\"/>");
-        }
-        if kind == "universal" {
-            motion = "<axis xyz=\"1 0 0\"/><axis2 xyz=\"0 1 0\"/>".to_owned();
-        }
-        if ["revolute", "prismatic"].contains(&kind) {
-            let most = random.choose(&["2", "0.5", "3000", "1e6"]);
-            let _ = write!(
-                motion,
-                "<limit lower=\"-{most}\" upper=\"{most}\" effort=\"50\" velocity=\"3\"/>"
-            );
-        }
+        let (kind, motion) = if has_loop {
+            ("continuous", "<axis xyz=\"0 0 1\"/>".to_owned())
+        } else {
+            moving(random)
+        };
         let turn = if has_loop { "0 0 0" } else { "0.1 0.2 0.3" };
         let _ = writeln!(
             text,
@@ -214,6 +198,25 @@ fn urdf(
         );
     }
     text + "</robot>\n"
+}
+
+/// What moves a joint, and what is said of that.
+fn moving(random: &mut Random) -> (&'static str, String) {
+    let (kind, has_axis) = *random.choose(&KINDS);
+    let axis = random.choose(&["1 0 0", "0 1 0", "0.6 0 0.8"]);
+    let axis = format!("<axis xyz=\"{axis}\"/>");
+    let motion = match kind {
+        "universal" => "<axis xyz=\"1 0 0\"/><axis2 xyz=\"0 1 0\"/>".to_owned(),
+        "revolute" | "prismatic" => {
+            let most = random.choose(&["2", "0.5", "3000", "1e6"]);
+            format!(
+                "{axis}<limit lower=\"-{most}\" upper=\"{most}\" effort=\"50\" velocity=\"3\"/>"
+            )
+        }
+        _ if has_axis => axis,
+        _ => String::new(),
+    };
+    (kind, motion)
 }
 
 /// A text between quotes in XML.

@@ -37,7 +37,7 @@ impl Wanted {
                 "--seed" => wanted.seed = number(next()?)?,
                 "--robots" => wanted.robots = number(next()?)?,
                 "--python" => {
-                    wanted.python = usize::try_from(number(next()?)?).unwrap_or(usize::MAX)
+                    wanted.python = usize::try_from(number(next()?)?).unwrap_or(usize::MAX);
                 }
                 "--folder" => wanted.folder = next()?.into(),
                 other => return Err(format!("there is no option {other}")),

@@ -1,8 +1,9 @@
 //! The sines and cosines that a source brings along.
 //!
 //! In: the type of number, and how names begin. Out: a function of the file alone, as text that has its
-//! own file here, with words between `@` in place of the names that it shares with the file. They are those of `homogen::trigonometry` up to an angle, which explains them line by
-//! line; the tests of the workspace hold the two together bit for bit.
+//! own file here, with words between `@` in place of the names that it shares with the source. They are
+//! those of `homogen::trigonometry` up to an angle, which explains them line by line; the tests of the
+//! workspace hold the two together bit for bit.
 
 use super::Writing;
 use crate::real::Real;

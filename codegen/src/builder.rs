@@ -152,7 +152,8 @@ impl Builder {
         Self { request, ..self }
     }
 
-    /// The name of the struct that is written; the robot's own where none is given.
+    /// The name of the struct that is written; the robot's own where none is given. One of a type that Rust has, such
+    /// as `f64`, gets an underscore.
     pub fn name(mut self, name: &str) -> Self {
         self.name = self.parsed(name);
         self
@@ -390,7 +391,7 @@ impl Builder {
     fn field(mut self, field: &str, target: Target, range: Option<[f64; 2]>) -> Self {
         if let Some(field) = self.parsed(field) {
             self.request.parameters.push(Parameter {
-                field: in_every_edition(&field),
+                field: in_every_edition(field),
                 target,
                 range,
             });
@@ -409,7 +410,9 @@ impl Builder {
         self
     }
 
-    /// Functions for C beside the methods, whose names are this and the method's: `arm_gravity`.
+    /// Functions for C beside the methods, whose names are this and the method's: `arm_gravity`. Where both together
+    /// could be those of another robot, as `mobile_base_regressor` could be the base regressor of `mobile_`, a second
+    /// underscore stands between them.
     ///
     /// [`Builder::write_c_header`] writes the header that declares them. They are `#[no_mangle]`,
     /// which compilers from Rust 1.82 on take and `forbid(unsafe_code)` does not: nothing else in the

@@ -123,6 +123,10 @@ mod namesakes {
     pub(crate) mod t_1 {
         arm!(t_1);
     }
+    #[allow(non_camel_case_types, reason = "it is only in the way")]
+    pub(crate) mod q {
+        arm!(q);
+    }
 }
 
 const Q: [f64; 3] = [0.4, -0.2, 1.1];
@@ -174,6 +178,7 @@ fn a_struct_may_have_any_name() {
         namesakes::T.gravity(&Q),
         namesakes::k::k.gravity(&Q),
         namesakes::t_1::t_1.gravity(&Q),
+        namesakes::q::q.gravity(&Q),
     ];
     for torques in found {
         for i in 0..3 {

@@ -215,7 +215,9 @@ pub fn python_crates(packages: &[PathBuf]) -> Result<(), Complaint> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     command.args(["check", "--workspace", "--quiet"]);
-    command.env("CARGO_TARGET_DIR", folder.with_file_name("checked"));
+    // What they need is built once for all batches.
+    let batches = folder.ancestors().nth(2).unwrap_or(folder);
+    command.env("CARGO_TARGET_DIR", batches.join("checked"));
     succeed(
         command
             .arg("--manifest-path")

@@ -43,8 +43,8 @@ impl Batch {
         }
     }
 
-    /// Writes all files in Rust and C, and tells which could not be written.
-    pub fn write(&self) -> Vec<Refused> {
+    /// Writes all files in Rust and C, and tells which could not be written: these robots are left out from then on.
+    pub fn write(&mut self) -> Vec<Refused> {
         let mut refused = Vec::new();
         for (number, robot) in &self.robots {
             let c = prefix(&robot.name);
@@ -58,9 +58,14 @@ impl Batch {
                 let output = format!("--output={}", output.display());
                 let options = robot.options.iter().chain(&more).cloned();
                 let said = generate("generate", robot, options.chain([output]));
-                refused.extend(said.err().map(|said| (*number, said)));
+                if let Err(said) = said {
+                    refused.push((*number, said));
+                    break;
+                }
             }
         }
+        let is_refused = |number: u64| refused.iter().any(|(other, _)| *other == number);
+        self.robots.retain(|(number, _)| !is_refused(*number));
         refused
     }
 
@@ -68,6 +73,7 @@ impl Batch {
     ///
     /// # Panics
     /// Where the folder cannot be written.
+    #[must_use]
     pub fn write_python(&self) -> (Vec<Refused>, Vec<PathBuf>) {
         let (mut refused, mut packages) = (Vec::new(), Vec::new());
         let mut modules = BTreeSet::new();

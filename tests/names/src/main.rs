@@ -37,7 +37,7 @@ impl Wanted {
                 "--seed" => wanted.seed = number(next()?)?,
                 "--robots" => wanted.robots = number(next()?)?,
                 "--python" => {
-                    wanted.python = usize::try_from(number(next()?)?).unwrap_or(usize::MAX)
+                    wanted.python = usize::try_from(number(next()?)?).unwrap_or(usize::MAX);
                 }
                 "--folder" => wanted.folder = next()?.into(),
                 other => return Err(format!("there is no option {other}")),
@@ -64,7 +64,7 @@ fn told(wanted: &Wanted) -> ExitCode {
     let (mut from, end) = (wanted.seed, wanted.seed + wanted.robots);
     while from < end {
         let to = end.min(from + TOGETHER);
-        let batch = Batch::of(from..to, &wanted.folder.join(format!("from_{from}")));
+        let mut batch = Batch::of(from..to, &wanted.folder.join(format!("from_{from}")));
         robots += batch.robots.len();
         let refused = batch.write().into_iter();
         complaints

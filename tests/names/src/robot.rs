@@ -17,7 +17,7 @@ pub struct Robot {
     pub name: String,
     /// The file.
     pub urdf: String,
-    /// The options, but for what is written and where.
+    /// The options, but for what is written and where. Python has no `--prepare`.
     pub options: Vec<String>,
 }
 
@@ -85,7 +85,7 @@ impl Robot {
     fn ask(&mut self, random: &mut Random, links: &[String], has_loop: bool) {
         if random.chance(3) {
             let name = identifier(random);
-            self.name = name.trim_start_matches("r#").to_owned();
+            name.trim_start_matches("r#").clone_into(&mut self.name);
             self.option("name", &name);
         }
         let last = links.len() - 1;
@@ -111,22 +111,39 @@ impl Robot {
             );
             self.option("loop", &text);
         }
-        let functions: Vec<&str> = functions.into_iter().collect();
-        self.option("functions", &functions.join(","));
         let scalar = *random.choose(&["f32", "f64"]);
         self.option("scalar", scalar);
+        let has_fields = self.fields(random, &links[1]);
+        // Whether a robot can have these is another question.
+        functions.retain(|function| match *function {
+            "base_regressor" => !has_fields,
+            "mass_matrix_inverse" | "forward_dynamics" => scalar == "f64",
+            _ => true,
+        });
+        functions.insert("gravity");
+        let functions: Vec<&str> = functions.into_iter().collect();
+        self.option("functions", &functions.join(","));
+    }
+
+    /// Whether any field was asked for.
+    fn fields(&mut self, random: &mut Random, link: &str) -> bool {
         let mut fields = BTreeSet::new();
-        for (word, chance) in [("mass_of", 3), ("com_of", 4)] {
+        let targets = [
+            (format!("mass_of:{link}"), 3),
+            (format!("com_of:{link}"), 4),
+            ("gravity".to_owned(), 4),
+        ];
+        for (target, chance) in targets {
             let field = identifier(random);
             let alike = field.trim_start_matches("r#").to_owned();
             if random.chance(chance) && fields.insert(alike) {
-                self.option("field", &format!("{field}={word}:{}", links[1]));
+                self.option("field", &format!("{field}={target}"));
             }
         }
-        let field = identifier(random);
-        if random.chance(4) && fields.insert(field.trim_start_matches("r#").to_owned()) {
-            self.option("field", &format!("{field}=gravity"));
+        if !fields.is_empty() && random.chance(3) {
+            self.options.push("--prepare".to_owned());
         }
+        !fields.is_empty()
     }
 
     fn option(&mut self, option: &str, value: &str) {
@@ -163,29 +180,13 @@ fn urdf(
         );
     }
     for (k, joint) in joints.iter().enumerate() {
-        let (kind, has_axis) = if has_loop {
-            KINDS[1]
-        } else {
-            *random.choose(&KINDS)
-        };
         // Of a loop the third joint stands beside the first.
         let parent = if has_loop && k == 2 { 0 } else { k };
-        let axis = random.choose(&["1 0 0", "0 1 0", "0.6 0 0.8"]);
-        let axis = if has_loop { "0 0 1" } else { axis };
-        let mut motion = String::new();
-        if has_axis {
-            let _ = write!(motion, "<axis xyz=\"{axis}\"/>");
-        }
-        if kind == "universal" {
-            motion = "<axis xyz=\"1 0 0\"/><axis2 xyz=\"0 1 0\"/>".to_owned();
-        }
-        if ["revolute", "prismatic"].contains(&kind) {
-            let most = random.choose(&["2", "0.5", "3000", "1e6"]);
-            let _ = write!(
-                motion,
-                "<limit lower=\"-{most}\" upper=\"{most}\" effort=\"50\" velocity=\"3\"/>"
-            );
-        }
+        let (kind, motion) = if has_loop {
+            ("continuous", "<axis xyz=\"0 0 1\"/>".to_owned())
+        } else {
+            moving(random)
+        };
         let turn = if has_loop { "0 0 0" } else { "0.1 0.2 0.3" };
         let _ = writeln!(
             text,
@@ -197,6 +198,25 @@ fn urdf(
         );
     }
     text + "</robot>\n"
+}
+
+/// What moves a joint, and what is said of that.
+fn moving(random: &mut Random) -> (&'static str, String) {
+    let (kind, has_axis) = *random.choose(&KINDS);
+    let axis = random.choose(&["1 0 0", "0 1 0", "0.6 0 0.8"]);
+    let axis = format!("<axis xyz=\"{axis}\"/>");
+    let motion = match kind {
+        "universal" => "<axis xyz=\"1 0 0\"/><axis2 xyz=\"0 1 0\"/>".to_owned(),
+        "revolute" | "prismatic" => {
+            let most = random.choose(&["2", "0.5", "3000", "1e6"]);
+            format!(
+                "{axis}<limit lower=\"-{most}\" upper=\"{most}\" effort=\"50\" velocity=\"3\"/>"
+            )
+        }
+        _ if has_axis => axis,
+        _ => String::new(),
+    };
+    (kind, motion)
 }
 
 /// A text between quotes in XML.

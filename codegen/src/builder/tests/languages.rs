@@ -108,3 +108,69 @@ fn a_package_for_python_has_no_options_of_rust() {
     let errors = arm(as_asked).to_python("numpy").expect_err("a mistake");
     assert!(errors.to_string().contains("would hide NumPy"), "{errors}");
 }
+
+/// The name of a struct without fields is a pattern, which binds nothing.
+#[test]
+fn a_struct_may_be_called_as_what_files_bind() {
+    let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);
+    let file = |name: &str| text(&builder.clone().name(name));
+    for (name, parts) in [
+        (
+            "q",
+            [
+                "pub fn gravity(&self, q_: &[f64; 2])",
+                "let [q_1, q_2] = *q_;",
+                "use super::q as Robot;",
+            ],
+        ),
+        (
+            "near",
+            [
+                "pub fn gravity(&self, q: &[f64; 2])",
+                "let near_ = z * SINE[1] + SINE[0];",
+                "use super::near as Robot;",
+            ],
+        ),
+        (
+            "gen",
+            ["pub struct r#gen;", "mod gen_vectors", "use super::r#gen;"],
+        ),
+        (
+            "f64",
+            ["pub struct f64_;", "mod f64_vectors", "use super::f64_;"],
+        ),
+    ] {
+        let file = file(name);
+        for part in parts {
+            assert!(file.contains(part), "{part}\n{file}");
+        }
+    }
+}
+
+/// Texts are assembled from parts, and no part is looked through for words of another.
+#[test]
+fn a_robot_may_be_called_as_a_word_of_a_template() {
+    let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);
+    for (name, sines, test) in [
+        (
+            "robot",
+            "robot_turn robot_sin_cos(double angle)",
+            "int robot_self_test(void)",
+        ),
+        (
+            "Robot_Mul_Add",
+            "robot_mul_add_turn robot_mul_add_sin_cos(double angle)",
+            "int robot_mul_add_self_test(void)",
+        ),
+    ] {
+        let source = builder
+            .clone()
+            .name(name)
+            .to_c("arm.h")
+            .expect("no mistakes");
+        for part in [sines, test, "_MUL_ADD(angle, 0.6366197723675814, rounding)"] {
+            assert!(source.text.contains(part), "{part}\n{}", source.text);
+        }
+        assert!(!source.text.contains("robot_MUL_ADD"), "{}", source.text);
+    }
+}

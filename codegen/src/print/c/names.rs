@@ -7,6 +7,8 @@
 //! by side. Where both together could be read as the prefix of another robot and a longer name of our own, as
 //! `mobile_base_regressor` of the robots `mobile` and `mobile_base`, a second underscore stands between them.
 
+use std::fmt::Write;
+
 use crate::function::Function;
 use crate::print::Listing;
 use crate::schedule::{Names, sanitize};
@@ -29,7 +31,8 @@ pub(super) fn prefix(robot: &str) -> String {
             name.push('_');
         }
         if is_letter {
-            name.push_str(&format!("u{:x}", u32::from(letter)));
+            // Writing to a string cannot fail.
+            let _ = write!(name, "u{:x}", u32::from(letter));
         } else {
             name.push(letter);
         }

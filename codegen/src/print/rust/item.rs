@@ -40,7 +40,7 @@ impl Item {
     pub fn made(ident: Ident) -> Self {
         Self {
             visibility: parse_quote! { pub },
-            ident: of_type(&ident),
+            ident: of_type(ident),
             generics: Generics::default(),
             declaration: Declaration::Made,
         }

@@ -44,7 +44,7 @@ pub(in crate::print) fn type_name(text: &str) -> String {
 }
 
 /// The name of a type: one that the language has gets an underscore.
-pub(super) fn of_type(name: &Ident) -> Ident {
+pub(super) fn of_type(name: Ident) -> Ident {
     if PRIMITIVE.contains(&&*name.to_string()) {
         return ident(&format!("{name}_"));
     }
@@ -52,11 +52,12 @@ pub(super) fn of_type(name: &Ident) -> Ident {
 }
 
 /// The same name, raw where some edition reserves it.
-pub(crate) fn in_every_edition(name: &Ident) -> Ident {
-    if unscoped().alone(&name.to_string()) == name.to_string() {
-        name.clone()
+pub(crate) fn in_every_edition(name: Ident) -> Ident {
+    let text = name.to_string();
+    if KEYWORDS.contains(&&*text) {
+        Ident::new_raw(&text, name.span())
     } else {
-        Ident::new_raw(&name.to_string(), name.span())
+        name
     }
 }
 

@@ -3,6 +3,7 @@
 //! Each mutation replaces a text that its file has exactly once; a test of this file holds the list
 //! to that.
 
+mod names;
 mod paper;
 
 use std::fmt;
@@ -35,7 +36,8 @@ const GEOMETRY: &[&str] = &["--test", "hard_cases_geometry"];
 
 /// All of them.
 pub fn all() -> impl Iterator<Item = &'static Mutation> {
-    MUTATIONS.iter().chain(paper::EQUATIONS)
+    let others = names::NAMES.iter().chain(paper::EQUATIONS);
+    MUTATIONS.iter().chain(others)
 }
 
 /// Those of the engine and of geometry, grouped by the crate that is built again.

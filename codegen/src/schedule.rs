@@ -31,11 +31,13 @@ pub use routine::{
 pub use run::run;
 pub use sections::{Length, Sections, sections};
 
+use std::collections::BTreeMap;
+
 pub use crate::expression::Arithmetic;
 use crate::expression::Input;
 
 /// One generated function, ready to be printed, run or counted.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Program {
     /// The arguments of all sines and cosines, evaluated together after `steps[..before_angles]`.
     pub angles: Vec<Operand>,
@@ -45,6 +47,9 @@ pub struct Program {
     pub steps: Vec<Step>,
     /// The results, in the order of the function's shape; of several functions one after the other.
     pub results: Vec<Operand>,
+    /// How far what literals stand for may be from them, where the 106 bits that they are computed in leave that open
+    /// beside the rounding of `f64`: where larger numbers cancelled. By the bits of their magnitudes.
+    pub open: BTreeMap<u64, f64>,
 }
 
 /// One operation and the name of its result.

@@ -356,3 +356,32 @@ fn the_sentence_of_the_inverse_says_that_each_column_is_exact() {
         "{source}"
     );
 }
+
+/// Twelve joints in a row, and a speck at their end that moves for next to nothing: what a mass matrix loses by
+/// rounding is the reason, and not numbers that might overflow where it may be anything. Of three it is those.
+#[test]
+fn a_solution_that_rounding_may_spoil_is_not_said_to_overflow() {
+    let limit = r#"lower="-2" upper="2" velocity="2""#;
+    let joints = ["0 0 1", "0 1 0"].map(|axis| joint("revolute", axis, limit));
+    for (count, expected) in [
+        (
+            12,
+            "rounding may outweigh the least inertia, as far as ranges tell",
+        ),
+        (3, "a number may overflow, as far as ranges tell"),
+    ] {
+        let segment = |k: usize| Segment {
+            joint: &joints[k % 2],
+            mass: if k + 1 < count { 2.0 } else { 1e-16 },
+            inertia: if k + 1 < count { 0.03 } else { 1e-18 },
+        };
+        let arm = row(&(0..count).map(segment).collect::<Vec<_>>());
+        let listed = listed(
+            &arm,
+            Request::default(),
+            Function::MassMatrixInverse,
+            Real::F32,
+        );
+        assert_eq!(refusal(&listed), expected, "{count} joints");
+    }
+}

@@ -10,7 +10,8 @@ use homogen_codegen::Function;
 use homogen_tests::states::Random;
 use homogen_tests::tested::{F32, F64};
 use homogen_tests::trees::prepared::Prepared;
-use homogen_tests::trees::robot::{Kind, Robot};
+use homogen_tests::trees::robot::{Asked, Body, Door, Inertial, Kind, Mimic, Placement, Robot};
+use homogen_tests::trees::written::Written;
 use homogen_tests::trees::{numbered, of_seed};
 
 /// Functions with few roundings of their own, beside which one more is seen.
@@ -71,6 +72,120 @@ fn worst(robots: Range<u64>, states: usize) -> f64 {
         beyond.join("\n")
     );
     worst.0
+}
+
+/// The worst share of all functions of one robot.
+fn share(robot: &Robot, states: usize) -> f64 {
+    let prepared = Prepared::of(robot, 1, 1).unwrap_or_else(|what| panic!("{what}\n{robot}"));
+    let shares = FUNCTIONS.into_iter().filter_map(|function| {
+        prepared.share_of_bound::<F64>(function, states, &mut Random::new(2))
+    });
+    shares.fold(0.0, |most, (share, what)| {
+        assert!(share <= 1.0, "{what}\n{robot}");
+        f64::max(most, share)
+    })
+}
+
+/// Joints in a row, each on the link of the one before.
+fn row(joints: Vec<(Kind, [&str; 3], [&str; 3])>) -> Robot {
+    let words = |words: [&str; 3]| words.map(Written::new);
+    let count = joints.len();
+    let bodies = joints
+        .into_iter()
+        .zip(1..)
+        .map(|((kind, rpy, axis), id)| Body {
+            id,
+            parent: id - 1,
+            kind,
+            at: Placement {
+                xyz: words(["0.21", "-0.4", "0.3"]),
+                rpy: words(rpy),
+                turns: Vec::new(),
+            },
+            axis: words(axis),
+            mimic: None,
+            inertial: Some(Inertial {
+                at: Placement {
+                    xyz: words(["0.1", "0.03", "-0.02"]),
+                    ..Placement::none()
+                },
+                mass: Written::new("1.3"),
+                tensor: ["0.02", "0", "0", "0.03", "0", "0.03"].map(Written::new),
+            }),
+        });
+    Robot {
+        root: None,
+        bodies: bodies.collect(),
+        asked: Asked {
+            tip: Some(count),
+            ..Asked::default()
+        },
+        door: Door::Inline,
+    }
+}
+
+const NO_TURN: [&str; 3] = ["0"; 3];
+
+#[test]
+fn axes_of_other_lengths_than_1_are_in_the_bounds() {
+    for axis in [
+        ["0.012", "-0.18", "-0.945"],
+        ["0.069", "-0.491", "0.327"],
+        ["-0.9", "-0.527", "-0.82"],
+        ["123.4", "-0.7", "55.1"],
+        ["0.0011", "0.0023", "-0.0017"],
+        ["1e300", "2e300", "-3e299"],
+        ["1e-310", "3e-310", "-2e-310"],
+    ] {
+        for kind in [
+            Kind::Revolute,
+            Kind::Prismatic,
+            Kind::Screw(Written::new("0.0173")),
+            Kind::Cylindrical,
+            Kind::Universal(axis.map(Written::new)),
+            Kind::Planar,
+        ] {
+            let others = (Kind::Revolute, NO_TURN, ["0", "0", "1"]);
+            share(&row(vec![(kind.clone(), NO_TURN, axis), others]), 20);
+        }
+    }
+}
+
+#[test]
+fn angles_that_are_computed_are_in_the_bounds() {
+    for angle in ["pi/3", "2*pi/7", "-pi/180", "1/3", "pi/5000"] {
+        let turned = (Kind::Prismatic, ["0", angle, "0"], ["0", "0", "1"]);
+        share(&row(vec![turned.clone(), turned]), 20);
+    }
+}
+
+/// Of 6e-17, which two halves of a right angle leave with turns there and back between them, the last digits are not
+/// known to 106 bits of 1.
+#[test]
+fn what_cancels_between_fixed_joints_is_in_the_bounds() {
+    let half = "-0.7853981633974483";
+    let turns = [half, "0.3", "-0.3", "1.1", "-1.1", "0.7", "-0.7", half];
+    let fixed = turns.map(|roll| (Kind::Fixed, [roll, "0", "0"], ["1", "0", "0"]));
+    let plane = (Kind::Planar, NO_TURN, ["0", "0", "-1"]);
+    share(&row(fixed.into_iter().chain([plane]).collect()), 100);
+}
+
+/// A held joint that follows another stands where exact numbers say.
+#[test]
+fn joints_that_are_held_where_others_take_them_are_in_the_bounds() {
+    let axis = ["0", "0", "1"];
+    let mut robot = row(vec![
+        (Kind::Revolute, NO_TURN, axis),
+        (Kind::Prismatic, NO_TURN, axis),
+        (Kind::Prismatic, NO_TURN, ["0", "1", "0"]),
+    ]);
+    robot.bodies[1].mimic = Some(Mimic {
+        leader: 1,
+        multiplier: Written::new("0.1"),
+        offset: Written::new("-0.030000000000000002"),
+    });
+    robot.asked.lock = vec![(1, Some(Written::new("0.3")))];
+    assert!(share(&robot, 20) > 0.0);
 }
 
 #[test]

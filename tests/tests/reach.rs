@@ -200,7 +200,7 @@ fn called(
 #[test]
 fn what_is_not_finite_is_an_error_and_never_returned() {
     let reach = Reach::within(UR5);
-    let good = Ur5Class.forward_kinematics(&[0.5; 6]);
+    let good: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     let [nan, infinite] = [f64::NAN, f64::INFINITY];
     for bad in [nan, infinite, -infinite] {
         let posture = Some([bad; 6]);
@@ -230,7 +230,7 @@ fn what_is_not_finite_is_an_error_and_never_returned() {
 #[test]
 fn numbers_that_are_huge_end_in_numbers() {
     let reach = Reach::within(UR5);
-    let good = Ur5Class.forward_kinematics(&[0.5; 6]);
+    let good: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     let huge = 1e300;
     let limits = [[-f64::INFINITY, f64::INFINITY]; 6];
     let posture = Some([huge; 6]);
@@ -257,7 +257,7 @@ fn numbers_that_are_huge_end_in_numbers() {
 /// Where there is no limit to one side, or to both, any finite number is within.
 #[test]
 fn limits_that_no_number_is_within_are_an_error() {
-    let target = Ur5Class.forward_kinematics(&[0.5; 6]);
+    let target: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     let [nan, infinite] = [f64::NAN, f64::INFINITY];
     for ends in [
         [1.0, -1.0],
@@ -293,7 +293,7 @@ fn limits_that_no_number_is_within_are_an_error() {
 #[test]
 fn a_target_whose_matrix_is_no_rotation_is_an_error() {
     let reach = Reach::within(UR5);
-    let good = Ur5Class.forward_kinematics(&[0.5; 6]);
+    let good: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     let changed = |change: &dyn Fn(&mut [[f64; 3]; 3])| {
         let mut rotation = *good.rotation();
         change(&mut rotation);
@@ -315,7 +315,7 @@ fn a_target_whose_matrix_is_no_rotation_is_an_error() {
 #[test]
 fn a_target_whose_matrix_is_a_rotation_but_for_its_digits_is_met() {
     let reach = Reach::within(UR5);
-    let good = Ur5Class.forward_kinematics(&[0.5; 6]);
+    let good: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     #[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
     let single = good.rotation().map(|row| row.map(|x| f64::from(x as f32)));
     let printed = good

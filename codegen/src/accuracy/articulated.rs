@@ -80,11 +80,15 @@ impl Steps<'_, '_> {
         ))?;
         let motions = found.chunks(ARTICULATED_MOTION).map(Moving::of);
         let motions: List<BodyId, Moving> = motions.collect();
-        let vanishes = underflow(self.size(&motions, &wider), links.len(), self.scalar)?;
-        let errors = self.torque_errors(&motions, &wider, vanishes)?;
+        // Told last: what may be anything for rounding may overflow as well.
+        let underflows = underflow(self.size(&motions, &wider), links.len(), self.scalar);
+        let errors = self.torque_errors(&motions, &wider, underflows.unwrap_or(0.0))?;
         let off = caused(&mobility.joints, &errors);
-        let stays = stays(&self.bodies.range, margin, &off);
-        if stays { Ok(errors) } else { Err(DOUBTFUL) }
+        if stays(&self.bodies.range, margin, &off) {
+            underflows.map(|_| errors)
+        } else {
+            Err(DOUBTFUL)
+        }
     }
 
     /// A bound of every product on the way, as far as sizes of factors tell.

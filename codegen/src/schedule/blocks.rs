@@ -216,6 +216,7 @@ mod tests {
             before_angles: 0,
             steps,
             results: vec![Operand::Step(last)],
+            ..Program::default()
         }
     }
 

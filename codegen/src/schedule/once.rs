@@ -126,6 +126,7 @@ impl Once {
             before_angles: 0,
             steps: Vec::new(),
             results: Vec::new(),
+            open: program.open.clone(),
         };
         let (before, after) = program.steps.split_at(program.before_angles);
         self.steps_of(before, &mut moved, &mut left);
@@ -255,6 +256,7 @@ impl Once {
             before_angles: early.iter().filter(|early| **early).count(),
             steps: steps.collect(),
             results: self.values.iter().copied().map(moved).collect(),
+            ..Program::default()
         }
     }
 }

@@ -3,6 +3,8 @@
 //! In: a graph and the expressions asked for. Out: a [`Program`]. Because children are older than
 //! parents, this is a filter and not a sort. It never changes what is computed.
 
+use std::collections::BTreeMap;
+
 use super::fuse::{self, Form, Fused};
 use super::signs::Signs;
 use super::{Operand, Operation, Program, Step};
@@ -36,6 +38,7 @@ fn place(graph: &Graph, results: &[Expr], needed: &[Expr], fused: Fused) -> Prog
         fused,
         operands: vec![None; graph.len()],
         steps: Vec::new(),
+        open: BTreeMap::new(),
     };
     // Whether each expression takes part in an angle.
     let mut early = vec![false; graph.len()];
@@ -76,6 +79,7 @@ fn place(graph: &Graph, results: &[Expr], needed: &[Expr], fused: Fused) -> Prog
             .map(|&result| placing.positive(result))
             .collect(),
         steps: placing.steps,
+        open: placing.open,
     }
 }
 
@@ -87,7 +91,12 @@ struct Placing<'g> {
     /// Where the value of each expression is found.
     operands: Vec<Option<Operand>>,
     steps: Vec<Step>,
+    /// As [`Program::open`].
+    open: BTreeMap<u64, f64>,
 }
+
+/// 2⁻³² of the roundoff of `f64`: less of a literal is part of what bounds are multiplied by for their own roundings.
+const OPEN: f64 = f64::from_bits((1023 - 85) << 52);
 
 impl Placing<'_> {
     fn at(&self, expr: Expr) -> Operand {
@@ -108,7 +117,12 @@ impl Placing<'_> {
                 return Operand::Literal(f64::NAN);
             }
             // Without the sign of a negative zero.
-            return Operand::Literal(value.to_f64() + 0.0);
+            let literal = value.to_f64() + 0.0;
+            if value.radius() > OPEN * literal.abs() {
+                let open = self.open.entry(literal.abs().to_bits()).or_default();
+                *open = open.max(value.radius());
+            }
+            return Operand::Literal(literal);
         }
         let operation = match self.graph.node(expr) {
             Node::Input(input) => return Operand::Input(input),

@@ -245,6 +245,7 @@ mod tests {
                 })
                 .collect(),
             results,
+            ..Program::default()
         }
     }
 

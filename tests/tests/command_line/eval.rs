@@ -180,8 +180,8 @@ fn a_byte_order_mark_is_no_part_of_the_states() {
     let states = r#"{"states":[{"q":[0.1,0.2,0.3],"qd":[0,0,0]}]}"#;
     let plain = eval("--function bias", states);
     let marked = eval("--function bias", &format!("\u{feff}{states}"));
-    assert_eq!((&*marked.remarks, marked.code), ("", 0));
-    assert_eq!(marked.output, plain.output);
+    assert_eq!(marked.remarks, plain.remarks);
+    assert_eq!((marked.output, marked.code), (plain.output, 0));
     let mistaken = eval("--function bias", "\u{feff}{\"states\":[{\"q\":[0,0,}]}");
     assert_eq!(
         mistaken.remarks,

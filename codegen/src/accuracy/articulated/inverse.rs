@@ -32,7 +32,9 @@ impl Steps<'_, '_> {
         let (inertia, yielding) = (self.inertia(), self.yielding());
         // (M⁻¹)ⱼⱼ is at least 1/Mⱼⱼ, and what vanishes is in units of its root here.
         let size = inertia * yielding * (inertia * yielding);
-        let vanishes = underflow(size, links.len(), self.scalar)? * 2.0 * inertia * inertia;
+        // Told last: what may be anything for rounding may overflow as well.
+        let underflows = underflow(size, links.len(), self.scalar);
+        let vanishes = underflows.unwrap_or(0.0) * 2.0 * inertia * inertia;
         let roundoff = self.scalar.roundoff();
 
         // What each joint passes on loses by itself, as a share of the energy.
@@ -71,7 +73,7 @@ impl Steps<'_, '_> {
         let count: f64 = links.iter().map(|_| 1.0).sum();
         let products = (2.0 * count + 6.0) * roundoff + vanishes;
         let row = |own| TRUST * (self.spoilt + own + longest + products);
-        Ok(ways.into_iter().map(row).collect())
+        underflows.map(|_| ways.into_iter().map(row).collect())
     }
 }
 

@@ -98,7 +98,7 @@ fn a_whole_robot_in_place() {
     };
     assert_eq!(pitch.value, 0.01);
     assert_eq!(scara.joints[2].name.text, "z-axis");
-    assert_eq!(scara.joints[2].axis.map(|x| x.value), [0.0, 0.75, 1.0]);
+    assert_eq!(scara.joints[2].axis.map(|x| x.value), [0.0, 0.6, 0.8]);
 
     assert!(scara.links[0].inertial.is_none());
     let upper = scara.links[1].inertial.as_ref().unwrap();

@@ -34,6 +34,7 @@ fn steps(real: Real, operations: &[Operation]) -> Listing {
         before_angles: 0,
         steps: operations.iter().map(|&of| step("", of)).collect(),
         results: vec![Operand::Step(last), literal(-0.5)],
+        ..Program::default()
     };
     Listing {
         functions: vec![listed(&[Function::Gravity], program)],
@@ -282,6 +283,7 @@ fn entries_of_large_matrices_are_stored_as_they_are_found() {
             step("", Operation::Add(Operand::Step(0), q)),
         ],
         results,
+        ..Program::default()
     };
     let joints = (1..=13).map(|joint| format!("joint {joint}"));
     let large = Listing {

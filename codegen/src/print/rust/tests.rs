@@ -56,6 +56,7 @@ fn gravity(mass: Operand) -> Program {
             ),
         ],
         results: vec![Operand::Step(3), Operand::Step(2)],
+        ..Program::default()
     }
 }
 
@@ -86,6 +87,7 @@ fn constant(results: &[f64]) -> Program {
         before_angles: 0,
         steps: Vec::new(),
         results: results.iter().map(|value| literal(*value)).collect(),
+        ..Program::default()
     }
 }
 

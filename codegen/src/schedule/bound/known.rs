@@ -68,7 +68,10 @@ impl Known<'_> {
     /// A number or an argument.
     pub fn given(&self, operand: Operand) -> Value {
         match operand {
-            Operand::Literal(number) => literal(number, self.scalar()),
+            Operand::Literal(number) => {
+                let open = self.program.open.get(&number.abs().to_bits());
+                literal(number, open.copied().unwrap_or(0.0), self.scalar())
+            }
             Operand::Input(input) => (self.conditions.range)(input).read(self.scalar()),
             _ => Value::UNKNOWN,
         }
@@ -118,8 +121,8 @@ impl Known<'_> {
 
 /// A number of the generated code: rounded to `f64` when it was printed, and to the type, as if no
 /// number were one of the type already: so the error in one type is that in another times the ratio
-/// of their roundoffs, and so is every bound.
-fn literal(number: f64, scalar: Real) -> Value {
+/// of their roundoffs, and so is every bound. What it stands for is within `open` of the nearest number of 106 bits.
+fn literal(number: f64, open: f64, scalar: Real) -> Value {
     let printed = f64::EPSILON / 2.0;
     let read = match scalar {
         Real::F32 => scalar.roundoff(),
@@ -127,8 +130,9 @@ fn literal(number: f64, scalar: Real) -> Value {
     };
     let subnormal = number != 0.0 && number.abs() < 2.0 * scalar.smallest();
     let lost = if subnormal { scalar.smallest() } else { 0.0 };
+    let open_in_type = open * (scalar.roundoff() / Real::F64.roundoff());
     Value {
-        error: (printed + read) * number.abs() + lost,
-        ..Value::between(number, number)
+        error: (printed + read) * number.abs() + lost + open_in_type,
+        ..Value::between(number - open, number + open)
     }
 }

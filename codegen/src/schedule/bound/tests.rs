@@ -26,6 +26,7 @@ fn program(angles: &[Operand], operations: &[Operation]) -> Program {
         before_angles: 0,
         steps: steps.collect(),
         results: vec![Operand::Step(last)],
+        ..Program::default()
     }
 }
 
@@ -330,4 +331,32 @@ fn an_angle_that_is_off_by_turns_scales_as_well() {
     };
     let ratio = Real::F64.roundoff() / Real::F32.roundoff();
     assert!(of(Real::F64) <= ratio * of(Real::F32) * (1.0 + 1e-9));
+}
+
+/// What is left where larger numbers cancelled, such as the cosine of two halves of a right angle, is known to fewer
+/// bits than a literal has.
+#[test]
+fn what_106_bits_leave_open_of_a_literal_is_counted() {
+    let (small, open) = (6.1e-17, 1e-32);
+    let of_one = [Operation::Mul(
+        Operand::Literal(small),
+        Operand::Literal(-small),
+    )];
+    let error = |open: Option<f64>, scalar: Real| {
+        let mut program = program(&[], &of_one);
+        let literals = open.map(|open| (f64::to_bits(small), open));
+        program.open.extend(literals);
+        let conditions = Conditions {
+            scalar,
+            angles: f64::INFINITY,
+            range: &|_| Value::UNKNOWN,
+        };
+        results(&program, &conditions)[0].value.error
+    };
+    let more = error(Some(open), Real::F64) - error(None, Real::F64);
+    let expected = 2.0 * small * open;
+    assert!((expected..1.01 * expected).contains(&more), "{more:e}");
+    // A bound in one type is that in another times the ratio of their roundoffs.
+    let ratio = Real::F32.roundoff() / Real::F64.roundoff();
+    assert!(error(Some(open), Real::F32) >= ratio * more);
 }

@@ -24,6 +24,7 @@ fn program(
         before_angles,
         steps: steps.collect(),
         results: results.to_vec(),
+        ..Program::default()
     }
 }
 

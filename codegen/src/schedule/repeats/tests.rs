@@ -62,6 +62,7 @@ pub fn program(head: u32, length: u32) -> Program {
         before_angles: 0,
         steps: operations.into_iter().map(step).collect(),
         results: vec![Operand::Step(last), Operand::Step(last - 1), left(2)],
+        ..Program::default()
     }
 }
 

@@ -32,6 +32,7 @@ fn program() -> Program {
             ),
         ],
         results: vec![Operand::Step(2), Operand::Literal(0.0)],
+        ..Program::default()
     }
 }
 
@@ -150,6 +151,7 @@ fn what_is_only_a_result_leaves_no_block() {
         results: std::iter::once(Operand::Sin(0))
             .chain((0..steps).map(Operand::Step))
             .collect(),
+        ..Program::default()
     };
     let handed_on = |stored| {
         let names = Names::beside(&[]);

@@ -21,6 +21,7 @@ fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
         before_angles,
         steps: Vec::new(),
         results: Vec::new(),
+        ..Program::default()
     };
     for k in 0..steps {
         if k == before_angles {
@@ -167,6 +168,7 @@ fn the_array_is_no_longer_than_what_waits() {
         before_angles: 0,
         steps: std::iter::once(first).chain((1..5000).map(step)).collect(),
         results: vec![Operand::Step(4999)],
+        ..Program::default()
     };
     let cut = sections(&program, Length::at_most(50)).expect("it is long");
     assert!(cut.work <= 8, "{}", cut.work);

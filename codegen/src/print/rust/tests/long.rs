@@ -41,6 +41,7 @@ fn program() -> Program {
         results: (STEPS - u32::from(JOINTS)..STEPS)
             .map(Operand::Step)
             .collect(),
+        ..Program::default()
     }
 }
 

@@ -109,10 +109,17 @@ pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
         let limits = limits.map(|limits| {
             json!({ "lower": limits.lower, "upper": limits.upper, "velocity": limits.velocity })
         });
-        json!({
+        let mut planes = report.planes.iter();
+        let plane = planes.find(|plane| plane.joint == joint.name.text);
+        let plane = plane.map(|plane| json!({ "x": plane.x, "y": plane.y }));
+        let mut details = json!({
             "name": joint.name.text, "kind": joint.kind.word(), "parent": joint.parent.text,
             "child": joint.child.text, "mass": mass, "limits": limits,
-        })
+        });
+        if let Some(plane) = plane {
+            details["plane"] = plane;
+        }
+        details
     });
     let frames: Value = chain
         .frames
@@ -248,12 +255,14 @@ fn in_text(description: &Description, chain: &Chain) -> String {
             (None, [_]) => String::new(),
             (None, names) => format!(" ({})", names.join(", ")),
         };
+        let plane = report.planes.iter().find(|plane| plane.joint == *name);
+        let plane = plane.map_or(String::new(), |plane| format!(", {}", plane.text()));
         let place = match follows {
             Some(_) => "   ".to_owned(),
             None => format!("{k:3}"),
         };
         line(format!(
-            "  {place}  {name}: {kind}{coordinates}, from {parent} to {child}, carries {mass} kg"
+            "  {place}  {name}: {kind}{coordinates}{plane}, from {parent} to {child}, carries {mass} kg"
         ));
         k += if follows.is_some() { 0 } else { names.len() };
     }

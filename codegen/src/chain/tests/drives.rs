@@ -104,13 +104,13 @@ fn modelled(request: &Request) -> (Vec<[f64; 3]>, Vec<String>) {
 
 #[test]
 fn what_a_file_says_is_modelled_where_it_is_asked_for() {
-    let friction = "r.urdf:2:87: not modelled: damping, friction and other dynamics of joint \"j\"";
-    let other = "r.urdf:2:87: not modelled: other dynamics of joint \"j\"";
+    let friction = "r.urdf:2:87: not modelled: damping and friction of joint \"j\"";
+    let other = "r.urdf:2:127: not modelled: attribute \"D\" of the <dynamics> of joint \"j\": other dynamics";
     let gear = "r.urdf:4:20: not modelled: the reduction of transmission \"t\"";
     let rotor = "r.urdf:5:1: not modelled: the rotor of transmission \"t\"";
     let told = |doubts: &[&str]| doubts.iter().map(|&doubt| doubt.to_owned()).collect();
     let nothing = Request::default();
-    let expected = (vec![NOTHING], told(&[friction, gear, rotor]));
+    let expected = (vec![NOTHING], told(&[other, friction, gear, rotor]));
     assert_eq!(modelled(&nothing), expected);
     let asked = Request {
         friction: true,
@@ -122,7 +122,8 @@ fn what_a_file_says_is_modelled_where_it_is_asked_for() {
         rotors: true,
         ..Request::default()
     };
-    assert_eq!(modelled(&asked), (vec![[4.0, 0.0, 0.0]], told(&[friction])));
+    let expected = (vec![[4.0, 0.0, 0.0]], told(&[other, friction]));
+    assert_eq!(modelled(&asked), expected);
 }
 
 #[test]

@@ -119,7 +119,7 @@ impl<'t> Survey<'_, '_, 't> {
             if is_due(entry, value) {
                 self.lost(
                     self.reader.place(node),
-                    format!("<{name}>"),
+                    (format!("<{name}>"), "in"),
                     lost,
                     node.parent_element(),
                 );
@@ -161,7 +161,8 @@ impl<'t> Survey<'_, '_, 't> {
         } else {
             bodies(node)
         };
-        let message = Message::Ignored(format!("<{name}>"), self.subject(parent));
+        let within = format!("in {}", self.subject(parent));
+        let message = Message::Ignored(format!("<{name}>"), within);
         self.push(key, self.reader.place(node), message, hint);
     }
 
@@ -175,7 +176,7 @@ impl<'t> Survey<'_, '_, 't> {
                     let place = self.attribute_place(&attribute);
                     self.lost(
                         place,
-                        format!("attribute {}", quoted(name)),
+                        (format!("attribute {}", quoted(name)), "of"),
                         lost,
                         Some(node),
                     );
@@ -201,7 +202,7 @@ impl<'t> Survey<'_, '_, 't> {
                 (!names.is_empty()).then(|| format!("known attributes: {known}"))
             };
             let what = format!("attribute {}", quoted(name));
-            let message = Message::Ignored(what, self.subject(Some(node)));
+            let message = Message::Ignored(what, format!("of {}", self.subject(Some(node))));
             self.push(key, self.attribute_place(&attribute), message, hint);
         }
     }
@@ -224,14 +225,17 @@ impl<'t> Survey<'_, '_, 't> {
         let names = content.attributes.iter().map(|entry| entry.name);
         let names = list(names.take(6));
         let hint = (!names.is_empty()).then(|| format!("its values are attributes: {names}"));
-        let message = Message::Ignored("text".to_owned(), self.subject(Some(node)));
+        let message = Message::Ignored(
+            "text".to_owned(),
+            format!("in {}", self.subject(Some(node))),
+        );
         self.push(key, place, message, hint);
     }
 
     fn lost(
         &mut self,
         place: Place,
-        what: String,
+        (what, before): (String, &str),
         lost: &'static Lost,
         within: Option<Node<'_, 't>>,
     ) {
@@ -239,7 +243,7 @@ impl<'t> Survey<'_, '_, 't> {
         if self.is_known(&key) {
             return;
         }
-        let item = format!("{what} in {}", self.subject(within));
+        let item = format!("{what} {before} {}", self.subject(within));
         let hint = Some(lost.hint.to_owned());
         self.push(key, place, Message::Lost(lost, item), hint);
     }
@@ -254,7 +258,7 @@ impl<'t> Survey<'_, '_, 't> {
             let message = match found.message {
                 Message::Ignored(what, within) => {
                     let more = more("other place", "other places");
-                    format!("{what} in {within}{more} is ignored")
+                    format!("{what} {within}{more} is ignored")
                 }
                 Message::Lost(lost, item) => {
                     format!(

@@ -135,7 +135,15 @@ impl<'g> Reader<'g, '_> {
             let rotation = angle::rotation(squares);
             return Rotation(rotation.map(|row| row.map(|entry| self.graph.constant(entry))));
         }
-        let entries = entries.map(|entry| self.component(item, &entry));
+        // Beside entries that are small themselves, one as small is no residue.
+        let is_large = entries.iter().any(|entry| entry.value.abs() >= 0.5);
+        let entries = entries.map(|entry| {
+            if is_large {
+                self.component(item, &entry)
+            } else {
+                self.number(&entry)
+            }
+        });
         Rotation::of_quaternion(entries).expect("a quaternion of zeros is refused")
     }
 

@@ -137,6 +137,10 @@ impl Entry {
 }
 
 impl Becomes {
+    pub(super) const fn is_read(self) -> bool {
+        matches!(self, Self::Read(_))
+    }
+
     /// In the words of the guide, in which only what is code begins with `<`.
     fn text(self) -> String {
         match self {
@@ -181,15 +185,21 @@ const PLACES: [(&str, &Content); 14] = [
     ("`<mujoco>`", &simulators::MUJOCO),
 ];
 
-/// Where an element stands that is read, for one that stands elsewhere.
-pub(super) fn home(written: &str) -> Option<&'static str> {
-    let reads = |content: &Content| {
-        let entry = content.element(written);
-        entry.is_some_and(|entry| matches!(entry.becomes, Becomes::Read(_)))
+/// Where an element that stands elsewhere would be read: as an element, or as an attribute.
+pub(super) fn home(written: &str) -> Option<String> {
+    let place = |reads: &dyn Fn(&Content) -> bool| {
+        let place = PLACES.iter().find(|(_, content)| reads(content));
+        place.map(|(name, _)| name.trim_matches('`'))
     };
-    let place = PLACES.iter().find(|(_, content)| reads(content));
-    place.map(|(name, _)| name.trim_matches('`'))
+    let read = |entry: Option<&Entry>| entry.is_some_and(|entry| entry.becomes.is_read());
+    let element = place(&|content| read(content.element(written)));
+    let element = element.map(|place| format!("it stands in {place}: move it there"));
+    let attribute = place(&|content| !NAMES.contains(&written) && read(content.attribute(written)));
+    element.or_else(|| attribute.map(|place| format!("write it as an attribute of {place}")))
 }
+
+/// Attributes that many elements have.
+const NAMES: [&str; 3] = ["name", "type", "version"];
 
 /// The table as the guide shows it, in Markdown: of each element what may stand in it, attributes first.
 #[must_use]

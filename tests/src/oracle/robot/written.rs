@@ -91,7 +91,10 @@ impl Reader<'_> {
             .and_then(|right| right.try_into().ok())
             .unwrap_or_else(|| {
                 entries.each_ref().map(|entry| {
-                    let residue = entry.resolution > 0.0 && entry.value.abs() < 4.0 * f64::EPSILON;
+                    let is_large = entries.iter().any(|entry| entry.value.abs() >= 0.5);
+                    let residue = entry.resolution > 0.0
+                        && entry.value.abs() < 4.0 * f64::EPSILON
+                        && is_large;
                     if residue && !self.request.exact {
                         Big::zero()
                     } else {

@@ -263,6 +263,12 @@ fn what_stands_in_another_place_is_told_with_its_own() {
         Some("so is what stands in it: 1 <link> and 1 <inertial>")
     );
     assert_eq!(
+        fine("<robot name=\"r\"><link name=\"a\"/><damping>5</damping></robot>").warnings[0]
+            .hint
+            .as_deref(),
+        Some("write it as an attribute of <dynamics>")
+    );
+    assert_eq!(
         doubts_in("<damping>5</damping><inertia ixx=\"1\"/>"),
         [
             "arm.urdf:2:1: <damping> in robot \"r\" is ignored",
@@ -322,7 +328,7 @@ fn joints_of_drake_are_read() {
     }
     assert_eq!(
         doubts(&robot("planar", "<axis xyz=\"0 1 0\"/>")),
-        ["arm.urdf:2:71: the axis of joint \"j\" is ignored, as Drake ignores that of type planar"]
+        ["arm.urdf:2:72: the axis of joint \"j\" is ignored, as Drake ignores that of type planar"]
     );
     assert!(errors(&robot("curved", "")).contains("joint \"j\" has the unknown type \"curved\""));
 }

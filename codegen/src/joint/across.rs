@@ -10,6 +10,7 @@
 const NEAR: f64 = 1e-6;
 
 /// Whether (c², a², b²) has no part across (a, b, c) to speak of.
+#[must_use]
 pub fn is_diagonal([a, b, c]: [f64; 3]) -> bool {
     [a - b, b - c, c - a]
         .iter()

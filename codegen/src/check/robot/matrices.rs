@@ -96,7 +96,7 @@ pub(super) fn across(normal: [Scalar; 3]) -> Matrix<Scalar> {
         [c * c, a * a, b * b]
     };
     let y = of_length_1(cross(normal, guide));
-    of_columns([cross(y, normal), y, normal])
+    of_columns(&[cross(y, normal), y, normal])
 }
 
 /// A turn that takes z to the axis of a loop. Along an axis of the frame, x and y go to those that follow it; else x
@@ -115,14 +115,14 @@ pub(super) fn with_z(axis: [Scalar; 3]) -> Matrix<Scalar> {
         x[least] = Scalar::literal(1.0);
         x = of_length_1(cross(x, axis));
     }
-    of_columns([x, cross(axis, x), axis])
+    of_columns(&[x, cross(axis, x), axis])
 }
 
-fn of_columns(axes: [[Scalar; 3]; 3]) -> Matrix<Scalar> {
+fn of_columns(axes: &[[Scalar; 3]; 3]) -> Matrix<Scalar> {
     let mut turn = Matrix::identity();
-    for (column, axis) in axes.into_iter().enumerate() {
-        for (row, entry) in axis.into_iter().enumerate() {
-            turn.0[row][column] = entry;
+    for (column, axis) in axes.iter().enumerate() {
+        for (row, entry) in axis.iter().enumerate() {
+            turn.0[row][column] = *entry;
         }
     }
     turn

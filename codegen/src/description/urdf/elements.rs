@@ -216,7 +216,7 @@ pub fn page() -> String {
             let name = entry.shown(is_attribute);
             let becomes = entry.becomes.text();
             match written.last_mut().filter(|(_, last)| *last == becomes) {
-                Some((names, _)) => names.push_str(&format!(", {name}")),
+                Some((names, _)) => names.extend([", ", &name]),
                 None => written.push((name, becomes)),
             }
         }

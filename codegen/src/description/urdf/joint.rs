@@ -271,8 +271,8 @@ fn axis<'t>(
 }
 
 /// Warns of a planar joint whose axis is not z, for which readers differ.
-fn about_pinocchio<'t>(
-    reader: &mut Reader<'_, 't>,
+fn about_pinocchio(
+    reader: &mut Reader<'_, '_>,
     place: Place,
     kind: Option<JointKind>,
     [x, y, z]: [f64; 3],

@@ -291,7 +291,7 @@ impl<'t> Survey<'_, '_, 't> {
                     "robot" | "link" | "joint" | "transmission" => tag.to_owned(),
                     _ => format!("<{tag}>"),
                 };
-                text.push_str(&format!("{kind} {}", quoted(name)));
+                text.extend([&kind, " ", &quoted(name)]);
                 return text;
             }
             let end = if at.parent_element().is_some() {
@@ -299,7 +299,7 @@ impl<'t> Survey<'_, '_, 't> {
             } else {
                 ""
             };
-            text.push_str(&format!("the <{tag}>{end}"));
+            text.extend(["the <", tag, ">", end]);
             node = at.parent_element();
         }
         text.trim_end_matches(" of ").to_owned()

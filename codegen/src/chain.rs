@@ -181,8 +181,43 @@ pub struct Report {
     pub closed: Vec<String>,
     /// Residuals that depend on others where the loops are closed, by name.
     pub dependent: Vec<String>,
+    /// The planes of planar joints whose axis is not z.
+    pub planes: Vec<Plane>,
     /// Doubts, each with its place.
     pub warnings: Vec<Complaint>,
+}
+
+/// The plane in which a planar joint moves, in the frame that the joint's is at q = 0.
+#[derive(Clone, Debug)]
+pub struct Plane {
+    /// The joint.
+    pub joint: String,
+    /// The direction of its coordinate `x`, of length 1.
+    pub x: [f64; 3],
+    /// The direction of its coordinate `y`, of length 1.
+    pub y: [f64; 3],
+}
+
+impl Plane {
+    /// `x along z, y along x`.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let [x, y] = [self.x, self.y].map(direction);
+        format!("x along {x}, y along {y}")
+    }
+}
+
+/// A direction by the name of the axis that it is, or by its entries.
+fn direction(entries: [f64; 3]) -> String {
+    for (k, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let others = entries[(k + 1) % 3].abs() + entries[(k + 2) % 3].abs();
+        if others < f64::EPSILON {
+            let sign = if entries[k] < 0.0 { "−" } else { "" };
+            return format!("{sign}{name}");
+        }
+    }
+    let entries = entries.map(|entry| format!("{entry:.4}"));
+    format!("[{}]", entries.join(", "))
 }
 
 /// A joint that follows another: multiplier · q + offset.

@@ -223,7 +223,8 @@ impl fmt::Display for Errors {
         if self.left_out > 0 {
             writeln!(out, "and {} more", self.left_out)?;
         }
-        for warning in &self.warnings {
+        // Alone they are told where the description is.
+        for warning in self.warnings.iter().filter(|_| !self.is_empty()) {
             writeln!(out, "warning: {}", self.with_hint(warning, "  hint: "))?;
         }
         Ok(())

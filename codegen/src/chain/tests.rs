@@ -8,6 +8,7 @@ mod drives;
 mod external;
 mod fields;
 mod joints;
+mod rotations;
 
 use std::path::Path;
 

@@ -36,23 +36,7 @@ pub(super) fn robot(
     chain: &Chain,
     fields: &List<FieldId, Vec<f64>>,
 ) -> Result<Robot, Contradiction> {
-    let reader = Reader {
-        description,
-        request,
-        fields,
-        snapped: (chain.report.snapped.iter())
-            .map(|number| {
-                let key = (number.item.as_str(), number.written.to_bits());
-                (key, number.quarters)
-            })
-            .collect(),
-        turned: (chain.report.turned.iter())
-            .map(|turned| {
-                let key = (turned.item.as_str(), turned.written.map(f64::to_bits));
-                (key, turned.squares)
-            })
-            .collect(),
-    };
+    let reader = Reader::of(description, request, chain, fields);
     let links: HashMap<&str, LinkId> =
         places(description.links.iter().map(|link| link.name.text.as_str()));
     let spaces = chain.spaces();
@@ -225,4 +209,32 @@ struct Reader<'d> {
     snapped: HashMap<(&'d str, u64), i64>,
     /// What quaternions were taken for, by item and bits.
     turned: HashMap<(&'d str, [u64; 4]), [i64; 4]>,
+}
+
+impl<'d> Reader<'d> {
+    /// With what a report claims of numbers.
+    fn of(
+        description: &'d Description,
+        request: &'d Request,
+        chain: &'d Chain,
+        fields: &'d List<FieldId, Vec<f64>>,
+    ) -> Self {
+        Self {
+            description,
+            request,
+            fields,
+            snapped: (chain.report.snapped.iter())
+                .map(|number| {
+                    let key = (number.item.as_str(), number.written.to_bits());
+                    (key, number.quarters)
+                })
+                .collect(),
+            turned: (chain.report.turned.iter())
+                .map(|turned| {
+                    let key = (turned.item.as_str(), turned.written.map(f64::to_bits));
+                    (key, turned.squares)
+                })
+                .collect(),
+        }
+    }
 }

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::functions::Frames;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
-use crate::chain::{BodyId, Chain};
+use crate::chain::{BodyId, Chain, Report};
 use crate::description::{Description, Joint, freed};
 use crate::expand;
 use crate::list::Id;
@@ -109,10 +109,17 @@ pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
         let limits = limits.map(|limits| {
             json!({ "lower": limits.lower, "upper": limits.upper, "velocity": limits.velocity })
         });
-        json!({
+        let mut planes = report.planes.iter();
+        let plane = planes.find(|plane| plane.joint == joint.name.text);
+        let plane = plane.map(|plane| json!({ "x": plane.x, "y": plane.y }));
+        let mut details = json!({
             "name": joint.name.text, "kind": joint.kind.word(), "parent": joint.parent.text,
             "child": joint.child.text, "mass": mass, "limits": limits,
-        })
+        });
+        if let Some(plane) = plane {
+            details["plane"] = plane;
+        }
+        details
     });
     let frames: Value = chain
         .frames
@@ -214,6 +221,43 @@ fn loops(chain: &Chain, line: &mut impl FnMut(String)) {
     }
 }
 
+/// `1 joint`, `2 joints`.
+fn counted(number: usize, one: &str, several: &str) -> String {
+    match number {
+        1 => format!("1 {one}"),
+        _ => format!("{number} {several}"),
+    }
+}
+
+/// What was taken for right angles and zeros.
+fn repaired(report: &Report, line: &mut impl FnMut(String)) {
+    let (right_angles, residues) = report.right_angles_and_residues();
+    line(counted(
+        right_angles,
+        "angle taken for a right angle",
+        "angles taken for right angles",
+    ));
+    if residues > 0 {
+        line(counted(
+            residues,
+            "residue taken for zero",
+            "residues taken for zero",
+        ));
+    }
+    for number in &report.snapped {
+        let (row, column) = json::line_and_column(number.place);
+        let (item, written, meant) = (&number.item, number.written, meant(number.quarters));
+        line(format!("  {row}:{column}: {written} of {item} is {meant}"));
+    }
+    for quaternion in &report.turned {
+        let (row, column) = json::line_and_column(quaternion.place);
+        let written = quaternion.written.map(|entry| entry.to_string()).join(" ");
+        let meant = quaternion.squares.map(root).join(" ");
+        let item = &quaternion.item;
+        line(format!("  {row}:{column}: {written} of {item} is {meant}"));
+    }
+}
+
 fn in_text(description: &Description, chain: &Chain) -> String {
     let report = &chain.report;
     let mut text = String::new();
@@ -231,10 +275,6 @@ fn in_text(description: &Description, chain: &Chain) -> String {
         Some(tip) => line(format!("tip {tip}")),
         None => line("no tip: there is more than one end, and --tip names none".to_owned()),
     }
-    let counted = |number: usize, one: &str, several: &str| match number {
-        1 => format!("1 {one}"),
-        _ => format!("{number} {several}"),
-    };
     let joints = counted(report.joints.len(), "joint", "joints");
     line(format!("{joints}, in the order of q:"));
     let mut k = 0;
@@ -255,12 +295,14 @@ fn in_text(description: &Description, chain: &Chain) -> String {
             (None, [_]) => String::new(),
             (None, names) => format!(" ({})", names.join(", ")),
         };
+        let plane = report.planes.iter().find(|plane| plane.joint == *name);
+        let plane = plane.map_or(String::new(), |plane| format!(", {}", plane.text()));
         let place = match follows {
             Some(_) => "   ".to_owned(),
             None => format!("{k:3}"),
         };
         line(format!(
-            "  {place}  {name}: {kind}{coordinates}, from {parent} to {child}, carries {mass} kg"
+            "  {place}  {name}: {kind}{coordinates}{plane}, from {parent} to {child}, carries {mass} kg"
         ));
         k += if follows.is_some() { 0 } else { names.len() };
     }
@@ -290,31 +332,7 @@ fn in_text(description: &Description, chain: &Chain) -> String {
     for link in &report.dropped {
         line(format!("  {link}"));
     }
-    let (right_angles, residues) = report.right_angles_and_residues();
-    line(counted(
-        right_angles,
-        "angle taken for a right angle",
-        "angles taken for right angles",
-    ));
-    if residues > 0 {
-        line(counted(
-            residues,
-            "residue taken for zero",
-            "residues taken for zero",
-        ));
-    }
-    for number in &report.snapped {
-        let (row, column) = json::line_and_column(number.place);
-        let (item, written, meant) = (&number.item, number.written, meant(number.quarters));
-        line(format!("  {row}:{column}: {written} of {item} is {meant}"));
-    }
-    for quaternion in &report.turned {
-        let (row, column) = json::line_and_column(quaternion.place);
-        let written = quaternion.written.map(|entry| entry.to_string()).join(" ");
-        let meant = quaternion.squares.map(root).join(" ");
-        let item = &quaternion.item;
-        line(format!("  {row}:{column}: {written} of {item} is {meant}"));
-    }
+    repaired(report, &mut line);
     line(counted(report.warnings.len(), "warning", "warnings"));
     let _ = write!(text, "{}", options::warnings(description, &report.warnings));
     text

@@ -192,9 +192,28 @@ mod tests {
         assert_eq!(refusal("0,5"), "is not a number: \"0,5\"");
         assert_eq!(refusal(""), "is empty");
         for word in [
-            "abc", "1.2.3", "1e", "e5", ".", "+", "--1", "1 2", "0x10", "1_0", "１",
+            "abc", "1.2.3", "1e", "e5", ".", "+", "--1", "1 2", "0x10", "1_0", "1\u{b5}",
         ] {
             assert_eq!(refusal(word), format!("is not a number: \"{word}\""));
+        }
+    }
+
+    #[test]
+    fn letters_that_look_like_those_of_numbers_are_named() {
+        for (word, what) in [
+            ("１", "has a wide digit (U+FF11) in it: \"１\""),
+            (
+                "\u{2212}1.5",
+                "has a minus sign that is no hyphen (U+2212) in it: \"\u{2212}1.5\"",
+            ),
+            ("\u{2013}1", "has a dash (U+2013) in it: \"\u{2013}1\""),
+            (
+                "1\u{a0}2",
+                "has a no-break space (U+00A0) in it: \"1\u{a0}2\"",
+            ),
+            ("٣", "has a digit of another script (U+0663) in it: \"٣\""),
+        ] {
+            assert_eq!(refusal(word), what);
         }
     }
 

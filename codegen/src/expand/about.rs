@@ -120,6 +120,9 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
         "{used} of {} inertial parameters used",
         10 * report.joints.len()
     ));
+    for plane in &report.planes {
+        facts.push(format!("{} has {}", code(&plane.joint), plane.text()));
+    }
     facts
 }
 

@@ -6,6 +6,7 @@ use std::ops::{Add, Mul};
 use super::Vector;
 use super::vector::towards_one;
 use crate::expression::{Double, Graph, Term};
+use crate::joint::across::is_diagonal;
 
 /// A rotation matrix R, row by row.
 #[derive(Clone, Copy, Debug)]
@@ -85,6 +86,26 @@ impl<'g> Rotation<Term<'g>> {
         let x = axis(smallest).cross(direction).normalized();
         let x = x.expect("an axis is not along its smallest entry");
         Self::from_columns([x, direction.cross(x), direction])
+    }
+
+    /// The third column is the given direction, a b c. The first is along c² a² b² as far as that is across it, which
+    /// makes of the axes those that follow them in turn, and turns no further than the direction does, but near
+    /// ±(1, 1, 1): see [`across`](crate::joint::across).
+    #[must_use]
+    pub fn across(direction: Vector<Term<'g>>) -> Self {
+        let graph = direction.x().graph();
+        let [a, b, c] = direction.0;
+        let entries = direction
+            .0
+            .map(|entry| entry.value().map_or(0.0, Double::to_f64));
+        let guide = if is_diagonal(entries) {
+            Vector::constant(graph, [1.0, 0.0, 0.0])
+        } else {
+            Vector([c * c, a * a, b * b])
+        };
+        let y = direction.cross(guide).normalized();
+        let y = y.expect("the guide is not along the direction");
+        Self::from_columns([y.cross(direction), y, direction])
     }
 
     /// By a quaternion x, y, z, w of any length; none of one that is zero, or depends on an input.

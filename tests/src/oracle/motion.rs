@@ -195,28 +195,54 @@ pub(super) fn exponential(l: &Matrix, phi: &Big) -> Matrix {
     &(&linear + &quadratic) + &cube.times(&(phi - sine))
 }
 
-/// A turn that takes z to the normal of a plane, a direction of length 1. Along an axis of the frame, x and y
-/// go to those that follow it; else x goes to the product of the normal with the axis that it is farthest
-/// from.
+/// A turn that takes z to the normal (a, b, c) of a plane, a direction of length 1, and x to what is left of (c², a²,
+/// b²) in that plane: about an axis of the frame, x and y go to those that follow it. Nothing is left where all
+/// entries are the same, to a millionth: there x goes to what is left of (1, 0, 0).
 #[must_use]
 pub fn across(normal: &[Big; 3]) -> Matrix {
+    let [a, b, c] = normal.each_ref().map(Big::to_f64);
+    let spread = (a - b).abs().max((b - c).abs()).max((c - a).abs());
+    let guide = if spread < 1e-6 {
+        unit(0)
+    } else {
+        let [a, b, c] = normal;
+        [c * c, a * a, b * b]
+    };
+    let along = guide
+        .iter()
+        .zip(normal)
+        .fold(Big::zero(), |sum, (x, n)| sum + x * n);
+    let left: [Big; 3] = core::array::from_fn(|k| &guide[k] - &normal[k] * &along);
+    let square = left.iter().fold(Big::zero(), |sum, x| sum + x * x);
+    let length = square.sqrt();
+    let x = left.map(|entry| entry / &length);
+    of_columns(&x, &cross(normal, &x), normal)
+}
+
+/// A turn that takes z to the axis of a loop, a direction of length 1. Along an axis of the frame, x and y go to
+/// those that follow it; else x goes to the product of the axis with that of the frame that it is farthest from.
+#[must_use]
+pub fn with_z(axis: &[Big; 3]) -> Matrix {
     let zero = Big::zero();
-    let alone = (0..3).find(|&k| normal[(k + 1) % 3] == zero && normal[(k + 2) % 3] == zero);
+    let alone = (0..3).find(|&k| axis[(k + 1) % 3] == zero && axis[(k + 2) % 3] == zero);
     let x = if let Some(k) = alone {
         unit((k + 1) % 3)
     } else {
-        let sizes = normal.each_ref().map(Big::abs);
+        let sizes = axis.each_ref().map(Big::abs);
         let farthest = (1..3).fold(
             0,
             |least, k| if sizes[k] < sizes[least] { k } else { least },
         );
-        let product = cross(&unit(farthest), normal);
+        let product = cross(&unit(farthest), axis);
         let square = product.iter().fold(Big::zero(), |sum, x| sum + x * x);
         let length = square.sqrt();
         product.map(|entry| entry / &length)
     };
-    let y = cross(normal, &x);
-    let columns = [&x, &y, normal];
+    of_columns(&x, &cross(axis, &x), axis)
+}
+
+fn of_columns(x: &[Big; 3], y: &[Big; 3], z: &[Big; 3]) -> Matrix {
+    let columns = [x, y, z];
     Matrix::of(|i, j| {
         if i < 3 && j < 3 {
             columns[j][i].clone()

@@ -57,6 +57,7 @@ fn computed(mut description: Description) -> Description {
             match step {
                 Step::Translate(offset) => offset.iter_mut().for_each(unwritten),
                 Step::Rotate(_, angle) => unwritten(angle),
+                Step::Turn(entries) => entries.iter_mut().for_each(unwritten),
             }
         }
     };

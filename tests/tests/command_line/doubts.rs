@@ -154,3 +154,80 @@ fn a_file_tells_what_is_left_out_at_its_head_and_above_the_struct() {
         assert!(all.contains(&format!("pub fn {}(", function.name())));
     }
 }
+
+/// A robot whose joint between links a and b has this type and this text.
+fn jointed(kind: &str, inner: &str) -> String {
+    let inertial = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
+    format!(
+        "<robot name=\"r\" version=\"1.1\"><link name=\"a\"/><link name=\"b\">{inertial}</link>\n\
+         <joint name=\"j\" type=\"{kind}\"><parent link=\"a\"/><child link=\"b\"/>{inner}</joint></robot>"
+    )
+}
+
+#[test]
+fn warnings_stand_beside_the_mistakes_that_they_explain() {
+    let text = jointed("revolute", "<axis xyz=\"0 0 1\"/>")
+        .replace("<link name=\"a\"/>", "<Link name=\"a\"/>");
+    let refused = homogen("check -", &text);
+    assert_eq!(refused.code, 1);
+    assert!(
+        refused
+            .remarks
+            .contains("error: <stdin>:2:50: there is no link \"a\""),
+        "{}",
+        refused.remarks
+    );
+    let warning =
+        "warning: <stdin>:1:31: <Link> in robot \"r\" is ignored\n  hint: did you mean <link>?\n";
+    assert!(refused.remarks.ends_with(warning), "{}", refused.remarks);
+}
+
+#[test]
+fn mechanics_that_are_not_modelled_are_refused_where_that_is_strict() {
+    let text = jointed("revolute", "<axis xyz=\"0 0 1\"/>")
+        .replace("</robot>", "<force_element name=\"s\"/></robot>");
+    assert_eq!(homogen("check -", &text).code, 0);
+    let refused = homogen("check - --strict", &text);
+    assert_eq!(refused.code, 1);
+    let error = "not modelled: <force_element> in robot \"r\": a spring, a damper or another force (refused: strict)";
+    assert!(refused.remarks.contains(error), "{}", refused.remarks);
+    assert_eq!(
+        refused.remarks.matches("force_element").count(),
+        1,
+        "{}",
+        refused.remarks
+    );
+}
+
+#[test]
+fn a_joint_that_follows_a_fixed_one_is_named_where_nothing_moves() {
+    let follower = "<joint name=\"k\" type=\"revolute\"><axis xyz=\"0 0 1\"/><parent link=\"b\"/><child link=\"c\"/><mimic joint=\"j\"/></joint><link name=\"c\"/></robot>";
+    let text = jointed("fixed", "").replace("</robot>", follower);
+    let refused = homogen("check -", &text);
+    let error = "no joint of \"r\" moves: joint \"k\" follows joint \"j\", which is fixed\n  \
+                 hint: let \"k\" follow a joint that moves, or leave <mimic> out\n";
+    assert!(refused.remarks.contains(error), "{}", refused.remarks);
+}
+
+#[test]
+fn a_plane_and_a_quaternion_of_right_angles_are_told() {
+    let text = jointed(
+        "planar",
+        "<axis xyz=\"0 1 0\"/>\n<origin quat_xyzw=\"0.7071068 0 0 0.7071068\"/>",
+    );
+    let checked = homogen("check -", &text).output;
+    for line in [
+        "    0  j: planar (j.x, j.y, j.angle), x along z, y along x, from a to b, carries 1 kg\n",
+        "1 angle taken for a right angle\n  3:20: 0.7071068 0 0 0.7071068 of j is √½ 0 0 √½\n",
+    ] {
+        assert!(checked.contains(line), "{checked}");
+    }
+    let checked = parsed(&homogen("check - --format json", &text));
+    assert_eq!(checked["turned"][0]["meant"][3], "√½");
+    assert_eq!(checked["details"]["joints"][0]["plane"]["x"][2], 1.0);
+    let generated = homogen("generate - --functions gravity", &text).output;
+    assert!(
+        generated.contains("`j` has x along z, y along x"),
+        "{generated}"
+    );
+}

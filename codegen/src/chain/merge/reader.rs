@@ -7,7 +7,7 @@
 use super::Reader;
 use crate::chain::tree::{Branch, Follow};
 use crate::chain::turn::roll_pitch_yaw;
-use crate::chain::{Mimicked, Snapped, Turned, angle};
+use crate::chain::{Mimicked, Plane, Snapped, Turned, angle};
 use crate::description::{Axis, Description, Joint, JointId, Number, Step};
 use crate::expression::{Double, Input, Term};
 use crate::joint::{Freedom, JointKind, Motion};
@@ -135,7 +135,15 @@ impl<'g> Reader<'g, '_> {
             let rotation = angle::rotation(squares);
             return Rotation(rotation.map(|row| row.map(|entry| self.graph.constant(entry))));
         }
-        let entries = entries.map(|entry| self.component(item, &entry));
+        // Beside entries that are small themselves, one as small is no residue.
+        let is_large = entries.iter().any(|entry| entry.value.abs() >= 0.5);
+        let entries = entries.map(|entry| {
+            if is_large {
+                self.component(item, &entry)
+            } else {
+                self.number(&entry)
+            }
+        });
         Rotation::of_quaternion(entries).expect("a quaternion of zeros is refused")
     }
 
@@ -188,6 +196,16 @@ impl<'g> Reader<'g, '_> {
             _ => (-1.0, 0.0),
         };
         (self.graph.constant(sine), self.graph.constant(cosine))
+    }
+
+    /// Notes which way a planar joint's x and y point, unless they are those of its frame.
+    pub(super) fn note_plane(&mut self, joint: &str, rotation: &Rotation<Term<'g>>) {
+        let numbers = rotation.map(|entry| entry.value().map_or(0.0, Double::to_f64));
+        let [x, y, z] = [0, 1, 2].map(|k| numbers.column(k).0);
+        if z[2] < 1.0 {
+            let joint = joint.to_owned();
+            self.report.planes.push(Plane { joint, x, y });
+        }
     }
 
     pub(super) fn note_follower(

@@ -89,7 +89,9 @@ fn moved<'g>(
     if let Some(posture) = kind.posture() {
         moved = Moved::Posture(posture);
         if posture == Posture::Planar {
-            let turn = Pose::rotation(Rotation::with_z(axes[0]));
+            let rotation = Rotation::across(axes[0]);
+            reader.note_plane(name, &rotation);
+            let turn = Pose::rotation(rotation);
             placement = placement * turn;
             link = turn.inverse();
         }

@@ -2,9 +2,10 @@
 
 use super::*;
 use crate::builder::Builder;
-use crate::description::read_text;
+use crate::description::{Number, read_text};
 use crate::expression::Double;
 use crate::function::Function;
+use crate::joint::drive::Part;
 use crate::request::Request;
 
 /// Armature, damping and friction of each velocity.
@@ -104,13 +105,13 @@ fn modelled(request: &Request) -> (Vec<[f64; 3]>, Vec<String>) {
 
 #[test]
 fn what_a_file_says_is_modelled_where_it_is_asked_for() {
-    let friction = "r.urdf:2:87: not modelled: damping, friction and other dynamics of joint \"j\"";
-    let other = "r.urdf:2:87: not modelled: other dynamics of joint \"j\"";
+    let friction = "r.urdf:2:87: not modelled: damping and friction of joint \"j\"";
+    let other = "r.urdf:2:127: not modelled: attribute \"D\" of the <dynamics> of joint \"j\": other dynamics";
     let gear = "r.urdf:4:20: not modelled: the reduction of transmission \"t\"";
     let rotor = "r.urdf:5:1: not modelled: the rotor of transmission \"t\"";
     let told = |doubts: &[&str]| doubts.iter().map(|&doubt| doubt.to_owned()).collect();
     let nothing = Request::default();
-    let expected = (vec![NOTHING], told(&[friction, gear, rotor]));
+    let expected = (vec![NOTHING], told(&[other, friction, gear, rotor]));
     assert_eq!(modelled(&nothing), expected);
     let asked = Request {
         friction: true,
@@ -122,7 +123,8 @@ fn what_a_file_says_is_modelled_where_it_is_asked_for() {
         rotors: true,
         ..Request::default()
     };
-    assert_eq!(modelled(&asked), (vec![[4.0, 0.0, 0.0]], told(&[friction])));
+    let expected = (vec![[4.0, 0.0, 0.0]], told(&[other, friction]));
+    assert_eq!(modelled(&asked), expected);
 }
 
 #[test]
@@ -137,6 +139,85 @@ fn drakes_gear_ratio_goes_before_a_reduction() {
     };
     let chain = build(&read_file(&text), &asked).expect("a chain");
     assert_eq!(drives(&chain), [[1.0, 0.0, 0.0]]);
+}
+
+#[test]
+fn the_inertias_of_several_motors_of_a_joint_add_up() {
+    let asked = || Request {
+        rotors: true,
+        ..Request::default()
+    };
+    let motor = |name: &str, rotor: &str, ratio: &str| {
+        format!(
+            "<actuator name=\"{name}\"><drake:rotor_inertia value=\"{rotor}\"/><drake:gear_ratio value=\"{ratio}\"/></actuator>"
+        )
+    };
+    let (one, two) = (motor("m", "0.25", "2"), motor("n", "0.5", "4"));
+    let joint = "<joint name=\"j\"/>";
+    let gear = "<transmission name=\"g\"><joint name=\"j\"/><actuator name=\"x\"><mechanicalReduction>9</mechanicalReduction></actuator></transmission>";
+    let apart = format!(
+        "<transmission name=\"t\">{joint}{one}</transmission><transmission name=\"u\">{joint}{two}</transmission>"
+    );
+    let together = format!("<transmission name=\"t\">{joint}{one}{two}</transmission>");
+    for motors in [
+        apart.clone(),
+        together,
+        format!("{gear}{apart}"),
+        format!("{apart}{gear}"),
+    ] {
+        let text = file("").replace("<transmission name=\"t\"><joint name=\"j\"/>\n", "<gazebo>");
+        let (robot, _) = text.split_once("<gazebo>").expect("a robot");
+        let description = read_file(&format!("{robot}{motors}</robot>"));
+        let chain = build(&description, &asked()).expect("a chain");
+        assert_eq!(drives(&chain), [[9.0, 0.0, 0.0]], "{motors}");
+        // The check of every expansion adds them up by itself.
+        let request = Request {
+            functions: vec![vec![Function::InverseDynamics]],
+            ..asked()
+        };
+        let listing = crate::expand::expand(&description, &request);
+        assert!(listing.is_ok(), "{:?}", listing.err());
+        // What is asked for replaces them all, rotor and ratio together.
+        let number = |value: f64| Number {
+            value,
+            ..Number::default()
+        };
+        let alone = (named("j"), Part::Rotor, vec![number(1.0)]);
+        let ratio = (named("j"), Part::Ratio, vec![number(3.0)]);
+        let mut request = asked();
+        request.drives = vec![alone.clone()];
+        let refused = build(&description, &request)
+            .expect_err("a rotor of which motor")
+            .to_string();
+        assert!(
+            refused.contains("the rotor of joint \"j\" is that of one motor, and the file has"),
+            "{refused}"
+        );
+        request.drives = vec![alone, ratio];
+        let chain = build(&description, &request).expect("a chain");
+        assert_eq!(drives(&chain), [[9.0, 0.0, 0.0]]);
+    }
+}
+
+#[test]
+fn a_rotor_of_no_joint_is_told_though_rotors_are_asked_for() {
+    let text = file("").replace(
+        "<transmission name=\"t\"><joint name=\"j\"/>",
+        "<transmission name=\"t\"><joint name=\"k\"/>",
+    );
+    let asked = Request {
+        rotors: true,
+        ..Request::default()
+    };
+    let chain = build(&read_file(&text), &asked).expect("a chain");
+    let told: Vec<&str> = chain
+        .report
+        .warnings
+        .iter()
+        .map(|told| told.message.as_str())
+        .collect();
+    let lost = "not modelled: the rotor of transmission \"t\", which is of no joint alone";
+    assert!(told.contains(&lost), "{told:?}");
 }
 
 #[test]

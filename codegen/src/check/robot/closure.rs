@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use super::matrices::{across, of_length_1};
+use super::matrices::{of_length_1, with_z};
 use super::{Contradiction, Reader, Scalar, held};
 use crate::chain::Chain;
 use crate::dense::{Body, BodyId, Closed};
@@ -39,7 +39,7 @@ impl Reader<'_> {
                 let mut placement = self.placement(name, steps)?;
                 if described.closure.definition().axes > 0 {
                     let axis = of_length_1(self.components(name, axis)?);
-                    placement = placement.times(&across(axis));
+                    placement = placement.times(&with_z(axis));
                     axes.push(axis);
                 }
                 let nothing = [[Scalar::literal(0.0); 3]; 2];

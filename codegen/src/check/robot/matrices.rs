@@ -6,6 +6,7 @@
 use super::Scalar;
 use crate::dense::Matrix;
 use crate::expression::Arithmetic;
+use crate::joint::across::is_diagonal;
 
 /// A placement by its origin and its roll, pitch and yaw.
 pub(super) fn placed([x, y, z, roll, pitch, yaw]: [Scalar; 6]) -> Matrix<Scalar> {
@@ -84,29 +85,44 @@ pub(super) fn by_products<T: Copy>(
     turn
 }
 
-/// A turn that takes z to the normal of a plane. Along an axis of the frame, x and y go to those that
-/// follow it; else x goes to the product of the normal with the axis that it is farthest from.
+/// A turn that takes z to the normal a b c of a plane, and y to its product with c² a² b²; with the x axis where
+/// that is along the normal.
 pub(super) fn across(normal: [Scalar; 3]) -> Matrix<Scalar> {
-    let sizes = normal.map(Scalar::size);
+    let [a, b, c] = normal;
+    let [one, zero] = [1.0, 0.0].map(Scalar::exact);
+    let guide = if is_diagonal(normal.map(Scalar::to_f64)) {
+        [one, zero, zero]
+    } else {
+        [c * c, a * a, b * b]
+    };
+    let y = of_length_1(cross(normal, guide));
+    of_columns(&[cross(y, normal), y, normal])
+}
+
+/// A turn that takes z to the axis of a loop. Along an axis of the frame, x and y go to those that follow it; else x
+/// goes to the product of the axis with that of the frame that it is farthest from.
+pub(super) fn with_z(axis: [Scalar; 3]) -> Matrix<Scalar> {
+    let sizes = axis.map(Scalar::size);
     let alone = (0..3).find(|&k| sizes[(k + 1) % 3] == 0.0 && sizes[(k + 2) % 3] == 0.0);
-    let mut axes = [[Scalar::literal(0.0); 3]; 3];
+    let mut x = [Scalar::literal(0.0); 3];
     if let Some(k) = alone {
-        axes[0][(k + 1) % 3] = Scalar::literal(1.0);
+        x[(k + 1) % 3] = Scalar::literal(1.0);
     } else {
         let least = (0..3).fold(
             0,
             |least, k| if sizes[k] < sizes[least] { k } else { least },
         );
-        let mut farthest = [Scalar::literal(0.0); 3];
-        farthest[least] = Scalar::literal(1.0);
-        axes[0] = of_length_1(cross(farthest, normal));
+        x[least] = Scalar::literal(1.0);
+        x = of_length_1(cross(x, axis));
     }
-    axes[1] = cross(normal, axes[0]);
-    axes[2] = normal;
+    of_columns(&[x, cross(axis, x), axis])
+}
+
+fn of_columns(axes: &[[Scalar; 3]; 3]) -> Matrix<Scalar> {
     let mut turn = Matrix::identity();
-    for (column, axis) in axes.into_iter().enumerate() {
-        for (row, entry) in axis.into_iter().enumerate() {
-            turn.0[row][column] = entry;
+    for (column, axis) in axes.iter().enumerate() {
+        for (row, entry) in axis.iter().enumerate() {
+            turn.0[row][column] = *entry;
         }
     }
     turn

@@ -103,13 +103,14 @@ impl Reader<'_> {
         let written = entries.map(|entry| entry.value);
         let bits = written.map(f64::to_bits);
         let Some(&squares) = self.turned.get(&(item, bits)) else {
-            let [x, y, z, w] = entries.each_ref();
-            let [x, y, z] = [
-                self.component(item, x)?,
-                self.component(item, y)?,
-                self.component(item, z)?,
-            ];
-            return Ok(by_quaternion([x, y, z, self.component(item, w)?]));
+            let is_large = written.iter().any(|entry| entry.abs() >= 0.5);
+            let mut meant = written.map(Scalar::literal);
+            if is_large {
+                for (meant, entry) in meant.iter_mut().zip(entries) {
+                    *meant = self.component(item, entry)?;
+                }
+            }
+            return Ok(by_quaternion(meant));
         };
         let excused = entries.iter().zip(squares).all(|(entry, square)| {
             #[expect(clippy::cast_precision_loss, reason = "at most 4")]

@@ -68,6 +68,7 @@ function doings(report) {
     noted("Left out", report.dropped, (link) => named(link)),
     noted("Follow others", report.mimicked, ({ joint, of, multiplier, offset }) => [named(joint), ` is ${short(multiplier)} × `, named(of), offset ? ` + ${short(offset)}` : null]),
     noted("Taken for right angles or zero", report.snapped, (angle) => [spot(angle), `${angle.written} of `, named(angle.item), ` is ${turnsOf(angle.quarter_turns)}`]),
+    noted("Taken for rotations by right angles", report.turned, (turned) => [spot(turned), `${turned.written.join(" ")} of `, named(turned.item), ` is ${turned.meant.join(" ")}`]),
     noted("Loops", report.loops, ({ name, kind, from, to }) => [named(name), `: ${kind}, holds `, named(from), " and ", named(to), " together"]),
     noted("Closed whatever the joints do", report.closed, (name) => named(name)),
   ].filter(Boolean);

@@ -112,9 +112,45 @@ impl Entry {
         }
     }
 
+    /// As the guide writes it, with the values that are warned of.
+    fn shown(&self, is_attribute: bool) -> String {
+        let name = self.name;
+        let when = match self.when {
+            When::Always => "",
+            When::NotZero => " that is not 0",
+            When::NotOne => " that is not 1",
+            When::True => " that is true",
+            When::False => " that is false",
+            When::NotStandardGravity => " that is not 0 0 -9.81",
+        };
+        if is_attribute {
+            format!("`{name}`{when}")
+        } else {
+            format!("`<{name}>`{when}")
+        }
+    }
+
     /// Whether an element or attribute of this name is meant.
     pub(super) fn is(&self, written: &str) -> bool {
         self.name == written || self.name.strip_prefix("drake:") == Some(written)
+    }
+}
+
+impl Becomes {
+    pub(super) const fn is_read(self) -> bool {
+        matches!(self, Self::Read(_))
+    }
+
+    /// In the words of the guide, in which only what is code begins with `<`.
+    fn text(self) -> String {
+        match self {
+            Self::Read(what) => what.to_owned(),
+            Self::Nothing(what) => format!("nothing: {what}"),
+            Self::Lost(Lost { what, hint }) => {
+                let text = format!("**a warning**: {what}; {hint}");
+                text.replace('<', "&lt;")
+            }
+        }
     }
 }
 
@@ -149,15 +185,21 @@ const PLACES: [(&str, &Content); 14] = [
     ("`<mujoco>`", &simulators::MUJOCO),
 ];
 
-/// Where an element stands that is read, for one that stands elsewhere.
-pub(super) fn home(written: &str) -> Option<&'static str> {
-    let reads = |content: &Content| {
-        let entry = content.element(written);
-        entry.is_some_and(|entry| matches!(entry.becomes, Becomes::Read(_)))
+/// Where an element that stands elsewhere would be read: as an element, or as an attribute.
+pub(super) fn home(written: &str) -> Option<String> {
+    let place = |reads: &dyn Fn(&Content) -> bool| {
+        let place = PLACES.iter().find(|(_, content)| reads(content));
+        place.map(|(name, _)| name.trim_matches('`'))
     };
-    let place = PLACES.iter().find(|(_, content)| reads(content));
-    place.map(|(name, _)| name.trim_matches('`'))
+    let read = |entry: Option<&Entry>| entry.is_some_and(|entry| entry.becomes.is_read());
+    let element = place(&|content| read(content.element(written)));
+    let element = element.map(|place| format!("it stands in {place}: move it there"));
+    let attribute = place(&|content| !NAMES.contains(&written) && read(content.attribute(written)));
+    element.or_else(|| attribute.map(|place| format!("write it as an attribute of {place}")))
 }
+
+/// Attributes that many elements have.
+const NAMES: [&str; 3] = ["name", "type", "version"];
 
 /// The table as the guide shows it, in Markdown: of each element what may stand in it, attributes first.
 #[must_use]
@@ -168,26 +210,18 @@ pub fn page() -> String {
         let _ = write!(page, "## In {place}\n\n| | becomes |\n|---|---|\n");
         let rows = content.attributes.iter().map(|entry| (entry, true));
         let rows = rows.chain(content.elements.iter().map(|entry| (entry, false)));
+        // Rows of one fate are one.
+        let mut written: Vec<(String, String)> = Vec::new();
         for (entry, is_attribute) in rows {
-            let name = if is_attribute {
-                format!("`{}`", entry.name)
-            } else {
-                format!("`<{}>`", entry.name)
-            };
-            let when = match entry.when {
-                When::Always => "",
-                When::NotZero => " that is not 0",
-                When::NotOne => " that is not 1",
-                When::True => " that is true",
-                When::False => " that is false",
-                When::NotStandardGravity => " that is not 0 0 -9.81",
-            };
-            let becomes = match entry.becomes {
-                Becomes::Read(what) => what.to_owned(),
-                Becomes::Nothing(what) => format!("nothing: {what}"),
-                Becomes::Lost(Lost { what, hint }) => format!("**a warning**: {what}; {hint}"),
-            };
-            let _ = writeln!(page, "| {name}{when} | {becomes} |");
+            let name = entry.shown(is_attribute);
+            let becomes = entry.becomes.text();
+            match written.last_mut().filter(|(_, last)| *last == becomes) {
+                Some((names, _)) => names.extend([", ", &name]),
+                None => written.push((name, becomes)),
+            }
+        }
+        for (names, becomes) in written {
+            let _ = writeln!(page, "| {names} | {becomes} |");
         }
         let others = match content.others {
             Others::Warned => "Anything else is ignored, with a warning.",

@@ -256,6 +256,7 @@ fn axis<'t>(
     }
     let Some(element) = element else {
         let place = reader.place(node);
+        about_pinocchio(reader, place, kind, [1.0, 0.0, 0.0], subject);
         reader.warn(
             place,
             format!("{subject} has no <axis>: it moves about or along x, as URDF has it"),
@@ -263,7 +264,29 @@ fn axis<'t>(
         );
         return along_x(place);
     };
-    direction(reader, element, &format!("the axis of {subject}"))
+    let direction = direction(reader, element, &format!("the axis of {subject}"));
+    let entries = direction.map(|entry| entry.value);
+    about_pinocchio(reader, reader.place(element), kind, entries, subject);
+    direction
+}
+
+/// Warns of a planar joint whose axis is not z, for which readers differ.
+fn about_pinocchio(
+    reader: &mut Reader<'_, '_>,
+    place: Place,
+    kind: Option<JointKind>,
+    [x, y, z]: [f64; 3],
+    subject: &str,
+) {
+    let is_z = x.abs().max(y.abs()) < 4.0 * f64::EPSILON && z > 0.0;
+    if !matches!(kind, Some(JointKind::Planar)) || is_z {
+        return;
+    }
+    reader.warn(
+        place,
+        format!("{subject} is planar about another axis than z: Pinocchio and MoveIt move it across z all the same"),
+        Some("rotate its <origin> instead of its axis, where other readers must agree".to_owned()),
+    );
 }
 
 /// The second axis with length 1, of a joint that has two.

@@ -119,7 +119,7 @@ impl<'t> Survey<'_, '_, 't> {
             if is_due(entry, value) {
                 self.lost(
                     self.reader.place(node),
-                    format!("<{name}>"),
+                    (format!("<{name}>"), "in"),
                     lost,
                     node.parent_element(),
                 );
@@ -136,14 +136,13 @@ impl<'t> Survey<'_, '_, 't> {
     }
 
     /// An element that no row names.
-    fn ignored(&mut self, node: Node<'_, 't>, name: &'t str, content: &Content) {
+    fn ignored(&mut self, node: Node<'_, 't>, name: &'t str, content: &'static Content) {
         let parent = node.parent_element();
         let within = parent.map_or("", |parent| self.name(parent));
         let key = Key::Element(within, name);
         if self.is_known(&key) {
             return;
         }
-        let names = content.elements.iter().map(|entry| entry.name);
         let hint = if content.attribute(name).is_some() {
             let text = node.text().unwrap_or_default().trim();
             let value = if text.is_empty() || text.len() > 40 {
@@ -154,14 +153,15 @@ impl<'t> Survey<'_, '_, 't> {
             Some(format!(
                 "write it as an attribute: <{within} {name}=\"{value}\"/>"
             ))
-        } else if let Some(meant) = meant(name, names) {
+        } else if let Some(meant) = meant(name, content.elements) {
             Some(format!("did you mean <{meant}>?"))
         } else if let Some(home) = elements::home(name) {
-            Some(format!("it stands in {home}: move it there"))
+            Some(home)
         } else {
             bodies(node)
         };
-        let message = Message::Ignored(format!("<{name}>"), self.subject(parent));
+        let within = format!("in {}", self.subject(parent));
+        let message = Message::Ignored(format!("<{name}>"), within);
         self.push(key, self.reader.place(node), message, hint);
     }
 
@@ -175,7 +175,7 @@ impl<'t> Survey<'_, '_, 't> {
                     let place = self.attribute_place(&attribute);
                     self.lost(
                         place,
-                        format!("attribute {}", quoted(name)),
+                        (format!("attribute {}", quoted(name)), "of"),
                         lost,
                         Some(node),
                     );
@@ -190,18 +190,20 @@ impl<'t> Survey<'_, '_, 't> {
             if self.is_known(&key) {
                 continue;
             }
-            let names = content.attributes.iter().map(|entry| entry.name);
-            let hint = if let Some(meant) = meant(name, names.clone()) {
+            let hint = if let Some(meant) = meant(name, content.attributes) {
                 Some(format!("did you mean {meant}?"))
             } else if content.element(name).is_some() {
                 Some(format!("write it as an element: <{name} …/>"))
             } else {
-                let names: Vec<_> = names.collect();
-                let known = list(names.iter().copied());
-                (!names.is_empty()).then(|| format!("known attributes: {known}"))
+                let read = content
+                    .attributes
+                    .iter()
+                    .filter(|entry| entry.becomes.is_read());
+                let known = list(read.map(|entry| entry.name));
+                (!known.is_empty()).then(|| format!("known attributes: {known}"))
             };
             let what = format!("attribute {}", quoted(name));
-            let message = Message::Ignored(what, self.subject(Some(node)));
+            let message = Message::Ignored(what, format!("of {}", self.subject(Some(node))));
             self.push(key, self.attribute_place(&attribute), message, hint);
         }
     }
@@ -221,17 +223,23 @@ impl<'t> Survey<'_, '_, 't> {
         let written = text.text().unwrap_or_default();
         let blanks = written.len() - written.trim_start().len();
         let place = self.reader.positions.place(text.range().start + blanks);
-        let names = content.attributes.iter().map(|entry| entry.name);
-        let names = list(names.take(6));
+        let read = content
+            .attributes
+            .iter()
+            .filter(|entry| entry.becomes.is_read());
+        let names = list(read.map(|entry| entry.name));
         let hint = (!names.is_empty()).then(|| format!("its values are attributes: {names}"));
-        let message = Message::Ignored("text".to_owned(), self.subject(Some(node)));
+        let message = Message::Ignored(
+            "text".to_owned(),
+            format!("in {}", self.subject(Some(node))),
+        );
         self.push(key, place, message, hint);
     }
 
     fn lost(
         &mut self,
         place: Place,
-        what: String,
+        (what, before): (String, &str),
         lost: &'static Lost,
         within: Option<Node<'_, 't>>,
     ) {
@@ -239,7 +247,7 @@ impl<'t> Survey<'_, '_, 't> {
         if self.is_known(&key) {
             return;
         }
-        let item = format!("{what} in {}", self.subject(within));
+        let item = format!("{what} {before} {}", self.subject(within));
         let hint = Some(lost.hint.to_owned());
         self.push(key, place, Message::Lost(lost, item), hint);
     }
@@ -254,7 +262,7 @@ impl<'t> Survey<'_, '_, 't> {
             let message = match found.message {
                 Message::Ignored(what, within) => {
                     let more = more("other place", "other places");
-                    format!("{what} in {within}{more} is ignored")
+                    format!("{what} {within}{more} is ignored")
                 }
                 Message::Lost(lost, item) => {
                     format!(
@@ -283,7 +291,7 @@ impl<'t> Survey<'_, '_, 't> {
                     "robot" | "link" | "joint" | "transmission" => tag.to_owned(),
                     _ => format!("<{tag}>"),
                 };
-                text.push_str(&format!("{kind} {}", quoted(name)));
+                text.extend([&kind, " ", &quoted(name)]);
                 return text;
             }
             let end = if at.parent_element().is_some() {
@@ -291,7 +299,7 @@ impl<'t> Survey<'_, '_, 't> {
             } else {
                 ""
             };
-            text.push_str(&format!("the <{tag}>{end}"));
+            text.extend(["the <", tag, ">", end]);
             node = at.parent_element();
         }
         text.trim_end_matches(" of ").to_owned()
@@ -331,18 +339,16 @@ fn is_due(entry: &Entry, value: &str) -> bool {
     }
 }
 
-/// The name that was probably meant: one that differs by a slip, or that is the longer or the shorter form.
-fn meant(name: &str, names: impl Iterator<Item = &'static str> + Clone) -> Option<&'static str> {
-    let known: Vec<_> = names.clone().collect();
+/// The name that was probably meant: one that differs by a slip, or the longer or the shorter form of one that is read.
+fn meant(name: &str, entries: &'static [Entry]) -> Option<&'static str> {
+    let known: Vec<_> = entries.iter().map(|entry| entry.name).collect();
     let local = name.rsplit(':').next().unwrap_or(name);
     let word = local.to_lowercase();
+    let is_part = |part: &str, whole: &str| part.len() > 2 && whole.contains(part);
     nearest(local, &known).or_else(|| {
-        let mut names = names;
-        names.find(|known| {
-            let known = known.to_lowercase();
-            let is_part = |part: &str, whole: &str| part.len() > 2 && whole.contains(part);
-            is_part(&word, &known) || is_part(&known, &word)
-        })
+        let mut read = entries.iter().filter(|entry| entry.becomes.is_read());
+        let form = read.find(|entry| is_part(&word, entry.name) || is_part(entry.name, &word));
+        form.map(|entry| entry.name)
     })
 }
 

@@ -6,6 +6,8 @@ mod element;
 mod hostile;
 mod joint;
 mod link;
+mod placement;
+mod survey;
 mod unmodelled;
 mod xml;
 

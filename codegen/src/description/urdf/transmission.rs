@@ -24,6 +24,9 @@ pub(super) struct Geared {
 /// What a reduction is called, as an element and as an attribute.
 const REDUCTIONS: [&str; 2] = ["mechanicalReduction", "mechanical_reduction"];
 
+/// What those of a linkage are called, attributes all.
+const OF_LINKAGES: [&str; 2] = ["gear_ratio", "screw_reduction"];
+
 /// Reads what stands between motors and their joint.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Geared> {
     let name = node.attribute_node("name");
@@ -38,10 +41,10 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
     let driven = driven.map(|joint| reader.value(&joint).into_owned());
     let reductions = reductions(reader, node);
     let is_one = |text: &str| text.trim().parse() == Ok(1.0);
-    if let Some(gear) = reductions.iter().find(|gear| !is_one(&gear.text)) {
-        reader
-            .unmodelled
-            .gear(reader.positions.place(gear.at), &subject, driven.clone());
+    let gear = reductions.iter().find(|gear| !is_one(&gear.text));
+    if let Some(gear) = gear.map(|gear| gear.at).or_else(|| linkage(node)) {
+        let place = reader.positions.place(gear);
+        reader.unmodelled.gear(place, &subject, driven.clone());
     }
     let rotors = all(node, "rotor_inertia");
     // What no joint gets is not modelled, whatever is asked for.
@@ -113,6 +116,13 @@ fn reductions<'t>(reader: &Reader<'_, 't>, node: Node<'_, 't>) -> Vec<Reduction>
         }
     }
     found
+}
+
+/// Where the ratio of a linkage is told.
+fn linkage(node: Node<'_, '_>) -> Option<usize> {
+    let mut attributes = node.descendants().flat_map(|inner| inner.attributes());
+    let found = attributes.find(|attribute| OF_LINKAGES.contains(&attribute.name()));
+    found.map(|attribute| attribute.range().start)
 }
 
 /// Whether something that begins there stands in an element.

@@ -15,7 +15,7 @@ use super::{Body, Loop, Reader, Robot};
 use crate::big::Big;
 use crate::oracle::drive::Drive;
 use crate::oracle::matrix::Matrix;
-use crate::oracle::motion::{self, Motion, Posture, across};
+use crate::oracle::motion::{self, Motion, Posture, across, with_z};
 
 impl<'d> Reader<'d> {
     /// Adds what hangs on the base: branch after branch, siblings as described.
@@ -107,7 +107,7 @@ impl<'d> Reader<'d> {
         let has_axes = !matches!(closure, Fixed | Rod { .. } | Spherical | Translation);
         let axes = has_axes.then(|| described.axes.each_ref().map(axis));
         let frame = |link: &Name, at: &[Step], end: usize| {
-            let turn = axes.as_ref().map(|axes| across(&axes[end]));
+            let turn = axes.as_ref().map(|axes| with_z(&axes[end]));
             let turn = turn.unwrap_or_else(Matrix::identity);
             (seat(&link.text), &self.placement(at) * &turn)
         };

@@ -22,6 +22,7 @@ impl Reader<'_> {
                 * &match step {
                     Step::Translate(t) => Matrix::translation(&t.each_ref().map(big)),
                     Step::Rotate(axis, angle) => rotation(*axis, self.sin_cos(angle)),
+                    Step::Turn(entries) => by_quaternion(&self.quaternion(entries)),
                 }
         })
     }
@@ -45,6 +46,62 @@ impl Reader<'_> {
             _ => -Big::one(),
         };
         (turn(quarters), turn(quarters + 1.0))
+    }
+
+    /// A quaternion: exactly that of right angles where one rounds to the digits that stand there.
+    fn quaternion(&self, entries: &[Number; 4]) -> [Big; 4] {
+        let half = Big::new(0.5);
+        let roots = [Big::zero(), half.clone(), half.sqrt(), Big::one()];
+        let meant = entries.each_ref().map(|entry| {
+            let size = big(entry).abs();
+            // Half of the last digit, what reading rounds, and what computing left.
+            let rounded = (1.0 + 1e-9) * entry.resolution / 2.0 + size.to_f64() * f64::EPSILON;
+            let enough = if entry.resolution > 0.01 {
+                0.0
+            } else {
+                rounded
+            };
+            let computed = if entry.resolution > 0.0 {
+                4.0 * f64::EPSILON
+            } else {
+                0.0
+            };
+            let is_near = |root: &&Big| {
+                let away = (&size - *root).abs().to_f64();
+                let is_zero = root.to_f64() == 0.0;
+                away == 0.0 || away < computed || (!is_zero && away <= enough)
+            };
+            let root = roots.iter().find(is_near)?;
+            Some(if entry.value < 0.0 {
+                -root.clone()
+            } else {
+                root.clone()
+            })
+        });
+        let all: Option<Vec<Big>> = meant.into_iter().collect();
+        let is_rotation = |entries: &Vec<Big>| {
+            let square = entries.iter().fold(Big::zero(), |sum, x| sum + x * x);
+            let sizes: Vec<f64> = entries.iter().map(|x| x.abs().to_f64()).collect();
+            let largest = sizes.iter().fold(0.0_f64, |most, size| most.max(*size));
+            (square - Big::one()).abs().to_f64() < 1e-60
+                && sizes.iter().all(|size| *size == 0.0 || *size == largest)
+        };
+        let right = all.filter(|all| is_rotation(all) && !self.request.exact);
+        right
+            .and_then(|right| right.try_into().ok())
+            .unwrap_or_else(|| {
+                entries.each_ref().map(|entry| {
+                    let is_large = entries.iter().any(|entry| entry.value.abs() >= 0.5);
+                    let residue = entry.resolution > 0.0
+                        && entry.value.abs() < 4.0 * f64::EPSILON
+                        && is_large;
+                    if residue && !self.request.exact {
+                        Big::zero()
+                    } else {
+                        big(entry)
+                    }
+                })
+            })
     }
 
     /// M J Mᵗ of ∫rrᵗdm = ½ Tr(I) − I about the centre of mass (16), (17).
@@ -86,6 +143,16 @@ pub(super) fn axis(written: &[Number; 3]) -> [Big; 3] {
 }
 
 /// R, 0; 0, 1 of a turn about a coordinate axis.
+/// R = 1 + (2 w v̲ + 2 v̲²) / (v² + w²) of a quaternion v, w.
+fn by_quaternion(entries: &[Big; 4]) -> Matrix {
+    let nothing = [(); 3].map(|()| Big::zero());
+    let square = entries.iter().fold(Big::zero(), |sum, x| sum + x * x);
+    let [x, y, z, w] = entries.clone();
+    let v = Matrix::screw(&[x, y, z], &nothing);
+    let twice = Big::new(2.0) / &square;
+    &(&Matrix::identity() + &v.times(&(&twice * &w))) + &(&v * &v).times(&twice)
+}
+
 fn rotation(axis: Axis, (sine, cosine): (Big, Big)) -> Matrix {
     let (j, k) = match axis {
         Axis::X => (1, 2),

@@ -15,7 +15,8 @@ fn a_misspelt_element_is_not_passed_over_silently() {
         said,
         [
             "<orgin> in joint \"j\" is ignored",
-            "attribute \"xzy\" of the origin of joint \"k\" is ignored",
+            "attribute \"xzy\" of the <origin> of joint \"k\" is ignored",
+            "<hardware> in joint \"k\" is ignored",
         ]
     );
     assert_eq!(
@@ -46,9 +47,19 @@ fn numbers_are_said_under_their_own_digits() {
         "error: arm.urdf:2:14: rpy of the origin of joint \"j\" has 0 numbers instead of 3\n"
     );
     assert_eq!(
-        origin("quat_xyzw=\"0 0 0 1\""),
-        "error: arm.urdf:2:20: the origin of joint \"j\" has a quaternion, which is not read\n  \
-         hint: write rpy=\"roll pitch yaw\"\n"
+        origin("xyz=\"0,0,1\""),
+        "error: arm.urdf:2:14: xyz of the origin of joint \"j\" has 1 number instead of 3\n  \
+         hint: write spaces between numbers, and decimal points in them\n"
+    );
+    assert_eq!(
+        origin("xyz=\"0 0\u{a0}1\""),
+        "error: arm.urdf:2:17: xyz of the origin of joint \"j\" has a no-break space (U+00A0) in it\n  \
+         hint: write a space\n"
+    );
+    assert_eq!(
+        origin("rpy=\"\u{2212}1 0 0\""),
+        "error: arm.urdf:2:14: rpy of the origin of joint \"j\" has a minus sign that is no hyphen (U+2212) \
+         in it\n  hint: write -\n"
     );
     assert_eq!(origin("xyz=\"&#49; 0\t0\""), "");
 }

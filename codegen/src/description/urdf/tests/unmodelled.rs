@@ -35,7 +35,9 @@ fn friction_is_said_once_for_all_joints_that_move() {
             "continuous",
             &[r#"<dynamics D="1" K="7000" damping="0"/>"#]
         )),
-        ["arm.urdf:2:55: not modelled: other dynamics of joint \"j0\""]
+        [
+            "arm.urdf:2:65: not modelled: attribute \"D\" of the <dynamics> of joint \"j0\" and 1 other: other dynamics"
+        ]
     );
     assert_eq!(doubts(&robot("fixed", &[damping])), [""; 0]);
     assert_eq!(doubts(&robot("revolute", &["<dynamics/>"])), [""; 0]);
@@ -85,10 +87,30 @@ fn limits_beside_continuous_are_said_once() {
 }
 
 #[test]
-fn soft_limits_and_calibration_tell_a_controller() {
-    let inner = r#"<axis xyz="0 0 1"/><safety_controller k_velocity="1" soft_lower_limit="0.1"/>
-        <calibration rising="0.1"/>"#;
-    assert_eq!(doubts_in_joint("revolute", inner), [""; 0]);
+fn soft_limits_are_told_where_they_are_narrower_than_limits() {
+    let soft = |limits: &str| {
+        let inner = format!(
+            "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\"/>\n<safety_controller k_velocity=\"1\" {limits}/>\
+             <calibration rising=\"0.1\"/>"
+        );
+        doubts_in_joint("revolute", &inner)
+    };
+    let told = [
+        "arm.urdf:3:1: not used: the soft limits of joint \"j\", which are narrower than the limits",
+    ];
+    assert_eq!(
+        soft("soft_lower_limit=\"-0.9\" soft_upper_limit=\"1\""),
+        told
+    );
+    assert_eq!(soft("soft_upper_limit=\"0.5\""), told);
+    for wide in [
+        "",
+        "soft_lower_limit=\"0\" soft_upper_limit=\"0\"",
+        "soft_lower_limit=\"-1\" soft_upper_limit=\"1\" k_position=\"20\"",
+        "soft_lower_limit=\"-2\" soft_upper_limit=\"1.5\"",
+    ] {
+        assert_eq!(soft(wide), [""; 0], "{wide}");
+    }
 }
 
 #[test]

@@ -129,8 +129,10 @@ fn what_other_readers_pass_over_is_passed_over() {
         format!("\n \n<?xml version=\"1.0\"?>\n<robot name=\"r\">{link}</robot>"),
         format!("<!DOCTYPE robot SYSTEM \"r.dtd\"><robot name=\"r\">{link}</robot>"),
         format!("<robot name=\"r\"><!-- a -- b -->{link}</robot>"),
-        format!("<robot name=\"r\">{link}<drake:joint name=\"j\" drake:x=\"1\"/></robot>"),
-        format!("<robot name=\"r\" xmlns:g=\"g\">{link}<g:link name=\"b\"/></robot>"),
+        format!(
+            "<robot name=\"r\">{link}<gazebo><drake:joint name=\"j\" drake:x=\"1\"/></gazebo></robot>"
+        ),
+        format!("<robot name=\"r\" xmlns:g=\"g\" xsi:schemaLocation=\"g\">{link}</robot>"),
         format!("<robot name=\"r\" xmlns=\"http://www.ros.org\">{link}</robot>"),
         format!("<robot name=\"r\">this & that{link}</robot>"),
         format!("<robot name=\"r\">{link}</robot>\n\0"),

@@ -23,11 +23,12 @@ pub(crate) mod tests;
 mod tree;
 mod turn;
 
+use base_parameters::BaseParameters;
+
 use crate::closure::Row;
 use crate::description::{Description, Source, freed};
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
-use crate::function::Function;
 use crate::joint::drive::Part;
 use crate::joint::{Drive, Motion, Posture};
 use crate::list::{List, id};
@@ -75,8 +76,9 @@ pub struct Chain {
     pub source: Source,
     /// Whether behind the inertial parameters of links there are those of drives: where any is modelled.
     pub identifies_drives: bool,
-    /// What torques can tell of the inertial parameters.
-    pub base_parameters: base_parameters::BaseParameters,
+    /// The combinations of inertial parameters that torques determine; `None` where nobody has asked for them
+    /// ([`Chain::identified`]).
+    pub base_parameters: Option<BaseParameters>,
 }
 
 /// A freedom of a joint and the body it moves: of a joint with several, all but the last body carry
@@ -278,6 +280,18 @@ impl Chain {
         &self.spaces
     }
 
+    /// The same chain with its base parameters, which the base regressor is over.
+    #[must_use]
+    pub fn identified(mut self) -> Self {
+        let found = base_parameters::base_parameters(&self);
+        let leaders = found
+            .columns()
+            .map(|leader| self.spaces.parameters[leader].clone());
+        self.spaces.base_parameters = leaders.collect();
+        self.base_parameters = Some(found);
+        self
+    }
+
     /// Changes what its loops close, and the list of it.
     pub fn close(&mut self, change: impl FnOnce(&mut [Loop])) {
         change(&mut self.loops);
@@ -376,14 +390,6 @@ fn of_drive(joint: &Joint) -> impl Iterator<Item = Entry> {
         })
 }
 
-/// Whether base parameters are looked for: of a long chain, whose last links hand on to all others, only where a
-/// function is asked for that is of them.
-fn identifies(request: &Request, chain: &Chain) -> bool {
-    let mut asked = request.functions.iter().flatten();
-    let all = request.functions.is_empty();
-    all || !chain.is_long() || asked.any(|function| *function == Function::BaseRegressor)
-}
-
 /// Understands a description as the request wants it.
 ///
 /// # Errors
@@ -403,11 +409,6 @@ pub fn build(description: &Description, request: &Request) -> Result<Chain, Erro
     if chain.identifies_drives {
         parameters.extend(chain.joints.iter().flat_map(of_drive));
     }
-    if identifies(request, &chain) {
-        chain.base_parameters = base_parameters::base_parameters(&chain);
-    }
-    let leaders = chain.base_parameters.columns();
-    chain.spaces.base_parameters = leaders.map(|leader| parameters[leader].clone()).collect();
     chain.spaces.parameters = parameters;
     Ok(chain)
 }

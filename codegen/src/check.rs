@@ -6,6 +6,7 @@
 //! layout, no regrouping, no rules, no schedule. What they may differ by is what the rounding of their
 //! literals to `f64` explains. It never changes a program.
 
+mod base_parameters;
 mod closing;
 mod data;
 mod redundancy;
@@ -17,8 +18,7 @@ mod tests;
 mod vectors;
 
 use crate::chain::Chain;
-use crate::chain::base_parameters::BaseParameters;
-use crate::dense::{Approximate, Dense, Motion, State};
+use crate::dense::{Approximate, Dense, State};
 use crate::description::{Description, Source, freed};
 use crate::error::{Errors, Place};
 use crate::expression::{Arithmetic, Input};
@@ -30,6 +30,7 @@ use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
 use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
 use crate::wording::quoted;
+pub use base_parameters::judge_base_parameters;
 pub use redundancy::{Redundancy, redundancy};
 use robot::Contradiction;
 pub use vectors::vectors;
@@ -46,8 +47,17 @@ pub struct Check {
 const SEVERAL: usize = 20;
 
 /// How a robot is at fault where it contradicts itself.
-const FAULT: &str = "this is a fault of homogen and not of the description; nothing was generated: \
-                     please report it, with the description";
+const FAULT: &str =
+    "this is a fault of homogen and not of the description: please report it, with the description";
+
+/// Whether what was refused is at fault, and not what was described or asked for.
+pub fn is_fault(refusal: &Errors) -> bool {
+    let mut hints = refusal
+        .complaints()
+        .iter()
+        .map(|complaint| complaint.hint.as_deref());
+    hints.any(|hint| hint == Some(FAULT))
+}
 
 impl Check {
     /// Computes what the description says of a chain.
@@ -102,7 +112,7 @@ impl Check {
         program: &Program,
         scalar: Real,
     ) -> Result<(), Errors> {
-        self.printable(literals(program), scalar)?;
+        self.printable(program, scalar)?;
         let mut errors = self.source.errors();
         for dense in &self.states {
             let found = run(program, |input| Approximate::exact(dense.state.get(input)));
@@ -158,7 +168,7 @@ impl Check {
     /// Where one of them is another, or where a number is not one.
     pub fn judge_data(&self, data: &ChainData) -> Result<(), Errors> {
         for program in [&data.program, &data.loops.program] {
-            self.printable(literals(program), Real::F64)?;
+            self.printable(program, Real::F64)?;
         }
         let mut errors = self.source.errors();
         for dense in &self.states {
@@ -190,82 +200,8 @@ impl Check {
         Ok(())
     }
 
-    /// Holds the values of base parameters against the description: with the base regressor they make its
-    /// torques. With fields they are of the description, and not of a state.
-    ///
-    /// # Errors
-    /// Where they make others, or where one is not a number in the type that it is printed for.
-    pub fn judge_base_parameters(
-        &self,
-        base: &BaseParameters,
-        request: &Request,
-    ) -> Result<(), Errors> {
-        let values = base.groups.iter().map(|group| group.value);
-        self.printable(values, request.scalar)?;
-        if !request.parameters.is_empty() {
-            return Ok(());
-        }
-        let mut errors = self.source.errors();
-        for dense in &self.states {
-            let torques = dense.torques(Motion::Driven);
-            let rows = dense.base_regressor();
-            let mut rows = rows.chunks(base.groups.len().max(1));
-            for (joint, torque) in torques.iter().enumerate() {
-                let terms = rows.next().unwrap_or_default().iter().zip(&base.groups);
-                let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), (entry, group)| {
-                    let entry = entry.to_f64();
-                    (sum + entry * group.value, size + entry.abs() * group.size)
-                });
-                let Some(wrong) = wrong(
-                    joint,
-                    sum,
-                    torque.to_f64(),
-                    (sum - torque.to_f64()).abs() <= GROUPED * size + torque.noise(),
-                ) else {
-                    continue;
-                };
-                let words = self.words(Function::InverseDynamics, &wrong);
-                if base.is_uncertain() {
-                    let nearest = base.nearest;
-                    let message = format!(
-                        "base parameters cannot be told apart: what torques see of one inertial parameter is within \
-                         {nearest:.0e} of what they see of others together, and if it is the same, {words}"
-                    );
-                    let hint = "model a robot whose masses and lengths differ less";
-                    errors.push_with_hint(self.place, message, hint);
-                } else {
-                    let message = format!("by base parameters, {words}");
-                    errors.push_with_hint(self.place, message, FAULT);
-                }
-                return Err(errors);
-            }
-        }
-        Ok(())
-    }
-
-    /// Refuses the first number that is not one in the type that it is printed for.
-    fn printable(&self, numbers: impl Iterator<Item = f64>, scalar: Real) -> Result<(), Errors> {
-        let mut errors = self.source.errors();
-        for number in numbers {
-            let (message, hint) = if !number.is_finite() {
-                (
-                    "a number of the code would be too large for 64 bits, or the quotient of two \
-                     that vanish"
-                        .to_owned(),
-                    "give lengths in m, masses in kg and inertias in kg m²",
-                )
-            } else if scalar == Real::F32 && number.abs() > f64::from(f32::MAX) {
-                (
-                    format!("a number of the code, {number:e}, is too large for f32"),
-                    "generate it for f64, or give lengths in m and masses in kg",
-                )
-            } else {
-                continue;
-            };
-            errors.push_with_hint(self.place, message, hint);
-            return Err(errors);
-        }
-        Ok(())
+    fn printable(&self, program: &Program, scalar: Real) -> Result<(), Errors> {
+        printable((&self.source, self.place), literals(program), scalar)
     }
 
     fn words(&self, function: Function, wrong: &Wrong) -> String {
@@ -298,6 +234,35 @@ impl Check {
     }
 }
 
+/// Refuses the first number that is not one in the type that it is printed for.
+fn printable(
+    (source, place): (&Source, Place),
+    numbers: impl Iterator<Item = f64>,
+    scalar: Real,
+) -> Result<(), Errors> {
+    let mut errors = source.errors();
+    for number in numbers {
+        let (message, hint) = if !number.is_finite() {
+            (
+                "a number of the code would be too large for 64 bits, or the quotient of two \
+                 that vanish"
+                    .to_owned(),
+                "give lengths in m, masses in kg and inertias in kg m²",
+            )
+        } else if scalar == Real::F32 && number.abs() > f64::from(f32::MAX) {
+            (
+                format!("a number of the code, {number:e}, is too large for f32"),
+                "generate it for f64, or give lengths in m and masses in kg",
+            )
+        } else {
+            continue;
+        };
+        errors.push_with_hint(place, message, hint);
+        return Err(errors);
+    }
+    Ok(())
+}
+
 /// The numbers that stand in a program.
 fn literals(program: &Program) -> impl Iterator<Item = f64> {
     program.operands().filter_map(|operand| match operand {
@@ -312,10 +277,6 @@ struct Wrong {
     found: f64,
     expected: f64,
 }
-
-/// How far torques by base parameters may be off, beside what they are sums of: grouping decides within a billionth
-/// which columns depend on each other.
-const GROUPED: f64 = 1e-8;
 
 /// How far off beside the largest entry a solution may be of which pivots are left out that roundings might
 /// have made: no bound of it is finite.

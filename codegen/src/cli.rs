@@ -78,7 +78,8 @@ pub struct Answer {
     pub output: String,
     /// For standard error: mistakes, doubts, notes.
     pub remarks: String,
-    /// 0, or 1 for a mistake in what was read, or 2 for one in the arguments.
+    /// 0, or 1 for a mistake in what was read, or 2 for one in the arguments, or 3 where a function was left out by a fault
+    /// of homogen.
     pub code: u8,
 }
 

@@ -65,6 +65,9 @@ type Moving<'a> = (
     &'a Matrix<Approximate>,
 );
 
+/// A matrix over velocities and parameters by its columns.
+pub(crate) type Columns<T> = List<ParameterId, List<VelocityId, T>>;
+
 /// A robot at a state.
 pub(crate) struct Dense {
     pub(crate) state: State,
@@ -265,8 +268,23 @@ impl Dense {
     }
 
     fn columns_of_regressor(&self) -> &List<ParameterId, List<VelocityId, Approximate>> {
-        let found = || self.posture.regressor(&self.rates(Motion::Driven));
+        let found = || {
+            self.posture
+                .regressor(&self.rates(Motion::Driven), |_| true)
+        };
         self.regressor.get_or_init(found)
+    }
+
+    /// Y by its columns, and the sizes of what their entries are sums of; nothing of links of which no column is wanted.
+    pub(crate) fn regressor_and_sizes(
+        &self,
+        is_wanted: impl Fn(ParameterId) -> bool,
+    ) -> (Columns<Approximate>, Columns<f64>) {
+        let rates = self.rates(Motion::Driven);
+        (
+            self.posture.regressor(&rates, &is_wanted),
+            self.posture.regressor_sizes(&rates, &is_wanted),
+        )
     }
 
     /// A matrix row by row, of its columns.

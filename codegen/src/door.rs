@@ -11,6 +11,7 @@ use quote::{quote, quote_spanned};
 use crate::description::{Description, Item, attributes, inline};
 use crate::error::Errors;
 use crate::expand::{expand, settled};
+use crate::function::Function;
 use crate::print::rust::{self, Declaration, World};
 use crate::space::Spaces;
 use crate::{chain, request};
@@ -107,6 +108,11 @@ fn spaces(description: &Description, request: &request::Request) -> Option<Space
         ..request::Request::default()
     };
     let chain = settled(chain::build(description, &shape).ok()?, false).ok()?;
+    let chain = if request.asks_for(Function::BaseRegressor) {
+        chain.identified()
+    } else {
+        chain
+    };
     Some(chain.spaces().clone())
 }
 

@@ -28,7 +28,7 @@ use std::cell::LazyCell;
 
 use crate::accuracy::{self, Accuracy, Articulated, Means};
 use crate::chain::{self, Chain};
-use crate::check::{self, Check, Redundancy};
+use crate::check::{self, Check, Redundancy, is_fault, judge_base_parameters};
 use crate::description::{Description, freed};
 use crate::error::{Errors, Place};
 use crate::formulation::{Forward, Sines};
@@ -52,6 +52,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     let (description, request) = &freed(description, request);
     let chain = understand(description, request)?;
     check_size(&chain)?;
+    let (chain, base) = identify(chain, description, request);
     let check = Check::of(description, request, &chain)?;
     let mut errors = Errors::new();
     let mut functions = Vec::new();
@@ -62,13 +63,18 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     for (wanted, frame) in wanted(&chain, request) {
         let names: Vec<&str> = wanted.iter().map(|function| function.name()).collect();
         let name = names.join("_and_");
-        match list(&chain, wanted, frame, request) {
-            Ok(listed) => {
-                match check.judge(&listed.functions, frame, &listed.program, request.scalar) {
-                    Ok(()) => functions.push(listed),
-                    Err(fault) => errors.append(fault),
-                }
-            }
+        let identified = if wanted.contains(&Function::BaseRegressor) {
+            base.clone()
+        } else {
+            Ok(())
+        };
+        let listed = identified.and_then(|()| list(&chain, wanted, frame, request));
+        let judged = listed.and_then(|listed| {
+            check.judge(&listed.functions, frame, &listed.program, request.scalar)?;
+            Ok(listed)
+        });
+        match judged {
+            Ok(listed) => functions.push(listed),
             Err(refusal) if all => leave_out(&mut left_out, name, &refusal),
             Err(refusal) => errors.append(refusal),
         }
@@ -76,22 +82,6 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     let data = data(&chain);
     if let Err(refusal) = check.judge_data(&data) {
         errors.append(refusal);
-    }
-    let base = &chain.base_parameters;
-    let asked = |listed: &Listed| listed.functions.contains(&Function::BaseRegressor);
-    if functions.iter().any(asked)
-        && let Err(refusal) = check.judge_base_parameters(base, request)
-    {
-        if all && base.is_uncertain() {
-            functions.retain(|listed| !asked(listed));
-            leave_out(
-                &mut left_out,
-                Function::BaseRegressor.name().to_owned(),
-                &refusal,
-            );
-        } else {
-            errors.append(refusal);
-        }
     }
     let mut about = About {
         left_out,
@@ -110,7 +100,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
             .then(|| review::review(description, request, &chain, &functions)),
         functions,
         data,
-        base_values: base.groups.iter().map(|group| group.value).collect(),
+        base_values: base_values(&chain),
         batch: request.batch,
         length: request.length(),
         scalar: request.scalar,
@@ -136,6 +126,40 @@ pub fn expand(description: &Description, request: &Request) -> Result<Listing, E
     errors.into_result(listing)
 }
 
+/// The same chain, with its base parameters where a function of them is asked for, and why that cannot be had.
+fn identify(
+    chain: Chain,
+    description: &Description,
+    request: &Request,
+) -> (Chain, Result<(), Errors>) {
+    if !request.asks_for(Function::BaseRegressor) {
+        return (chain, Ok(()));
+    }
+    let chain = chain.identified();
+    let judged = judge_base_parameters(description, request, &chain);
+    (chain, judged)
+}
+
+/// The same chain with its base parameters, held against the description.
+///
+/// # Errors
+/// Where they cannot be told apart, or are wrong.
+pub fn identified(
+    chain: Chain,
+    description: &Description,
+    request: &Request,
+) -> Result<Chain, Errors> {
+    let chain = chain.identified();
+    judge_base_parameters(description, request, &chain)?;
+    Ok(chain)
+}
+
+/// Base parameters as described.
+fn base_values(chain: &Chain) -> Vec<f64> {
+    let groups = chain.base_parameters.iter().flat_map(|base| &base.groups);
+    groups.map(|group| group.value).collect()
+}
+
 /// The functions that a robot cannot have whose frames nobody asks for.
 fn functions_of_a_frame() -> LeftOut {
     let all = Function::ALL.into_iter();
@@ -146,6 +170,7 @@ fn functions_of_a_frame() -> LeftOut {
             .collect(),
         reason: "the robot has more than one end, and none is named as the tip".to_owned(),
         hint: Some("name a link as the tip, or further frames".to_owned()),
+        is_fault: false,
     }
 }
 
@@ -162,6 +187,7 @@ fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: &Errors) {
             functions: vec![function],
             reason,
             hint: hints.find_map(|complaint| complaint.hint.clone()),
+            is_fault: is_fault(refusal),
         });
     }
 }

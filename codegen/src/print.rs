@@ -216,6 +216,8 @@ pub struct LeftOut {
     pub reason: String,
     /// What to do about it.
     pub hint: Option<String>,
+    /// Whether the engine is at fault, and not the robot.
+    pub is_fault: bool,
 }
 
 /// One generated function, a method of the robot's type where the language has such.

@@ -105,6 +105,17 @@ impl Request {
         }
     }
 
+    /// Whether a function is to be generated: where it is named, or where none is.
+    #[must_use]
+    pub fn asks_for(&self, function: Function) -> bool {
+        self.functions.is_empty()
+            || self
+                .functions
+                .iter()
+                .flatten()
+                .any(|named| *named == function)
+    }
+
     /// How long a function is that compilers see. One that takes slices of states stays whole: it is inlined
     /// where it is compiled for vectors.
     #[must_use]

@@ -1,41 +1,57 @@
-//! Base parameters: what torques can tell of the inertial parameters, and of which others each is told together with.
+//! Base parameters: the combinations of inertial parameters that torques determine.
 //!
-//! In: a [`Chain`]. Out: [`BaseParameters`]. Whatever of a link's mass has a kinetic and a potential energy that its own
-//! joint does not change is, to all other joints, mass of the link that it hangs on: so each link's ten columns of the
-//! regressor depend on each other and on those of that link, or not at all (Mayeda, Yoshida and Osuka, "Base
-//! parameters of manipulator dynamic models", 1990); and so do those of what its joint feels of a drive. That is found
-//! numerically, in dense matrices at a few states, link by link (Gautier, "Numerical calculation of the base inertial
-//! parameters of robots", 1991).
+//! In: a [`Chain`]. Out: [`BaseParameters`]. A combination of parameters makes no torque if it makes no kinetic energy and
+//! a constant potential energy, whatever the state. Whatever of a link's mass has energies that its own joint does not
+//! change is, to all other joints, mass of the link that it hangs on: so each link's ten columns of the regressor depend
+//! on each other and on those of that link, or not at all (Mayeda, Yoshida and Osuka, "Base parameters of manipulator
+//! dynamic models", 1990); links that one coordinate moves are looked at together. That is found numerically, by energies
+//! at random states in 106 bits, block by block (Gautier, "Numerical calculation of the base inertial parameters of
+//! robots", 1991). Damping and friction depend on nothing but those of joints with the same velocity.
 //!
-//! Fields are what is described in their place.
+//! Fields have the values that are described in their place. The check holds what is found against torques.
 
-mod columns;
+mod blocks;
+mod energies;
+mod links;
+mod numbers;
 mod span;
 
-use super::Chain;
+use super::{BodyId, Chain};
+use crate::expression::Double;
 use crate::list::List;
 use crate::random::Random;
 use crate::request::Parameter;
-use crate::space::ParameterId;
-use columns::{Column, Columns};
-use span::{ROUNDED, Span};
+use crate::space::{ParameterId, VelocityId};
+use energies::Energies;
+use links::{Links, Together};
+use numbers::{MOMENTS, Numbers};
+use span::{Combination, Left, NOTHING, Span};
 
-/// What torques can tell of a robot's inertial parameters.
+/// The combinations of a robot's inertial parameters that torques determine.
 #[derive(Clone, Debug, Default)]
 pub struct BaseParameters {
     /// In the order of the parameters that lead them.
     pub groups: Vec<Group>,
-    /// How far a column of the regressor that was taken for a combination of others is from one at most, beside its
-    /// length; or beside that of the longest, where it was taken for nothing.
-    pub nearest: f64,
+    /// Links that were looked at together, outermost first.
+    pub blocks: Vec<Block>,
+    /// What was left of columns that were taken for combinations of others, and of those that were not.
+    left: Left,
+}
+
+/// Links that were looked at together.
+#[derive(Clone, Debug, Default)]
+pub struct Block {
+    /// The velocities that move them against the links that they hang on, and no others.
+    pub velocities: Vec<VelocityId>,
+    /// The parameters that lead a group, in the order in which they were found.
+    pub leaders: Vec<ParameterId>,
 }
 
 impl BaseParameters {
-    /// Whether a column may be a combination of others or not: it is nearer than a description's numbers tell, and farther
-    /// than rounding makes it.
+    /// Whether rounding may have decided which parameters lead a group.
     #[must_use]
     pub fn is_uncertain(&self) -> bool {
-        self.nearest > ROUNDED
+        self.left.is_uncertain()
     }
 
     /// The columns of the regressor that torques are made of by them.
@@ -44,14 +60,14 @@ impl BaseParameters {
     }
 }
 
-/// Parameters that are told as one number: the first, and so much of each other.
+/// A base parameter: a linear combination of inertial parameters, its leading one with factor 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     /// The parameters with their factors; the first has 1.
     pub members: Vec<(ParameterId, f64)>,
-    /// What they are described as, together.
+    /// Its value as described.
     pub value: f64,
-    /// What that is a sum of: the magnitudes of its terms.
+    /// The sum of the magnitudes of the terms of that.
     pub size: f64,
 }
 
@@ -63,58 +79,60 @@ impl Group {
     }
 }
 
-/// So much of each parameter, where there is any of it, in the order of the parameters.
-type Form = Vec<(ParameterId, f64)>;
+/// A parameter in a combination: its factor, and what that is a sum of.
+#[derive(Clone, Copy)]
+struct Member {
+    parameter: ParameterId,
+    factor: Double,
+    size: f64,
+}
 
-/// Of chains of more joints no function is generated, and nothing is looked for.
-const MOST: usize = 1000;
+/// A combination, in the order of the parameters.
+type Form = Vec<Member>;
 
-/// Finds them.
+/// The order in which columns of a link are taken, where not all are needed: off the diagonal first, the mass
+/// last.
+const ORDER: [usize; MOMENTS] = [5, 6, 8, 4, 7, 9, 1, 2, 3, 0];
+
+/// Finds base parameters.
 pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
-    if chain.joints.len() > MOST {
-        return BaseParameters::default();
-    }
-    let columns = Columns::of(chain);
-    let described = columns.described();
-    let unit = |parameter: ParameterId| vec![(parameter, 1.0)];
-    // What torques see in the place of each parameter: it, and what outboard links hand on.
-    let mut seen: List<ParameterId, Form> = described.ids().map(unit).collect();
-    let mut nearest: f64 = 0.0;
-    if chain.all_lead() {
-        for link in columns.links.ids().rev() {
-            let own = columns.own(link);
-            let parent = columns.links[link].parent;
-            let inboard = parent.map(|parent| columns.of_link(parent, link));
-            let inboard: Vec<Column> = inboard.into_iter().flatten().collect();
-            let mut span = Span::among(own.iter().chain(&inboard).map(|(_, column)| column));
-            for (parameter, column) in &inboard {
-                span.take(*parameter, column);
-            }
-            hand_on(&own, &mut span, &mut seen);
-            nearest = nearest.max(span.nearest());
-        }
-    } else {
-        // What one coordinate moves in several places may be told apart or not: all columns are looked at together.
-        let links = columns.links.ids();
-        let all: Vec<Column> = links.flat_map(|link| columns.own(link)).collect();
-        let mut span = Span::among(all.iter().map(|(_, column)| column));
-        hand_on(&all, &mut span, &mut seen);
-        nearest = span.nearest();
-    }
-    let kept = seen.numbered().filter(|(_, form)| !form.is_empty());
+    let links = Links::of(chain);
+    let numbers = Numbers::of(chain);
+    let together = links.together();
+    let energies = Energies::of(chain, &numbers, &links.bodies, &links.often(&together));
+    let described = links.described(&numbers);
+    let unit = |parameter: ParameterId| {
+        let factor = Double::from(1.0);
+        vec![Member {
+            parameter,
+            factor,
+            size: 1.0,
+        }]
+    };
+    let mut found = Found {
+        links: &links,
+        numbers: &numbers,
+        energies: &energies,
+        forms: described.ids().map(unit).collect(),
+        left: Left::default(),
+    };
+    let blocks = together.iter().map(|together| found.block(together));
+    let blocks = blocks.collect();
+    let kept = found.forms.numbered().filter(|(_, form)| !form.is_empty());
     let groups = kept.map(|(leader, form)| group(leader, form, &described));
     BaseParameters {
         groups: groups.collect(),
-        nearest,
+        blocks,
+        left: found.left,
     }
 }
 
-/// The fields for which torques can tell more, or others, where they are not what is described.
+/// The fields for which torques determine more base parameters, or others, where they are not what is described.
 ///
 /// All of them are looked at together, near what is described: where joints stand askew and gravity has no
 /// axis, nothing is hidden that can be seen anywhere.
 #[must_use]
-pub fn revealing(chain: &Chain) -> Vec<&Parameter> {
+pub fn revealing<'c>(chain: &'c Chain, found: &BaseParameters) -> Vec<&'c Parameter> {
     let fields = chain.parameters.iter();
     let fields: Vec<_> = fields
         .filter(|field| field.target.enters_regressors())
@@ -130,49 +148,140 @@ pub fn revealing(chain: &Chain) -> Vec<&Parameter> {
             .collect(),
         ..chain.clone()
     };
-    let found = base_parameters(&elsewhere);
-    if found.columns().eq(chain.base_parameters.columns()) {
+    if base_parameters(&elsewhere).columns().eq(found.columns()) {
         return Vec::new();
     }
     fields
 }
 
-/// Takes columns; where one is a combination of others, its parameter is handed on to theirs.
-fn hand_on<'c>(own: &'c [Column], span: &mut Span<'c>, seen: &mut List<ParameterId, Form>) {
-    for (parameter, column) in own {
-        let Some(combination) = span.take(*parameter, column) else {
-            continue;
+/// What has been found, block by block.
+struct Found<'f> {
+    links: &'f Links<'f>,
+    numbers: &'f Numbers,
+    energies: &'f Energies,
+    /// What stands for each parameter: it, and what outboard links hand on.
+    forms: List<ParameterId, Form>,
+    left: Left,
+}
+
+impl Found<'_> {
+    /// Finds which parameters of some links lead a group; what stands for the others is handed on.
+    fn block(&mut self, together: &Together) -> Block {
+        let Together { outer, links, rows } = together;
+        let [kinetic, potential] = *rows;
+        let constant = [(0.0, kinetic), (1.0, potential)].into_iter();
+        let constant = constant
+            .flat_map(|(entry, count)| std::iter::repeat_n((Double::from(entry), entry), count));
+        let mut span = Span::default();
+        span.take(None, constant);
+        for &link in outer {
+            for moment in 0..MOMENTS {
+                let column = self.energies.of_moment(link, moment, *rows);
+                span.take(Some(Links::moment(link, moment)), column);
+            }
+        }
+        let mut block = Block::default();
+        // The first joint of each velocity.
+        let mut movers: Vec<(VelocityId, BodyId)> = Vec::new();
+        for &link in links {
+            for moment in ORDER {
+                let parameter = Links::moment(link, moment);
+                let column = self.energies.of_moment(link, moment, *rows);
+                let combination = span.take(Some(parameter), column);
+                self.settle(&mut block, parameter, combination);
+            }
+            for &joint in &self.links.own[link] {
+                let velocity = self.links.chain.joints[joint].velocity;
+                let mover = movers.iter().find(|(of, _)| *of == velocity);
+                let mover = mover.map(|(_, mover)| *mover);
+                if mover.is_none() {
+                    movers.push((velocity, joint));
+                }
+                if let Some([armature, damping, friction]) = self.links.drive(joint) {
+                    let column = self.energies.of_armature(joint, *rows);
+                    let combination = span.take(Some(armature), column);
+                    self.settle(&mut block, armature, combination);
+                    let [damped, rubbed] = self.beside(joint, mover);
+                    self.settle(&mut block, damping, damped);
+                    self.settle(&mut block, friction, rubbed);
+                }
+            }
+        }
+        block.velocities = movers.into_iter().map(|(velocity, _)| velocity).collect();
+        self.left = self.left.and(span.left);
+        block
+    }
+
+    /// The damping and the friction of a joint by those of another one with its velocity: a torque f d (f q̇) and one
+    /// f c sign(f q̇), where f is a joint's multiplier.
+    fn beside(&self, joint: BodyId, mover: Option<BodyId>) -> [Option<Combination>; 2] {
+        let Some((mover, parts)) = mover.and_then(|mover| Some((mover, self.links.drive(mover)?)))
+        else {
+            return [None, None];
         };
-        let handed_on = std::mem::take(&mut seen[*parameter]);
+        let [_, damping, friction] = parts;
+        let ratio = self.numbers.factors[joint] / self.numbers.factors[mover];
+        let size = if ratio.to_f64() < 0.0 { -ratio } else { ratio };
+        [(damping, ratio * ratio), (friction, size)].map(|part| Some(vec![part]))
+    }
+
+    /// Notes a parameter that leads a group, or hands on what stands for it to those that it is a combination of.
+    fn settle(
+        &mut self,
+        block: &mut Block,
+        parameter: ParameterId,
+        combination: Option<Combination>,
+    ) {
+        let Some(combination) = combination else {
+            block.leaders.push(parameter);
+            return;
+        };
+        let handed_on = std::mem::take(&mut self.forms[parameter]);
         for (other, factor) in combination {
-            add(&mut seen[other], &handed_on, factor);
+            add(&mut self.forms[other], &handed_on, factor);
         }
     }
 }
 
-/// Adds so much of another form: forms of long chains are long, and are gone through once.
-fn add(sum: &mut Form, other: &Form, factor: f64) {
-    let mut others = other.iter().map(|&(k, x)| (k, factor * x)).peekable();
+/// Adds a multiple of another form: forms of long chains are long, and are gone through once.
+fn add(sum: &mut Form, other: &Form, factor: Double) {
+    let size = factor.to_f64().abs();
+    let mut others = other.iter().map(|member| Member {
+        factor: factor * member.factor,
+        size: size * member.size,
+        ..*member
+    });
+    let mut others = others.by_ref().peekable();
     let mut all = Form::with_capacity(sum.len() + other.len());
-    for &(parameter, x) in sum.iter() {
-        all.extend(std::iter::from_fn(|| {
-            others.next_if(|&(k, _)| k < parameter)
+    for member in sum.iter() {
+        let before = |other: &Member| other.parameter < member.parameter;
+        all.extend(std::iter::from_fn(|| others.next_if(before)));
+        let same = others.next_if(|other| other.parameter == member.parameter);
+        all.push(same.map_or(*member, |same| Member {
+            factor: member.factor + same.factor,
+            size: member.size + same.size,
+            ..*member
         }));
-        let same = others.next_if(|&(k, _)| k == parameter);
-        all.push((parameter, same.map_or(x, |(_, y)| x + y)));
     }
     all.extend(others);
     *sum = all;
 }
 
-fn group(leader: ParameterId, form: &Form, described: &List<ParameterId, f64>) -> Group {
-    let others =
-        (form.iter().copied()).filter(|&(parameter, factor)| parameter != leader && factor != 0.0);
-    let members: Vec<(ParameterId, f64)> = [(leader, 1.0)].into_iter().chain(others).collect();
+fn group(leader: ParameterId, form: &Form, described: &List<ParameterId, Double>) -> Group {
+    // What adds up to nothing is no member.
+    let is_there = |member: &&Member| member.factor.to_f64().abs() > NOTHING * member.size;
+    let others = form.iter().filter(|member| member.parameter != leader);
+    let others = others.filter(is_there);
+    let first = (leader, Double::from(1.0));
+    let others = others.map(|member| (member.parameter, member.factor));
+    let members: Vec<(ParameterId, Double)> = [first].into_iter().chain(others).collect();
     let terms = members.iter().map(|&(k, factor)| factor * described[k]);
+    let value = terms.clone().fold(Double::ZERO, |sum, term| sum + term);
     Group {
-        value: terms.clone().sum(),
-        size: terms.map(f64::abs).sum(),
-        members,
+        value: value.to_f64(),
+        size: terms.map(|term| term.to_f64().abs()).sum(),
+        members: (members.into_iter())
+            .map(|(parameter, factor)| (parameter, factor.to_f64()))
+            .collect(),
     }
 }

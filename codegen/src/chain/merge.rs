@@ -106,7 +106,7 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         report,
         source: description.source.clone(),
         identifies_drives: false,
-        base_parameters: super::base_parameters::BaseParameters::default(),
+        base_parameters: None,
         graph,
     }
 }

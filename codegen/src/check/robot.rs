@@ -16,6 +16,7 @@ mod written;
 use std::collections::HashMap;
 
 use crate::chain::Chain;
+use crate::chain::base_parameters::BaseParameters;
 use crate::dense::{Approximate, Body, BodyId, Freedom, Matrix, Moved, Robot};
 use crate::description::{Description, LinkId, Name};
 use crate::expression::{Arithmetic, Double};
@@ -118,7 +119,9 @@ pub(super) fn robot(
         frames,
         loops,
         actuated,
-        base_columns: chain.base_parameters.columns().collect(),
+        base_columns: (chain.base_parameters.iter())
+            .flat_map(BaseParameters::columns)
+            .collect(),
         identified: (chain.joints.iter())
             .filter(|_| chain.identifies_drives)
             .filter_map(|joint| moved.get(joint.link.as_ref()?.0.as_str()).cloned())

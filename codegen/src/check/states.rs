@@ -69,6 +69,57 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
     state
 }
 
+/// So many states anywhere, whatever the limits, with fields as described: rotations of up to half a turn, lengths and
+/// times on the scale of the robot's offsets and of gravity, so that no term of a torque is lost beside another.
+pub(super) fn wide(chain: &Chain, count: usize) -> Vec<State> {
+    let mut random = seeded(chain);
+    let length = length(chain);
+    let time = (length / 9.81).sqrt();
+    (0..count)
+        .map(|_| state_within(chain, &mut random, [length, time]))
+        .collect()
+}
+
+fn state_within(chain: &Chain, random: &mut Random, [length, time]: [f64; 2]) -> State {
+    let spaces = chain.spaces();
+    let mut drawn = |kind: Kind| {
+        let unit = if kind == Kind::Slide { length } else { 1.0 };
+        3.0 * unit * (2.0 * random.unit() - 1.0)
+    };
+    let mut state = State {
+        fields: chain.nominal.clone(),
+        ..State::default()
+    };
+    for coordinate in &spaces.coordinates {
+        state.q.push(drawn(coordinate.kind).into());
+    }
+    for quaternion in spaces.quaternions() {
+        let q: &mut [Double] = &mut state.q;
+        normalize(&mut q[quaternion.index()..][..4]);
+    }
+    for velocity in &spaces.velocities {
+        state.qd.push(drawn(velocity.kind) / time);
+        state.qdd.push(drawn(velocity.kind) / (time * time));
+    }
+    state
+}
+
+/// The longest offset between joints \[m\]; 1 m where there is none.
+fn length(chain: &Chain) -> f64 {
+    let hung = chain.joints.iter().filter(|joint| joint.parent.is_some());
+    let offsets = hung.map(|joint| {
+        let entries = joint.placement.translation.0;
+        let entries = entries.map(|entry| chain.graph.value(entry).map_or(0.0, Double::to_f64));
+        entries
+            .iter()
+            .map(|entry| entry * entry)
+            .sum::<f64>()
+            .sqrt()
+    });
+    let longest = offsets.fold(0.0, f64::max);
+    if longest > 0.0 { longest } else { 1.0 }
+}
+
 /// Where a coordinate is drawn from: what is described, as far as that is a range within which a
 /// turn has digits.
 fn reach(coordinate: &Entry) -> [f64; 2] {

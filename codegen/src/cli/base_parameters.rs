@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
 use crate::chain::Chain;
-use crate::chain::base_parameters::Group;
+use crate::chain::base_parameters::{BaseParameters as Found, Group};
 use crate::expand;
 use crate::list::List;
 use crate::space::{Entry, Kind, ParameterId};
@@ -37,14 +37,16 @@ impl BaseParameters {
         let request = self.robot.request(&None, Vec::new());
         let chain = expand::understand(&description, &request)?;
         expand::check_size(&chain)?;
+        let chain = expand::identified(chain, &description, &request)?;
+        let base = chain.base_parameters.clone().unwrap_or_default();
         Ok(match self.format {
             Format::Text => Answer {
-                output: in_text(&description.name.text, &chain),
+                output: in_text(&description.name.text, &chain, &base),
                 remarks: options::warnings(&description, &chain.report.warnings),
                 code: 0,
             },
             Format::Json => Answer {
-                output: json::answer(in_json(&description.name.text, &chain)),
+                output: json::answer(in_json(&description.name.text, &chain, &base)),
                 ..Answer::default()
             },
         })
@@ -73,9 +75,9 @@ const fn unit(entry: &Entry) -> &'static str {
     }
 }
 
-fn in_json(robot: &str, chain: &Chain) -> Value {
+fn in_json(robot: &str, chain: &Chain, base: &Found) -> Value {
     let parameters = &chain.spaces().parameters;
-    let groups = chain.base_parameters.groups.iter().map(|group| {
+    let groups = base.groups.iter().map(|group| {
         let members = group.members.iter().map(|&(parameter, factor)| {
             json!({ "parameter": parameters[parameter].name, "factor": factor })
         });
@@ -95,9 +97,9 @@ fn in_json(robot: &str, chain: &Chain) -> Value {
     })
 }
 
-fn in_text(robot: &str, chain: &Chain) -> String {
+fn in_text(robot: &str, chain: &Chain, base: &Found) -> String {
     let parameters = &chain.spaces().parameters;
-    let groups = &chain.base_parameters.groups;
+    let groups = &base.groups;
     let mut text = String::new();
     let (some, all) = (groups.len(), parameters.len());
     // Writing to a string cannot fail.

@@ -24,7 +24,10 @@ use crate::wording::visible;
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
-  homogen count arm.urdf --functions inverse_dynamics,mass_matrix+bias --format json")]
+  homogen count arm.urdf --functions inverse_dynamics,mass_matrix+bias --format json
+
+Exit status: 0; 1 for a mistake in what was read; 2 for one in the arguments; 3 if everything was asked for and a
+function was left out because of a fault of homogen, which standard error reports.")]
 pub(super) struct Count {
     #[command(flatten)]
     robot: Robot,
@@ -46,10 +49,11 @@ impl Count {
                 output: table(&listing.functions),
                 remarks: options::warnings(&description, &chain.report.warnings)
                     + &Functions::remarks(&listing),
-                code: 0,
+                code: Functions::code(&listing),
             },
             Format::Json => Answer {
                 output: json::answer(in_json(&listing, &chain.report.warnings)),
+                code: Functions::code(&listing),
                 ..Answer::default()
             },
         })
@@ -120,7 +124,10 @@ pub(super) fn left_out(listing: &Listing) -> Value {
              functions,
              reason,
              hint,
-         }| { json!({ "functions": functions, "reason": reason, "hint": hint }) },
+             is_fault,
+         }| {
+            json!({ "functions": functions, "reason": reason, "hint": hint, "fault": is_fault })
+        },
     );
     left_out.collect()
 }

@@ -87,6 +87,11 @@ impl Eval {
         let mut request = self.robot.request(&self.frame, vec![vec![function]]);
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
+        let chain = if request.asks_for(Function::BaseRegressor) {
+            expand::identified(chain, &description, &request)?
+        } else {
+            chain
+        };
         let arguments = function.arguments_with(chain.spaces().actions() > 0);
         let mut states = Source::open(&self.states, &arguments, chain.spaces(), input)?;
 

@@ -94,6 +94,16 @@ impl Functions {
         Ok((builder, remarks))
     }
 
+    /// The status of an answer about these functions: 0, or [`FAULT`].
+    pub(super) fn code(listing: &Listing) -> u8 {
+        let mut left_out = listing.about.left_out.iter();
+        if left_out.any(|left_out| left_out.is_fault) {
+            FAULT
+        } else {
+            0
+        }
+    }
+
     /// What a person should know about the answer: what the robot cannot have.
     pub(super) fn remarks(listing: &Listing) -> String {
         let mut text = String::new();
@@ -101,6 +111,7 @@ impl Functions {
             functions,
             reason,
             hint,
+            ..
         } in &listing.about.left_out
         {
             let functions = list(functions.iter().map(String::as_str));
@@ -113,6 +124,9 @@ impl Functions {
         text
     }
 }
+
+/// The status of a command that left out a function by a fault of homogen.
+pub(super) const FAULT: u8 = 3;
 
 /// The function of that name.
 pub(super) fn function(text: &str) -> Result<Function, String> {

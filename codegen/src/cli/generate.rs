@@ -15,6 +15,7 @@ use super::options::{Robot, Scalar, is_standard_input, mistake};
 use super::{Answer, Said};
 use crate::builder::{Builder, header_beside};
 use crate::error::Errors;
+use crate::print::Listing;
 use crate::real::Real;
 
 /// What is written.
@@ -30,7 +31,11 @@ enum Language {
 #[command(after_help = "\
 Example:
   homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs
-  homogen generate arm.urdf --language c -o arm.c")]
+  homogen generate arm.urdf --language c -o arm.c
+
+Exit status: 0; 1 for a mistake in what was read; 2 for one in the arguments; 3 if everything was asked for and a
+function was left out because of a fault of homogen, which standard error and the head of the file report: the others
+are written.")]
 pub(super) struct Generate {
     #[command(flatten)]
     robot: Robot,
@@ -82,7 +87,7 @@ pub(super) struct Generate {
 impl Generate {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let name = self.name.as_deref();
-        let (mut builder, mut remarks) =
+        let (mut builder, remarks) =
             self.functions
                 .builder(&self.robot, &self.fields, (self.number(), name), input)?;
         if let Some(path) = &self.runtime {
@@ -103,15 +108,15 @@ impl Generate {
         if let Some(prefix) = &self.extern_c {
             builder = builder.extern_c(prefix);
         }
-        let output = match self.language {
-            Language::Rust => self.rust(&builder, &mut remarks)?,
-            Language::C => self.c(&builder, &mut remarks)?,
-            Language::Llvm => self.llvm(&builder, &mut remarks)?,
+        let (output, listing) = match self.language {
+            Language::Rust => self.rust(&builder)?,
+            Language::C => self.c(&builder)?,
+            Language::Llvm => self.llvm(&builder)?,
         };
         Ok(Answer {
             output,
-            remarks,
-            code: 0,
+            remarks: remarks + &Functions::remarks(&listing),
+            code: Functions::code(&listing),
         })
     }
 
@@ -125,34 +130,32 @@ impl Generate {
     }
 
     /// Writes a file of Rust, or returns its text.
-    fn rust(&self, builder: &Builder, remarks: &mut String) -> Result<String, Errors> {
+    fn rust(&self, builder: &Builder) -> Result<(String, Listing), Errors> {
         let listing = builder.file_listing()?;
-        remarks.push_str(&Functions::remarks(&listing));
         let text = builder.source(&listing).to_string();
         if let Some(path) = &self.c_header {
             write(path, &builder.c_header(&listing))?;
         }
         if is_standard_input(&self.output) {
-            return Ok(text);
+            return Ok((text, listing));
         }
         write(&self.output, &text)?;
-        Ok(String::new())
+        Ok((String::new(), listing))
     }
 
     /// Writes a module of LLVM IR, or returns its text.
-    fn llvm(&self, builder: &Builder, remarks: &mut String) -> Result<String, Errors> {
+    fn llvm(&self, builder: &Builder) -> Result<(String, Listing), Errors> {
         let listing = builder.c_listing()?;
-        remarks.push_str(&Functions::remarks(&listing));
         let text = builder.llvm(&listing, self.lanes);
         if is_standard_input(&self.output) {
-            return Ok(text);
+            return Ok((text, listing));
         }
         write(&self.output, &text)?;
-        Ok(String::new())
+        Ok((String::new(), listing))
     }
 
     /// Writes a file of C and its header, or returns both as one text.
-    fn c(&self, builder: &Builder, remarks: &mut String) -> Result<String, Errors> {
+    fn c(&self, builder: &Builder) -> Result<(String, Listing), Errors> {
         if self.c_header.is_some() {
             let message = "--c-header is the header of functions that are written in Rust";
             let mut errors = mistake(message);
@@ -162,15 +165,14 @@ impl Generate {
         let to_file = !is_standard_input(&self.output);
         let beside = to_file.then(|| header_beside(&self.output)).transpose()?;
         let listing = builder.c_listing()?;
-        remarks.push_str(&Functions::remarks(&listing));
         let Some((path, name)) = beside else {
             let source = builder.c(&listing, "robot.h");
-            return Ok(format!("{}\n{}", source.header, source.text));
+            return Ok((format!("{}\n{}", source.header, source.text), listing));
         };
         let source = builder.c(&listing, &name);
         write(&path, &source.header)?;
         write(&self.output, &source.text)?;
-        Ok(String::new())
+        Ok((String::new(), listing))
     }
 }
 

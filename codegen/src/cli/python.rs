@@ -56,7 +56,7 @@ impl Python {
         Ok(Answer {
             output: format!("from {} import {}\n", package.module, package.class),
             remarks,
-            code: 0,
+            code: Functions::code(&listing),
         })
     }
 }

@@ -108,12 +108,13 @@ impl Show {
             return Ok(Answer {
                 output,
                 remarks,
-                code: 0,
+                code: Functions::code(&listing),
             });
         }
         write(&self.output, &output)?;
         Ok(Answer {
             remarks,
+            code: Functions::code(&listing),
             ..Answer::default()
         })
     }

@@ -64,6 +64,18 @@ impl<T: Arithmetic> Matrix<T> {
         matrix
     }
 
+    /// Q so far along a screw: 1 + u̲ sin q + u̲² (1 − cos q), and b q, where b is along u.
+    pub(crate) fn displacement([u, b]: [[T; 3]; 2], q: T) -> Self {
+        let turn = Self::screw(u, [0.0; 3].map(T::literal));
+        let (sine, cosine) = q.clone().sin_cos();
+        let versine = T::literal(1.0) - cosine;
+        let mut displacement = Self::identity()
+            .plus(&turn.scaled(&sine))
+            .plus(&turn.times(&turn).scaled(&versine));
+        displacement.set_column(b.map(|entry| entry * q.clone()));
+        displacement
+    }
+
     /// Φ of c and f: c̲, f; −fᵗ, 0.
     pub(crate) fn action(c: [T; 3], f: [T; 3]) -> Self {
         let mut matrix = Self::screw(c, f.clone());

@@ -4,8 +4,9 @@
 //! accelerations and actions, and what they and the joints' drives add up to.
 
 mod derivatives;
+mod sizes;
 
-use super::{Approximate, BodyId, Closed, Freedom, Matrix, Moved, Robot};
+use super::{Approximate, BodyId, Closed, Columns, Freedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
 use crate::list::{self, Id, List, Square};
@@ -41,8 +42,8 @@ impl Posture {
                     coordinate,
                     factor,
                     offset,
-                } => displacement(screw, factor * q(coordinate) + offset),
-                Moved::Held(screw, at) => displacement(screw, Scalar::written(at)),
+                } => Matrix::displacement(screw, factor * q(coordinate) + offset),
+                Moved::Held(screw, at) => Matrix::displacement(screw, Scalar::written(at)),
                 Moved::Posture(posture, first) => placed(posture, |entry| q(first.plus(entry))),
             };
             let mut pose = body.placement.times(&displacement);
@@ -238,12 +239,21 @@ impl Posture {
 
     /// Y of τ = Y π by its columns, each of which is τ of a link that alone has mass, of which one parameter is 1; or of a joint
     /// that alone has a drive, of which one number is 1.
-    pub(super) fn regressor(&self, rates: &Rates) -> List<ParameterId, List<VelocityId, Scalar>> {
+    /// Columns of a link of which none is wanted are empty.
+    pub(super) fn regressor(
+        &self,
+        rates: &Rates,
+        is_wanted: impl Fn(ParameterId) -> bool,
+    ) -> Columns<Scalar> {
         let mut falling = Matrix::zero();
         falling.set_column(self.robot.gravity.map(|entry| -entry));
         let motions = self.motions(rates);
-        let mut columns = List::new();
+        let mut columns: Columns<Scalar> = List::new();
         for &link in &self.robot.links {
+            if !(0..MOMENTS).any(|moment| is_wanted(columns.next().plus(moment))) {
+                columns.extend((0..MOMENTS).map(|_| List::new()));
+                continue;
+            }
             let (h, pose) = (motions[link].1.plus(&falling), &self.poses[link]);
             for unit in units() {
                 let inertia = pose.times(&unit).times(&pose.transposed());
@@ -259,6 +269,13 @@ impl Posture {
                 columns.push(column);
             }
         }
+        columns.extend(self.regressor_of_drives(rates));
+        columns
+    }
+
+    /// Those of what joints feel of their drives.
+    fn regressor_of_drives(&self, rates: &Rates) -> Vec<List<VelocityId, Scalar>> {
+        let mut columns = Vec::new();
         let identified = self.robot.identified.iter().flatten();
         for freedom in identified.flat_map(|&body| &self.robot.bodies[body].freedoms) {
             let Freedom {
@@ -338,6 +355,9 @@ impl Posture {
     }
 }
 
+/// How many inertial parameters a link has.
+const MOMENTS: usize = 10;
+
 /// L ⊗ Φ.
 fn along(screw: &Matrix<Scalar>, action: &Matrix<Scalar>) -> Scalar {
     let terms = screw.vectors().into_iter().zip(action.vectors());
@@ -355,19 +375,6 @@ fn units() -> impl Iterator<Item = Matrix<Scalar>> {
         unit.0[column][row] = Scalar::exact(1.0);
         unit
     })
-}
-
-/// Q of a joint at a coordinate: 1 + u̲ sin q + u̲² (1 − cos q) and b q along the axis.
-fn displacement([u, b]: [[Scalar; 3]; 2], q: Scalar) -> Matrix<Scalar> {
-    let nothing = [Scalar::exact(0.0); 3];
-    let turn = Matrix::screw(u, nothing);
-    let (sine, cosine) = q.sin_cos();
-    let versine = Scalar::exact(1.0) - cosine;
-    let mut displacement = Matrix::identity()
-        .plus(&turn.scaled(&sine))
-        .plus(&turn.times(&turn).scaled(&versine));
-    displacement.set_column(b.map(|entry| entry * q));
-    displacement
 }
 
 /// Q of several coordinates: a translation, and a turn about z or 1 + 2 w v̲ + 2 v̲² of a quaternion v, w.

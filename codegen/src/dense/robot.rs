@@ -78,7 +78,7 @@ pub(crate) struct Robot {
     pub(crate) frames: List<FrameId, Option<BodyId>>,
     /// The bodies that joints move as links, in the order of their coordinates.
     pub(crate) links: Vec<BodyId>,
-    /// The columns of the regressor that the base regressor has.
+    /// The columns of the regressor that the base regressor has, where base parameters are asked for.
     pub(crate) base_columns: Vec<ParameterId>,
     /// The bodies of each joint of whose drive the regressor has columns behind those of links.
     pub(crate) identified: Vec<Vec<BodyId>>,

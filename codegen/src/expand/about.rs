@@ -116,9 +116,10 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
     }
     facts.push(gravity(chain));
     let used = inertial_parameters(chain, parameters);
+    let links = chain.joints.iter().filter(|joint| joint.link.is_some());
     facts.push(format!(
         "{used} of {} inertial parameters used",
-        10 * report.joints.len()
+        10 * links.count()
     ));
     for plane in &report.planes {
         facts.push(format!("{} has {}", code(&plane.joint), plane.text()));

@@ -31,6 +31,7 @@ pub(super) fn tell(
         functions,
         reason,
         hint,
+        ..
     } in missing
     {
         let functions = list(functions.iter().map(String::as_str));
@@ -62,6 +63,7 @@ fn missing(functions: &[Listed], acted: bool) -> Vec<LeftOut> {
                 functions: vec![name],
                 reason: reason.to_owned(),
                 hint: hint.map(str::to_owned),
+                is_fault: false,
             }),
         }
     }

@@ -12,9 +12,14 @@ use crate::wording::{code, list};
 ///
 /// # Errors
 /// Where torques can tell others of a robot whose fields are not what is described.
+///
+/// # Panics
+/// Where base parameters have not been looked for ([`Chain::identified`]).
 pub(super) fn settled(chain: &Chain) -> Result<(), Errors> {
     let mut errors = chain.source.errors();
-    let fields = revealing(chain).into_iter();
+    let found = chain.base_parameters.as_ref();
+    let found = found.expect("base parameters are found before their regressor is made");
+    let fields = revealing(chain, found).into_iter();
     let fields: Vec<String> = fields.map(|field| code(&field.name())).collect();
     if let [first, ..] = &*fields {
         let (noun, verb) = match &*fields {

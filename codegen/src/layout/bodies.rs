@@ -3,6 +3,7 @@
 //! In: a chain. Out: its bodies, each frame turned so that its joint's axis is z where the joint has one
 //! coordinate, and what replaces a frame by another one. It never chooses one.
 
+use crate::chain::base_parameters::BaseParameters;
 use crate::chain::{BodyId, Chain, Frame, Position};
 use crate::closure::Row;
 use crate::expression::{Double, Expr, Graph, Term};
@@ -18,7 +19,7 @@ pub struct Bodies<'g> {
     pub bodies: List<BodyId, Body<'g>>,
     /// J in frame 0 of what regrouping left to the base.
     pub base: Inertia<Term<'g>>,
-    /// The columns of the regressor that the base regressor has.
+    /// The columns of the regressor that the base regressor has, where base parameters are asked for.
     pub base_columns: Vec<ParameterId>,
     /// Whether the regressor has columns of drives behind those of links.
     pub identifies_drives: bool,
@@ -172,7 +173,9 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
         loops: loops.collect(),
         actuated: chain.actuated.clone(),
         base: Inertia::zero(graph),
-        base_columns: chain.base_parameters.columns().collect(),
+        base_columns: (chain.base_parameters.iter())
+            .flat_map(BaseParameters::columns)
+            .collect(),
         identifies_drives: chain.identifies_drives,
         frames: chain.frames.iter().chain(of_loops).map(place).collect(),
         external: chain.external.iter().map(place).collect(),

@@ -40,7 +40,7 @@ mod tests {
         let description = description::read_file(path.as_ref(), None, &mut Errors::new());
         let description = description.expect("a robot that ships");
         let chain = chain::build(&description, request).expect("no mistakes");
-        chain.spaces().clone()
+        chain.identified().spaces().clone()
     }
 
     #[test]

@@ -1,110 +1,205 @@
-//! What a row of columns spans.
+//! Linear dependence of columns, by elimination in 106 bits.
 //!
-//! In: columns of parameters, one after the other. Out: of each that adds nothing, the combination of earlier ones that
-//! it is; and how near the nearest decision was. It never knows what is in them.
+//! In: columns of parameters, one after the other, each entry with the size of what it is a sum of. Out: of each column
+//! that adds nothing, the combination of earlier ones that it is. With each entry the variance of its rounding error is
+//! carried, as if errors were independent of each other: a column adds nothing where no entry is left of it that is more
+//! than that. So no row is compared with another one, and no column, whatever their units. It never knows what is in them.
 
+use super::energies::Entry;
+use crate::expression::Double;
 use crate::space::ParameterId;
 
-/// A column is a combination of others where no more than this part of it is left.
-const NOTHING: f64 = 1e-9;
+/// How much of a parameter is in a combination.
+pub(super) type Combination = Vec<(ParameterId, Double)>;
 
-/// What is left of a part, or of a column beside the longest, is rounding.
-pub const ROUNDED: f64 = 1e-11;
+/// 2⁻¹⁰⁰: the rounding error of an entry, beside what it is a sum of.
+const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 
-/// Beside a column so long, what torques see of a moment of inertia about its own joint, an acceleration of about
-/// 1 rad/s², is not known from rounding.
-const LONG: f64 = 0.01 / ROUNDED;
+/// So many times its rounding error is more than rounding.
+const TOLD: f64 = 1e4;
+
+/// So small a part of what an entry is a sum of is nothing: it changes no digit of an `f64`.
+pub(super) const NOTHING: f64 = 1e-22;
 
 /// Columns that do not depend on each other.
-pub struct Span<'c> {
-    columns: Vec<(ParameterId, &'c [f64])>,
-    /// Perpendicular directions of length 1, each with its factors of the columns.
-    directions: Vec<(Vec<f64>, Vec<f64>)>,
-    /// The length of the longest column of those to come.
-    longest: f64,
-    /// The largest part that was left of a column which was taken for a combination of others, or, beside the longest,
-    /// for nothing.
-    nearest: f64,
+#[derive(Default)]
+pub(super) struct Span {
+    kept: Vec<Kept>,
+    pub(super) left: Left,
 }
 
-impl<'c> Span<'c> {
-    /// None yet, of all these.
-    pub fn among(all: impl Iterator<Item = &'c Vec<f64>>) -> Self {
-        let lengths = all.map(|column| length(column));
+/// What was left of columns, beside its rounding error.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Left {
+    /// The most of those that were taken for combinations of others.
+    most: f64,
+    /// The least of those that were not.
+    least: f64,
+}
+
+impl Default for Left {
+    fn default() -> Self {
         Self {
-            columns: Vec::new(),
-            directions: Vec::new(),
-            longest: lengths.fold(0.0, f64::max),
-            nearest: 0.0,
+            most: 0.0,
+            least: f64::INFINITY,
+        }
+    }
+}
+
+impl Left {
+    /// Those of both.
+    pub(super) const fn and(self, other: Self) -> Self {
+        Self {
+            most: self.most.max(other.most),
+            least: self.least.min(other.least),
         }
     }
 
-    /// How far a column that was taken for a combination of others is from one at most, beside its length; or beside
-    /// that of the longest, where it was taken for nothing.
-    pub fn nearest(&self) -> f64 {
-        self.nearest
+    /// Whether rounding may have decided.
+    pub(super) const fn is_uncertain(self) -> bool {
+        self.most > TOLD / 100.0 || self.least < TOLD * 100.0
+    }
+}
+
+/// An entry of a column that is being reduced.
+#[derive(Clone, Copy)]
+struct Rest {
+    value: Double,
+    /// The variance of its rounding error.
+    variance: f64,
+}
+
+impl Rest {
+    fn of((value, size): Entry) -> Self {
+        let roundoff = ROUNDOFF * size;
+        Self {
+            value,
+            variance: roundoff * roundoff,
+        }
     }
 
-    /// Adds a column; or, where it depends on those that are there, says how: so much of each.
-    pub fn take(
-        &mut self,
-        name: ParameterId,
-        column: &'c [f64],
-    ) -> Option<Vec<(ParameterId, f64)>> {
-        let whole = length(column);
-        let mut left = column.to_vec();
-        let mut factors = vec![0.0; self.columns.len()];
-        // Twice is enough (Giraud and others, 2005).
-        for _ in 0..2 {
-            for (direction, of_columns) in &self.directions {
-                let part = dot(direction, &left);
-                add(&mut left, direction, -part);
-                add(&mut factors, of_columns, part);
-            }
-        }
-        let rest = length(&left);
-        if rest > NOTHING * whole && whole > ROUNDED * self.longest {
-            let scale = 1.0 / rest;
-            for entry in &mut left {
-                *entry *= scale;
-            }
-            // It is the column less so much of the others.
-            let mut of_columns: Vec<f64> = factors.iter().map(|factor| -factor * scale).collect();
-            of_columns.push(scale);
-            self.directions.push((left, of_columns));
-            self.columns.push((name, column));
-            return None;
-        }
-        let beside = if whole > ROUNDED * self.longest {
-            whole
-        } else {
-            self.longest.min(LONG)
-        };
-        if beside > 0.0 {
-            self.nearest = self.nearest.max(rest / beside);
-        }
-        let parts = self.columns.iter().zip(factors);
-        let parts = parts.filter_map(|(&(name, other), factor)| {
-            let share = factor.abs() * length(other);
-            let integer = factor.round();
-            let near = (factor - integer).abs() <= ROUNDED;
-            (share > ROUNDED * whole).then_some((name, if near { integer } else { factor }))
+    fn is_zero(self) -> bool {
+        self.value.to_f64() == 0.0 && self.variance == 0.0
+    }
+
+    /// Less a product.
+    fn less(self, part: Self, entry: Self) -> Self {
+        let term = part.value * entry.value;
+        let [of_part, of_entry, of_term] = [part.value, entry.value, term].map(|x| {
+            let size = x.to_f64();
+            size * size
         });
-        Some(parts.collect())
+        Self {
+            value: self.value - term,
+            variance: self.variance
+                + part.variance * of_entry
+                + entry.variance * of_part
+                + ROUNDOFF * ROUNDOFF * of_term,
+        }
+    }
+
+    /// A quotient by another one, whose inverse is given.
+    fn over(self, inverse: Double, of: Self) -> Self {
+        let (value, scale) = (self.value * inverse, inverse.to_f64());
+        let size = value.to_f64();
+        Self {
+            value,
+            variance: (self.variance + size * size * of.variance) * scale * scale,
+        }
+    }
+
+    /// How many times its rounding error it is.
+    fn told(self) -> f64 {
+        if self.value.to_f64() == 0.0 {
+            return 0.0;
+        }
+        self.value.to_f64().abs() / self.variance.sqrt()
     }
 }
 
-fn length(a: &[f64]) -> f64 {
-    dot(a, a).sqrt()
+/// A column that does not depend on those before.
+struct Kept {
+    /// None of one that is of no parameter.
+    name: Option<ParameterId>,
+    entries: Vec<Double>,
+    /// The row in which it has 1 once what depends on others is taken off, and later columns have 0.
+    pivot: usize,
+    reduced: Vec<Rest>,
+    /// How much of the reduced columns it is, its own last.
+    parts: Vec<Double>,
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
+impl Span {
+    /// Adds a column; or, where it depends on those that are there, returns how much of each it is.
+    pub(super) fn take(
+        &mut self,
+        name: Option<ParameterId>,
+        column: impl Iterator<Item = Entry>,
+    ) -> Option<Combination> {
+        let column: Vec<Entry> = column.collect();
+        let (rest, mut parts) = self.reduce(&column);
+        let left = rest.iter().map(|rest| rest.told()).fold(0.0, f64::max);
+        if left <= TOLD {
+            self.left.most = self.left.most.max(left);
+            return Some(self.combination(parts, &column));
+        }
+        self.left.least = self.left.least.min(left);
+        let told = |row: &usize| match rest[*row].told() > TOLD {
+            true => rest[*row].value.to_f64().abs(),
+            false => 0.0,
+        };
+        let largest = (0..rest.len()).max_by(|a, b| told(a).total_cmp(&told(b)));
+        let pivot = largest.unwrap_or(0);
+        let inverse = Double::from(1.0) / rest[pivot].value;
+        parts.push(rest[pivot].value);
+        let reduced = rest.iter().map(|entry| entry.over(inverse, rest[pivot]));
+        self.kept.push(Kept {
+            name,
+            entries: column.into_iter().map(|(entry, _)| entry).collect(),
+            pivot,
+            reduced: reduced.collect(),
+            parts,
+        });
+        None
+    }
 
-/// Adds so much of another one, which may be shorter.
-fn add(sum: &mut [f64], other: &[f64], factor: f64) {
-    for (sum, other) in sum.iter_mut().zip(other) {
-        *sum += factor * other;
+    /// What is left of a column, and how much of the reduced columns is taken off.
+    fn reduce(&self, column: &[Entry]) -> (Vec<Rest>, Vec<Double>) {
+        let mut rest: Vec<Rest> = column.iter().copied().map(Rest::of).collect();
+        let mut parts = Vec::with_capacity(self.kept.len() + 1);
+        for kept in &self.kept {
+            let part = rest[kept.pivot];
+            parts.push(part.value);
+            if part.is_zero() {
+                continue;
+            }
+            for (rest, entry) in rest.iter_mut().zip(&kept.reduced) {
+                if !entry.is_zero() {
+                    *rest = rest.less(part, *entry);
+                }
+            }
+            rest[kept.pivot] = Rest::of((Double::ZERO, 0.0));
+        }
+        (rest, parts)
+    }
+
+    /// The columns that others were reduced from, of parts of the reduced ones; without what is nothing in every row.
+    fn combination(&self, mut parts: Vec<Double>, column: &[Entry]) -> Combination {
+        let mut combination = Vec::new();
+        for (place, kept) in self.kept.iter().enumerate().rev() {
+            let factor = parts[place] / kept.parts[place];
+            for (part, of_kept) in parts.iter_mut().zip(&kept.parts[..place]) {
+                *part = *part - factor * *of_kept;
+            }
+            let mut terms = kept.entries.iter().zip(column);
+            let is_there = terms.any(|(entry, (_, size))| {
+                (factor * *entry).to_f64().abs() > NOTHING * size && *size > 0.0
+            });
+            if is_there {
+                combination.extend(kept.name.map(|name| (name, factor)));
+            }
+        }
+        combination.reverse();
+        combination
     }
 }

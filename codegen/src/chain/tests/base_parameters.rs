@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::{fine, read};
 use crate::Real;
+use crate::chain::base_parameters::Group;
 use crate::chain::{Chain, build};
 use crate::description::{Description, read_file};
 use crate::error::Errors;
@@ -14,6 +15,20 @@ use crate::list::Id;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Program, run};
 use crate::space::{FrameId, Space, Spaces, Variable};
+
+fn built(description: &Description, request: &Request) -> Chain {
+    let chain = build(description, request).unwrap_or_else(|errors| panic!("{errors}"));
+    chain.identified()
+}
+
+fn identified(text: &str) -> Chain {
+    fine(text).identified()
+}
+
+fn groups(chain: &Chain) -> &[Group] {
+    let found = chain.base_parameters.as_ref();
+    &found.expect("it is identified").groups
+}
 
 /// So many states that rows are more than columns.
 const STATES: u64 = 40;
@@ -26,7 +41,7 @@ fn shipped(name: &str) -> Chain {
     let mut errors = Errors::new();
     let described: Option<Description> = read_file(Path::new(&file), None, &mut errors);
     let described = described.expect("a robot that ships");
-    build(&described, &Request::default()).unwrap_or_else(|errors| panic!("{errors}"))
+    built(&described, &Request::default())
 }
 
 fn program_of(chain: &Chain, function: Function) -> Program {
@@ -107,7 +122,7 @@ fn hold(chain: &Chain) -> usize {
         Function::InverseDynamics,
     ]
     .map(|function| program_of(chain, function));
-    let groups = &chain.base_parameters.groups;
+    let groups = groups(chain);
     let mut columns = vec![Vec::new(); all];
     for state in 0..STATES {
         let [regressor, base, torques] =
@@ -180,7 +195,7 @@ fn drives_are_told_with_links_or_alone() {
             env!("CARGO_MANIFEST_DIR")
         );
         let described = read_file(Path::new(&file), None, &mut Errors::new());
-        build(&described.expect("a robot that ships"), request).expect("a chain")
+        built(&described.expect("a robot that ships"), request)
     };
     let chain = of(&Request {
         friction: true,
@@ -218,7 +233,7 @@ fn drives_on_every_kind_of_joint_and_of_followers() {
         "floating",
     ] {
         for mimic in ["", "mimic: one, multiplier: -2.0, "] {
-            let chain = fine(&format!(
+            let chain = identified(&format!(
                 "struct Robot; link base; {links}
                 joint one: revolute(z) {{ from: base, to: a, armature: 0.25, friction: 0.5 }}
                 joint two: {joint} {{ from: a, to: b, at: xyz(0.2, 0.1, 0.3) rpy(0.4, -0.3, 0.2), damping: 0.5 }}
@@ -233,14 +248,14 @@ fn drives_on_every_kind_of_joint_and_of_followers() {
 #[test]
 fn every_kind_of_joint_on_a_tree_of_oblique_axes() {
     let (description, request) = read(include_str!("../../layout/oblique.txt"));
-    let chain = build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let chain = built(&description, &request);
     assert!(hold(&chain) > 0);
 }
 
 #[test]
 fn without_gravity_less_can_be_told() {
     let arm = |gravity: &str| {
-        fine(&format!(
+        identified(&format!(
             "struct Arm {{ gravity: {gravity} }}
             link base;
             joint shoulder: revolute([0.36, 0.48, 0.8]) {{ from: base, to: upper, at: xyz(0.1, 0.2, 0.3) rx(0.3) }}
@@ -257,13 +272,13 @@ fn without_gravity_less_can_be_told() {
 #[test]
 fn what_cannot_be_told_is_in_no_group() {
     // About a vertical axis nothing but the moment about it is felt.
-    let chain = fine(
+    let chain = identified(
         "struct Turntable { }
         link base;
         joint pan: revolute(z) { from: base, to: plate, at: xyz(1, 2, 3) }
         link plate { mass: 3.0, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.2, 0.15] }",
     );
-    let members: Vec<_> = (chain.base_parameters.groups.iter())
+    let members: Vec<_> = (groups(&chain).iter())
         .map(|group| group.members.iter().map(|&(k, factor)| (k.index(), factor)))
         .map(Vec::from_iter)
         .collect();
@@ -325,7 +340,7 @@ fn base_parameters_are_refused_where_fields_reveal_others() {
             }],
             ..Request::default()
         };
-        let chain = build(&described, &request).unwrap_or_else(|errors| panic!("{errors}"));
+        let chain = built(&described, &request);
         let spaces = chain.spaces();
         let [all, some] = [Space::Parameters, Space::BaseParameters].map(|space| spaces.len(space));
         let rank = rank_elsewhere(&chain, Function::Regressor, all);

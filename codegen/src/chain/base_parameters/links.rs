@@ -1,0 +1,127 @@
+//! The links of a chain, and which of them are looked at together.
+//!
+//! In: a chain. Out: how its links hang on each other, the numbers of their parameters, and at how many states each is
+//! looked at. It computes no motion.
+
+use super::blocks::{Hung, blocks};
+use super::numbers::{DRIVE, MOMENTS, Numbers, PLACES};
+use crate::chain::{BodyId, Chain};
+use crate::dense::Matrix;
+use crate::expression::Double;
+use crate::list::{Id, List, id};
+use crate::space::ParameterId;
+
+id! {
+    /// The number of a link that a joint moves, in the order of the inertial parameters.
+    LinkId
+}
+
+/// The links of a chain.
+pub(super) struct Links<'c> {
+    pub(super) chain: &'c Chain,
+    /// The body that each link is.
+    pub(super) bodies: List<LinkId, BodyId>,
+    /// For each link the bodies of the joints between it and the one it hangs on, from the base outwards.
+    pub(super) own: List<LinkId, Vec<BodyId>>,
+    hung: List<LinkId, Hung>,
+}
+
+/// Links that are looked at together.
+pub(super) struct Together {
+    /// Those that the others hang on, in order.
+    pub(super) outer: Vec<LinkId>,
+    /// In order.
+    pub(super) links: Vec<LinkId>,
+    /// How many kinetic and potential energies are looked at: as many as there are columns, and more.
+    pub(super) rows: [usize; 2],
+}
+
+/// How many more energies are looked at than would do if each told something new.
+const MORE: usize = 6;
+
+impl<'c> Links<'c> {
+    pub(super) fn of(chain: &'c Chain) -> Self {
+        let inwards =
+            |body: BodyId| std::iter::successors(Some(body), |&body| chain.joints[body].parent);
+        let is_link = |body: &BodyId| chain.joints[*body].link.is_some();
+        let bodies: List<LinkId, BodyId> = chain.joints.ids().filter(is_link).collect();
+        let mut links: List<BodyId, Option<LinkId>> = chain.joints.map(|_| None);
+        let (mut own, mut hung) = (List::new(), List::new());
+        for (link, &body) in bodies.numbered() {
+            let parent = inwards(body).skip(1).find(is_link);
+            let between = inwards(body).take_while(|&other| Some(other) != parent);
+            let mut between: Vec<BodyId> = between.collect();
+            between.reverse();
+            let velocities = between.iter().map(|&body| chain.joints[body].velocity);
+            hung.push(Hung {
+                parent: parent.and_then(|parent| links[parent]),
+                velocities: velocities.collect(),
+            });
+            own.push(between);
+            links[body] = Some(link);
+        }
+        Self {
+            chain,
+            bodies,
+            own,
+            hung,
+        }
+    }
+
+    /// The blocks of links, outermost first.
+    pub(super) fn together(&self) -> Vec<Together> {
+        let blocks = blocks(&self.hung, self.chain.spaces().velocities.len()).into_iter();
+        let together = blocks.map(|links| {
+            let parents = links.iter().filter_map(|&link| self.hung[link].parent);
+            let mut outer: Vec<LinkId> = parents.filter(|link| !links.contains(link)).collect();
+            outer.sort_unstable();
+            outer.dedup();
+            let count = outer.len() + links.len();
+            let armatures: usize = links.iter().map(|&link| self.own[link].len()).sum();
+            // Of potential energies, a constant is one more column.
+            let rows = [MOMENTS * count + armatures + MORE, 4 * count + 1 + MORE];
+            Together { outer, links, rows }
+        });
+        together.collect()
+    }
+
+    /// At how many states each body is looked at: as often as any link that its joint moves.
+    pub(super) fn often(&self, together: &[Together]) -> List<BodyId, usize> {
+        let mut often = self.chain.joints.map(|_| 0);
+        for Together { outer, links, rows } in together {
+            for &link in outer.iter().chain(links) {
+                let body = self.bodies[link];
+                often[body] = often[body].max(rows[0]).max(rows[1]);
+            }
+        }
+        for (body, joint) in self.chain.joints.numbered().rev() {
+            if let Some(parent) = joint.parent {
+                often[parent] = often[parent].max(often[body]);
+            }
+        }
+        often
+    }
+
+    /// The number of a link's parameter.
+    pub(super) fn moment(link: LinkId, moment: usize) -> ParameterId {
+        ParameterId::new(MOMENTS * link.index() + moment)
+    }
+
+    /// The numbers of a joint's armature, damping and friction, which are behind those of all links; none where they are
+    /// not identified.
+    pub(super) fn drive(&self, joint: BodyId) -> Option<[ParameterId; DRIVE]> {
+        let first = ParameterId::new(MOMENTS * self.bodies.len() + DRIVE * joint.index());
+        let identified = self.chain.identifies_drives;
+        identified.then(|| [0, 1, 2].map(|part| first.plus(part)))
+    }
+
+    /// All parameters as described, in their order.
+    pub(super) fn described(&self, numbers: &Numbers) -> List<ParameterId, Double> {
+        let moments = numbers.inertias.iter();
+        let moments = moments.flat_map(|Matrix(j)| PLACES.map(|(row, column)| j[row][column]));
+        let drives = numbers.drives.iter().flatten().copied();
+        moments
+            .chain(drives.filter(|_| self.chain.identifies_drives))
+            .collect()
+    }
+}

@@ -1,0 +1,220 @@
+//! Base parameters, held against torques of the description.
+//!
+//! In: a description, what is asked for of it, and a chain whose base parameters have been found. Out: nothing, or a
+//! mistake. With Y_b, the columns of the regressor that lead a group, and K, the factors of all parameters in the groups,
+//! each column of Y has to be that of Y_b K; and the columns of Y_b must not depend on each other. Both are asked of
+//! torques at independent states, by products of dense matrices; base parameters are found by energies in link frames.
+
+mod independent;
+
+use std::collections::BTreeSet;
+
+use super::robot::{Contradiction, robot};
+use super::states::wide;
+use super::{FAULT, printable};
+use crate::chain::Chain;
+use crate::chain::base_parameters::BaseParameters;
+use crate::dense::{Approximate, Columns, Dense, Motion};
+use crate::description::{Description, freed};
+use crate::error::Errors;
+use crate::expression::Double;
+use crate::list::List;
+use crate::request::Request;
+use crate::space::{ParameterId, VelocityId};
+use crate::wording::quoted;
+use independent::{Dependent, Rows, first_dependent, own_rows};
+
+/// A column may be off by so much, beside itself.
+const OFF: f64 = 1e-10;
+
+/// What is left beside the size of what an entry is a sum of is rounding of 106 bits.
+const ROUNDED: f64 = 1e-24;
+
+/// At so many more states a block of columns is looked at than would do if each told something new.
+const MORE: usize = 2;
+
+/// At so many states all columns are looked at.
+const CHECKED: usize = 2;
+
+/// The regressor at a state: Y, and the sizes of what its entries are sums of; and torques of the motion.
+struct Seen {
+    torques: List<VelocityId, Approximate>,
+    regressor: Columns<Approximate>,
+    sizes: Columns<f64>,
+}
+
+/// Holds the base parameters of a chain against its description, fields being what is described in their place.
+///
+/// # Errors
+/// Where one is not a number in the type that it is printed for; where 106 bits do not tell which columns depend on each
+/// other; where torques by base parameters would be others, or base parameters depend on each other.
+pub fn judge_base_parameters(
+    description: &Description,
+    request: &Request,
+    chain: &Chain,
+) -> Result<(), Errors> {
+    let (description, request) = &freed(description, request);
+    let Some(base) = &chain.base_parameters else {
+        return Ok(());
+    };
+    let place = description.name.place;
+    let values = base.groups.iter().map(|group| group.value);
+    printable((&chain.source, place), values, request.scalar)?;
+    let mut errors = chain.source.errors();
+    if base.is_uncertain() {
+        let message = "base parameters cannot be told apart: torques of one inertial parameter are so nearly those of \
+                       others together that 106 bits do not decide";
+        errors.push_with_hint(place, message, UNCERTAIN);
+        return Err(errors);
+    }
+    let counts = base.blocks.iter().map(|block| block.leaders.len() + MORE);
+    let counts: Vec<usize> = counts.collect();
+    let most = counts.iter().copied().max().unwrap_or(0).max(CHECKED);
+    let mut seen = Vec::new();
+    let mut rows: Vec<Rows> = base.blocks.iter().map(|_| Vec::new()).collect();
+    for (k, state) in wide(chain, most).into_iter().enumerate() {
+        let robot = match robot(description, request, chain, &state.fields) {
+            Ok(robot) => robot,
+            Err(Contradiction(what)) => {
+                let message = format!("chain and description disagree: {what}");
+                errors.push_with_hint(place, message, FAULT);
+                return Err(errors);
+            }
+        };
+        let wanted = base.blocks.iter().zip(&counts);
+        let wanted = wanted.filter(|(_, count)| **count > k);
+        let wanted: BTreeSet<ParameterId> = wanted
+            .flat_map(|(block, _)| block.leaders.clone())
+            .collect();
+        let is_wanted = |parameter: ParameterId| k < CHECKED || wanted.contains(&parameter);
+        let dense = Dense::of(robot, state);
+        let (regressor, sizes) = dense.regressor_and_sizes(is_wanted);
+        let at = Seen {
+            torques: dense.torques(Motion::Driven),
+            regressor,
+            sizes,
+        };
+        for ((block, rows), count) in base.blocks.iter().zip(&mut rows).zip(&counts) {
+            if *count > k {
+                rows.extend(own_rows(block, &at));
+            }
+        }
+        if k < CHECKED {
+            seen.push(at);
+        }
+    }
+    let name = |parameter: ParameterId| quoted(&chain.spaces().parameters[parameter].name);
+    if let Some(wrong) = first_wrong(base, &seen) {
+        let name = name(wrong.parameter);
+        if wrong.is_rounding {
+            let message = format!(
+                "base parameters cannot be told apart: factors of {name} would lose too many digits in 64 bits"
+            );
+            errors.push_with_hint(place, message, UNCERTAIN);
+        } else {
+            let message = format!(
+                "torques of {name} by base parameters would be off by {:.0e} of themselves",
+                wrong.off
+            );
+            errors.push_with_hint(place, message, FAULT);
+        }
+    } else if let Some((row, [found, expected])) = first_wrong_torque(base, &seen) {
+        let joint = quoted(&chain.spaces().velocities[row].name);
+        let message = format!(
+            "the torque of joint {joint} by base parameters would be {found:e}, and is {expected:e} by the description"
+        );
+        errors.push_with_hint(place, message, FAULT);
+    } else if let Some(Dependent(parameter)) = first_dependent(base, &seen[0], rows) {
+        let name = name(parameter);
+        let message = format!("base parameters would depend on each other: {name} on others");
+        errors.push_with_hint(place, message, FAULT);
+    }
+    errors.into_result(())
+}
+
+/// What to do where base parameters cannot be told apart.
+const UNCERTAIN: &str = "ask for `regressor`, whose columns are of all parameters; or write angles, axes and lengths \
+                         that are meant to be the same with the same digits, or model a robot whose masses and lengths \
+                         differ less";
+
+/// How far torques by values of base parameters may be off, beside what they are sums of.
+const VALUED: f64 = 1e-12;
+
+/// The first torque that values of base parameters make another one, and both.
+fn first_wrong_torque(base: &BaseParameters, seen: &[Seen]) -> Option<(VelocityId, [f64; 2])> {
+    seen.iter().find_map(|at| {
+        at.torques.numbered().find_map(|(row, torque)| {
+            let terms = base.groups.iter().map(|group| {
+                let entry = at.regressor[group.leader()][row].to_f64();
+                (entry * group.value, entry.abs() * group.size)
+            });
+            let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), (term, of_term)| {
+                (sum + term, size + of_term)
+            });
+            let torque_size = torque.noise();
+            let expected = torque.to_f64();
+            // What is not a number is not right.
+            let right = (sum - expected).abs() <= VALUED * size + torque_size;
+            (!right).then_some((row, [sum, expected]))
+        })
+    })
+}
+
+/// A parameter whose column is not what base parameters make of it.
+struct Wrong {
+    parameter: ParameterId,
+    /// How far it is off, beside itself.
+    off: f64,
+    /// Whether the rounding of factors to `f64` explains it.
+    is_rounding: bool,
+}
+
+/// The first column of Y that is another one in Y_b K.
+fn first_wrong(base: &BaseParameters, seen: &[Seen]) -> Option<Wrong> {
+    let first = &seen.first()?.regressor;
+    let mut factors: List<ParameterId, Vec<(ParameterId, f64)>> = first.map(|_| Vec::new());
+    for group in &base.groups {
+        for &(member, factor) in &group.members {
+            factors[member].push((group.leader(), factor));
+        }
+    }
+    let rows = first.iter().next().map(|column| column.ids())?;
+    factors.numbered().find_map(|(parameter, terms)| {
+        // Rows have units of their own.
+        let mut rows = rows.clone();
+        rows.find_map(|row| wrong(parameter, terms, row, seen))
+    })
+}
+
+fn wrong(
+    parameter: ParameterId,
+    terms: &[(ParameterId, f64)],
+    row: VelocityId,
+    seen: &[Seen],
+) -> Option<Wrong> {
+    let (mut off, mut whole, mut sum, mut size) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+    for Seen {
+        regressor, sizes, ..
+    } in seen
+    {
+        let expected = regressor[parameter][row].value;
+        let (mut rest, mut magnitude) = (expected, 0.0);
+        for &(leader, factor) in terms {
+            let term = Double::from(factor) * regressor[leader][row].value;
+            rest = rest - term;
+            magnitude += term.to_f64().abs();
+            size = size.max(factor.abs() * sizes[leader][row]);
+        }
+        off = off.max(rest.to_f64().abs());
+        whole = whole.max(expected.to_f64().abs());
+        sum = sum.max(magnitude);
+        size = size.max(sizes[parameter][row]);
+    }
+    // What is not a number is not right.
+    let right = off <= OFF * whole + ROUNDED * size;
+    (!right).then(|| Wrong {
+        parameter,
+        off: off / whole,
+        is_rounding: off <= 4.0 * f64::EPSILON * sum + ROUNDED * size,
+    })
+}

@@ -1,0 +1,101 @@
+//! Whether columns of the regressor depend on each other, by elimination of rows.
+//!
+//! In: the blocks in which base parameters were found, and rows of regressors. Out: the first column that depends
+//! on others. Rows of a block's velocities are zero in columns of blocks further inwards, which is looked at first: so
+//! the columns are independent if those of each block are in its own rows.
+
+use std::collections::BTreeSet;
+
+use super::{ROUNDED, Seen};
+use crate::chain::base_parameters::{BaseParameters, Block};
+use crate::expression::Double;
+use crate::space::ParameterId;
+
+/// A base parameter that depends on others.
+pub(super) struct Dependent(pub(super) ParameterId);
+
+/// The rows of a block's velocities in the columns of its leaders, at some states.
+pub(super) type Rows = Vec<Vec<Entry>>;
+
+/// An entry, and the size of what it is a sum of.
+type Entry = (Double, f64);
+
+/// Those of a state.
+pub(super) fn own_rows(block: &Block, at: &Seen) -> impl Iterator<Item = Vec<Entry>> {
+    block.velocities.iter().map(|&row| {
+        let leaders = block.leaders.iter();
+        let entry = |&of: &ParameterId| (at.regressor[of][row].value, at.sizes[of][row]);
+        leaders.map(entry).collect()
+    })
+}
+
+/// The first column that depends on others.
+pub(super) fn first_dependent(
+    base: &BaseParameters,
+    at: &Seen,
+    rows: Vec<Rows>,
+) -> Option<Dependent> {
+    let leaders = base.blocks.iter().flat_map(|block| &block.leaders);
+    let leaders: BTreeSet<ParameterId> = leaders.copied().collect();
+    if let Some(unknown) = base.columns().find(|column| !leaders.contains(column)) {
+        return Some(Dependent(unknown));
+    }
+    // Of each velocity, which block it is of.
+    let mut inner: Vec<ParameterId> = Vec::new();
+    for block in base.blocks.iter().rev() {
+        let sees = |&parameter: &ParameterId| {
+            let mut rows = block.velocities.iter();
+            rows.any(|&row| at.sizes[parameter][row] > 0.0)
+        };
+        if let Some(seen) = inner.iter().copied().find(sees) {
+            return Some(Dependent(seen));
+        }
+        inner.extend(&block.leaders);
+    }
+    let mut blocks = base.blocks.iter().zip(rows);
+    blocks.find_map(|(block, rows)| Some(Dependent(block.leaders[dependent(rows)?])))
+}
+
+/// The first column that has no pivot in some rows: complete pivoting, by what is left of entries beside the sizes of what
+/// they are sums of.
+fn dependent(mut rows: Rows) -> Option<usize> {
+    let mut columns: Vec<usize> = (0..rows.first().map_or(0, Vec::len)).collect();
+    while let Some(&first) = columns.first() {
+        let places =
+            (0..rows.len()).flat_map(|row| columns.iter().map(move |&column| (row, column)));
+        let left = |&(row, column): &(usize, usize)| {
+            let (entry, size): Entry = rows[row][column];
+            let known = entry.to_f64().abs() / size;
+            if known > ROUNDED { known } else { 0.0 }
+        };
+        let best = places.max_by(|a, b| left(a).total_cmp(&left(b)));
+        let Some((row, column)) = best.filter(|place| left(place) > 0.0) else {
+            return Some(first);
+        };
+        let pivot = rows.swap_remove(row);
+        columns.retain(|other| *other != column);
+        let inverse = Double::from(1.0) / pivot[column].0;
+        for row in &mut rows {
+            let factor = row[column].0 * inverse;
+            reduce(row, &pivot, factor, &columns);
+        }
+    }
+    None
+}
+
+/// Takes a multiple of a row off another one, in some columns.
+fn reduce(row: &mut [Entry], pivot: &[Entry], factor: Double, columns: &[usize]) {
+    let scale = factor.to_f64();
+    if scale == 0.0 {
+        return;
+    }
+    for &column in columns {
+        let (entry, size) = row[column];
+        let (term, of_term) = pivot[column];
+        let of_term = scale * of_term;
+        row[column] = (
+            entry - factor * term,
+            (size * size + of_term * of_term).sqrt(),
+        );
+    }
+}

@@ -1,0 +1,117 @@
+//! Sizes of what the entries of the regressor are sums of.
+//!
+//! In: a posture and rates. Out: for each parameter and velocity the product of lengths of vectors whose components the
+//! entry is made of. They are lengths and not sums of magnitudes, so that no number of turns makes them larger than what
+//! rounding errors come from.
+
+use super::{MOMENTS, Posture, Rates, Scalar};
+use crate::dense::{BodyId, Columns, Matrix};
+use crate::list::{Id, List};
+use crate::space::{ParameterId, VelocityId};
+
+/// Lengths of the parts of L, of the terms of W or of those of H.
+#[derive(Clone, Copy, Default)]
+struct Lengths {
+    turn: f64,
+    slide: f64,
+}
+
+impl Lengths {
+    fn of(screw: &Matrix<Scalar>) -> Self {
+        let [x, y, z, a, b, c] = screw.vectors().map(Scalar::to_f64);
+        let length = |x: f64, y: f64, z: f64| (x * x + y * y + z * z).sqrt();
+        Self {
+            turn: length(x, y, z),
+            slide: length(a, b, c),
+        }
+    }
+
+    fn times(self, factor: f64) -> Self {
+        Self {
+            turn: factor * self.turn,
+            slide: factor * self.slide,
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            turn: self.turn + other.turn,
+            slide: self.slide + other.slide,
+        }
+    }
+
+    /// Those at a point so far from the origin.
+    fn at(self, distance: f64) -> Self {
+        Self {
+            turn: self.turn,
+            slide: self.slide + self.turn * distance,
+        }
+    }
+}
+
+impl Posture {
+    /// The sizes of the entries of the regressor's columns; of a link of which none is wanted they are empty.
+    pub(in crate::dense) fn regressor_sizes(
+        &self,
+        rates: &Rates,
+        is_wanted: impl Fn(ParameterId) -> bool,
+    ) -> Columns<f64> {
+        let accelerations = self.acceleration_lengths(rates);
+        let mut columns: Columns<f64> = List::new();
+        for &link in &self.robot.links {
+            if !(0..MOMENTS).any(|moment| is_wanted(columns.next().plus(moment))) {
+                columns.extend((0..MOMENTS).map(|_| List::new()));
+                continue;
+            }
+            let [x, y, z] = self.poses[link].column().map(Scalar::to_f64);
+            let distance = (x * x + y * y + z * z).sqrt();
+            let h = accelerations[link].at(distance);
+            // Of m, of each of q and of each entry of J.
+            let mut sizes = [(); 3].map(|()| self.nothing().map(|_| 0.0));
+            for body in self.inwards(link) {
+                for (velocity, screw) in &self.screws[body] {
+                    let l = Lengths::of(screw).at(distance);
+                    sizes[0][*velocity] += h.slide * l.slide;
+                    sizes[1][*velocity] += h.slide * l.turn + h.turn * l.slide;
+                    sizes[2][*velocity] += h.turn * l.turn;
+                }
+            }
+            for (sizes, count) in sizes.iter().zip([1, 3, 6]) {
+                columns.extend(std::iter::repeat_n(sizes.clone(), count));
+            }
+        }
+        let drives = self.regressor_of_drives(rates);
+        columns.extend(drives.iter().map(|column| column.map(|entry| entry.size())));
+        columns
+    }
+
+    /// Lengths of the terms of H against gravity, of each body.
+    fn acceleration_lengths(&self, rates: &Rates) -> List<BodyId, Lengths> {
+        let gravity = self.gravity().map(Scalar::to_f64);
+        let gravity = gravity
+            .iter()
+            .map(|entry| entry * entry)
+            .sum::<f64>()
+            .sqrt();
+        let mut motions: List<BodyId, [Lengths; 2]> = List::new();
+        for (body, screws) in self.robot.bodies.iter().zip(&self.screws) {
+            let rest = [
+                Lengths::default(),
+                Lengths {
+                    turn: 0.0,
+                    slide: gravity,
+                },
+            ];
+            let [w, h] = body.parent.map_or(rest, |parent| motions[parent]);
+            let sum = |of: &List<VelocityId, Scalar>| {
+                let terms = screws.iter();
+                let terms = terms.map(|(k, screw)| Lengths::of(screw).times(of[*k].size()));
+                terms.fold(Lengths::default(), Lengths::plus)
+            };
+            let (own, second) = (sum(&rates.first), sum(&rates.second));
+            let squares = own.times(own.turn).plus(own.times(2.0 * w.turn));
+            motions.push([w.plus(own), h.plus(second).plus(squares)]);
+        }
+        motions.map(|[_, h]| *h)
+    }
+}

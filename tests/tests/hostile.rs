@@ -189,6 +189,7 @@ fn a_struct_may_have_any_name() {
     assert_eq!(namesakes::T::chain().joints, joints);
     assert_eq!(namesakes::k::k::chain().joints, joints);
     assert_eq!(namesakes::t_1::t_1::chain().joints, joints);
+    assert_eq!(namesakes::q::q::chain().joints, joints);
 }
 
 #[test]

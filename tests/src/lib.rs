@@ -16,6 +16,7 @@ pub mod fused_sines;
 pub mod hexadecimal;
 pub mod humanoid;
 pub mod jointed;
+pub mod mechanisms;
 pub mod metrics;
 pub mod oracle;
 pub mod robots;

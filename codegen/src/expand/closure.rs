@@ -9,6 +9,7 @@
 mod measured;
 
 use crate::chain::{Chain, Loop};
+use crate::closure::Row;
 use crate::error::{Complaint, Errors};
 use crate::space::Kind;
 use crate::wording::{list, quoted};
@@ -71,6 +72,11 @@ impl Measured {
         self.is_constant() && self.value.abs() > LEAST * self.size && self.value.abs() > ROUNDED
     }
 
+    /// Joints change it, but less than a constraint can be meant to be changed.
+    fn is_slight(&self) -> bool {
+        !self.is_constant() && self.share <= SLIGHT
+    }
+
     fn is_explained_by_rounding(&self) -> bool {
         self.share <= ROUNDED && self.value.abs() <= ROUNDED
     }
@@ -78,35 +84,36 @@ impl Measured {
 
 /// Errors of one loop.
 fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
-    let before = errors.complaints().len();
     let name = quoted(&closed.name);
-    for (row, measured) in closed.rows.iter().zip(measured) {
-        let residual = quoted(&row.name(&closed.name));
-        if measured.is_open() {
-            let unit = if row.kind() == Kind::Slide { " m" } else { "" };
-            let value = measured.value;
-            errors.push_with_hint(
-                closed.place,
-                format!(
-                    "loop {name} cannot close: {residual} is {value}{unit} whatever the joints do"
-                ),
-                "put it elsewhere by `at` or `to_at`, or give it a type that leaves this free",
-            );
-        } else if !measured.is_constant() && measured.share <= SLIGHT {
-            let share = measured.share;
-            errors.push_with_hint(
-                closed.place,
-                format!(
-                    "loop {name} blocks the joints: they change {residual} by {share:.0e} of what they move the \
-                     links by, at most"
-                ),
-                "axes that should be parallel or at right angles are not: write axes and angles with more \
-                 digits, or give the loop a type that leaves this free",
-            );
-        }
+    let residual = |row: &Row| quoted(&row.name(&closed.name));
+    let rows = || closed.rows.iter().zip(measured);
+    for (row, measured) in rows().filter(|(_, measured)| measured.is_open()) {
+        let unit = if row.kind() == Kind::Slide { " m" } else { "" };
+        let (residual, value) = (residual(row), measured.value);
+        errors.push_with_hint(
+            closed.place,
+            format!("loop {name} cannot close: {residual} is {value}{unit} whatever the joints do"),
+            "put it elsewhere by `at` or `to_at`, or give it a type that leaves this free",
+        );
     }
-    let holds_nothing = measured.iter().all(Measured::is_constant);
-    if holds_nothing && errors.complaints().len() == before {
+    let slight = rows().filter(|(_, measured)| measured.is_slight());
+    let (slight, shares): (Vec<String>, Vec<f64>) = slight
+        .map(|(row, measured)| (residual(row), measured.share))
+        .unzip();
+    if let Some(share) = shares.into_iter().reduce(f64::max) {
+        let residuals = list(slight.iter().map(String::as_str));
+        errors.push_with_hint(
+            closed.place,
+            format!(
+                "loop {name} blocks the joints: they change {residuals} by at most {share:.0e} of what they move the \
+                 links by"
+            ),
+            "axes that should be parallel or at right angles are not: write axes and angles with more digits, or \
+             give the loop a type that leaves this free",
+        );
+    }
+    let is_whole = !measured.iter().any(|measured| measured.is_open());
+    if is_whole && measured.iter().all(Measured::is_constant) {
         let message = format!("loop {name} holds nothing: it is closed whatever the joints do");
         errors.push_with_hint(closed.place, message, "leave it out");
     }
@@ -129,7 +136,7 @@ fn warning(closed: &Loop, measured: &[Measured]) -> Option<Complaint> {
     Some(Complaint {
         place: closed.place,
         message: format!(
-            "loop {}: {names} {is} taken as zero, being {most:.0e} of what the joints move, at most",
+            "loop {}: {names} {is} taken as zero, being at most {most:.0e} of what the joints move",
             quoted(&closed.name)
         ),
         hint: Some("write axes, angles and offsets with more digits".to_owned()),

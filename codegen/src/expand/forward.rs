@@ -7,7 +7,7 @@
 use super::measured::{ENOUGH, LIMIT, Measure, Off, allowed};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
-use crate::chain::Chain;
+use crate::chain::{Chain, Joint, Mimicked};
 use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function;
@@ -16,7 +16,7 @@ use crate::model::{Congruence, Way};
 use crate::real::Real;
 use crate::request::Request;
 use crate::space::FrameId;
-use crate::wording::list;
+use crate::wording::{list, quoted};
 
 /// Beyond which a robot is told that no form is any better \[u\].
 const DOUBTFUL: f64 = 10.0 * LIMIT;
@@ -144,9 +144,8 @@ pub(super) fn hopeless(
     (scalar, frame): (Real, Frame),
 ) -> Errors {
     let mut errors = chain.source.errors();
-    let complaint = complaint(
-        chain,
-        worst,
+    let cause = Cause::of(chain, worst);
+    let complaint = cause.complaint(
         scalar,
         &format!(
             "{} would lose {}",
@@ -154,10 +153,9 @@ pub(super) fn hopeless(
             lost(functions, error, scalar)
         ),
     );
-    let hint = match (frame, scalar) {
-        (Frame::Base, _) => "leave frame_0 out: link frames keep the digits that it loses",
-        (_, Real::F32) => "generate it for f64, or model a robot whose masses differ less",
-        (_, Real::F64 | Real::Generic) => "model a robot whose masses and lengths differ less",
+    let hint = match frame {
+        Frame::Base => "leave frame_0 out: link frames keep the digits that it loses".to_owned(),
+        Frame::Link => cause.remedy(scalar),
     };
     errors.push_with_hint(
         complaint.place,
@@ -222,7 +220,8 @@ fn doubt(
             ..Formulation::default()
         };
         let by = format!("{name} with {}", form.words().concat());
-        (error, LIMIT, by, "leave the form to the engine")
+        let hint = "leave the form to the engine".to_owned();
+        (error, LIMIT, by, hint)
     } else if !harmless {
         let plain = match request.formulation.frame {
             Frame::Link => Way::PLAIN,
@@ -231,21 +230,17 @@ fn doubt(
         let forms = rounds(chain, functions, request.formulation).into_iter();
         let ways = forms.flatten().map(|form| form.along(plain));
         let off = least_error(chain, worst, functions, scalar, ways);
-        let hint = "generate it for f64, or model a robot whose masses and lengths differ less";
         // What no form helps is refused, function by function.
         let off = Some(off).filter(|off| keeps_half(off.eighth, scalar))?;
+        let hint = Cause::of(chain, worst).remedy(Real::F32);
         (off.worst, DOUBTFUL, format!("{name} in any form"), hint)
     } else {
         return None;
     };
+    let what = format!("{by} loses {}", lost(functions, error, scalar));
     (error > most).then(|| Complaint {
-        hint: Some(hint.to_owned()),
-        ..complaint(
-            chain,
-            worst,
-            scalar,
-            &format!("{by} loses {}", lost(functions, error, scalar)),
-        )
+        hint: Some(hint),
+        ..Cause::of(chain, worst).complaint(scalar, &what)
     })
 }
 
@@ -270,17 +265,68 @@ fn least_error(
     least
 }
 
-/// What functions lose, with the joint where the mass matrix does.
-fn complaint(chain: &Chain, worst: Worst, scalar: Real, what: &str) -> Complaint {
-    let joint = &chain.joints[worst.joint];
-    let (name, loss, roundoff) = (&joint.name, worst.loss, scalar.roundoff());
-    Complaint {
-        place: joint.place,
-        message: format!(
-            "{what}: at joint \"{name}\" the mass matrix loses a factor of {loss:.0e}, and the unit \
-             roundoff is {roundoff:.0e}"
-        ),
-        hint: None,
+/// The cause of a loss of digits.
+enum Cause<'c> {
+    /// A joint at which a pivot of the mass matrix is small beside its diagonal entry, and their ratio.
+    MassMatrix(&'c Joint, f64),
+    /// A mimic joint that is much faster than the joint it mimics: forces have the square of its multiplier.
+    Multiplier(&'c Mimicked, Place),
+}
+
+impl<'c> Cause<'c> {
+    fn of(chain: &'c Chain, worst: Worst) -> Self {
+        let fastest = chain.report.mimicked.iter();
+        let square = |mimicked: &Mimicked| mimicked.multiplier * mimicked.multiplier;
+        let fastest = fastest.max_by(|one, other| square(one).total_cmp(&square(other)));
+        match fastest.filter(|fastest| square(fastest) > worst.loss) {
+            Some(fastest) => {
+                let mut joints = chain.joints.iter();
+                let joint = joints.find(|joint| joint.of == fastest.joint);
+                Self::Multiplier(fastest, joint.map_or(Place::Unknown, |joint| joint.place))
+            }
+            None => Self::MassMatrix(&chain.joints[worst.joint], worst.loss),
+        }
+    }
+
+    fn complaint(&self, scalar: Real, what: &str) -> Complaint {
+        let roundoff = scalar.roundoff();
+        let (place, why) = match self {
+            Self::MassMatrix(joint, loss) => (
+                joint.place,
+                format!(
+                    "at joint {} the mass matrix loses a factor of {loss:.0e}",
+                    quoted(&joint.name)
+                ),
+            ),
+            Self::Multiplier(mimicked, place) => (
+                *place,
+                format!(
+                    "joint {} mimics joint {} with a multiplier of {}, whose square forces have",
+                    quoted(&mimicked.joint),
+                    quoted(&mimicked.leader),
+                    mimicked.multiplier
+                ),
+            ),
+        };
+        Complaint {
+            place,
+            message: format!("{what}: {why}, and the unit roundoff is {roundoff:.0e}"),
+            hint: None,
+        }
+    }
+
+    fn remedy(&self, scalar: Real) -> String {
+        let model = match self {
+            Self::MassMatrix(..) => "model a robot whose masses and lengths differ less".to_owned(),
+            Self::Multiplier(mimicked, _) => format!(
+                "give joint {} the inertia of what turns so fast as a rotor or an armature",
+                quoted(&mimicked.leader)
+            ),
+        };
+        match scalar {
+            Real::F32 => format!("generate it for f64, or {model}"),
+            Real::F64 | Real::Generic => model,
+        }
     }
 }
 

@@ -1,0 +1,369 @@
+//! A mechanism, as it is mounted and written, held against two independent solutions.
+//!
+//! In: a [`Mechanism`] and a [`Mounting`]. Out: what became of it, or what is wrong. The solutions: the equations of
+//! the text in 256 bits, and those of the mechanism as it was drawn, straight and exact, whose joints move as those of
+//! the mounted one do.
+
+use std::collections::BTreeMap;
+
+use homogen_codegen::closure::Row;
+use homogen_codegen::description::Description;
+use homogen_codegen::error::Errors;
+use homogen_codegen::request::Request;
+use homogen_codegen::{Function, Real, chain};
+
+use super::draw::{Kind, Mechanism};
+use super::programs::Programs;
+use super::text::{Mounting, read, text};
+use super::truth::{Equations, Pivots, dot};
+use crate::arguments::Arguments;
+use crate::big::Big;
+use crate::oracle::robot::Robot;
+use crate::states::Random;
+
+/// With fewer digits a mechanism may be refused, by name.
+const FEW: usize = 5;
+
+/// Digits that leave nothing to rounding.
+const ALL: usize = 15;
+
+/// The part of a residual that makes a state singular, where no more is left of it beside others.
+const SINGULAR: f64 = 1e-5;
+
+/// The largest errors, by what is compared.
+pub type Worst = BTreeMap<&'static str, f64>;
+
+/// What became of a mechanism.
+#[derive(Debug)]
+pub enum Outcome {
+    /// It was refused, and may be.
+    Refused,
+    /// It was reported as singular, or all states were.
+    Singular,
+    /// It moves as it should.
+    Right(Worst),
+}
+
+/// Generates a mechanism in a type of number and compares it.
+///
+/// # Errors
+/// What is wrong.
+pub fn judge(
+    mechanism: &Mechanism,
+    mounting: &Mounting,
+    scalar: Real,
+    random: &mut Random,
+) -> Result<Outcome, String> {
+    let (description, request) = read(&text(mechanism, mounting)).map_err(told)?;
+    let programs = match Programs::of(&description, &request, scalar) {
+        Ok(programs) => programs,
+        Err(errors) => return refused(&told(errors), mounting),
+    };
+    let warned = programs.chain.report.warnings.iter().any(|warning| {
+        ["nearly depend", "nothing can move"]
+            .iter()
+            .any(|words| warning.message.contains(words))
+    });
+    if warned && mounting.digits >= ALL {
+        return Err(format!("warned: {:?}", programs.chain.report.warnings));
+    }
+    let robot = Robot::of(&description, &request);
+    let rows = Rows::of(&programs, &description, &request)?;
+    let straight = read(&text(mechanism, &Mounting::straight(mechanism))).map_err(told)?;
+    let straight = Robot::of(&straight.0, &straight.1);
+    let mut judge = Judge {
+        programs: &programs,
+        rows,
+        digits: mounting.digits,
+        scalar,
+        worst: Worst::new(),
+    };
+    let mut compared = 0;
+    for size in [0.3, 0.2, 0.1, 0.05, 0.01] {
+        // A mechanism whose residuals depend on others closes as far as its digits.
+        let most = if mounting.digits >= ALL && scalar != Real::F32 {
+            1e-12
+        } else {
+            1e-2
+        };
+        let Some(mut state) = programs.closed(size, most, random) else {
+            continue;
+        };
+        if scalar == Real::F32 {
+            state = rounded(&state);
+        }
+        let equations = Equations::at(&robot, &state);
+        judge.kinematics(&equations, &state)?;
+        let ideal = Equations::at(&straight, &state);
+        let is_regular = judge.dynamics(&equations, &ideal, &state)?;
+        compared += usize::from(is_regular);
+        if compared == 2 {
+            break;
+        }
+    }
+    let must_move = mounting.digits >= ALL && !warned && scalar != Real::F32;
+    match compared {
+        0 if must_move && mechanism.kind != Kind::Stewart => Err("no state is regular".to_owned()),
+        0 => Ok(Outcome::Singular),
+        _ if warned => Ok(Outcome::Singular),
+        _ => Ok(Outcome::Right(judge.worst)),
+    }
+}
+
+fn told(errors: Errors) -> String {
+    errors.to_string()
+}
+
+fn refused(told: &str, mounting: &Mounting) -> Result<Outcome, String> {
+    let by_name = ["blocks the joints", "cannot close"];
+    let is_by_name = by_name.iter().any(|words| told.contains(words));
+    if is_by_name && mounting.digits <= FEW {
+        Ok(Outcome::Refused)
+    } else {
+        Err(format!("refused: {told}"))
+    }
+}
+
+/// The nearest state of single precision.
+fn rounded(state: &Arguments) -> Arguments {
+    let list = |list: &Vec<f64>| list.iter().map(|&entry| Real::F32.rounded(entry)).collect();
+    Arguments {
+        q: list(&state.q),
+        qd: list(&state.qd),
+        qdd: list(&state.qdd),
+        tau: list(&state.tau),
+        actions: Vec::new(),
+    }
+}
+
+/// Which residuals are generated, and which are left out.
+struct Rows {
+    kept: Vec<usize>,
+    left_out: Vec<usize>,
+}
+
+impl Rows {
+    fn of(
+        programs: &Programs,
+        description: &Description,
+        request: &Request,
+    ) -> Result<Self, String> {
+        let all = chain::build(description, request).map_err(told)?;
+        let names = |chain: &chain::Chain| -> Vec<(String, Row)> {
+            let loops = chain.loops.iter();
+            let rows = loops
+                .flat_map(|closed| closed.rows.iter().map(|row| (row.name(&closed.name), *row)));
+            rows.collect()
+        };
+        let kept = names(&programs.chain);
+        let mut rows = Self {
+            kept: Vec::new(),
+            left_out: Vec::new(),
+        };
+        for (place, named) in names(&all).into_iter().enumerate() {
+            if kept.contains(&named) {
+                rows.kept.push(place);
+            } else {
+                rows.left_out.push(place);
+            }
+        }
+        Ok(rows)
+    }
+}
+
+struct Judge<'p> {
+    programs: &'p Programs,
+    rows: Rows,
+    digits: usize,
+    scalar: Real,
+    worst: Worst,
+}
+
+impl Judge<'_> {
+    /// What an error may be, in double precision and in single.
+    fn allowed(&self, double: f64, single: f64) -> f64 {
+        if self.scalar == Real::F32 {
+            single
+        } else {
+            double
+        }
+    }
+
+    fn note(&mut self, what: &'static str, error: f64, most: f64) -> Result<(), String> {
+        let worst = self.worst.entry(what).or_default();
+        *worst = worst.max(error);
+        if error <= most {
+            Ok(())
+        } else {
+            Err(format!(
+                "{what}: {error:.1e} of the largest entry, and at most {most:.1e} may be"
+            ))
+        }
+    }
+
+    /// Residuals, their Jacobian and their bias; and those that are left out.
+    fn kinematics(&mut self, all: &Equations, state: &Arguments) -> Result<(), String> {
+        let kept =
+            |of: &[Big]| -> Vec<f64> { self.rows.kept.iter().map(|&k| of[k].to_f64()).collect() };
+        let (residuals, bias) = (kept(&all.residuals), kept(&all.jacobian_bias));
+        let rows = self.rows.kept.iter().flat_map(|&k| &all.jacobian[k]);
+        let jacobian: Vec<f64> = rows.map(Big::to_f64).collect();
+        let speed = state
+            .qd
+            .iter()
+            .fold(1.0, |most: f64, rate| most.max(rate.abs()));
+        let most = self.allowed(1e-12, 1e-4);
+        for (function, expected, size) in [
+            (Function::Constraint, residuals, 1.0),
+            (Function::ConstraintJacobian, jacobian, 1.0),
+            (Function::ConstraintBias, bias, speed * speed),
+        ] {
+            let found = self.programs.run(function, state);
+            self.note(function.name(), difference(&found, &expected) / size, most)?;
+        }
+        for k in self.rows.left_out.clone() {
+            let entries = all.jacobian[k].iter().chain([&all.residuals[k]]);
+            let largest = entries
+                .map(|entry| entry.to_f64().abs())
+                .fold(0.0, f64::max);
+            let (name, most) = match self.digits {
+                ALL.. => ("left out, with all digits", 1e-13),
+                _ => ("left out, with few digits", 2e-3),
+            };
+            self.note(name, largest, most)?;
+        }
+        Ok(())
+    }
+
+    /// Accelerations, multipliers and torques of driven joints; whether the state is regular.
+    fn dynamics(
+        &mut self,
+        all: &Equations,
+        ideal: &Equations,
+        state: &Arguments,
+    ) -> Result<bool, String> {
+        let n = self.programs.velocities();
+        let found = self
+            .programs
+            .run(Function::ConstrainedForwardDynamics, state);
+        if let Some(bad) = found.iter().find(|entry| !entry.is_finite()) {
+            return Err(format!("{bad} among accelerations and multipliers"));
+        }
+        let (qdd, multipliers) = found.split_at(n);
+        let held = all.of(&self.rows.kept);
+        let left = held.left_over(qdd, multipliers, &state.tau);
+        self.note("M q̈ + h − τ − Jᵗ λ", left, self.allowed(1e-10, 1e-3))?;
+        let (expected, pivots) = held.accelerations(&state.tau);
+        if !self.is_regular(pivots) {
+            return Ok(false);
+        }
+        let loss = pivots.least.recip();
+        let error = share(qdd, &expected);
+        self.note(
+            "q̈ of the text",
+            error,
+            self.allowed(1e-13 * loss + 1e-10, 1e-4 * loss),
+        )?;
+        let (expected, pivots) = ideal.accelerations(&state.tau);
+        if self.digits > FEW && self.is_regular(pivots) {
+            let (name, rounding) = match self.digits {
+                ALL.. => ("q̈ as drawn, with all digits", self.allowed(1e-12, 1e-5)),
+                _ => ("q̈ as drawn, with few digits", 1e-4),
+            };
+            self.note(name, share(qdd, &expected), 10.0 * rounding * loss)?;
+        }
+        self.driven(&held, state)?;
+        Ok(true)
+    }
+
+    /// Torques of driven joints make the motion that they are of.
+    fn driven(&mut self, held: &Equations, state: &Arguments) -> Result<(), String> {
+        let (qdd, of_motion) = held.accelerations(&state.tau);
+        let chain = &self.programs.chain;
+        let velocities = chain.actuated.numbered();
+        let passive: Vec<usize> = velocities
+            .filter(|(_, driven)| !**driven)
+            .map(|(k, _)| homogen_codegen::list::Id::index(k))
+            .collect();
+        let pivots = held.pivots_of(&passive);
+        if pivots.rank != passive.len() || of_motion.rank != pivots.rank || !self.is_regular(pivots)
+        {
+            return Ok(());
+        }
+        let qdd: Vec<f64> = qdd.iter().map(Big::to_f64).collect();
+        let state = Arguments {
+            qdd: match self.scalar {
+                Real::F32 => qdd.iter().map(|&entry| Real::F32.rounded(entry)).collect(),
+                _ => qdd.clone(),
+            },
+            ..state.clone()
+        };
+        let tau = self.programs.run(Function::ActuatedInverseDynamics, &state);
+        let (again, _) = held.accelerations(&tau);
+        let loss = (pivots.least * of_motion.least).recip();
+        let most = self.allowed(1e-11 * loss + 1e-9, 1e-3 * loss);
+        self.note("q̈ of actuated τ", share(&qdd, &again), most)
+    }
+
+    fn is_regular(&self, pivots: Pivots) -> bool {
+        let (least, left) = match (self.scalar, self.digits) {
+            (Real::F32, _) => (0.03, 1e-12),
+            (_, ALL..) => (SINGULAR, 1e-16),
+            _ => (SINGULAR, 1e-12),
+        };
+        pivots.least > least && pivots.left < left
+    }
+}
+
+impl Equations {
+    /// Those of some residuals.
+    #[must_use]
+    pub fn of(&self, places: &[usize]) -> Self {
+        Self {
+            mass_matrix: self.mass_matrix.clone(),
+            bias: self.bias.clone(),
+            residuals: places.iter().map(|&k| self.residuals[k].clone()).collect(),
+            jacobian: places.iter().map(|&k| self.jacobian[k].clone()).collect(),
+            jacobian_bias: places
+                .iter()
+                .map(|&k| self.jacobian_bias[k].clone())
+                .collect(),
+        }
+    }
+
+    /// What is left of M q̈ + h − τ − Jᵗ λ, beside the largest term.
+    fn left_over(&self, qdd: &[f64], multipliers: &[f64], tau: &[f64]) -> f64 {
+        let qdd: Vec<Big> = qdd.iter().map(|&entry| Big::new(entry)).collect();
+        let (mut left, mut largest) = (0.0_f64, 0.0_f64);
+        for (k, row) in self.mass_matrix.iter().enumerate() {
+            let mut sum = dot(row, &qdd) + &self.bias[k] - Big::new(tau[k]);
+            let mut terms = vec![self.bias[k].to_f64(), tau[k]];
+            terms.extend(row.iter().zip(&qdd).map(|(m, x)| (m * x).to_f64()));
+            for (row, &multiplier) in self.jacobian.iter().zip(multipliers) {
+                let term = &row[k] * Big::new(multiplier);
+                terms.push(term.to_f64());
+                sum = sum - term;
+            }
+            left = left.max(sum.to_f64().abs());
+            largest = terms
+                .into_iter()
+                .fold(largest, |most, term| most.max(term.abs()));
+        }
+        left / largest
+    }
+}
+
+/// The largest difference beside the largest entry.
+fn share(found: &[f64], expected: &[Big]) -> f64 {
+    let expected: Vec<f64> = expected.iter().map(Big::to_f64).collect();
+    let largest = expected
+        .iter()
+        .fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    difference(found, &expected) / largest
+}
+
+fn difference(found: &[f64], expected: &[f64]) -> f64 {
+    assert_eq!(found.len(), expected.len(), "as many results");
+    let pairs = found.iter().zip(expected);
+    pairs.fold(0.0, |most, (a, b)| most.max((a - b).abs()))
+}

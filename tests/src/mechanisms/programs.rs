@@ -1,0 +1,217 @@
+//! The generated functions of a mechanism, and states in which its loops are closed.
+//!
+//! In: a description. Out: what its programs return; coordinates near some others that close the loops, and rates that
+//! keep them closed, by those programs in `f64`. What is closed is for the judge to look at.
+
+use homogen_codegen::chain::{Chain, Position};
+use homogen_codegen::description::Description;
+use homogen_codegen::error::Errors;
+use homogen_codegen::expand::{expand, understand};
+use homogen_codegen::joint::Posture;
+use homogen_codegen::list::Id;
+use homogen_codegen::print::Listing;
+use homogen_codegen::request::Request;
+use homogen_codegen::schedule::run;
+use homogen_codegen::space::Space;
+use homogen_codegen::{Function, Real};
+
+use crate::arguments::Arguments;
+use crate::states::Random;
+use crate::tested::{F32, Tested};
+use homogen_codegen::expression::Arithmetic;
+
+/// The functions of loops.
+pub const FUNCTIONS: [Function; 5] = [
+    Function::Constraint,
+    Function::ConstraintJacobian,
+    Function::ConstraintBias,
+    Function::ConstrainedForwardDynamics,
+    Function::ActuatedInverseDynamics,
+];
+
+/// A mechanism as it was generated in a type of number.
+pub struct Programs {
+    /// What the generator made of it.
+    pub chain: Chain,
+    listing: Listing,
+    scalar: Real,
+}
+
+impl Programs {
+    /// Generates the functions of loops.
+    ///
+    /// # Errors
+    /// What the generator complains of.
+    pub fn of(description: &Description, request: &Request, scalar: Real) -> Result<Self, Errors> {
+        let request = Request {
+            scalar,
+            functions: FUNCTIONS.map(|function| vec![function]).to_vec(),
+            ..request.clone()
+        };
+        Ok(Self {
+            chain: understand(description, &request)?,
+            listing: expand(description, &request)?,
+            scalar,
+        })
+    }
+
+    /// What a function returns, computed in the type of number.
+    ///
+    /// # Panics
+    /// For another function.
+    #[must_use]
+    pub fn run(&self, function: Function, arguments: &Arguments) -> Vec<f64> {
+        let mut listed = self.listing.functions.iter();
+        let listed = listed.find(|listed| listed.functions == [function]);
+        let program = &listed.expect("it was asked for").program;
+        match self.scalar {
+            Real::F32 => {
+                let found = run(program, |input| F32::literal(arguments.at(input)));
+                found.into_iter().map(F32::to_f64).collect()
+            }
+            Real::F64 | Real::Generic => run(program, |input| arguments.at(input)),
+        }
+    }
+
+    /// The number of velocities.
+    #[must_use]
+    pub fn velocities(&self) -> usize {
+        self.chain.spaces().len(Space::Velocities)
+    }
+
+    /// A state near the one in which the mechanism was drawn, with closed loops; none where there is none to so many
+    /// digits.
+    pub fn closed(&self, size: f64, most: f64, random: &mut Random) -> Option<Arguments> {
+        let n = self.velocities();
+        let mut list = |size: f64| -> Vec<f64> { (0..n).map(|_| size * random.odd()).collect() };
+        let mut arguments = Arguments {
+            q: self.moved(&self.neutral(), &list(size)),
+            qd: list(2.0),
+            qdd: vec![0.0; n],
+            tau: list(4.0),
+            actions: Vec::new(),
+        };
+        let mut damping = 1.0;
+        let mut open = self.run(Function::Constraint, &arguments);
+        for _ in 0..60 {
+            let squares = dot(&open, &open);
+            if squares < 1e-30 {
+                break;
+            }
+            let step = self.step(&arguments, &open, damping * squares.min(1.0));
+            let q = self.moved(&arguments.q, &step);
+            let tried = Arguments {
+                q,
+                ..arguments.clone()
+            };
+            let left = self.run(Function::Constraint, &tried);
+            if dot(&left, &left) < squares {
+                (arguments, open) = (tried, left);
+                damping *= 0.25;
+            } else {
+                damping *= 8.0;
+            }
+        }
+        for _ in 0..4 {
+            let jacobian = self.run(Function::ConstraintJacobian, &arguments);
+            let opening: Vec<f64> = jacobian
+                .chunks(n)
+                .map(|row| dot(row, &arguments.qd))
+                .collect();
+            let step = self.step(&arguments, &opening, 0.0);
+            for (rate, step) in arguments.qd.iter_mut().zip(step) {
+                *rate += step;
+            }
+        }
+        let is_closed = open.iter().all(|residual| residual.abs() <= most);
+        is_closed.then_some(arguments)
+    }
+
+    /// The configuration in which a mechanism is drawn.
+    fn neutral(&self) -> Vec<f64> {
+        let spaces = self.chain.spaces();
+        let mut q = vec![0.0; spaces.len(Space::Coordinates)];
+        for first in spaces.quaternions() {
+            q[first.index() + 3] = 1.0;
+        }
+        q
+    }
+
+    /// The step against some residuals, of least squares.
+    fn step(&self, arguments: &Arguments, residuals: &[f64], damping: f64) -> Vec<f64> {
+        let n = self.velocities();
+        let jacobian = self.run(Function::ConstraintJacobian, arguments);
+        let rows: Vec<&[f64]> = jacobian.chunks(n).collect();
+        let mut matrix: Vec<Vec<f64>> = (0..n)
+            .map(|i| {
+                (0..n)
+                    .map(|k| rows.iter().map(|row| row[i] * row[k]).sum())
+                    .collect()
+            })
+            .collect();
+        let most = (0..n).map(|k| matrix[k][k]).fold(0.0, f64::max);
+        for (k, row) in matrix.iter_mut().enumerate() {
+            row[k] += most * damping.max(1e-9);
+        }
+        let right = (0..n).map(|k| {
+            let terms = rows.iter().zip(residuals);
+            -terms.map(|(row, residual)| row[k] * residual).sum::<f64>()
+        });
+        solved(matrix, right.collect())
+    }
+
+    /// Where velocities lead in a unit of time, to first order.
+    fn moved(&self, q: &[f64], velocities: &[f64]) -> Vec<f64> {
+        let mut moved = q.to_vec();
+        for joint in &self.chain.joints {
+            let by = &velocities[joint.velocity.index()..];
+            match joint.position {
+                Position::Along { coordinate, .. } => moved[coordinate.index()] += by[0],
+                Position::Posture(Posture::Spherical, first) => {
+                    let entries = &mut moved[first.index()..][..4];
+                    let [x, y, z, w] = [0, 1, 2, 3].map(|k| entries[k]);
+                    let rates = [
+                        w * by[0] + y * by[2] - z * by[1],
+                        w * by[1] + z * by[0] - x * by[2],
+                        w * by[2] + x * by[1] - y * by[0],
+                        -(x * by[0] + y * by[1] + z * by[2]),
+                    ];
+                    for (entry, rate) in entries.iter_mut().zip(rates) {
+                        *entry += 0.5 * rate;
+                    }
+                    let length = dot(entries, entries).sqrt();
+                    for entry in entries {
+                        *entry /= length;
+                    }
+                }
+                Position::Taken => {}
+                Position::Posture(..) => unreachable!("no other joint is drawn"),
+            }
+        }
+        moved
+    }
+}
+
+/// x of A x = y, where A is positive definite.
+fn solved(mut a: Vec<Vec<f64>>, mut y: Vec<f64>) -> Vec<f64> {
+    let count = y.len();
+    for k in 0..count {
+        for i in k + 1..count {
+            let factor = a[i][k] / a[k][k];
+            let (above, below) = a.split_at_mut(i);
+            for (entry, of_pivot) in below[0].iter_mut().zip(&above[k]).skip(k) {
+                *entry -= factor * of_pivot;
+            }
+            y[i] -= factor * y[k];
+        }
+    }
+    for k in (0..count).rev() {
+        let later: f64 = (k + 1..count).map(|j| a[k][j] * y[j]).sum();
+        y[k] = (y[k] - later) / a[k][k];
+    }
+    y
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

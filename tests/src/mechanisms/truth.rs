@@ -1,0 +1,163 @@
+//! Accelerations under loops, by their definition and in 256 bits: J q̈ + γ = 0, and M q̈ + h − τ does no work in any
+//! motion that the loops leave.
+//!
+//! In: a robot in dense matrices of frame 0, the residuals that count, a state. Out: q̈, and how far residuals are from
+//! depending on others. The rank is decided here, by the largest pivot first.
+
+use homogen_codegen::Function;
+
+use crate::arguments::Arguments;
+use crate::big::Big;
+use crate::oracle::frame_0;
+use crate::oracle::robot::Robot;
+
+/// The part of a residual's own size that is left where it depends on others.
+const DEPENDENT: f64 = 1e-10;
+
+/// The equations of a state.
+pub struct Equations {
+    /// M, row by row.
+    pub mass_matrix: Vec<Vec<Big>>,
+    /// h.
+    pub bias: Vec<Big>,
+    /// The residuals.
+    pub residuals: Vec<Big>,
+    /// J, row by row.
+    pub jacobian: Vec<Vec<Big>>,
+    /// γ.
+    pub jacobian_bias: Vec<Big>,
+}
+
+/// What remains of residuals beside others.
+#[derive(Clone, Copy, Debug)]
+pub struct Pivots {
+    /// The number of residuals that do not depend on others.
+    pub rank: usize,
+    /// The least of those that do not.
+    pub least: f64,
+    /// The largest of those that do; zero where none does.
+    pub left: f64,
+}
+
+impl Equations {
+    /// Of all residuals that are described.
+    #[must_use]
+    pub fn at(robot: &Robot, arguments: &Arguments) -> Self {
+        let of = |function| frame_0::evaluate(robot, function, 0, arguments);
+        let bias = of(Function::Bias);
+        let rows = |entries: Vec<Big>| entries.chunks(bias.len()).map(<[Big]>::to_vec).collect();
+        Self {
+            mass_matrix: rows(of(Function::MassMatrix)),
+            residuals: of(Function::Constraint),
+            jacobian: rows(of(Function::ConstraintJacobian)),
+            jacobian_bias: of(Function::ConstraintBias),
+            bias,
+        }
+    }
+
+    /// q̈ of some torques, and the pivots of J M⁻¹ Jᵗ.
+    #[must_use]
+    pub fn accelerations(&self, tau: &[f64]) -> (Vec<Big>, Pivots) {
+        let forces = tau
+            .iter()
+            .zip(&self.bias)
+            .map(|(tau, bias)| Big::new(*tau) - bias);
+        let free = self.solved(&forces.collect::<Vec<_>>());
+        let moved: Vec<Vec<Big>> = self.jacobian.iter().map(|row| self.solved(row)).collect();
+        let wanted = self.jacobian.iter().zip(&self.jacobian_bias);
+        let wanted: Vec<Big> = wanted
+            .map(|(row, bias)| -(dot(row, &free) + bias))
+            .collect();
+        let (multipliers, pivots) = eliminated(products(&self.jacobian, &moved), wanted);
+        let mut found = free;
+        for (moved, multiplier) in moved.iter().zip(&multipliers) {
+            for (entry, moved) in found.iter_mut().zip(moved) {
+                *entry = &*entry + moved * multiplier;
+            }
+        }
+        (found, pivots)
+    }
+
+    /// The pivots of J Jᵗ of some velocities.
+    #[must_use]
+    pub fn pivots_of(&self, velocities: &[usize]) -> Pivots {
+        let only = |row: &Vec<Big>| {
+            velocities
+                .iter()
+                .map(|&k| row[k].clone())
+                .collect::<Vec<Big>>()
+        };
+        let rows: Vec<Vec<Big>> = self.jacobian.iter().map(only).collect();
+        eliminated(products(&rows, &rows), vec![Big::zero(); rows.len()]).1
+    }
+
+    fn solved(&self, right: &[Big]) -> Vec<Big> {
+        let right = right.iter().map(|entry| vec![entry.clone()]).collect();
+        crate::oracle::solve::solve(self.mass_matrix.clone(), right).concat()
+    }
+}
+
+fn products(rows: &[Vec<Big>], others: &[Vec<Big>]) -> Vec<Vec<Big>> {
+    let row = |row: &Vec<Big>| others.iter().map(|other| dot(row, other)).collect();
+    rows.iter().map(row).collect()
+}
+
+/// λ of S λ = y, with the largest pivot beside its own diagonal entry first; zero where that is left of nothing.
+fn eliminated(mut s: Vec<Vec<Big>>, mut y: Vec<Big>) -> (Vec<Big>, Pivots) {
+    let count = y.len();
+    let own: Vec<f64> = (0..count).map(|k| s[k][k].to_f64()).collect();
+    // A residual that nothing changes here depends on others, whatever it is beside itself.
+    let nothing = DEPENDENT * own.iter().copied().fold(0.0, f64::max);
+    let share = |s: &[Vec<Big>], k: usize| {
+        let whole = own[k].max(nothing);
+        if whole > 0.0 {
+            s[k][k].to_f64() / whole
+        } else {
+            0.0
+        }
+    };
+    let mut open: Vec<usize> = (0..count).collect();
+    let mut order = Vec::new();
+    let mut pivots = Pivots {
+        rank: 0,
+        least: 1.0,
+        left: 0.0,
+    };
+    while let Some(&k) = open
+        .iter()
+        .max_by(|&&a, &&b| share(&s, a).total_cmp(&share(&s, b)))
+    {
+        let pivot = share(&s, k);
+        if pivot < DEPENDENT {
+            pivots.left = pivot.abs();
+            break;
+        }
+        pivots.least = pivots.least.min(pivot);
+        pivots.rank += 1;
+        open.retain(|&other| other != k);
+        order.push(k);
+        let row = s[k].clone();
+        let right = y[k].clone();
+        for &i in &open {
+            let factor = &s[i][k] / &row[k];
+            for (entry, of_pivot) in s[i].iter_mut().zip(&row) {
+                *entry = &*entry - &factor * of_pivot;
+            }
+            y[i] = &y[i] - &factor * &right;
+        }
+    }
+    let mut found = vec![Big::zero(); count];
+    for (place, &k) in order.iter().enumerate().rev() {
+        let later = order[place + 1..].iter();
+        let rest = later.fold(y[k].clone(), |rest, &j| rest - &s[k][j] * &found[j]);
+        found[k] = rest / &s[k][k];
+    }
+    (found, pivots)
+}
+
+/// a · b.
+#[must_use]
+pub fn dot(a: &[Big], b: &[Big]) -> Big {
+    let products = a.iter().zip(b).map(|(a, b)| a * b);
+    products.fold(Big::zero(), |sum, product| sum + product)
+}

@@ -61,6 +61,9 @@ pub struct Errors {
     warnings: Vec<Complaint>,
 }
 
+/// How many warnings are shown beside mistakes.
+const BESIDE: usize = 10;
+
 /// How many mistakes are kept; of the others, which only a broken file of megabytes has, the
 /// number.
 const KEPT: usize = 1000;
@@ -195,7 +198,7 @@ impl Errors {
             let mut message = self.with_hint(complaint, "hint: ");
             // Macros have no warnings of their own.
             if k == last {
-                for warning in &self.warnings {
+                for warning in self.warnings.iter().take(BESIDE) {
                     let warning = self.with_hint(warning, "hint: ");
                     message = format!("{message}\nwarning: {warning}");
                 }
@@ -223,9 +226,15 @@ impl fmt::Display for Errors {
         if self.left_out > 0 {
             writeln!(out, "and {} more", self.left_out)?;
         }
-        // Alone they are told where the description is.
-        for warning in self.warnings.iter().filter(|_| !self.is_empty()) {
+        if self.is_empty() {
+            return Ok(());
+        }
+        for warning in self.warnings.iter().take(BESIDE) {
             writeln!(out, "warning: {}", self.with_hint(warning, "  hint: "))?;
+        }
+        let more = self.warnings.len().saturating_sub(BESIDE);
+        if more > 0 {
+            writeln!(out, "and {more} more warnings")?;
         }
         Ok(())
     }

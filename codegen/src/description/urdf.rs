@@ -10,6 +10,7 @@ mod closure;
 mod element;
 mod elements;
 mod joint;
+mod limit;
 mod link;
 mod plain;
 mod survey;

@@ -22,6 +22,7 @@ fn tells_what_became_of_the_description() {
         "dropped",
         "mimicked",
         "snapped",
+        "turned",
         "warnings",
         "details",
     ];

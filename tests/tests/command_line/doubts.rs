@@ -173,7 +173,7 @@ fn warnings_stand_beside_the_mistakes_that_they_explain() {
     assert!(
         refused
             .remarks
-            .contains("error: <stdin>:2:50: there is no link \"a\""),
+            .contains("error: <stdin>:2:47: there is no link \"a\""),
         "{}",
         refused.remarks
     );

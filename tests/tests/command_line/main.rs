@@ -194,7 +194,10 @@ error: <stdin>:1:14: the robot has 5001 joints, and at most 5000 can be modelled
   hint: choose a base further out, or drop what is not needed
 ";
     let longer = snake(5001);
-    assert_eq!(refused("check -", &longer), expected);
+    let told = refused("check -", &longer);
+    assert!(told.starts_with(expected), "{told}");
+    // Of what is doubted beside it, which none of the joints says its axis, the first are enough.
+    assert!(told.ends_with("and 990 more warnings\n"), "{told}");
     let rest = json("check - --base l1 --drop l1000 --format json", &longer);
     assert_eq!(rest["joints"].as_array().map(Vec::len), Some(998));
 }

@@ -165,12 +165,13 @@ impl Content {
 }
 
 /// Each element that has content, as the guide calls it.
-const PLACES: [(&str, &Content); 14] = [
+const PLACES: [(&str, &Content); 18] = [
     ("`<robot>`", &ROBOT),
     ("`<link>`", &format::LINK),
     ("`<inertial>`", &format::INERTIAL),
     ("`<origin>`", &format::ORIGIN),
     ("`<joint>` and `<drake:joint>`", &format::JOINT),
+    ("`<axis>` and `<axis2>`", &format::AXIS),
     ("`<limit>`", &format::LIMIT),
     ("`<dynamics>`", &format::DYNAMICS),
     ("`<mimic>`", &format::MIMIC),
@@ -183,13 +184,19 @@ const PLACES: [(&str, &Content); 14] = [
     ),
     ("`<gazebo>`, at any depth", &simulators::GAZEBO),
     ("`<mujoco>`", &simulators::MUJOCO),
+    ("`<compiler>` of MuJoCo", &simulators::COMPILER),
+    ("`<option>` of MuJoCo", &simulators::OPTION),
+    (
+        "`<contact>` of Bullet, in a link",
+        &simulators::BULLET_CONTACT,
+    ),
 ];
 
 /// Where an element that stands elsewhere would be read: as an element, or as an attribute.
 pub(super) fn home(written: &str) -> Option<String> {
     let place = |reads: &dyn Fn(&Content) -> bool| {
         let place = PLACES.iter().find(|(_, content)| reads(content));
-        place.map(|(name, _)| name.trim_matches('`'))
+        place.map(|(name, _)| name.replace('`', ""))
     };
     let read = |entry: Option<&Entry>| entry.is_some_and(|entry| entry.becomes.is_read());
     let element = place(&|content| read(content.element(written)));

@@ -195,7 +195,7 @@ const END: Content = Content {
     others: Others::WarnedLikeText,
 };
 
-const AXIS: Content = Content {
+pub(super) const AXIS: Content = Content {
     attributes: &[
         Entry::read("xyz", "the direction"),
         Entry::lost("rpy", &AXIS_RPY).when(When::NotZero),

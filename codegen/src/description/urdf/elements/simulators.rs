@@ -63,7 +63,7 @@ pub(super) const MUJOCO: Content = Content {
     others: Others::Warned,
 };
 
-const COMPILER: Content = Content {
+pub(super) const COMPILER: Content = Content {
     attributes: &[
         Entry::lost("boundmass", &CHANGED_MASSES).when(When::NotZero),
         Entry::lost("boundinertia", &CHANGED_MASSES).when(When::NotZero),
@@ -74,7 +74,7 @@ const COMPILER: Content = Content {
     others: Others::PassedOver,
 };
 
-const OPTION: Content = Content {
+pub(super) const OPTION: Content = Content {
     attributes: &[
         Entry::lost("gravity", &MUJOCO_GRAVITY).when(When::NotStandardGravity),
         Entry::lost("viscosity", &FORCE).when(When::NotZero),

@@ -4,7 +4,7 @@
 //! In: a seed. Out: what was found, or the smallest robot that fails. [`grow`] draws a [`robot`] number
 //! by number; [`text`] writes it and has it read; [`movement`] knows what moves its joints, [`dense`] puts it into matrices; [`cases`] says
 //! what is run, [`prepared`] runs it, [`bounded`] beside its bounds, [`measure`] how wrong it is, and [`mod@examine`] what that amounts to;
-//! [`mod@shrink`] takes away what a failure does not need; [`features`] says what a robot has.
+//! [`ranks`] compares base parameters with it; [`mod@shrink`] takes away what a failure does not need; [`features`] says what a robot has.
 
 pub mod bounded;
 pub mod cases;
@@ -15,6 +15,7 @@ pub mod grow;
 pub mod measure;
 pub mod movement;
 pub mod prepared;
+pub mod ranks;
 pub mod regular;
 pub mod robot;
 pub mod shrink;
@@ -23,6 +24,7 @@ pub mod written;
 
 use cases::Effort;
 use examine::{Fault, Findings, again, examine};
+use ranks::{Ranked, ranked};
 use robot::Robot;
 use shrink::shrink;
 
@@ -38,6 +40,15 @@ pub fn try_seed(seed: u64, effort: Effort) -> Result<(Robot, Findings), String> 
         Ok(findings) => Ok((robot, findings)),
         Err(fault) => Err(told(&robot, seed, effort, &fault)),
     }
+}
+
+/// The base parameters of the long robot of a seed, against its regressor.
+///
+/// # Errors
+/// The robot and what is wrong with them, in words.
+pub fn try_ranks(seed: u64) -> Result<Ranked, String> {
+    let (robot, length) = grow::grow_long(&mut Random::new(seed));
+    ranked(&robot, length, seed).map_err(|what| format!("seed {seed}, in units of {length} m: {what}\n{robot}"))
 }
 
 /// The robot of a seed.

@@ -108,7 +108,8 @@ pub fn judge_base_parameters(
         let name = name(wrong.parameter);
         if wrong.is_rounding {
             let message = format!(
-                "base parameters cannot be told apart: factors of {name} would lose too many digits in 64 bits"
+                "base parameters cannot be told apart: torques of {name} by others would be off by what the rounding of \
+                 numbers to 64 bits makes of them"
             );
             errors.push_with_hint(place, message, UNCERTAIN);
         } else {
@@ -165,7 +166,7 @@ struct Wrong {
     parameter: ParameterId,
     /// How far it is off, beside itself.
     off: f64,
-    /// Whether the rounding of factors to `f64` explains it.
+    /// Whether the rounding of factors, or of the numbers of the description, to `f64` explains it.
     is_rounding: bool,
 }
 
@@ -192,22 +193,23 @@ fn wrong(
     row: VelocityId,
     seen: &[Seen],
 ) -> Option<Wrong> {
-    let (mut off, mut whole, mut sum, mut size) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+    let [mut off, mut whole, mut size, mut rounding] = [0.0_f64; 4];
     for Seen {
         regressor, sizes, ..
     } in seen
     {
-        let expected = regressor[parameter][row].value;
-        let (mut rest, mut magnitude) = (expected, 0.0);
+        let expected = regressor[parameter][row];
+        let (mut rest, mut explained) = (expected.value, expected.error);
         for &(leader, factor) in terms {
-            let term = Double::from(factor) * regressor[leader][row].value;
+            let entry = regressor[leader][row];
+            let term = Double::from(factor) * entry.value;
             rest = rest - term;
-            magnitude += term.to_f64().abs();
+            explained += 4.0 * f64::EPSILON * term.to_f64().abs() + factor.abs() * entry.error;
             size = size.max(factor.abs() * sizes[leader][row]);
         }
         off = off.max(rest.to_f64().abs());
-        whole = whole.max(expected.to_f64().abs());
-        sum = sum.max(magnitude);
+        whole = whole.max(expected.size());
+        rounding = rounding.max(explained);
         size = size.max(sizes[parameter][row]);
     }
     // What is not a number is not right.
@@ -215,6 +217,6 @@ fn wrong(
     (!right).then(|| Wrong {
         parameter,
         off: off / whole,
-        is_rounding: off <= 4.0 * f64::EPSILON * sum + ROUNDED * size,
+        is_rounding: off <= rounding + ROUNDED * size,
     })
 }

@@ -1,7 +1,8 @@
 //! Tens of thousands of random trees.
 //!
 //! `cargo run --release -p homogen-tests --bin trees -- --long [--seed N] [--robots N] [--plain]`, or `-- --robot N`
-//! for the one whose seed a failure names
+//! for the one whose seed a failure names; `-- --ranks --robots 2000` for base parameters alone, of longer robots in
+//! units of length of 1e-6 to 1e3 m, against ranks of regressors in 256 bits
 //!
 //! In: a seed; without `--long` a few hundred robots; with `--plain` those without residues alone. Out: the worst
 //! error of each function, every failure in the smallest robot that shows it, and a status that says whether there
@@ -15,7 +16,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use homogen_tests::trees::cases::Effort;
 use homogen_tests::trees::features::{FEATURES, is_plain};
 use homogen_tests::trees::prepared::TOLERANCE;
-use homogen_tests::trees::{numbered, of_seed, try_seed};
+use homogen_tests::trees::ranks::Ranked;
+use homogen_tests::trees::{numbered, of_seed, try_ranks, try_seed};
 
 fn main() -> ExitCode {
     match Wanted::read(std::env::args().skip(1)) {
@@ -32,6 +34,8 @@ struct Wanted {
     robots: u64,
     /// Whether residues are left out.
     plain: bool,
+    /// Whether ranks of regressors are all that is looked at.
+    ranks: bool,
     /// The seed of a robot that is to be examined alone.
     robot: Option<u64>,
 }
@@ -53,6 +57,7 @@ impl Wanted {
             seed: 1,
             robots: 300,
             plain: false,
+            ranks: false,
             robot: None,
         };
         let mut given = None;
@@ -64,6 +69,7 @@ impl Wanted {
             match word.as_str() {
                 "--long" => wanted.robots = 20_000,
                 "--plain" => wanted.plain = true,
+                "--ranks" => wanted.ranks = true,
                 "--seed" => wanted.seed = number()?,
                 "--robot" => wanted.robot = Some(number()?),
                 "--robots" => given = Some(number()?),
@@ -82,11 +88,42 @@ fn told(wanted: &Wanted) -> ExitCode {
     panic::set_hook(Box::new(move |panic| {
         *heard.lock().unwrap_or_else(PoisonError::into_inner) = panic.to_string();
     }));
-    panic::catch_unwind(|| examine(wanted)).unwrap_or_else(|_| {
+    let run = if wanted.ranks { rank } else { examine };
+    panic::catch_unwind(|| run(wanted)).unwrap_or_else(|_| {
         let last = last.lock().unwrap_or_else(PoisonError::into_inner);
         eprintln!("error: the judge itself fails: {last}");
         ExitCode::FAILURE
     })
+}
+
+/// Compares base parameters with ranks of regressors.
+fn rank(wanted: &Wanted) -> ExitCode {
+    let (mut right, mut refused, mut unknown, mut failures) = (0, 0, 0, 0);
+    for seed in wanted.seeds() {
+        match try_ranks(seed) {
+            Ok(Ranked::Right(_)) => right += 1,
+            Ok(Ranked::Refused) => {
+                refused += 1;
+                println!("refused by name: seed {seed}");
+            }
+            Ok(Ranked::Unknown) => unknown += 1,
+            Err(told) => {
+                failures += 1;
+                println!("{told}\n");
+            }
+        }
+        if (right + refused + unknown + failures) % 100 == 0 {
+            eprintln!("{right} right, {refused} refused by name, {unknown} unknown, {failures} failures");
+        }
+    }
+    println!(
+        "{right} ranks of regressors, {refused} refused by name, {unknown} that 256 bits do not tell, {failures} failures"
+    );
+    if failures == 0 {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
 }
 
 fn examine(wanted: &Wanted) -> ExitCode {

@@ -93,6 +93,86 @@ fn attempt(random: &mut Random) -> Robot {
     robot
 }
 
+/// A plain robot of up to 60 velocities in a unit of length of 1e-6 to 1e3 m, which is returned with it: whatever its joints
+/// are, some with actuators, some of them mimic joints, on a fixed or a floating base.
+pub fn grow_long(random: &mut Random) -> (Robot, f64) {
+    loop {
+        let (robot, length) = attempt_long(random);
+        let joints = robot.moving().filter_map(|id| robot.body(id));
+        let velocities: usize = joints.map(|body| body.kind.entries()[1].len()).sum();
+        if (1..=54).contains(&velocities) {
+            return (robot, length);
+        }
+    }
+}
+
+/// The most joints of a robot in which some mimic others.
+const MIMICKED: usize = 16;
+
+fn attempt_long(random: &mut Random) -> (Robot, f64) {
+    let mimics = random.chance(3);
+    let most = if mimics { MIMICKED } else { 60 };
+    let count = (1 + random.below(most)).min(1 + random.below(most));
+    let scales = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 1.0, 10.0, 100.0, 1e3];
+    let length = *random.choose(&scales);
+    let straight = random.chance(3);
+    let mut numbers = Numbers {
+        residues: false,
+        door: *random.choose(&[Door::Urdf, Door::Inline]),
+        length,
+        mass: length * length * length * 1e3,
+        random,
+    };
+    let mut bodies: Vec<Body> = Vec::new();
+    for id in 1..=count {
+        let parent = match numbers.random.below(6) {
+            0 if !straight => numbers.random.below(id),
+            _ => id - 1,
+        };
+        let body = bodies::body(id, parent, &bodies, &mut numbers);
+        bodies.push(body);
+    }
+    if mimics {
+        follow(&mut bodies, &mut numbers);
+    }
+    let root = bodies::inertial(&mut numbers);
+    let asked = Asked {
+        floating: numbers.random.chance(5),
+        exact: numbers.random.chance(4),
+        gravity: match numbers.random.below(6) {
+            0 => Some([(); 3].map(|()| Written::zero())),
+            1 => Some(numbers.vector(10.0)),
+            _ => None,
+        },
+        ..Asked::default()
+    };
+    let mut robot = Robot {
+        root,
+        bodies,
+        asked,
+        door: numbers.door,
+    };
+    if robot.asked.floating || robot.moving().next().is_some() {
+        load(&mut robot, &mut numbers);
+        robot.asked.external = (Vec::new(), false);
+    }
+    (robot, length)
+}
+
+/// Makes up to three joints mimic one.
+fn follow(bodies: &mut [Body], numbers: &mut Numbers) {
+    let mut order: Vec<usize> = (0..bodies.len()).collect();
+    order.retain(|&at| bodies[at].kind.has_one_coordinate());
+    shuffle(&mut order, numbers.random);
+    let count = 1 + numbers.random.below(3);
+    if let [leader, followers @ ..] = &*order {
+        let leader = bodies[*leader].id;
+        for &follower in followers.iter().take(count) {
+            bodies[follower].mimic = Some(bodies::mimic(leader, numbers));
+        }
+    }
+}
+
 /// Makes some joints follow others, in no circle.
 fn lead(bodies: &mut [Body], numbers: &mut Numbers) {
     if numbers.random.chance(2) {

@@ -378,10 +378,7 @@ impl<'r> Prepared<'r> {
         for velocity in 0..order.len() {
             order[self.place(Space::Velocities, velocity)] = velocity;
         }
-        // Of each link that moves against the one it hangs on, ten; of what drives joints, three for each velocity.
-        let places = self.links().into_iter();
-        let parameters = places.flat_map(|place| (0..10).map(move |k| 10 * place + k));
-        let parameters: Vec<usize> = parameters.chain(self.drives()).collect();
+        let parameters = self.parameters();
         let result = function.result();
         let parts = result.parts().zip(result.split(self.chain.spaces(), found));
         let parts = parts.map(|((_, part), found)| {
@@ -392,6 +389,19 @@ impl<'r> Prepared<'r> {
             permuted(found, &orders.collect::<Vec<_>>())
         });
         parts.flatten().collect()
+    }
+
+    /// For each inertial parameter of the dense robot its place among the chain's: of each link that moves against the one
+    /// it hangs on, ten; of what drives joints, three for each velocity.
+    pub(super) fn parameters(&self) -> Vec<usize> {
+        let places = self.links().into_iter();
+        let parameters = places.flat_map(|place| (0..10).map(move |k| 10 * place + k));
+        parameters.chain(self.drives()).collect()
+    }
+
+    /// The robot in dense matrices.
+    pub(super) const fn dense(&self) -> &Dense {
+        &self.dense
     }
 
     /// For each link of the dense robot that moves against the one it hangs on, its place among the chain's.
@@ -485,7 +495,7 @@ pub(super) fn id(name: &str) -> usize {
 }
 
 /// A panic as a message.
-fn guarded<X>(work: impl FnOnce() -> X) -> Result<X, String> {
+pub(super) fn guarded<X>(work: impl FnOnce() -> X) -> Result<X, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
         let text = panic.downcast_ref::<String>().cloned();
         let text = text.or_else(|| panic.downcast_ref::<&str>().map(|&text| text.to_owned()));

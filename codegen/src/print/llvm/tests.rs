@@ -1,5 +1,7 @@
 //! Hand-made programs as text: a reader of these tests sees what a user of the command gets.
 
+use std::collections::BTreeMap;
+
 use super::{Writing, print};
 use crate::function::Function;
 use crate::print::Listing;
@@ -34,6 +36,7 @@ fn steps(real: Real, operations: &[Operation]) -> Listing {
         before_angles: 0,
         steps: operations.iter().map(|&of| step("", of)).collect(),
         results: vec![Operand::Step(last), literal(-0.5)],
+        open: BTreeMap::new(),
     };
     Listing {
         functions: vec![listed(&[Function::Gravity], program)],

@@ -1,0 +1,226 @@
+//! Base parameters of a robot, against its regressor in 256 bits.
+//!
+//! In: a [`Robot`] and its unit of length. Out: how many base parameters it has, if they are as many as columns of the
+//! regressor that do not depend on each other, and make all of them: Y_b K = Y; or that they are refused by name. The
+//! regressor is that of the [oracle](crate::oracle), at random states; its [elimination](elimination) shares nothing with
+//! the engine.
+
+mod elimination;
+
+use homogen_codegen::Function;
+use homogen_codegen::chain::base_parameters::BaseParameters;
+use homogen_codegen::expand::{identified, understand};
+use homogen_codegen::list::Id;
+use homogen_codegen::space::{Kind, Space, Variable};
+
+use crate::arguments::Arguments;
+use crate::big::Big;
+use crate::oracle::frame_0;
+use crate::states::Random;
+
+use super::prepared::{Prepared, guarded};
+use super::robot::Robot;
+use super::text;
+use elimination::{Rank, rank};
+
+/// How far a column by base parameters may be off, beside itself.
+const OFF: f64 = 1e-10;
+
+/// What the base parameters of a robot are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ranked {
+    /// So many, and right.
+    Right(usize),
+    /// They cannot be told apart, as the engine says.
+    Refused,
+    /// 256 bits do not tell how many there are.
+    Unknown,
+}
+
+/// The regressor at a state, by its columns, without units.
+type Columns = Vec<Vec<Big>>;
+
+/// Compares the base parameters of a robot.
+///
+/// # Errors
+/// What is wrong with them.
+pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
+    let prepared = Prepared::of(robot, seed, 1)?;
+    let found = guarded(|| {
+        let (description, request) = text::read(robot)?;
+        let chain = understand(&description, &request)?;
+        identified(chain, &description, &request)
+    })?;
+    let found = match found {
+        Ok(chain) => chain.base_parameters.expect("it is identified"),
+        Err(refusal) => {
+            let said = refusal.to_string();
+            let by_name = said.contains("cannot be told apart") && !said.contains("fault");
+            return if by_name {
+                Ok(Ranked::Refused)
+            } else {
+                Err(format!("refused: {said}"))
+            };
+        }
+    };
+    let states = Seen::new(&prepared, length, seed);
+    makes_all(&found, &prepared, &states)?;
+    let rows: Vec<Columns> = (0..states.enough()).map(|state| states.at(state)).collect();
+    match rank(&rows, &states.order()) {
+        Rank::Unknown => Ok(Ranked::Unknown),
+        Rank::Of(rank) if rank == found.groups.len() => Ok(Ranked::Right(rank)),
+        Rank::Of(rank) => Err(format!(
+            "{} base parameters, and the rank of the regressor is {rank}",
+            found.groups.len()
+        )),
+    }
+}
+
+/// Holds each column of Y against that of Y_b K, at two states.
+fn makes_all(found: &BaseParameters, prepared: &Prepared<'_>, states: &Seen<'_>) -> Result<(), String> {
+    let places = prepared.parameters();
+    let column = |parameter: usize| {
+        let mut places = places.iter();
+        places.position(|&place| place == parameter).expect("the same parameters")
+    };
+    let mut terms: Vec<Vec<(usize, f64)>> = vec![Vec::new(); places.len()];
+    for group in &found.groups {
+        let leader = column(group.leader().index());
+        for (member, factor) in &group.members {
+            terms[column(member.index())].push((leader, *factor));
+        }
+    }
+    let seen = [1_000_000, 1_000_001].map(|state| states.at(state));
+    let entries = seen.iter().flatten().flatten().map(|entry| entry.abs().to_f64());
+    let largest = entries.fold(0.0, f64::max);
+    for (k, terms) in terms.iter().enumerate() {
+        let (mut off, mut whole) = (0.0_f64, 0.0_f64);
+        for at in &seen {
+            for (row, entry) in at[k].iter().enumerate() {
+                let sum = terms.iter().fold(Big::zero(), |sum, (leader, factor)| {
+                    sum + &at[*leader][row] * &Big::new(*factor) * &states.ratio(*leader, k)
+                });
+                off = off.max((sum - entry).abs().to_f64());
+                whole = whole.max(entry.abs().to_f64());
+            }
+        }
+        // Not a number is not within anything.
+        if !(off <= OFF * whole + 1e-30 * largest) {
+            let name = &prepared.chain().spaces().parameters[Id::new(places[k])].name;
+            return Err(format!("Y_b K is off by {off:e} of {whole:e} in the column of {name}"));
+        }
+    }
+    Ok(())
+}
+
+/// Regressors of a robot at random states, on the scales of its lengths and of gravity.
+struct Seen<'p> {
+    prepared: &'p Prepared<'p>,
+    length: f64,
+    rate: f64,
+    seed: u64,
+    /// Of each velocity and of each column, what an entry is divided by.
+    rows: Vec<f64>,
+    columns: Vec<f64>,
+}
+
+impl<'p> Seen<'p> {
+    fn new(prepared: &'p Prepared<'p>, length: f64, seed: u64) -> Self {
+        let rate = (10.0 / length).sqrt();
+        let links = prepared.dense().robot.bodies.iter().filter(|body| body.link);
+        let second = rate * rate;
+        let of_link = [second * length * length]
+            .into_iter()
+            .chain([second * length; 3])
+            .chain([second; 6]);
+        let of_links = links.flat_map(|_| of_link.clone());
+        let drives = prepared.parameters().len();
+        let mut columns: Vec<f64> = of_links.collect();
+        let drives = (drives - columns.len()) / 3;
+        columns.extend((0..drives).flat_map(|_| [second, rate, 1.0]));
+        let mut seen = Self {
+            prepared,
+            length,
+            rate,
+            seed,
+            rows: Vec::new(),
+            columns,
+        };
+        seen.rows = seen.units(Space::Velocities).map(|unit| 1.0 / unit).collect();
+        seen
+    }
+
+    /// The unit of length where an entry slides, in the order of the dense robot.
+    fn units(&self, space: Space) -> impl Iterator<Item = f64> {
+        let entries = self.prepared.chain().spaces().entries(space);
+        let mut units = vec![1.0; entries.len()];
+        for (k, entry) in entries.iter().enumerate() {
+            if entry.kind == Kind::Slide {
+                units[self.prepared.place(space, k)] = self.length;
+            }
+        }
+        units.into_iter()
+    }
+
+    /// So many states that more tell nothing new: of one, one row of each velocity that moves a link against the next.
+    fn enough(&self) -> usize {
+        let robot = &self.prepared.dense().robot;
+        let mut moved = vec![0; robot.velocities()];
+        for body in &robot.bodies {
+            for (velocity, _) in body.motion.screws() {
+                moved[velocity] += 1;
+            }
+        }
+        2 + 10 * moved.into_iter().max().unwrap_or(0)
+    }
+
+    /// Velocities, outermost first.
+    fn order(&self) -> Vec<usize> {
+        let bodies = self.prepared.dense().robot.bodies.iter().rev();
+        let mut order: Vec<usize> = Vec::new();
+        for (velocity, _) in bodies.flat_map(|body| body.motion.screws()) {
+            if !order.contains(&velocity) {
+                order.push(velocity);
+            }
+        }
+        order
+    }
+
+    /// What an entry of a column is multiplied by to be one of another column.
+    fn ratio(&self, from: usize, to: usize) -> Big {
+        Big::new(self.columns[from]) / Big::new(self.columns[to])
+    }
+
+    /// The regressor at the state of that number.
+    fn at(&self, state: u64) -> Columns {
+        let mut random = Random::new(self.seed ^ (state << 20));
+        let mut drawn = |space, scale: f64| -> Vec<f64> {
+            let units: Vec<f64> = self.units(space).collect();
+            units.into_iter().map(|unit| 3.0 * unit * scale * random.unit()).collect()
+        };
+        let mut q = drawn(Space::Coordinates, 1.0);
+        for start in self.prepared.dense().robot.quaternions() {
+            for entry in &mut q[start..start + 4] {
+                *entry *= 0.3;
+            }
+        }
+        let arguments = Arguments {
+            q,
+            qd: drawn(Space::Velocities, self.rate),
+            qdd: drawn(Space::Velocities, self.rate * self.rate),
+            tau: vec![0.0; self.rows.len()],
+            actions: Vec::new(),
+        };
+        debug_assert_eq!(arguments.of(Variable::Qd).len(), self.rows.len());
+        let robot = &self.prepared.dense().robot;
+        let entries = frame_0::evaluate(robot, Function::Regressor, 0, &arguments);
+        let count = self.columns.len();
+        let scaled = |row: usize, column: usize| {
+            let unit = Big::new(self.rows[row]) * Big::new(self.columns[column]);
+            &entries[row * count + column] / &unit
+        };
+        let rows = self.rows.len();
+        let column = |column: usize| (0..rows).map(|row| scaled(row, column)).collect();
+        (0..count).map(column).collect()
+    }
+}

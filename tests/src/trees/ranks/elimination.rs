@@ -1,0 +1,99 @@
+//! The rank of a matrix in 256 bits, by elimination of columns.
+//!
+//! In: a matrix without units at several states, by its columns, and the order of its rows at each. Out: how many columns do
+//! not depend on each other, or that 256 bits do not tell. Columns come last first, and a pivot is in the first row of the
+//! order where much of a column is left: what hangs further out is seen by rows of its own, and most products are zero.
+
+use crate::big::Big;
+
+/// How many columns do not depend on each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rank {
+    Of(usize),
+    Unknown,
+}
+
+/// What is left of a column that depends on others is less, and of one that does not more.
+const DEPENDENT: f64 = 1e-50;
+const INDEPENDENT: f64 = 1e-38;
+
+/// So much of the largest entry that is left is enough of a pivot.
+const MUCH: f64 = 1e-3;
+
+/// A column by rows, each with its entries at all states; none where all are zero.
+type Column = Vec<Option<Vec<Big>>>;
+
+struct Pivot {
+    row: usize,
+    state: usize,
+    column: Column,
+}
+
+pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
+    let Some(first) = states.first() else {
+        return Rank::Of(0);
+    };
+    let mut pivots: Vec<Pivot> = Vec::new();
+    for k in (0..first.len()).rev() {
+        let rows = first[k].len();
+        let column = (0..rows).map(|row| {
+            let entries: Vec<Big> = states.iter().map(|columns| columns[k][row].clone()).collect();
+            let is_zero = entries.iter().all(|entry| *entry == Big::zero());
+            (!is_zero).then_some(entries)
+        });
+        let mut column: Column = column.collect();
+        for pivot in &pivots {
+            reduce(&mut column, pivot);
+        }
+        let largest = |entries: &Option<Vec<Big>>| {
+            let sizes = entries.iter().flatten().map(|entry| entry.abs().to_f64());
+            sizes.fold(0.0, f64::max)
+        };
+        let sizes: Vec<f64> = column.iter().map(largest).collect();
+        let left = sizes.iter().copied().fold(0.0, f64::max);
+        if left < DEPENDENT {
+            continue;
+        }
+        if left < INDEPENDENT {
+            return Rank::Unknown;
+        }
+        let mut rows = order.iter().copied();
+        let row = rows.find(|&row| sizes[row] >= MUCH * left).expect("one is the largest");
+        pivots.push(pivot(column, row));
+    }
+    Rank::Of(pivots.len())
+}
+
+/// A column with 1 at the largest entry of a row.
+fn pivot(mut column: Column, row: usize) -> Pivot {
+    let entries = column[row].as_ref().expect("much is left");
+    let size = |state: &usize| entries[*state].abs().to_f64();
+    let largest = (0..entries.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
+    let state = largest.expect("there are states");
+    let value = entries[state].clone();
+    for entry in column.iter_mut().flatten().flatten() {
+        *entry = &*entry / &value;
+    }
+    Pivot { row, state, column }
+}
+
+/// Makes an entry of a column zero.
+fn reduce(column: &mut Column, pivot: &Pivot) {
+    let Some(entries) = &column[pivot.row] else {
+        return;
+    };
+    let factor = entries[pivot.state].clone();
+    if factor == Big::zero() {
+        return;
+    }
+    for (rest, of_pivot) in column.iter_mut().zip(&pivot.column) {
+        let Some(of_pivot) = of_pivot else { continue };
+        let rest = rest.get_or_insert_with(|| vec![Big::zero(); of_pivot.len()]);
+        for (rest, entry) in rest.iter_mut().zip(of_pivot) {
+            *rest = &*rest - &(&factor * entry);
+        }
+    }
+    if let Some(entries) = &mut column[pivot.row] {
+        entries[pivot.state] = Big::zero();
+    }
+}

@@ -20,26 +20,30 @@ pub struct Batch {
     pub folder: PathBuf,
     /// The robots, by number.
     pub robots: Vec<(u64, Robot)>,
+    /// The first number behind them.
+    pub end: u64,
 }
 
 /// A robot that could not be written, and what was said.
 pub type Refused = (u64, String);
 
 impl Batch {
-    /// The robots of some seeds, as far as their names in C and in Python differ; the others are left out.
+    /// So many robots whose numbers begin with one: what would be called in C as another is left out.
     ///
     /// # Panics
     /// Where the folder cannot be written.
     #[must_use]
-    pub fn of(seeds: impl Iterator<Item = u64>, folder: &Path) -> Self {
+    pub fn of(first: u64, count: usize, folder: &Path) -> Self {
         let _ = fs::remove_dir_all(folder);
         fs::create_dir_all(folder).expect("a folder to write in");
         let mut prefixes = BTreeSet::new();
-        let robots = seeds.map(|seed| (seed, Robot::of(seed)));
+        let robots = (first..).map(|seed| (seed, Robot::of(seed)));
         let robots = robots.filter(|(_, robot)| prefixes.insert(prefix(&robot.name)));
+        let robots: Vec<_> = robots.take(count).collect();
         Self {
             folder: folder.to_owned(),
-            robots: robots.collect(),
+            end: robots.last().map_or(first, |(last, _)| last + 1),
+            robots,
         }
     }
 

@@ -13,11 +13,11 @@ use homogen_names::compilers::{c, cpp, is_here, python_crates, python_texts, rus
 use homogen_names::files::Batch;
 
 /// How many robots stand in one program.
-const TOGETHER: u64 = 50;
+const TOGETHER: usize = 50;
 
 struct Wanted {
     seed: u64,
-    robots: u64,
+    robots: usize,
     python: usize,
     folder: PathBuf,
 }
@@ -32,13 +32,15 @@ impl Wanted {
         };
         while let Some(word) = words.next() {
             let mut next = || words.next().ok_or_else(|| format!("{word} needs a value"));
-            let number = |text: String| text.parse().map_err(|_| format!("{text} is no number"));
+            let refused = |text: &String| format!("{text} is no number");
+            let count = |text: String| text.parse().map_err(|_| refused(&text));
             match word.as_str() {
-                "--seed" => wanted.seed = number(next()?)?,
-                "--robots" => wanted.robots = number(next()?)?,
-                "--python" => {
-                    wanted.python = usize::try_from(number(next()?)?).unwrap_or(usize::MAX);
+                "--seed" => {
+                    let text = next()?;
+                    wanted.seed = text.parse().map_err(|_| refused(&text))?;
                 }
+                "--robots" => wanted.robots = count(next()?)?,
+                "--python" => wanted.python = count(next()?)?,
                 "--folder" => wanted.folder = next()?.into(),
                 other => return Err(format!("there is no option {other}")),
             }
@@ -61,11 +63,13 @@ fn told(wanted: &Wanted) -> ExitCode {
     let mut complaints = Vec::new();
     let mut packages_left = wanted.python;
     let (mut robots, mut packages) = (0, 0);
-    let (mut from, end) = (wanted.seed, wanted.seed + wanted.robots);
-    while from < end {
-        let to = end.min(from + TOGETHER);
-        let mut batch = Batch::of(from..to, &wanted.folder.join(format!("from_{from}")));
-        robots += batch.robots.len();
+    let mut from = wanted.seed;
+    while robots < wanted.robots {
+        let count = TOGETHER.min(wanted.robots - robots);
+        let folder = wanted.folder.join(format!("from_{from}"));
+        let mut batch = Batch::of(from, count, &folder);
+        robots += count;
+        from = batch.end;
         let refused = batch.write().into_iter();
         complaints
             .extend(refused.map(|(number, said)| format!("robot {number} is refused: {said}")));
@@ -95,7 +99,6 @@ fn told(wanted: &Wanted) -> ExitCode {
         complaints.extend(python_crates(checked).err());
         packages += checked.len();
         eprintln!("{robots} robots, {} complaints", complaints.len());
-        from = to;
     }
     for complaint in &complaints {
         println!("{complaint}\n");

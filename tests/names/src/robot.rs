@@ -128,6 +128,7 @@ impl Robot {
     /// Whether any field was asked for.
     fn fields(&mut self, random: &mut Random, link: &str) -> bool {
         let mut fields = BTreeSet::new();
+        let mut has_gravity = false;
         let targets = [
             (format!("mass_of:{link}"), 3),
             (format!("com_of:{link}"), 4),
@@ -138,9 +139,11 @@ impl Robot {
             let alike = field.trim_start_matches("r#").to_owned();
             if random.chance(chance) && fields.insert(alike) {
                 self.option("field", &format!("{field}={target}"));
+                has_gravity |= target == "gravity";
             }
         }
-        if !fields.is_empty() && random.chance(3) {
+        // Of gravity every robot's torques have a part that depends on it alone.
+        if has_gravity && random.chance(2) {
             self.options.push("--prepare".to_owned());
         }
         !fields.is_empty()

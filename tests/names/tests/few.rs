@@ -9,8 +9,7 @@ use homogen_names::files::Batch;
 #[test]
 fn twelve_robots_in_every_language() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("few");
-    let mut batch = Batch::of(0..12, &folder);
-    assert!(batch.robots.len() > 8);
+    let mut batch = Batch::of(0, 12, &folder);
     assert_eq!(batch.write(), []);
     rust(&batch, "2024").expect("Rust");
     let objects = c(&batch, "cc").expect("C");

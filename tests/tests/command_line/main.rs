@@ -196,7 +196,7 @@ error: <stdin>:1:14: the robot has 5001 joints, and at most 5000 can be modelled
     let longer = snake(5001);
     let told = refused("check -", &longer);
     assert!(told.starts_with(expected), "{told}");
-    // Of what is doubted beside it, which none of the joints says its axis, the first are enough.
+    // None of its joints has an axis: ten warnings of that are enough.
     assert!(told.ends_with("and 990 more warnings\n"), "{told}");
     let rest = json("check - --base l1 --drop l1000 --format json", &longer);
     assert_eq!(rest["joints"].as_array().map(Vec::len), Some(998));

@@ -164,6 +164,13 @@ impl Content {
     }
 }
 
+/// An element with one value.
+const VALUE: Content = Content {
+    attributes: &[Entry::read("value", "the value")],
+    elements: &[],
+    others: Others::WarnedLikeText,
+};
+
 /// Each element that has content, as the guide calls it.
 const PLACES: [(&str, &Content); 18] = [
     ("`<robot>`", &ROBOT),

@@ -1,8 +1,7 @@
 //! Elements and attributes of transmissions: those of ROS, PR2, `ros2_control` and Drake.
 
-use super::format::VALUE;
 use super::simulators::FORCE;
-use super::{Content, Entry, Lost, Others};
+use super::{Content, Entry, Lost, Others, VALUE};
 
 /// `<transmission>`.
 pub(super) const TRANSMISSION: Content = Content {

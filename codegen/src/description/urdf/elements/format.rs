@@ -5,7 +5,7 @@ use super::simulators::{
     BULLET_CONTACT, CONSTRAINT, DEFORMABLE, FORCE, FRAME, GAZEBO, GRAVITY, IGNORED_BY_DRAKE,
     KINEMATIC, MUJOCO,
 };
-use super::{Content, Entry, Lost, Others, When};
+use super::{Content, Entry, Lost, Others, VALUE, When};
 
 /// The root element.
 pub(in super::super) const ROBOT: Content = Content {
@@ -108,13 +108,6 @@ pub(super) const INERTIAL: Content = Content {
         )
         .with(&INERTIA),
     ],
-    others: Others::WarnedLikeText,
-};
-
-/// An element with one value.
-pub(super) const VALUE: Content = Content {
-    attributes: &[Entry::read("value", "the value")],
-    elements: &[],
     others: Others::WarnedLikeText,
 };
 

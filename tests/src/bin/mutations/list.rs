@@ -41,7 +41,7 @@ pub fn all() -> impl Iterator<Item = &'static Mutation> {
 }
 
 /// Those of the engine and of geometry, grouped by the crate that is built again.
-const MUTATIONS: [Mutation; 43] = [
+const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
@@ -358,6 +358,33 @@ const MUTATIONS: [Mutation; 43] = [
         from: "if trace >= xx && trace >= yy && trace >= zz {",
         to: "if trace >= -one {",
         noticed_by: geometry("logarithm::log_near_pi"),
+    },
+    Mutation {
+        name: "loops: residuals that digits leave are kept",
+        file: "codegen/src/expand/closure.rs",
+        from: "const LEAST: f64 = 1.0 / 1024.0;",
+        to: "const LEAST: f64 = 0.0;",
+        noticed_by: engine(
+            "expand::closure::tests::singular::a_four_bar_that_is_mounted_askew_keeps_the_residuals_of_its_plane",
+        ),
+    },
+    Mutation {
+        name: "loops: a residual beside the motion of the base",
+        file: "codegen/src/expand/closure/measured.rs",
+        from: "rate.abs() / motion.max(LEAST_MOTION * size)",
+        to: "rate.abs()",
+        noticed_by: engine("expand::closure::tests::singular::small_mechanisms_keep_their_residuals"),
+    },
+    Mutation {
+        name: "loops: γ with the other sign",
+        file: "codegen/src/model/constrained.rs",
+        from: "-(dot(row, &free) + bias)",
+        to: "-(dot(row, &free) - bias)",
+        noticed_by: Test {
+            package: "homogen-tests",
+            target: &["--test", "mechanisms"],
+            name: "mechanisms_of_all_digits_move_as_they_are_drawn",
+        },
     },
 ];
 

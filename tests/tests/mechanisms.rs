@@ -1,0 +1,54 @@
+//! Random mechanisms in any orientation through the whole generator, against equations of motion of 256 bits: see
+//! [`homogen_tests::mechanisms`]. `cargo run --release -p homogen-tests --bin mechanisms` runs a thousand.
+
+use homogen_tests::mechanisms::draw::Kind;
+use homogen_tests::mechanisms::judge::Outcome;
+use homogen_tests::mechanisms::{Trial, examine};
+
+/// The run whose mechanisms are looked at.
+const RUN: u64 = 0;
+
+/// The mechanisms of some indices that are right; all others must be reported as singular or refused by name.
+fn right(indices: impl Iterator<Item = usize>) -> usize {
+    let mut failures = Vec::new();
+    let mut right = 0;
+    for index in indices {
+        match examine(Trial::numbered(RUN, index)) {
+            Ok(Outcome::Right(_)) => right += 1,
+            Ok(Outcome::Singular | Outcome::Refused) => {}
+            Err(told) => failures.push(told),
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    right
+}
+
+/// Stewart platforms take most of the time.
+fn is_short(index: &usize) -> bool {
+    Trial::numbered(RUN, *index).kind != Kind::Stewart
+}
+
+#[test]
+fn mechanisms_of_all_digits_move_as_they_are_drawn() {
+    let indices: Vec<usize> = (0..20).filter(is_short).collect();
+    assert_eq!(right(indices.iter().copied()), indices.len());
+}
+
+#[test]
+fn mechanisms_of_few_digits_move_or_are_reported() {
+    assert!(right((20..40).filter(is_short)) >= 8);
+}
+
+#[test]
+fn mechanisms_in_single_precision_move_or_are_reported() {
+    let first =
+        (0..200).find(|&index| Trial::numbered(RUN, index).scalar == homogen_codegen::Real::F32);
+    let first = first.expect("a third of them");
+    assert!(right((first..first + 10).filter(is_short)) >= 5);
+}
+
+#[test]
+fn a_stewart_platform_moves_as_it_is_drawn() {
+    let stewart = (0..20).find(|index| !is_short(index)).expect("every tenth");
+    assert_eq!(right(std::iter::once(stewart)), 1);
+}

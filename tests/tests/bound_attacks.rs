@@ -224,13 +224,19 @@ fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
         Request::default(),
     );
     let of = |scalar| listed(&description, request.clone(), Function::Bias, scalar);
-    assert_eq!(refusal(&of(Real::F32)), "it overflows within its range");
+    assert_eq!(
+        refusal(&of(Real::F32)),
+        "a number may overflow, as far as ranges tell"
+    );
     holds::<F64>(&description, &request, Function::Bias);
     // Where any type is meant, one line tells both.
     let Accuracy::Within(promise) = &of(Real::Generic).accuracy[0] else {
         panic!("f64 has a bound");
     };
-    assert_eq!(promise.lacks, Some("it overflows within its range"));
+    assert_eq!(
+        promise.lacks,
+        Some("a number may overflow, as far as ranges tell")
+    );
     assert!(
         promise
             .bounds
@@ -239,7 +245,10 @@ fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
     );
     let huge = two(r#"lower="-1" upper="1" velocity="1e200""#);
     let listed = listed(&huge, request, Function::Bias, Real::F64);
-    assert_eq!(refusal(&listed), "it overflows within its range");
+    assert_eq!(
+        refusal(&listed),
+        "a number may overflow, as far as ranges tell"
+    );
 }
 
 /// Infinite limits are as good as none, which the range says.

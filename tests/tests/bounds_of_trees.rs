@@ -146,7 +146,7 @@ fn axes_of_other_lengths_than_1_are_in_the_bounds() {
             Kind::Planar,
         ] {
             let others = (Kind::Revolute, NO_TURN, ["0", "0", "1"]);
-            share(&row(vec![(kind.clone(), NO_TURN, axis), others]), 20);
+            share(&row(vec![(kind.clone(), NO_TURN, axis), others]), 4);
         }
     }
 }

@@ -118,6 +118,18 @@ fn in_registers(from: &[[f64; 7]], v: &[[f64; 6]]) -> Vec<Vec<[f64; 7]>> {
 #[test]
 fn steps_of_postures_have_the_bits_of_the_runtime() {
     let mut random = Random::new(20);
+    for size in [1e300, 1e200, 1e20, 1e-20, 1e-200, 1e-310, 5e-324, 0.0] {
+        let quaternion = [0.3, -1.0, 0.0, 0.7].map(|entry: f64| size * entry);
+        let [found, expected] = [
+            posture::normalized(quaternion),
+            of_runtime::normalized(quaternion),
+        ];
+        assert_eq!(
+            found.map(f64::to_bits),
+            expected.map(f64::to_bits),
+            "{size:e}"
+        );
+    }
     let (mut starts, mut motions, mut ends) = (Vec::new(), Vec::new(), Vec::new());
     // So many that registers are not filled at the end.
     for round in 0..4003 {

@@ -128,6 +128,7 @@ fn doubt_encoding(bytes: &[u8], valid: usize) -> Complaint {
 }
 
 /// Whether a text is written in UTF-16: by its byte order mark, or by a zero in its first character.
+#[must_use]
 pub fn is_utf_16(bytes: &[u8]) -> bool {
     matches!(
         bytes,

@@ -5,6 +5,9 @@
 
 use crate::number::Number;
 
+/// 2⁴⁰: a quaternion whose largest entry is between this and its inverse has squares in every type.
+const MODERATE: f64 = 1_099_511_627_776.0;
+
 /// What is added to the square of an angle, so that nothing is divided by zero: no rounding sees it.
 const LEAST: f64 = 1e-20;
 

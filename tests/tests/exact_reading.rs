@@ -1,0 +1,130 @@
+//! What a description says reaches code exactly, or in 106 bits: nothing between is computed in `f64`, where no bound
+//! counts what is lost.
+//!
+//! In: the sources of the engine from the readers to the layout. It looks for what takes a number to `f64`, computes with
+//! one that was written, or makes a scalar of one that is no literal; what stands in [`ALLOWED`] decides, warns or shows,
+//! or is exact.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The rooms through which numbers go until they are scalars of a graph.
+const ROOMS: [&str; 6] = [
+    "description",
+    "chain",
+    "layout",
+    "joint",
+    "closure",
+    "matrix",
+];
+
+/// Sums of parameters and their factors, of numbers that have errors of their own.
+const BASE_PARAMETERS: &str = "chain/base_parameters";
+
+/// File, part of a line, why it may stand there.
+const ALLOWED: [(&str, &str, &str); 18] = [
+    ("chain/angle.rs", ".value", "decides what digits mean"),
+    (
+        "chain/merge/reader.rs",
+        "(angle)",
+        "described in the place of a field",
+    ),
+    ("chain/merge/reader.rs", "(sine)", "0 or 1"),
+    ("chain/merge/reader.rs", "follow.", "shown in a report"),
+    (
+        "chain/merge/reader.rs",
+        "Double::to_f64",
+        "described in the place of a field",
+    ),
+    ("chain/merge/displacement.rs", "entries", "0 or 1"),
+    (
+        "chain/turn.rs",
+        ".to_f64()",
+        "described in the place of a field",
+    ),
+    ("description/axis.rs", ".to_f64()", "times a power of two"),
+    (
+        "description/constant.rs",
+        "== 0.0",
+        "decides whether there is a quotient",
+    ),
+    ("layout/frames.rs", ">= NEARLY_PARALLEL", "chooses a frame"),
+    ("layout/frames.rs", "< 0.0", "chooses one of two formulas"),
+    ("matrix/pose.rs", "Double::to_f64", "chooses an axis"),
+    ("matrix/vector.rs", "abs()", "chooses a power of two"),
+    ("matrix/vector.rs", "towards_one", "a power of two"),
+    ("chain/merge/reader.rs", "GRAVITY", "a literal"),
+    ("chain/physical.rs", "Double::to_f64", "warns"),
+    ("matrix/pose.rs", "entries", "0 or 1"),
+    ("matrix/vector.rs", "entries", "as they were handed in"),
+];
+
+fn sources(path: &Path, found: &mut Vec<PathBuf>) {
+    if let Ok(entries) = fs::read_dir(path) {
+        for entry in entries {
+            let path = entry.expect("an entry").path();
+            let tests = path.file_stem().is_some_and(|name| name == "tests");
+            if !tests && (path.is_dir() || path.extension().is_some_and(|ending| ending == "rs")) {
+                sources(&path, found);
+            }
+        }
+    } else {
+        found.push(path.to_owned());
+    }
+}
+
+/// The lines of a text, comments and tests apart, in which a number may lose digits.
+fn suspicious(text: &str) -> Vec<&str> {
+    let code = text.split("#[cfg(test)]\nmod tests {").next();
+    let lines = code.unwrap_or_default().lines().map(str::trim);
+    let is = |line: &&str| {
+        let computes = line.contains(".value")
+            && !line.contains(".value(")
+            && [" + ", " - ", " * ", " / ", ".sqrt()"]
+                .iter()
+                .any(|operation| line.contains(operation));
+        let made = line.split("constant(").skip(1).any(|argument| {
+            let plain = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
+            let argument = argument.trim_start_matches("graph, [");
+            !argument.starts_with(plain) && !line.contains("fn constant(")
+        });
+        !line.starts_with("//") && (line.contains("to_f64") || computes || made)
+    };
+    lines.filter(is).collect()
+}
+
+#[test]
+fn nothing_that_was_written_is_computed_with_in_f64() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../codegen/src");
+    let mut files = Vec::new();
+    for room in ROOMS {
+        sources(&root.join(room), &mut files);
+        sources(&root.join(room).with_extension("rs"), &mut files);
+    }
+    assert!(files.len() > 60, "{} files", files.len());
+    let mut complaints = Vec::new();
+    for file in files.iter().filter(|file| file.is_file()) {
+        let name = file.strip_prefix(&root).expect("it lies there");
+        let name = name.to_string_lossy().replace('\\', "/");
+        let name = name.as_str();
+        if name.starts_with(BASE_PARAMETERS) {
+            continue;
+        }
+        let text = fs::read_to_string(file).expect("text");
+        for line in suspicious(&text) {
+            let mut allowed = ALLOWED.iter();
+            if !allowed.any(|(file, part, _)| *file == name && line.contains(part)) {
+                complaints.push(format!("{name}: {line}"));
+            }
+        }
+    }
+    assert!(complaints.is_empty(), "{complaints:#?}");
+}
+
+#[test]
+fn such_lines_are_found() {
+    assert_eq!(suspicious("let x = a.value / length;").len(), 1);
+    assert_eq!(suspicious("graph.constant(pitch.value)").len(), 1);
+    assert_eq!(suspicious("let x = (a * b).to_f64();").len(), 1);
+    assert!(suspicious("// a.value / b\ngraph.constant(1.0)\nx.value() * y\n").is_empty());
+}

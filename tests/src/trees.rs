@@ -48,7 +48,8 @@ pub fn try_seed(seed: u64, effort: Effort) -> Result<(Robot, Findings), String> 
 /// The robot and what is wrong with them, in words.
 pub fn try_ranks(seed: u64) -> Result<Ranked, String> {
     let (robot, length) = grow::grow_long(&mut Random::new(seed));
-    ranked(&robot, length, seed).map_err(|what| format!("seed {seed}, in units of {length} m: {what}\n{robot}"))
+    ranked(&robot, length, seed)
+        .map_err(|what| format!("seed {seed}, in units of {length} m: {what}\n{robot}"))
 }
 
 /// The robot of a seed.

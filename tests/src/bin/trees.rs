@@ -113,7 +113,9 @@ fn rank(wanted: &Wanted) -> ExitCode {
             }
         }
         if (right + refused + unknown + failures) % 100 == 0 {
-            eprintln!("{right} right, {refused} refused by name, {unknown} unknown, {failures} failures");
+            eprintln!(
+                "{right} right, {refused} refused by name, {unknown} unknown, {failures} failures"
+            );
         }
     }
     println!(

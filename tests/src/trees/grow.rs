@@ -113,7 +113,9 @@ fn attempt_long(random: &mut Random) -> (Robot, f64) {
     let mimics = random.chance(3);
     let most = if mimics { MIMICKED } else { 60 };
     let count = (1 + random.below(most)).min(1 + random.below(most));
-    let scales = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 1.0, 10.0, 100.0, 1e3];
+    let scales = [
+        1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 1.0, 10.0, 100.0, 1e3,
+    ];
     let length = *random.choose(&scales);
     let straight = random.chance(3);
     let mut numbers = Numbers {

@@ -399,11 +399,6 @@ impl<'r> Prepared<'r> {
         parameters.chain(self.drives()).collect()
     }
 
-    /// The robot in dense matrices.
-    pub(super) const fn dense(&self) -> &Dense {
-        &self.dense
-    }
-
     /// For each link of the dense robot that moves against the one it hangs on, its place among the chain's.
     fn links(&self) -> Vec<usize> {
         let parameters = &self.chain.spaces().parameters;

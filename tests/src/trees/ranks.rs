@@ -70,8 +70,12 @@ pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
         Rank::Unknown => Ok(Ranked::Unknown),
         Rank::Of(rank) if rank == found.groups.len() => Ok(Ranked::Right(rank)),
         Rank::Of(rank) => Err(format!(
-            "{} base parameters, and the rank of the regressor is {rank}",
-            found.groups.len()
+            "{} base parameters, and the rank of the regressor is {rank} {}",
+            found.groups.len(),
+            format!("{found:?}")
+                .split("left")
+                .last()
+                .unwrap_or_default()
         )),
     }
 }
@@ -183,9 +187,9 @@ impl<'p> Seen<'p> {
     }
 
     /// So many states that more tell nothing new: of one, one row of each velocity that moves a link against the next.
-    fn enough(&self) -> usize {
+    fn enough(&self) -> u64 {
         let robot = &self.prepared.dense().robot;
-        let mut moved = vec![0; robot.velocities()];
+        let mut moved = vec![0_u64; robot.velocities()];
         for body in &robot.bodies {
             for (velocity, _) in body.motion.screws() {
                 moved[velocity] += 1;

@@ -14,8 +14,8 @@ pub enum Rank {
 }
 
 /// What is left of a column that depends on others is less, and of one that does not more.
-const DEPENDENT: f64 = 1e-50;
-const INDEPENDENT: f64 = 1e-38;
+const DEPENDENT: f64 = 1e-58;
+const INDEPENDENT: f64 = 1e-50;
 
 /// So much of the largest entry that is left is enough of a pivot.
 const MUCH: f64 = 1e-3;

@@ -167,17 +167,26 @@ struct Found<'f> {
 impl Found<'_> {
     /// Finds which parameters of some links lead a group; what stands for the others is handed on.
     fn block(&mut self, together: &Together) -> Block {
-        let Together { outer, links, rows } = together;
+        let Together {
+            outer,
+            links,
+            rows,
+            bound,
+        } = together;
+        let no_armature = || std::iter::repeat_n((Double::ZERO, 0.0), bound.len());
         let [kinetic, potential] = *rows;
         let constant = [(0.0, kinetic), (1.0, potential)].into_iter();
         let constant = constant
             .flat_map(|(entry, count)| std::iter::repeat_n((Double::from(entry), entry), count));
         let mut span = Span::default();
-        span.take(None, constant);
+        span.take(None, constant.chain(no_armature()));
         for &link in outer {
             for moment in 0..MOMENTS {
                 let column = self.energies.of_moment(link, moment, *rows);
-                span.take(Some(Links::moment(link, moment)), column);
+                span.take(
+                    Some(Links::moment(link, moment)),
+                    column.chain(no_armature()),
+                );
             }
         }
         let mut block = Block::default();
@@ -187,7 +196,7 @@ impl Found<'_> {
             for moment in ORDER {
                 let parameter = Links::moment(link, moment);
                 let column = self.energies.of_moment(link, moment, *rows);
-                let combination = span.take(Some(parameter), column);
+                let combination = span.take(Some(parameter), column.chain(no_armature()));
                 self.settle(&mut block, parameter, combination);
             }
             for &joint in &self.links.own[link] {
@@ -198,7 +207,12 @@ impl Found<'_> {
                     movers.push((velocity, joint));
                 }
                 if let Some([armature, damping, friction]) = self.links.drive(joint) {
-                    let column = self.energies.of_armature(joint, *rows);
+                    let of_bound = bound.iter().map(|&(first, second)| match joint {
+                        _ if joint == first => (Double::from(1.0), 1.0),
+                        _ if Some(joint) == second => (Double::from(-1.0), 1.0),
+                        _ => (Double::ZERO, 0.0),
+                    });
+                    let column = self.energies.of_armature(joint, *rows).chain(of_bound);
                     let combination = span.take(Some(armature), column);
                     self.settle(&mut block, armature, combination);
                     let [damped, rubbed] = self.beside(joint, mover);

@@ -77,11 +77,17 @@ pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
 }
 
 /// Holds each column of Y against that of Y_b K, at two states.
-fn makes_all(found: &BaseParameters, prepared: &Prepared<'_>, states: &Seen<'_>) -> Result<(), String> {
+fn makes_all(
+    found: &BaseParameters,
+    prepared: &Prepared<'_>,
+    states: &Seen<'_>,
+) -> Result<(), String> {
     let places = prepared.parameters();
     let column = |parameter: usize| {
         let mut places = places.iter();
-        places.position(|&place| place == parameter).expect("the same parameters")
+        places
+            .position(|&place| place == parameter)
+            .expect("the same parameters")
     };
     let mut terms: Vec<Vec<(usize, f64)>> = vec![Vec::new(); places.len()];
     for group in &found.groups {
@@ -91,7 +97,11 @@ fn makes_all(found: &BaseParameters, prepared: &Prepared<'_>, states: &Seen<'_>)
         }
     }
     let seen = [1_000_000, 1_000_001].map(|state| states.at(state));
-    let entries = seen.iter().flatten().flatten().map(|entry| entry.abs().to_f64());
+    let entries = seen
+        .iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.abs().to_f64());
     let largest = entries.fold(0.0, f64::max);
     for (k, terms) in terms.iter().enumerate() {
         let (mut off, mut whole) = (0.0_f64, 0.0_f64);
@@ -107,7 +117,9 @@ fn makes_all(found: &BaseParameters, prepared: &Prepared<'_>, states: &Seen<'_>)
         // Not a number is not within anything.
         if !(off <= OFF * whole + 1e-30 * largest) {
             let name = &prepared.chain().spaces().parameters[Id::new(places[k])].name;
-            return Err(format!("Y_b K is off by {off:e} of {whole:e} in the column of {name}"));
+            return Err(format!(
+                "Y_b K is off by {off:e} of {whole:e} in the column of {name}"
+            ));
         }
     }
     Ok(())
@@ -127,7 +139,12 @@ struct Seen<'p> {
 impl<'p> Seen<'p> {
     fn new(prepared: &'p Prepared<'p>, length: f64, seed: u64) -> Self {
         let rate = (10.0 / length).sqrt();
-        let links = prepared.dense().robot.bodies.iter().filter(|body| body.link);
+        let links = prepared
+            .dense()
+            .robot
+            .bodies
+            .iter()
+            .filter(|body| body.link);
         let second = rate * rate;
         let of_link = [second * length * length]
             .into_iter()
@@ -146,7 +163,10 @@ impl<'p> Seen<'p> {
             rows: Vec::new(),
             columns,
         };
-        seen.rows = seen.units(Space::Velocities).map(|unit| 1.0 / unit).collect();
+        seen.rows = seen
+            .units(Space::Velocities)
+            .map(|unit| 1.0 / unit)
+            .collect();
         seen
     }
 
@@ -163,9 +183,9 @@ impl<'p> Seen<'p> {
     }
 
     /// So many states that more tell nothing new: of one, one row of each velocity that moves a link against the next.
-    fn enough(&self) -> usize {
+    fn enough(&self) -> u64 {
         let robot = &self.prepared.dense().robot;
-        let mut moved = vec![0; robot.velocities()];
+        let mut moved = vec![0_u64; robot.velocities()];
         for body in &robot.bodies {
             for (velocity, _) in body.motion.screws() {
                 moved[velocity] += 1;
@@ -196,7 +216,10 @@ impl<'p> Seen<'p> {
         let mut random = Random::new(self.seed ^ (state << 20));
         let mut drawn = |space, scale: f64| -> Vec<f64> {
             let units: Vec<f64> = self.units(space).collect();
-            units.into_iter().map(|unit| 3.0 * unit * scale * random.unit()).collect()
+            units
+                .into_iter()
+                .map(|unit| 3.0 * unit * scale * random.unit())
+                .collect()
         };
         let mut q = drawn(Space::Coordinates, 1.0);
         for start in self.prepared.dense().robot.quaternions() {

@@ -5,7 +5,7 @@
 
 use super::blocks::{Hung, blocks};
 use super::numbers::{DRIVE, MOMENTS, Numbers, PLACES};
-use crate::chain::{BodyId, Chain};
+use crate::chain::{BodyId, Chain, Position};
 use crate::dense::Matrix;
 use crate::expression::Double;
 use crate::list::{Id, List, id};
@@ -34,6 +34,8 @@ pub(super) struct Together {
     pub(super) links: Vec<LinkId>,
     /// How many kinetic and potential energies are looked at: as many as there are columns, and more.
     pub(super) rows: [usize; 2],
+    /// Joints whose armatures have to be nothing in a combination that makes no torque, or the same as that of another one.
+    pub(super) bound: Vec<(BodyId, Option<BodyId>)>,
 }
 
 /// How many more energies are looked at than would do if each told something new.
@@ -80,15 +82,43 @@ impl<'c> Links<'c> {
             let armatures: usize = links.iter().map(|&link| self.own[link].len()).sum();
             // Of potential energies, a constant is one more column.
             let rows = [MOMENTS * count + armatures + MORE, 4 * count + 1 + MORE];
-            Together { outer, links, rows }
+            let bound = links.iter().flat_map(|&link| self.bound(&self.own[link]));
+            let bound = bound.collect();
+            Together {
+                outer,
+                links,
+                rows,
+                bound,
+            }
         });
         together.collect()
+    }
+
+    /// Armatures of velocities that are seen in the frame that they move, and are no rates of coordinates. Such a velocity
+    /// alone feels its armature, where a kinetic energy ½ v A v + ½ ω B ω would be felt by ω × A v and ω × B ω besides: it is
+    /// the same only if A is nothing, and B the same about all axes.
+    fn bound(&self, own: &[BodyId]) -> Vec<(BodyId, Option<BodyId>)> {
+        let joints = &self.chain.joints;
+        let in_own_frame = own.iter().copied().filter(|&body| {
+            matches!(
+                joints[body].position,
+                Position::Posture(..) | Position::Taken
+            )
+        });
+        let (slides, turns): (Vec<BodyId>, Vec<BodyId>) =
+            in_own_frame.partition(|&body| joints[body].motion.slides());
+        let pairs = turns.windows(2).map(|pair| (pair[0], Some(pair[1])));
+        let slides = slides.into_iter().map(|slide| (slide, None));
+        slides.chain(pairs).collect()
     }
 
     /// At how many states each body is looked at: as often as any link that its joint moves.
     pub(super) fn often(&self, together: &[Together]) -> List<BodyId, usize> {
         let mut often = self.chain.joints.map(|_| 0);
-        for Together { outer, links, rows } in together {
+        for Together {
+            outer, links, rows, ..
+        } in together
+        {
             for &link in outer.iter().chain(links) {
                 let body = self.bodies[link];
                 often[body] = often[body].max(rows[0]).max(rows[1]);

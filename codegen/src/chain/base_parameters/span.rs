@@ -18,8 +18,12 @@ const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 /// So many times its rounding error is more than rounding.
 const TOLD: f64 = 1e4;
 
-/// So small a part of what an entry is a sum of is nothing: it changes no digit of an `f64`.
-pub(super) const NOTHING: f64 = 1e-22;
+/// Beside a part so small of what an entry is a sum of, its square would not be told from rounding: of axes that are parallel
+/// but for so small an angle, some columns see the angle and others its square.
+const ASKEW: f64 = 1e-13;
+
+/// So small a part of what an entry is a sum of is nothing, whatever else the entry is a sum of.
+pub(super) const NOTHING: f64 = 1e-28;
 
 /// Columns that do not depend on each other.
 #[derive(Default)]
@@ -28,13 +32,15 @@ pub(super) struct Span {
     pub(super) left: Left,
 }
 
-/// What was left of columns, beside its rounding error.
+/// What was left of columns.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Left {
-    /// The most of those that were taken for combinations of others.
+    /// The most of those that were taken for combinations of others, beside its rounding error.
     most: f64,
-    /// The least of those that were not.
+    /// The least of those that were not, beside its rounding error.
     least: f64,
+    /// The least of those, beside what it is a sum of.
+    smallest: f64,
 }
 
 impl Default for Left {
@@ -42,6 +48,7 @@ impl Default for Left {
         Self {
             most: 0.0,
             least: f64::INFINITY,
+            smallest: 1.0,
         }
     }
 }
@@ -52,12 +59,13 @@ impl Left {
         Self {
             most: self.most.max(other.most),
             least: self.least.min(other.least),
+            smallest: self.smallest.min(other.smallest),
         }
     }
 
     /// Whether rounding may have decided.
     pub(super) const fn is_uncertain(self) -> bool {
-        self.most > TOLD / 100.0 || self.least < TOLD * 100.0
+        self.most > TOLD / 100.0 || self.least < TOLD * 100.0 || self.smallest < ASKEW
     }
 }
 
@@ -67,6 +75,8 @@ struct Rest {
     value: Double,
     /// The variance of its rounding error.
     variance: f64,
+    /// The magnitudes of what it is a sum of.
+    whole: f64,
 }
 
 impl Rest {
@@ -75,6 +85,7 @@ impl Rest {
         Self {
             value,
             variance: roundoff * roundoff,
+            whole: size,
         }
     }
 
@@ -91,6 +102,7 @@ impl Rest {
         });
         Self {
             value: self.value - term,
+            whole: self.whole + of_term.sqrt(),
             variance: self.variance
                 + part.variance * of_entry
                 + entry.variance * of_part
@@ -104,6 +116,7 @@ impl Rest {
         let size = value.to_f64();
         Self {
             value,
+            whole: self.whole * scale.abs(),
             variance: (self.variance + size * size * of.variance) * scale * scale,
         }
     }
@@ -144,6 +157,9 @@ impl Span {
             return Some(self.combination(parts, &column));
         }
         self.left.least = self.left.least.min(left);
+        let known = rest.iter().filter(|rest| rest.told() > TOLD);
+        let parts_left = known.map(|rest| rest.value.to_f64().abs() / rest.whole);
+        self.left.smallest = self.left.smallest.min(parts_left.fold(0.0, f64::max));
         let told = |row: &usize| match rest[*row].told() > TOLD {
             true => rest[*row].value.to_f64().abs(),
             false => 0.0,

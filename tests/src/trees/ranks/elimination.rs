@@ -14,8 +14,8 @@ pub enum Rank {
 }
 
 /// What is left of a column that depends on others is less, and of one that does not more.
-const DEPENDENT: f64 = 1e-50;
-const INDEPENDENT: f64 = 1e-38;
+const DEPENDENT: f64 = 1e-58;
+const INDEPENDENT: f64 = 1e-50;
 
 /// So much of the largest entry that is left is enough of a pivot.
 const MUCH: f64 = 1e-3;
@@ -37,7 +37,10 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
     for k in (0..first.len()).rev() {
         let rows = first[k].len();
         let column = (0..rows).map(|row| {
-            let entries: Vec<Big> = states.iter().map(|columns| columns[k][row].clone()).collect();
+            let entries: Vec<Big> = states
+                .iter()
+                .map(|columns| columns[k][row].clone())
+                .collect();
             let is_zero = entries.iter().all(|entry| *entry == Big::zero());
             (!is_zero).then_some(entries)
         });
@@ -58,7 +61,9 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
             return Rank::Unknown;
         }
         let mut rows = order.iter().copied();
-        let row = rows.find(|&row| sizes[row] >= MUCH * left).expect("one is the largest");
+        let row = rows
+            .find(|&row| sizes[row] >= MUCH * left)
+            .expect("one is the largest");
         pivots.push(pivot(column, row));
     }
     Rank::Of(pivots.len())

@@ -42,12 +42,12 @@ pub fn try_seed(seed: u64, effort: Effort) -> Result<(Robot, Findings), String> 
     }
 }
 
-/// The base parameters of the long robot of a seed, against its regressor.
+/// The base parameters of the long robot of a seed, of up to so many joints, against its regressor.
 ///
 /// # Errors
 /// The robot and what is wrong with them, in words.
-pub fn try_ranks(seed: u64) -> Result<Ranked, String> {
-    let (robot, length) = grow::grow_long(&mut Random::new(seed));
+pub fn try_ranks(seed: u64, most: usize) -> Result<Ranked, String> {
+    let (robot, length) = grow::grow_long(&mut Random::new(seed), most);
     ranked(&robot, length, seed)
         .map_err(|what| format!("seed {seed}, in units of {length} m: {what}\n{robot}"))
 }

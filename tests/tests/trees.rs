@@ -9,7 +9,8 @@ use homogen_tests::trees::cases::Effort;
 use homogen_tests::trees::examine::together;
 use homogen_tests::trees::features::FEATURES;
 use homogen_tests::trees::prepared::TOLERANCE;
-use homogen_tests::trees::{numbered, of_seed, try_seed};
+use homogen_tests::trees::ranks::Ranked;
+use homogen_tests::trees::{numbered, of_seed, try_ranks, try_seed};
 
 /// So many robots in the time that the tests have.
 const ROBOTS: u64 = 150;
@@ -43,6 +44,15 @@ fn every_function_of_150_robots() {
     }
     println!("{programs} programs");
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn base_parameters_of_30_robots_are_as_many_as_the_rank() {
+    let seeds = (0..30).map(|index| numbered(RUN, index));
+    let found = seeds.map(|seed| try_ranks(seed, 6).unwrap_or_else(|what| panic!("{what}")));
+    let right = found.filter(|found| matches!(found, Ranked::Right(_)));
+    let right = right.count();
+    assert!(right >= 20, "{right} of 30");
 }
 
 #[test]

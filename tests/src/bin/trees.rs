@@ -96,11 +96,14 @@ fn told(wanted: &Wanted) -> ExitCode {
     })
 }
 
+/// The most joints of a robot of which ranks are looked at.
+const LONGEST: usize = 60;
+
 /// Compares base parameters with ranks of regressors.
 fn rank(wanted: &Wanted) -> ExitCode {
     let (mut right, mut refused, mut unknown, mut failures) = (0, 0, 0, 0);
     for seed in wanted.seeds() {
-        match try_ranks(seed) {
+        match try_ranks(seed, LONGEST) {
             Ok(Ranked::Right(_)) => right += 1,
             Ok(Ranked::Refused) => {
                 refused += 1;

@@ -93,11 +93,11 @@ fn attempt(random: &mut Random) -> Robot {
     robot
 }
 
-/// A plain robot of up to 60 velocities in a unit of length of 1e-6 to 1e3 m, which is returned with it: whatever its joints
+/// A plain robot of up to so many joints and of up to 54 velocities beside those of a floating base, in a unit of length of 1e-6 to 1e3 m, which is returned with it: whatever its joints
 /// are, some with actuators, some of them mimic joints, on a fixed or a floating base.
-pub fn grow_long(random: &mut Random) -> (Robot, f64) {
+pub fn grow_long(random: &mut Random, most: usize) -> (Robot, f64) {
     loop {
-        let (robot, length) = attempt_long(random);
+        let (robot, length) = attempt_long(random, most);
         let joints = robot.moving().filter_map(|id| robot.body(id));
         let velocities: usize = joints.map(|body| body.kind.entries()[1].len()).sum();
         if (1..=54).contains(&velocities) {
@@ -109,9 +109,9 @@ pub fn grow_long(random: &mut Random) -> (Robot, f64) {
 /// The most joints of a robot in which some mimic others.
 const MIMICKED: usize = 16;
 
-fn attempt_long(random: &mut Random) -> (Robot, f64) {
+fn attempt_long(random: &mut Random, most: usize) -> (Robot, f64) {
     let mimics = random.chance(3);
-    let most = if mimics { MIMICKED } else { 60 };
+    let most = if mimics { most.min(MIMICKED) } else { most };
     let count = (1 + random.below(most)).min(1 + random.below(most));
     let scales = [
         1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 1.0, 10.0, 100.0, 1e3,

@@ -22,8 +22,8 @@ const TOLD: f64 = 1e4;
 /// but for so small an angle, some columns see the angle and others its square.
 const ASKEW: f64 = 1e-13;
 
-/// So small a part of what an entry is a sum of is nothing: it changes no digit of an `f64`.
-pub(super) const NOTHING: f64 = 1e-22;
+/// So small a part of what an entry is a sum of is nothing, whatever else the entry is a sum of.
+pub(super) const NOTHING: f64 = 1e-28;
 
 /// Columns that do not depend on each other.
 #[derive(Default)]

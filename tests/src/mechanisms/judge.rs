@@ -262,18 +262,12 @@ impl Judge<'_> {
         }
         let loss = pivots.least.recip();
         let error = share(qdd, &expected);
-        if std::env::var("DEBUG").is_ok() {
-            eprintln!("pivots {pivots:?}");
-            eprintln!("found {qdd:?} {multipliers:?}\nexpected {expected:?}");
-            eprintln!("residuals {:?}", held.residuals);
-            eprintln!("J {:?}", held.jacobian);
-            eprintln!("state {state:?}");
-        }
         // What depends on others but for digits is left out in part.
-        let (name, in_part) = if self.digits < ALL && pivots.rank < held.jacobian.len() {
-            ("q̈ of the text, with few digits", 1e-3)
+        let in_part = self.in_part(&held, pivots);
+        let name = if in_part > 0.0 {
+            "q̈ of the text, with few digits"
         } else {
-            ("q̈ of the text", 0.0)
+            "q̈ of the text"
         };
         let most = self.allowed(1e-13 * loss + 1e-10, 1e-4 * loss);
         self.note(name, error, most + in_part)?;
@@ -315,7 +309,17 @@ impl Judge<'_> {
         let (again, _) = held.accelerations(&tau);
         let loss = (pivots.least * of_motion.least).recip();
         let most = self.allowed(1e-11 * loss + 1e-9, 1e-3 * loss);
-        self.note("q̈ of actuated τ", share(&qdd, &again), most)
+        let in_part = self.in_part(held, of_motion) * loss;
+        self.note("q̈ of actuated τ", share(&qdd, &again), most + in_part)
+    }
+
+    /// What may be off where residuals depend on others but for digits.
+    fn in_part(&self, held: &Equations, pivots: Pivots) -> f64 {
+        if self.digits < ALL && pivots.rank < held.jacobian.len() {
+            1e-3
+        } else {
+            0.0
+        }
     }
 
     fn is_regular(&self, pivots: Pivots) -> bool {

@@ -12,7 +12,10 @@ use crate::oracle::frame_0;
 use crate::oracle::robot::Robot;
 
 /// The part of a residual's own size that is left where it depends on others.
-const DEPENDENT: f64 = 1e-10;
+const DEPENDENT: f64 = 1e-7;
+
+/// What nothing changes here, beside the largest of all residuals.
+const NOTHING: f64 = 1e-3;
 
 /// The equations of a state.
 pub struct Equations {
@@ -107,7 +110,7 @@ fn eliminated(mut s: Vec<Vec<Big>>, mut y: Vec<Big>) -> (Vec<Big>, Pivots) {
     let count = y.len();
     let own: Vec<f64> = (0..count).map(|k| s[k][k].to_f64()).collect();
     // A residual that nothing changes here depends on others, whatever it is beside itself.
-    let nothing = DEPENDENT * own.iter().copied().fold(0.0, f64::max);
+    let nothing = NOTHING * own.iter().copied().fold(0.0, f64::max);
     let share = |s: &[Vec<Big>], k: usize| {
         let whole = own[k].max(nothing);
         if whole > 0.0 {

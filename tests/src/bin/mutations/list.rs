@@ -371,7 +371,9 @@ const MUTATIONS: [Mutation; 46] = [
         file: "codegen/src/expand/closure/measured.rs",
         from: "rate.abs() / motion.max(LEAST_MOTION * size)",
         to: "rate.abs()",
-        noticed_by: engine("expand::closure::tests::singular::small_mechanisms_keep_their_residuals"),
+        noticed_by: engine(
+            "expand::closure::tests::singular::small_mechanisms_keep_their_residuals",
+        ),
     },
     Mutation {
         name: "loops: γ with the other sign",

@@ -23,8 +23,6 @@ pub(crate) mod tests;
 mod tree;
 mod turn;
 
-use base_parameters::BaseParameters;
-
 use crate::closure::Row;
 use crate::description::{Description, Source, freed};
 use crate::error::{Complaint, Errors, Place};
@@ -78,7 +76,7 @@ pub struct Chain {
     pub identifies_drives: bool,
     /// The combinations of inertial parameters that torques determine; `None` where nobody has asked for them
     /// ([`Chain::identified`]).
-    pub base_parameters: Option<BaseParameters>,
+    pub base_parameters: Option<base_parameters::BaseParameters>,
 }
 
 /// A freedom of a joint and the body it moves: of a joint with several, all but the last body carry

@@ -14,7 +14,7 @@ use std::cell::OnceCell;
 
 pub(crate) use approximate::{Approximate, ROUNDOFF};
 pub(crate) use matrix::Matrix;
-pub(crate) use robot::{Body, BodyId, Closed, Freedom, Moved, Robot};
+pub(crate) use robot::{Body, BodyId, Closed, Columns, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
 use crate::list::{Id, List, Square};
@@ -64,9 +64,6 @@ type Moving<'a> = (
     (Matrix<Approximate>, Matrix<Approximate>),
     &'a Matrix<Approximate>,
 );
-
-/// A matrix over velocities and parameters by its columns.
-pub(crate) type Columns<T> = List<ParameterId, List<VelocityId, T>>;
 
 /// A robot at a state.
 pub(crate) struct Dense {

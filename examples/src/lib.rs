@@ -43,6 +43,8 @@ mod guide {
     struct Joints;
     #[doc = include_str!("../../guide/src/loops.md")]
     struct Loops;
+    #[doc = include_str!("../../guide/src/what-is-read.md")]
+    struct WhatIsRead;
     #[doc = include_str!("../../guide/src/derivatives.md")]
     struct Derivatives;
     #[doc = include_str!("../../guide/src/inverse-kinematics.md")]

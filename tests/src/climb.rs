@@ -98,7 +98,9 @@ impl<T: Tested> Climb<T> {
     #[must_use]
     pub fn new(description: &Description, request: &Request, function: Function) -> Self {
         let listed = listed(description, request.clone(), function, T::REAL);
-        let chain = chain::build(description, request).unwrap_or_else(|errors| panic!("{errors}"));
+        let chain = chain::build(description, request)
+            .unwrap_or_else(|errors| panic!("{errors}"))
+            .identified();
         Self {
             bounds: of_results(&chain, function, bounds(&listed)),
             units: function.result().units(chain.spaces()),

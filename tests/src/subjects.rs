@@ -104,7 +104,9 @@ impl Subject {
     /// Where it refuses.
     #[must_use]
     pub fn chain(&self) -> Chain {
-        chain::build(&self.description, &self.request).unwrap_or_else(|errors| panic!("{errors}"))
+        chain::build(&self.description, &self.request)
+            .unwrap_or_else(|errors| panic!("{errors}"))
+            .identified()
     }
 }
 

@@ -46,8 +46,9 @@ fn nothing_moves_more_than_its_energy_allows() {
         request.frames = carried.collect();
         request.tip = None;
         request.path_only = false;
-        let chain =
-            chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+        let chain = chain::build(&description, &request)
+            .unwrap_or_else(|errors| panic!("{errors}"))
+            .identified();
         let range = Range::of(&chain);
         let most = mobility(&chain, Layout::DESCRIBED, &range).expect("bodies have inertias");
         let energy = exactly(&chain, Function::MassMatrix);
@@ -124,7 +125,9 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
             return;
         }
     };
-    let chain = chain::build(description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let chain = chain::build(description, &request)
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .identified();
     let needed = exactly(&chain, Function::InverseDynamics);
     let range = Range::of(&chain);
     let mut random = Random::new(11);

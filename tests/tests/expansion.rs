@@ -44,7 +44,9 @@ fn chain_of(robot: &str, tip: &str) -> Chain {
         tip: Some(named(tip)),
         ..Request::default()
     };
-    chain::build(&described(robot), &request).unwrap_or_else(|errors| panic!("{errors}"))
+    chain::build(&described(robot), &request)
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .identified()
 }
 
 /// The file that a builder writes, short enough to be read.

@@ -148,7 +148,9 @@ fn interpreted(formulation: Formulation, state: &State<f64, 7>) -> Vec<f64> {
         tip: Some(tip),
         ..Request::default()
     };
-    let chain = chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let chain = chain::build(&description, &request)
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .identified();
     let functions = [Function::InverseDynamics];
     let program = program_as(formulation, &chain, &functions, FrameId::FIRST, Real::F64);
     let program = program.unwrap_or_else(|errors| panic!("{errors}"));

@@ -62,7 +62,9 @@ const LAYOUTS: [Layout; 2] = [
 ];
 
 fn build(description: &Description, request: &Request) -> Chain {
-    chain::build(description, request).unwrap_or_else(|errors| panic!("{errors}"))
+    chain::build(description, request)
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .identified()
 }
 
 /// The worst difference of a robot's functions, which must be tolerable.

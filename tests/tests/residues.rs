@@ -95,7 +95,9 @@ impl Arm<'_> {
 }
 
 fn hold(description: &Description, request: &Request) {
-    let chain = understand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
+    let chain = understand(description, request)
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .identified();
     let check = Check::of(description, request, &chain);
     let check = check.unwrap_or_else(|errors| panic!("{errors}"));
     let robot = Robot::of(description, request);

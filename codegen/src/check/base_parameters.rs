@@ -14,7 +14,7 @@ use super::states::wide;
 use super::{FAULT, printable};
 use crate::chain::Chain;
 use crate::chain::base_parameters::BaseParameters;
-use crate::dense::{Approximate, Columns, Dense, Motion};
+use crate::dense::{Dense, Motion};
 use crate::description::{Description, freed};
 use crate::error::Errors;
 use crate::expression::Double;
@@ -22,26 +22,16 @@ use crate::list::List;
 use crate::request::Request;
 use crate::space::{ParameterId, VelocityId};
 use crate::wording::quoted;
-use independent::{Dependent, Rows, first_dependent, own_rows};
+use independent::{Dependent, ROUNDED, Rows, Seen, first_dependent, own_rows};
 
 /// A column may be off by so much, beside itself.
 const OFF: f64 = 1e-10;
-
-/// What is left beside the size of what an entry is a sum of is rounding of 106 bits.
-const ROUNDED: f64 = 1e-24;
 
 /// At so many more states a block of columns is looked at than would do if each told something new.
 const MORE: usize = 2;
 
 /// At so many states all columns are looked at.
 const CHECKED: usize = 2;
-
-/// The regressor at a state: Y, and the sizes of what its entries are sums of; and torques of the motion.
-struct Seen {
-    torques: List<VelocityId, Approximate>,
-    regressor: Columns<Approximate>,
-    sizes: Columns<f64>,
-}
 
 /// Holds the base parameters of a chain against its description, fields being what is described in their place.
 ///

@@ -79,6 +79,7 @@ fn all_of(description: &Description, request: &Request) -> Vec<(Vec<Function>, F
 
 fn prepare(description: &Description, request: &Request) -> (Chain, Check) {
     let chain = understand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
+    let chain = chain.identified();
     let check = Check::of(description, request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
     (chain, check)
 }

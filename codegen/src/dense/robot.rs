@@ -89,3 +89,6 @@ pub(crate) struct Robot {
     /// The bodies on which something acts from outside, and whether that is in frame 0 and not in theirs.
     pub(crate) external: (Vec<BodyId>, bool),
 }
+
+/// A matrix over velocities and parameters by its columns.
+pub(crate) type Columns<T> = List<ParameterId, List<VelocityId, T>>;

@@ -392,7 +392,7 @@ impl Scene {
             Some(description) => errors.into_result(description)?,
             None => return Err(errors),
         };
-        let chain = chain::build(&description, &request)?;
+        let chain = chain::build(&description, &request)?.identified();
         Ok(Self {
             name: name.to_owned(),
             title: title.to_owned(),

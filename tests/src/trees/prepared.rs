@@ -77,7 +77,7 @@ impl<'r> Prepared<'r> {
     pub fn of(robot: &'r Robot, seed: u64, states: usize) -> Result<Self, String> {
         let understood = guarded(|| {
             let (description, request) = text::read(robot)?;
-            let chain = understand(&description, &request)?;
+            let chain = understand(&description, &request)?.identified();
             Check::of(&description, &request, &chain).map(|check| (chain, check))
         })?;
         let (chain, check) = understood.map_err(|errors| format!("refused: {errors}"))?;

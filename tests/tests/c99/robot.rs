@@ -51,7 +51,9 @@ fn named(text: &str) -> Name {
 impl Robot {
     fn new(name: &str, description: Description, request: Request) -> Self {
         let chain = understand(&description, &request);
-        let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
+        let chain = chain
+            .unwrap_or_else(|errors| panic!("{errors}"))
+            .identified();
         let mut asked = Vec::new();
         for functions in request.items(!chain.loops.is_empty()) {
             let names: Vec<_> = functions.iter().map(|function| function.name()).collect();

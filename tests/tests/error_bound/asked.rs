@@ -112,5 +112,7 @@ fn as_asked(asked: Asked) -> (Description, Request) {
 
 pub fn chain_of(asked: Asked) -> Chain {
     let (description, request) = described(asked);
-    chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
+    chain::build(&description, &request)
+        .unwrap_or_else(|errors| panic!("{errors}"))
+        .identified()
 }

@@ -119,7 +119,9 @@ hand  fixed     -     0.1  0.4   0.2  0.1   -    -    -    -    -    -     -    
 fn robots() -> Vec<(&'static str, Chain)> {
     let mut errors = Errors::new();
     let oblique = read_text(OBLIQUE, "oblique.dh", None, &mut errors).expect("a table");
-    let oblique = chain::build(&oblique, &Request::default()).unwrap_or_else(|e| panic!("{e}"));
+    let oblique = chain::build(&oblique, &Request::default())
+        .unwrap_or_else(|e| panic!("{e}"))
+        .identified();
     let shipped = [
         "panda_class/0",
         "scara/0",

@@ -6,10 +6,21 @@
 
 use std::collections::BTreeSet;
 
-use super::{ROUNDED, Seen};
 use crate::chain::base_parameters::{BaseParameters, Block};
+use crate::dense::{Approximate, Columns};
 use crate::expression::Double;
-use crate::space::ParameterId;
+use crate::list::List;
+use crate::space::{ParameterId, VelocityId};
+
+/// What is left beside the size of what an entry is a sum of is rounding of 106 bits.
+pub(super) const ROUNDED: f64 = 1e-24;
+
+/// The regressor at a state: Y, and the sizes of what its entries are sums of; and torques of the motion.
+pub(super) struct Seen {
+    pub(super) torques: List<VelocityId, Approximate>,
+    pub(super) regressor: Columns<Approximate>,
+    pub(super) sizes: Columns<f64>,
+}
 
 /// A base parameter that depends on others.
 pub(super) struct Dependent(pub(super) ParameterId);

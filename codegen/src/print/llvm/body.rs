@@ -6,7 +6,6 @@
 use std::fmt::Write;
 
 use super::lanes::Lanes;
-use super::sines;
 use crate::formulation::Sines;
 use crate::print::walk::Language;
 use crate::schedule::{Angle, Operation, Rounds, Value};
@@ -220,7 +219,7 @@ impl Language for Writer {
                 }
                 continue;
             }
-            let function = sines::name(self.lanes);
+            let function = self.lanes.sin_cos();
             let pair = format!("{{ {value}, {value} }}");
             let turn = self.between(&format!("call {pair} {function}({value} {of})"));
             for (place, (name, _)) in parts.into_iter().enumerate() {

@@ -86,6 +86,11 @@ impl Lanes {
         }
     }
 
+    /// The name of the function that gives sine and cosine.
+    pub fn sin_cos(self) -> String {
+        format!("@sin_cos{}", self.suffix())
+    }
+
     /// The name of an intrinsic for values of the type.
     pub fn intrinsic(self, name: &str) -> String {
         let bits = 8 * self.size();

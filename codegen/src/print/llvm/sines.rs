@@ -10,11 +10,6 @@ use crate::formulation::Sines;
 use crate::print::sines::{ANGLE, COSINE, SHIFTED, SINE, statements};
 use crate::print::walk::walk;
 
-/// The name of the function.
-pub(super) fn name(lanes: Lanes) -> String {
-    format!("@sin_cos{}", lanes.suffix())
-}
-
 /// The definition. The last step works on bits: in odd quadrants sine and cosine are exchanged, and signs change.
 pub(super) fn define(lanes: Lanes, fused: bool) -> String {
     let mut writer = Writer::new(lanes, fused, Sines::Own);
@@ -65,7 +60,7 @@ pub(super) fn define(lanes: Lanes, fused: bool) -> String {
     let _ = writeln!(
         text,
         "define internal {{ {value}, {value} }} {}({value} {}) alwaysinline {{\n{}  ret {{ {value}, {value} }} %turn\n}}\n",
-        name(lanes),
+        lanes.sin_cos(),
         local(ANGLE),
         writer.finish()
     );

@@ -9,7 +9,7 @@ use quote::{quote, quote_spanned};
 
 use super::item::{Declaration, Item};
 use super::literals::Numerals;
-use super::names::ident;
+use super::names::{SIN_COS, ident};
 use super::sines;
 use super::world::{Library, World};
 use crate::formulation::Sines;
@@ -269,7 +269,7 @@ impl Dialect {
                 }
             }
             World::Core(library) => {
-                let own = ident(sines::NAME);
+                let own = ident(SIN_COS);
                 let sin_cos = library.sin_cos.clone();
                 let robot = &self.robot;
                 let sin_cos = sin_cos.unwrap_or_else(|| {

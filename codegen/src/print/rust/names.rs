@@ -5,9 +5,11 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::sines;
 use crate::print::Listing;
 use crate::schedule::{Names, sanitize};
+
+/// The function of sines that a struct has of its own.
+pub(super) const SIN_COS: &str = "sin_cos";
 
 /// Names in a scope of their own.
 pub(super) fn unscoped() -> Names {
@@ -19,7 +21,7 @@ pub(super) fn unscoped() -> Names {
 pub(in crate::print) fn of_methods(listing: &Listing) -> Vec<Ident> {
     let mut names = unscoped();
     names.take("chain");
-    names.take(sines::NAME);
+    names.take(SIN_COS);
     let listed = listing.functions.iter();
     listed
         .map(|listed| ident(&names.fresh(&listed.name())))

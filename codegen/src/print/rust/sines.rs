@@ -13,9 +13,6 @@ use super::names::ident;
 use crate::real::Real;
 use crate::schedule::Names;
 
-/// The name of the function.
-pub(super) const NAME: &str = "sin_cos";
-
 /// The function, which binds nothing that is called as the struct.
 pub(super) fn function(real: Real, robot: &Ident) -> TokenStream {
     // The text is Rust: it is compiled below.

@@ -182,7 +182,7 @@ const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "merging: a held joint not moved to where it is held",
         file: "codegen/src/chain/merge/seat.rs",
-        from: "pose: pose * held_at(graph, joint.kind, axes, graph.constant(held.value)),",
+        from: "pose: pose * held_at(graph, joint.kind, axes, reader.number(&held)),",
         to: "pose,",
         noticed_by: engine(CHECKED),
     },

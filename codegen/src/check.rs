@@ -51,6 +51,7 @@ const FAULT: &str =
     "this is a fault of homogen and not of the description: please report it, with the description";
 
 /// Whether what was refused is at fault, and not what was described or asked for.
+#[must_use]
 pub fn is_fault(refusal: &Errors) -> bool {
     let mut hints = refusal
         .complaints()

@@ -169,7 +169,7 @@ fn first_wrong(base: &BaseParameters, seen: &[Seen]) -> Option<Wrong> {
             factors[member].push((group.leader(), factor));
         }
     }
-    let rows = first.iter().next().map(|column| column.ids())?;
+    let rows = first.iter().next().map(List::ids)?;
     factors.numbered().find_map(|(parameter, terms)| {
         // Rows have units of their own.
         let mut rows = rows.clone();

@@ -78,7 +78,7 @@ pub fn redundancy(description: &Description, request: &Request, chain: &Chain) -
     let mut warnings = Vec::new();
     if most.iter().filter(|pivot| **pivot >= CLEAR).count() == involved {
         warnings.push(no_motion(chain));
-    } else if !uncertain.is_empty() && !(is_certain && in_doubt.is_empty()) {
+    } else if !(uncertain.is_empty() || is_certain && in_doubt.is_empty()) {
         warnings.push(nearly_dependent(chain, &uncertain));
     }
     Redundancy {

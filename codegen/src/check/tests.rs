@@ -1,5 +1,6 @@
 //! What the check lets pass, and that it lets nothing else pass.
 
+use std::fmt::Write;
 use std::path::Path;
 
 use super::{Check, is_fault, judge_base_parameters};
@@ -448,7 +449,9 @@ fn snake(joints: usize, length: f64, mimics: usize) -> Description {
             }
             _ => String::new(),
         };
-        text += &format!(
+        // Writing to a string cannot fail.
+        let _ = write!(
+            text,
             r#"<link name="l{k}"><inertial><origin xyz="{x} {y} {z}"/><mass value="{mass}"/>
             <inertia ixx="{ixx}" iyy="{iyy}" izz="{iyy}" ixy="0" ixz="0" iyz="0"/></inertial></link>
             <joint name="j{k}" type="continuous"><parent link="l{before}"/><child link="l{k}"/>

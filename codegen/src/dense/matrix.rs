@@ -65,7 +65,7 @@ impl<T: Arithmetic> Matrix<T> {
     }
 
     /// Q so far along a screw: 1 + u̲ sin q + u̲² (1 − cos q), and b q, where b is along u.
-    pub(crate) fn displacement([u, b]: [[T; 3]; 2], q: T) -> Self {
+    pub(crate) fn displacement([u, b]: [[T; 3]; 2], q: &T) -> Self {
         let turn = Self::screw(u, [0.0; 3].map(T::literal));
         let (sine, cosine) = q.clone().sin_cos();
         let versine = T::literal(1.0) - cosine;

@@ -42,8 +42,8 @@ impl Posture {
                     coordinate,
                     factor,
                     offset,
-                } => Matrix::displacement(screw, factor * q(coordinate) + offset),
-                Moved::Held(screw, at) => Matrix::displacement(screw, Scalar::written(at)),
+                } => Matrix::displacement(screw, &(factor * q(coordinate) + offset)),
+                Moved::Held(screw, at) => Matrix::displacement(screw, &Scalar::written(at)),
                 Moved::Posture(posture, first) => placed(posture, |entry| q(first.plus(entry))),
             };
             let mut pose = body.placement.times(&displacement);

@@ -112,7 +112,7 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
              give the loop a type that leaves this free",
         );
     }
-    let is_whole = !measured.iter().any(|measured| measured.is_open());
+    let is_whole = !measured.iter().any(Measured::is_open);
     if is_whole && measured.iter().all(Measured::is_constant) {
         let message = format!("loop {name} holds nothing: it is closed whatever the joints do");
         errors.push_with_hint(closed.place, message, "leave it out");

@@ -54,10 +54,11 @@ pub fn judge(
     scalar: Real,
     random: &mut Random,
 ) -> Result<Outcome, String> {
-    let (description, request) = read(&text(mechanism, mounting)).map_err(told)?;
+    let (description, request) =
+        read(&text(mechanism, mounting)).map_err(|errors| told(&errors))?;
     let programs = match Programs::of(&description, &request, scalar) {
         Ok(programs) => programs,
-        Err(errors) => return refused(&told(errors), mounting),
+        Err(errors) => return refused(&told(&errors), mounting),
     };
     let warned = programs.chain.report.warnings.iter().any(|warning| {
         ["nearly depend", "nothing can move"]
@@ -69,7 +70,8 @@ pub fn judge(
     }
     let robot = Robot::of(&description, &request);
     let rows = Rows::of(&programs, &description, &request)?;
-    let straight = read(&text(mechanism, &Mounting::straight(mechanism))).map_err(told)?;
+    let straight =
+        read(&text(mechanism, &Mounting::straight(mechanism))).map_err(|errors| told(&errors))?;
     let straight = Robot::of(&straight.0, &straight.1);
     let mut judge = Judge {
         programs: &programs,
@@ -111,7 +113,7 @@ pub fn judge(
     }
 }
 
-fn told(errors: Errors) -> String {
+fn told(errors: &Errors) -> String {
     errors.to_string()
 }
 
@@ -149,7 +151,7 @@ impl Rows {
         description: &Description,
         request: &Request,
     ) -> Result<Self, String> {
-        let all = chain::build(description, request).map_err(told)?;
+        let all = chain::build(description, request).map_err(|errors| told(&errors))?;
         let names = |chain: &chain::Chain| -> Vec<(String, Row)> {
             let loops = chain.loops.iter();
             let rows = loops

@@ -44,6 +44,9 @@ type Columns = Vec<Vec<Big>>;
 ///
 /// # Errors
 /// What is wrong with them.
+///
+/// # Panics
+/// If a chain that was identified has no base parameters.
 pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
     let prepared = Prepared::of(robot, seed, 1)?;
     let found = guarded(|| {
@@ -119,7 +122,7 @@ fn makes_all(
             }
         }
         // Not a number is not within anything.
-        if !(off <= OFF * whole + 1e-30 * largest) {
+        if off.is_nan() || off > OFF * whole + 1e-30 * largest {
             let name = &prepared.chain().spaces().parameters[Id::new(places[k])].name;
             return Err(format!(
                 "Y_b K is off by {off:e} of {whole:e} in the column of {name}"

@@ -204,7 +204,7 @@ fn displaced(
             (Position::Posture(_, first), _) => q[first.plus(place)],
             (_, _) => Double::ZERO,
         };
-        pose = pose.times(&Matrix::displacement(numbers.screws[body], at));
+        pose = pose.times(&Matrix::displacement(numbers.screws[body], &at));
     }
     pose
 }

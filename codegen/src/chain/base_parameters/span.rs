@@ -160,9 +160,12 @@ impl Span {
         let known = rest.iter().filter(|rest| rest.told() > TOLD);
         let parts_left = known.map(|rest| rest.value.to_f64().abs() / rest.whole);
         self.left.smallest = self.left.smallest.min(parts_left.fold(0.0, f64::max));
-        let told = |row: &usize| match rest[*row].told() > TOLD {
-            true => rest[*row].value.to_f64().abs(),
-            false => 0.0,
+        let told = |row: &usize| {
+            if rest[*row].told() > TOLD {
+                rest[*row].value.to_f64().abs()
+            } else {
+                0.0
+            }
         };
         let largest = (0..rest.len()).max_by(|a, b| told(a).total_cmp(&told(b)));
         let pivot = largest.unwrap_or(0);

@@ -304,7 +304,7 @@ fn a_target_whose_matrix_is_no_rotation_is_an_error() {
         changed(&|r| r.iter_mut().flatten().for_each(|x| *x *= 1.01)),
         changed(&|r| r[0][1] += 0.5),
         changed(&|r| r[2] = r[2].map(|x| -x)),
-        changed(&|r| r.iter_mut().flatten().for_each(|x| *x = 1e200 * *x)),
+        changed(&|r| r.iter_mut().flatten().for_each(|x| *x *= 1e200)),
     ] {
         let error = called(&reach, &bad, [0.4; 6]).expect_err("no rotation");
         assert!(matches!(error, Error::NotRotation { .. }), "{error}");

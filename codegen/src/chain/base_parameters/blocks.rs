@@ -6,9 +6,13 @@
 //! other link is moved by their coordinates and all links that they carry have been looked at before. A block is as small
 //! as that allows: one link, where no joint mimics another.
 
-use super::links::LinkId;
-use crate::list::List;
+use crate::list::{List, id};
 use crate::space::VelocityId;
+
+id! {
+    /// The number of a link that a joint moves, in the order of the inertial parameters.
+    LinkId
+}
 
 /// A link that joints move.
 pub(super) struct Hung {

@@ -5,7 +5,7 @@
 //! linear in what a link's own frame sees: T = ½ Tr(V J Vᵗ) of its velocity V, and −U = γ J e₄ of γ, gravity and the
 //! height of the frame. It decides nothing.
 
-use super::links::LinkId;
+use super::blocks::LinkId;
 use super::numbers::{MOMENTS, Numbers, PLACES, norm};
 use crate::chain::{BodyId, Chain, Joint, Position};
 use crate::dense::Matrix;

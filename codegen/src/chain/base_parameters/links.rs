@@ -3,18 +3,13 @@
 //! In: a chain. Out: how its links hang on each other, the numbers of their parameters, and at how many states each is
 //! looked at. It computes no motion.
 
-use super::blocks::{Hung, blocks};
+use super::blocks::{Hung, LinkId, blocks};
 use super::numbers::{DRIVE, MOMENTS, Numbers, PLACES};
 use crate::chain::{BodyId, Chain, Position};
 use crate::dense::Matrix;
 use crate::expression::Double;
-use crate::list::{Id, List, id};
+use crate::list::{Id, List};
 use crate::space::ParameterId;
-
-id! {
-    /// The number of a link that a joint moves, in the order of the inertial parameters.
-    LinkId
-}
 
 /// The links of a chain.
 pub(super) struct Links<'c> {

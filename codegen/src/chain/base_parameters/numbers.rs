@@ -3,7 +3,7 @@
 //! In: a chain, whose fields have the values that are described in their place. Out: placements, screws, inertias and
 //! actuator terms. It never knows a state.
 
-use super::links::LinkId;
+use super::blocks::LinkId;
 use crate::chain::{BodyId, Chain, Joint, Position};
 use crate::dense::Matrix;
 use crate::expression::{Double, Evaluation, Expr, Input, Term};

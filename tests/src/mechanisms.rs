@@ -1,6 +1,6 @@
 //! Random mechanisms in any orientation, through the whole generator, against equations of motion in 256 bits.
 //!
-//! In: a seed. Out: what became of the mechanism, or what is wrong, with its text. [`draw`] says where its joints are,
+//! In: a seed. Out: what became of the mechanism, or what is wrong, with its text. [`draw`](mod@draw) says where its joints are,
 //! [`text`](mod@text) mounts and writes it, [`programs`] generates it and closes its loops, [`truth`] solves its equations, and
 //! [`judge`](mod@judge) compares.
 

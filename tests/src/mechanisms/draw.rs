@@ -1,7 +1,7 @@
 //! Mechanisms as they are drawn: points and axes of joints in a closed configuration.
 //!
 //! In: random numbers. Out: a [`Mechanism`] whose loops are closed where all coordinates are zero, in frame 0, planar
-//! ones in the plane z = 0. It never rounds: what is written of it is for [`text`](super::text).
+//! ones in the plane z = 0. It never rounds: what is written of it is for [`text`](mod@super::text).
 
 use std::array::from_fn;
 use std::f64::consts::TAU;

@@ -2,7 +2,7 @@
 //!
 //! In: a [`Robot`] and its unit of length. Out: how many base parameters it has, if they are as many as columns of the
 //! regressor that do not depend on each other, and make all of them: Y_b K = Y; or that they are refused by name. The
-//! regressor is that of the [oracle](crate::oracle), at random states; its [elimination](elimination) shares nothing with
+//! regressor is that of the [oracle](crate::oracle), at random states; its elimination shares nothing with
 //! the engine.
 
 mod elimination;

@@ -77,7 +77,7 @@ pub fn redundancy(description: &Description, request: &Request, chain: &Chain) -
     let in_doubt = named(&|pivot| (CLEAR.recip()..CLEAR).contains(&pivot));
     let mut warnings = Vec::new();
     if most.iter().filter(|pivot| **pivot >= CLEAR).count() == involved {
-        warnings.push(no_motion(chain));
+        warnings.push(no_motion(chain, involved));
     } else if !(uncertain.is_empty() || is_certain && in_doubt.is_empty()) {
         warnings.push(nearly_dependent(chain, &uncertain));
     }
@@ -105,21 +105,27 @@ fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Complaint {
     }
 }
 
-fn no_motion(chain: &Chain) -> Complaint {
+/// A warning that loops hold every joint of so many that change their residuals.
+fn no_motion(chain: &Chain, involved: usize) -> Complaint {
     let names: Vec<String> = chain
         .loops
         .iter()
         .map(|closed| quoted(&closed.name))
         .collect();
-    let (loops, hold) = if let [_] = &*names {
-        ("loop", "holds")
+    let (loops, hold, its) = if let [_] = &*names {
+        ("loop", "holds", "its")
     } else {
-        ("loops", "hold")
+        ("loops", "hold", "their")
+    };
+    let which = if involved == chain.spaces().velocities.len() {
+        ": nothing can move".to_owned()
+    } else {
+        format!(" that moves {its} ends against each other")
     };
     Complaint {
         place: chain.loops[0].place,
         message: format!(
-            "{loops} {} {hold} every joint where closed: nothing can move",
+            "{loops} {} {hold} where closed every joint{which}",
             list(names.iter().map(String::as_str))
         ),
         hint: Some(DIGITS.to_owned()),

@@ -42,7 +42,9 @@ impl Measure for OfEveryType {
 /// # Errors
 /// Where the robot has mistakes; where a file cannot be written.
 pub fn write(scene: &Scene, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
-    let chain: Chain = chain::build(&scene.description, &scene.request).map_err(told)?.identified();
+    let chain: Chain = chain::build(&scene.description, &scene.request)
+        .map_err(told)?
+        .identified();
     let single = folder.join("f32");
     if single.exists() {
         fs::remove_dir_all(&single)?;

@@ -11,7 +11,6 @@ use crate::error::{Errors, Place};
 use crate::print::Listing;
 use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
-use crate::processor::Processor;
 
 impl Builder {
     /// The same functions in C99: a source, and a header that it includes by this name.
@@ -74,12 +73,11 @@ impl Builder {
 
     pub(crate) fn c(&self, listing: &Listing, header: &str) -> Source {
         let prefix = self.prefix(listing);
-        let processor = self.request.processor;
         let writing = Writing {
             prefix: &prefix,
             header,
             asked: &self.asked(listing, Language::C(header)),
-            fused: processor != Processor::Portable && processor.fuses(listing.scalar),
+            fused: self.fuses(listing),
         };
         let Source { header, text } = c::print(listing, &writing);
         let [header, text] =

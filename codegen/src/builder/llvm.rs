@@ -30,17 +30,22 @@ impl Builder {
     }
 
     pub(crate) fn llvm(&self, listing: &Listing, lanes: NonZeroUsize) -> String {
-        let processor = self.request.processor;
         let writing = Writing {
             prefix: &self.prefix(listing),
             asked: &self.asked(listing, Language::Llvm(lanes)),
             lanes: lanes.get(),
-            fused: processor != Processor::Portable && processor.fuses(listing.scalar),
+            fused: self.fuses(listing),
         };
         llvm::print(listing, &writing)
     }
 
-    /// How names of functions begin in languages without modules.
+    /// Whether products fuse with sums on the processor that was named.
+    pub(super) fn fuses(&self, listing: &Listing) -> bool {
+        let processor = self.request.processor;
+        processor != Processor::Portable && processor.fuses(listing.scalar)
+    }
+
+    /// The prefix of all names in languages without modules.
     pub(super) fn prefix(&self, listing: &Listing) -> String {
         let robot = match &self.name {
             Some(name) => name.unraw().to_string(),

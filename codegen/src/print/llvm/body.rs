@@ -20,13 +20,6 @@ pub(super) fn local(name: &str) -> String {
     }
 }
 
-/// A result that is stored as it is found: the pointer of a matrix, and the index of its first entry.
-#[derive(Clone, Debug)]
-pub(super) struct Stored {
-    /// The pointer.
-    pub pointer: String,
-}
-
 /// Instructions as they gather.
 pub(super) struct Writer {
     pub(super) lanes: Lanes,
@@ -39,8 +32,8 @@ pub(super) struct Writer {
     unnamed: usize,
     /// The name of the work array, where there is one.
     pub(super) work: Option<String>,
-    /// The matrix in which results are stored as they are found.
-    pub(super) filled: Option<Stored>,
+    /// The name of the matrix in which results are stored as they are found.
+    pub(super) filled: Option<String>,
 }
 
 impl Writer {
@@ -94,6 +87,12 @@ impl Writer {
     pub(super) fn load(&mut self, address: &str) -> String {
         let (value, size) = (self.lanes.value(), self.lanes.size());
         self.between(&format!("load {value}, ptr {address}, align {size}"))
+    }
+
+    /// Binds a name to what stands at an address.
+    pub(super) fn load_as(&mut self, name: &str, address: &str) {
+        let (value, size) = (self.lanes.value(), self.lanes.size());
+        self.bind(name, &format!("load {value}, ptr {address}, align {size}"));
     }
 
     pub(super) fn store_at(&mut self, address: &str, value: &str) {
@@ -239,7 +238,7 @@ impl Language for Writer {
         let value = self.read(value);
         let filled = self.filled.clone();
         let filled = filled.expect("what is stored as it is found has a matrix");
-        let address = self.entry(&filled.pointer, &result.to_string());
+        let address = self.entry(&local(&filled), &result.to_string());
         self.store_at(&address, &value);
     }
 
@@ -270,8 +269,7 @@ impl Language for Writer {
         self.bind(round, &format!("load i64, ptr {counter}, align 8"));
         for (row, name) in taken.iter().enumerate() {
             let address = self.cell(table, row, &local(round));
-            let (value, size) = (self.lanes.value(), self.lanes.size());
-            self.bind(name, &format!("load {value}, ptr {address}, align {size}"));
+            self.load_as(name, &address);
         }
     }
 

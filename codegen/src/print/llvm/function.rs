@@ -6,14 +6,13 @@
 
 use std::fmt::Write;
 
-use super::body::{Stored, Writer, local};
+use super::body::{Writer, local};
 use super::lanes::Lanes;
 use crate::print::c::results;
 use crate::print::large::columns;
 use crate::print::walk::walk;
 use crate::print::{Fields, Listed, Listing};
-use crate::schedule::Stored as When;
-use crate::schedule::{Names, Readable, Routine, Work};
+use crate::schedule::{Names, Readable, Routine, Stored, Work};
 use crate::space::Variable;
 
 /// The name of the parameter that points to the fields.
@@ -98,7 +97,11 @@ impl<'l> Function<'l> {
             fields: &fields,
         };
         let large = columns(&self.listed.functions, &self.listing.spaces).is_some();
-        let when = if large { When::AsFound } else { When::AtTheEnd };
+        let when = if large {
+            Stored::AsFound
+        } else {
+            Stored::AtTheEnd
+        };
         let program = (&self.listed.program, self.listing.length);
         Routine::of(program, &readable, names, when)
     }
@@ -109,9 +112,7 @@ pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
     let routine = function.routine();
     let mut writer = Writer::new(lanes, function.fused, function.listing.sines);
     let results = function.results();
-    writer.filled = results.first().map(|result| Stored {
-        pointer: local(&result.name),
-    });
+    writer.filled = results.first().map(|result| result.name.clone());
     load(&mut writer, &routine);
     walk(&mut writer, &routine.statements);
     let mut sections = String::new();
@@ -155,7 +156,7 @@ fn load(writer: &mut Writer, routine: &Routine) {
         for (k, name) in entries.iter().enumerate() {
             let Some(name) = name else { continue };
             let address = writer.entry(&local(argument.name()), &k.to_string());
-            writer.bind(name, &format!("load {value}, ptr {address}, align {size}"));
+            writer.load_as(name, &address);
         }
     }
     let number = writer.lanes.number();
@@ -212,8 +213,7 @@ fn define_sections(function: &Function<'_>, work: &Work, lanes: Lanes) -> String
         writer.work = Some(work.name.clone());
         for (place, name) in &apart.taken {
             let address = writer.waiting(*place);
-            let (value, size) = (lanes.value(), lanes.size());
-            writer.bind(name, &format!("load {value}, ptr {address}, align {size}"));
+            writer.load_as(name, &address);
         }
         walk(&mut writer, &apart.statements);
         // Writing to a string cannot fail.

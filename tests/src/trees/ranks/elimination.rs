@@ -3,6 +3,8 @@
 //! In: a matrix without units at several states, by its columns, and the order of its rows at each. Out: how many columns do
 //! not depend on each other, or that 256 bits do not tell. Columns come last first, and a pivot is in the first row of the
 //! order where much of a column is left: what hangs further out is seen by rows of its own, and most products are zero.
+//! A column of which little is left waits until those of which more is left have been taken: dividing by little, early,
+//! would cost the digits that tell later columns apart.
 
 use crate::big::Big;
 
@@ -29,44 +31,83 @@ struct Pivot {
     column: Column,
 }
 
+/// So much has to be left of a column that is taken, in one pass after the other.
+const FLOORS: [f64; 5] = [1e-3, 1e-6, 1e-12, 1e-24, INDEPENDENT];
+
+/// A column that has not been taken, less what the first so many pivots take off.
+struct Waiting {
+    column: Column,
+    reduced: usize,
+}
+
 pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
     let Some(first) = states.first() else {
         return Rank::Of(0);
     };
+    let columns = (0..first.len()).rev();
+    let columns = columns.map(|k| Waiting {
+        column: column(states, k),
+        reduced: 0,
+    });
+    let mut waiting: Vec<Waiting> = columns.collect();
     let mut pivots: Vec<Pivot> = Vec::new();
-    for k in (0..first.len()).rev() {
-        let rows = first[k].len();
-        let column = (0..rows).map(|row| {
-            let entries: Vec<Big> = states
-                .iter()
-                .map(|columns| columns[k][row].clone())
-                .collect();
-            let is_zero = entries.iter().all(|entry| *entry == Big::zero());
-            (!is_zero).then_some(entries)
-        });
-        let mut column: Column = column.collect();
-        for pivot in &pivots {
-            reduce(&mut column, pivot);
+    for floor in FLOORS {
+        let mut later = Vec::new();
+        for mut next in waiting {
+            for pivot in &pivots[next.reduced..] {
+                reduce(&mut next.column, pivot);
+            }
+            next.reduced = pivots.len();
+            let sizes = sizes(&next.column);
+            let left = most(&sizes);
+            if left < floor {
+                later.push(next);
+                continue;
+            }
+            let mut rows = order.iter().copied();
+            let row = rows
+                .find(|&row| sizes[row] >= MUCH * left)
+                .expect("one is the largest");
+            pivots.push(pivot(next.column, row));
         }
-        let largest = |entries: &Option<Vec<Big>>| {
-            let sizes = entries.iter().flatten().map(|entry| entry.abs().to_f64());
-            sizes.fold(0.0, f64::max)
-        };
-        let sizes: Vec<f64> = column.iter().map(largest).collect();
-        let left = sizes.iter().copied().fold(0.0, f64::max);
-        if left < DEPENDENT {
-            continue;
-        }
-        if left < INDEPENDENT {
-            return Rank::Unknown;
-        }
-        let mut rows = order.iter().copied();
-        let row = rows
-            .find(|&row| sizes[row] >= MUCH * left)
-            .expect("one is the largest");
-        pivots.push(pivot(column, row));
+        waiting = later;
     }
-    Rank::Of(pivots.len())
+    // Those that were passed before the last pivot was found are less it, or little.
+    let left = waiting.iter_mut().map(|next| {
+        for pivot in &pivots[next.reduced..] {
+            reduce(&mut next.column, pivot);
+        }
+        most(&sizes(&next.column))
+    });
+    if left.fold(0.0, f64::max) < DEPENDENT {
+        Rank::Of(pivots.len())
+    } else {
+        Rank::Unknown
+    }
+}
+
+fn column(states: &[Vec<Vec<Big>>], k: usize) -> Column {
+    let rows = 0..states[0][k].len();
+    let column = rows.map(|row| {
+        let entries = states.iter().map(|columns| columns[k][row].clone());
+        let entries: Vec<Big> = entries.collect();
+        let is_zero = entries.iter().all(|entry| *entry == Big::zero());
+        (!is_zero).then_some(entries)
+    });
+    column.collect()
+}
+
+/// The largest entry of each row.
+fn sizes(column: &Column) -> Vec<f64> {
+    let largest = |entries: &Option<Vec<Big>>| {
+        let sizes = entries.iter().flatten().map(|entry| entry.abs().to_f64());
+        sizes.fold(0.0, f64::max)
+    };
+    column.iter().map(largest).collect()
+}
+
+fn most(sizes: &[f64]) -> f64 {
+    sizes.iter().copied().fold(0.0, f64::max)
 }
 
 /// A column with 1 at the largest entry of a row.

@@ -13,8 +13,14 @@ use crate::request::Request;
 use crate::space::Space;
 use crate::wording::{list, quoted};
 
-/// In how many closed configurations residuals are compared.
+/// Residuals are compared in so many closed configurations in which something moves,
 const STATES: usize = 2;
+
+/// which are looked for in so many: a linkage may also close where nothing can move.
+const LOOKS: usize = 5;
+
+/// The residual [m, 1] of a configuration that did not close.
+const OPEN: f64 = 1e-2;
 
 /// How many times ε, the part of the whole below which a pivot counts as nothing, is clear of it.
 const CLEAR: f64 = 100.0;
@@ -42,30 +48,28 @@ pub fn redundancy(description: &Description, request: &Request, chain: &Chain) -
         let robot = robot::robot(description, request, chain, &state.fields)?;
         Ok(Dense::of(robot, state.clone()))
     };
-    let vanishing = request.scalar.vanishing();
-    let mut pivots: Vec<Vec<f64>> = Vec::new();
-    let mut involved = 0;
-    let mut is_certain = false;
-    for number in 0..STATES {
+    let (vanishing, roundoff) = (request.scalar.vanishing(), request.scalar.roundoff());
+    let mut looks: Vec<Look> = Vec::new();
+    for number in 0..LOOKS {
         // A robot that contradicts its chain is refused by the check.
         let Ok(Some(state)) = states::closed(chain, request, number, at) else {
             return Redundancy::default();
         };
-        let Ok(mut dense) = at(&state) else {
+        let Ok(dense) = at(&state) else {
             return Redundancy::default();
         };
-        pivots.push(dense.independence(vanishing, false));
-        involved = involved.max(dense.held());
-        let accelerations = |dense: &Dense, vanishing| {
-            let mut solution = dense.constrained(vanishing);
-            solution.truncate(dense.state.qd.len());
-            solution
-        };
-        let limits = (vanishing, request.scalar.roundoff());
-        is_certain |= dense.sensitivity(accelerations, limits) <= CERTAIN;
+        looks.push(Look::of(dense, vanishing, roundoff));
+        if looks.iter().filter(|look| look.is_useful()).count() == STATES {
+            break;
+        }
     }
-    let count = pivots.first().map_or(0, Vec::len);
-    let most = |k: usize| pivots.iter().map(|pivots| pivots[k]).fold(0.0, f64::max) / vanishing;
+    if looks.iter().any(Look::is_useful) {
+        looks.retain(Look::is_useful);
+    }
+    let moves = looks.iter().any(|look| look.moves);
+    let is_certain = looks.iter().any(|look| look.is_certain);
+    let most = |k: usize| looks.iter().map(|look| look.pivots[k]).fold(0.0, f64::max);
+    let count = looks.first().map_or(0, |look| look.pivots.len());
     let most: Vec<f64> = (0..count).map(most).collect();
     let named = |is: &dyn Fn(f64) -> bool| -> Vec<String> {
         let names = chain.spaces().names(Space::Constraints).zip(&most);
@@ -76,14 +80,54 @@ pub fn redundancy(description: &Description, request: &Request, chain: &Chain) -
     let uncertain = named(&|pivot| (EXACT..CLEAR).contains(&pivot));
     let in_doubt = named(&|pivot| (CLEAR.recip()..CLEAR).contains(&pivot));
     let mut warnings = Vec::new();
-    if most.iter().filter(|pivot| **pivot >= CLEAR).count() == involved {
-        warnings.push(no_motion(chain, involved));
+    if !moves {
+        let held = looks.iter().map(|look| look.held).max().unwrap_or(0);
+        warnings.push(no_motion(chain, held));
     } else if !(uncertain.is_empty() || is_certain && in_doubt.is_empty()) {
         warnings.push(nearly_dependent(chain, &uncertain));
     }
     Redundancy {
         dependent,
         warnings,
+    }
+}
+
+/// What is seen of residuals in one configuration.
+struct Look {
+    is_closed: bool,
+    /// Of each residual beside ε, as far as it does not depend on those before it.
+    pivots: Vec<f64>,
+    /// How many velocities change a residual.
+    held: usize,
+    /// Whether those are more than the residuals that do not depend on others.
+    moves: bool,
+    /// Whether accelerations are the same if ε is another one.
+    is_certain: bool,
+}
+
+impl Look {
+    fn of(mut dense: Dense, vanishing: f64, roundoff: f64) -> Self {
+        let pivots = dense.independence(vanishing).into_iter();
+        let pivots: Vec<f64> = pivots.map(|pivot| pivot / vanishing).collect();
+        let residuals = dense.residuals();
+        let open = residuals.iter().map(|residual| residual.size());
+        let held = dense.held();
+        let accelerations = |dense: &Dense, vanishing| {
+            let mut solution = dense.constrained(vanishing);
+            solution.truncate(dense.state.qd.len());
+            solution
+        };
+        Self {
+            is_closed: open.fold(0.0, f64::max) < OPEN,
+            held,
+            moves: pivots.iter().filter(|pivot| **pivot >= CLEAR).count() < held,
+            pivots,
+            is_certain: dense.sensitivity(accelerations, (vanishing, roundoff)) <= CERTAIN,
+        }
+    }
+
+    const fn is_useful(&self) -> bool {
+        self.is_closed && self.moves
     }
 }
 
@@ -106,7 +150,7 @@ fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Complaint {
 }
 
 /// A warning that loops hold every joint of so many that change their residuals.
-fn no_motion(chain: &Chain, involved: usize) -> Complaint {
+fn no_motion(chain: &Chain, held: usize) -> Complaint {
     let names: Vec<String> = chain
         .loops
         .iter()
@@ -117,7 +161,7 @@ fn no_motion(chain: &Chain, involved: usize) -> Complaint {
     } else {
         ("loops", "hold", "their")
     };
-    let which = if involved == chain.spaces().velocities.len() {
+    let which = if held == chain.spaces().velocities.len() {
         ": nothing can move".to_owned()
     } else {
         format!(" that moves {its} ends against each other")

@@ -178,15 +178,11 @@ impl Dense {
             .collect()
     }
 
-    /// The pivot of each row beside the whole, for accelerations or for driven joints: below ε the row depends on those
-    /// before it, far above it does not.
-    pub(crate) fn independence(&self, vanishing: f64, of_driven: bool) -> Vec<f64> {
+    /// The pivot of each row beside the whole, for accelerations: below ε the row depends on those before it, far above it
+    /// does not.
+    pub(crate) fn independence(&self, vanishing: f64) -> Vec<f64> {
         let rows = self.residual_rates();
-        let Weighed { matrix, .. } = if of_driven {
-            self.by_passive(&rows)
-        } else {
-            self.by_mass_matrix(&rows)
-        };
+        let Weighed { matrix, .. } = self.by_mass_matrix(&rows);
         let mut nothing = vec![Scalar::exact(0.0); rows.len()];
         self.eliminate(matrix, &mut nothing, vanishing)
     }

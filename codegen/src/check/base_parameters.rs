@@ -5,6 +5,7 @@
 //! each column of Y has to be that of Y_b K; and the columns of Y_b must not depend on each other. Both are asked of
 //! torques at independent states, by products of dense matrices; base parameters are found by energies in link frames.
 
+mod balance;
 mod independent;
 
 use std::collections::BTreeSet;
@@ -22,6 +23,7 @@ use crate::list::List;
 use crate::request::Request;
 use crate::space::{ParameterId, VelocityId};
 use crate::wording::quoted;
+use balance::units;
 use independent::{Dependent, ROUNDED, Rows, Seen, first_dependent, own_rows};
 
 /// A column may be off by so much, beside itself.
@@ -169,44 +171,86 @@ fn first_wrong(base: &BaseParameters, seen: &[Seen]) -> Option<Wrong> {
             factors[member].push((group.leader(), factor));
         }
     }
-    let rows = first.iter().next().map(List::ids)?;
+    let units = units_of_rows(seen);
     factors.numbered().find_map(|(parameter, terms)| {
-        // Rows have units of their own.
-        let mut rows = rows.clone();
-        rows.find_map(|row| wrong(parameter, terms, row, seen))
+        let rows = units.ids();
+        let rows = rows.map(|row| Compared::of(parameter, terms, row, seen));
+        let rows: List<VelocityId, Compared> = rows.collect();
+        let shares = rows.iter().zip(&units);
+        let whole = shares.map(|(row, unit)| row.whole / unit);
+        let whole = whole.fold(0.0, f64::max);
+        let mut rows = rows.iter().zip(&units);
+        rows.find_map(|(row, unit)| {
+            let is_rounding = row.off <= row.explained + ROUNDED * row.size;
+            // What rounds to something where a column has nothing is little if it is that beside the rest of the column.
+            let whole = if is_rounding { whole * unit } else { row.whole };
+            // What is not a number is not right.
+            let right = row.off <= OFF * whole + ROUNDED * row.size;
+            (!right).then(|| Wrong {
+                parameter,
+                off: row.off / whole,
+                is_rounding,
+            })
+        })
     })
 }
 
-fn wrong(
-    parameter: ParameterId,
-    terms: &[(ParameterId, f64)],
-    row: VelocityId,
-    seen: &[Seen],
-) -> Option<Wrong> {
-    let [mut off, mut whole, mut size, mut rounding] = [0.0_f64; 4];
-    for Seen {
-        regressor, sizes, ..
-    } in seen
-    {
-        let expected = regressor[parameter][row];
-        let (mut rest, mut explained) = (expected.value, expected.error);
-        for &(leader, factor) in terms {
-            let entry = regressor[leader][row];
-            let term = Double::from(factor) * entry.value;
-            rest = rest - term;
-            explained += 4.0 * f64::EPSILON * term.to_f64().abs() + factor.abs() * entry.error;
-            size = size.max(factor.abs() * sizes[leader][row]);
-        }
-        off = off.max(rest.to_f64().abs());
-        whole = whole.max(expected.size());
-        rounding = rounding.max(explained);
-        size = size.max(sizes[parameter][row]);
+/// Units in which rows of the regressor can be compared.
+fn units_of_rows(seen: &[Seen]) -> List<VelocityId, f64> {
+    let at = seen.iter().flat_map(|at| {
+        let rows = at.torques.ids();
+        rows.map(|row| at.sizes.iter().map(|column| column[row]).collect())
+    });
+    let [of_all, _] = units(at.collect());
+    let rows = seen.iter().flat_map(|at| at.torques.ids());
+    let mut largest = seen[0].torques.map(|_| 0.0_f64);
+    for (row, unit) in rows.zip(of_all) {
+        largest[row] = largest[row].max(unit);
     }
-    // What is not a number is not right.
-    let right = off <= OFF * whole + ROUNDED * size;
-    (!right).then(|| Wrong {
-        parameter,
-        off: off / whole,
-        is_rounding: off <= rounding + ROUNDED * size,
-    })
+    largest
+}
+
+/// A column of Y beside that of Y_b K, in a row at all states.
+struct Compared {
+    off: f64,
+    whole: f64,
+    /// What an entry is a sum of.
+    size: f64,
+    /// What the rounding of factors, and of the numbers of the description, to `f64` makes of it.
+    explained: f64,
+}
+
+impl Compared {
+    fn of(
+        parameter: ParameterId,
+        terms: &[(ParameterId, f64)],
+        row: VelocityId,
+        seen: &[Seen],
+    ) -> Self {
+        let [mut off, mut whole, mut size, mut explained] = [0.0_f64; 4];
+        for Seen {
+            regressor, sizes, ..
+        } in seen
+        {
+            let expected = regressor[parameter][row];
+            let (mut rest, mut rounding) = (expected.value, expected.error);
+            for &(leader, factor) in terms {
+                let entry = regressor[leader][row];
+                let term = Double::from(factor) * entry.value;
+                rest = rest - term;
+                rounding += 4.0 * f64::EPSILON * term.to_f64().abs() + factor.abs() * entry.error;
+                size = size.max(factor.abs() * sizes[leader][row]);
+            }
+            off = off.max(rest.to_f64().abs());
+            whole = whole.max(expected.size());
+            explained = explained.max(rounding);
+            size = size.max(sizes[parameter][row]);
+        }
+        Self {
+            off,
+            whole,
+            size,
+            explained,
+        }
+    }
 }

@@ -101,10 +101,20 @@ const LONGEST: usize = 60;
 
 /// Compares base parameters with ranks of regressors.
 fn rank(wanted: &Wanted) -> ExitCode {
-    let (mut right, mut refused, mut unknown, mut failures) = (0, 0, 0, 0);
+    let [
+        mut right,
+        mut beyond,
+        mut refused,
+        mut unknown,
+        mut failures,
+    ] = [0; 5];
     for seed in wanted.seeds() {
         match try_ranks(seed, LONGEST) {
             Ok(Ranked::Right(_)) => right += 1,
+            Ok(Ranked::Told(_)) => {
+                beyond += 1;
+                println!("more beyond 106 bits: seed {seed}");
+            }
             Ok(Ranked::Refused) => {
                 refused += 1;
                 println!("refused by name: seed {seed}");
@@ -115,14 +125,14 @@ fn rank(wanted: &Wanted) -> ExitCode {
                 println!("{told}\n");
             }
         }
-        if (right + refused + unknown + failures) % 100 == 0 {
-            eprintln!(
-                "{right} right, {refused} refused by name, {unknown} unknown, {failures} failures"
-            );
+        let count = right + beyond + refused + unknown + failures;
+        if count % 100 == 0 {
+            eprintln!("{count} robots, {failures} failures");
         }
     }
     println!(
-        "{right} ranks of regressors, {refused} refused by name, {unknown} that 256 bits do not tell, {failures} failures"
+        "{right} ranks of regressors, {beyond} but for what 106 bits do not tell, {refused} refused by name, {unknown} that \
+         256 bits do not tell, {failures} failures"
     );
     if failures == 0 {
         ExitCode::SUCCESS

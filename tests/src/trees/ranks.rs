@@ -1,7 +1,8 @@
 //! Base parameters of a robot, against its regressor in 256 bits.
 //!
 //! In: a [`Robot`] and its unit of length. Out: how many base parameters it has, if they are as many as columns of the
-//! regressor that do not depend on each other, and make all of them: Y_b K = Y; or that they are refused by name. The
+//! regressor that do not depend on each other, but for those that 106 bits do not tell from combinations of others, and make
+//! all of them: Y_b K = Y; or that they are refused by name. The
 //! regressor is that of the [oracle](crate::oracle), at random states; its elimination shares nothing with
 //! the engine.
 
@@ -26,11 +27,16 @@ use elimination::{Rank, rank};
 /// How far a column by base parameters may be off, beside itself.
 const OFF: f64 = 1e-10;
 
+/// So much of the largest entry, 106 bits do not tell from nothing.
+const ROUNDING: f64 = 1e-28;
+
 /// What the base parameters of a robot are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ranked {
     /// So many, and right.
     Right(usize),
+    /// So many, where more would be independent by a part of their torques that 106 bits do not tell from nothing.
+    Told(usize),
     /// They cannot be told apart, as the engine says.
     Refused,
     /// 256 bits do not tell how many there are.
@@ -69,16 +75,13 @@ pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
     let states = Seen::new(&prepared, length, seed);
     makes_all(&found, &prepared, &states)?;
     let rows: Vec<Columns> = (0..states.enough()).map(|state| states.at(state)).collect();
+    let groups = found.groups.len();
     match rank(&rows, &states.order()) {
         Rank::Unknown => Ok(Ranked::Unknown),
-        Rank::Of(rank) if rank == found.groups.len() => Ok(Ranked::Right(rank)),
-        Rank::Of(rank) => Err(format!(
-            "{} base parameters, and the rank of the regressor is {rank} {}",
-            found.groups.len(),
-            format!("{found:?}")
-                .split("left")
-                .last()
-                .unwrap_or_default()
+        Rank::Of { all, .. } if all == groups => Ok(Ranked::Right(all)),
+        Rank::Of { all, told } if (told..all).contains(&groups) => Ok(Ranked::Told(groups)),
+        Rank::Of { all, told } => Err(format!(
+            "{groups} base parameters, and the rank of the regressor is {all}, {told} of it by more than 1e-20"
         )),
     }
 }
@@ -109,24 +112,28 @@ fn makes_all(
         .flatten()
         .flatten()
         .map(|entry| entry.abs().to_f64());
-    let largest = entries.fold(0.0, f64::max);
+    let rounding = ROUNDING * entries.fold(0.0, f64::max);
     for (k, terms) in terms.iter().enumerate() {
-        let (mut off, mut whole) = (0.0_f64, 0.0_f64);
-        for at in &seen {
-            for (row, entry) in at[k].iter().enumerate() {
-                let sum = terms.iter().fold(Big::zero(), |sum, (leader, factor)| {
-                    sum + &at[*leader][row] * &Big::new(*factor) * &states.ratio(*leader, k)
-                });
-                off = off.max((sum - entry).abs().to_f64());
-                whole = whole.max(entry.abs().to_f64());
+        // Rows have units of their own.
+        for row in 0..seen[0][k].len() {
+            let (mut off, mut whole) = (0.0_f64, 0.0_f64);
+            for at in &seen {
+                let mut rest = at[k][row].clone();
+                whole = whole.max(rest.abs().to_f64());
+                for (leader, factor) in terms {
+                    let term = &at[*leader][row] * &Big::new(*factor) * &states.ratio(*leader, k);
+                    whole = whole.max(term.abs().to_f64());
+                    rest = rest - term;
+                }
+                off = off.max(rest.abs().to_f64());
             }
-        }
-        // Not a number is not within anything.
-        if off.is_nan() || off > OFF * whole + 1e-30 * largest {
-            let name = &prepared.chain().spaces().parameters[Id::new(places[k])].name;
-            return Err(format!(
-                "Y_b K is off by {off:e} of {whole:e} in the column of {name}"
-            ));
+            // Not a number is not within anything.
+            if off.is_nan() || off > OFF * whole + rounding {
+                let name = &prepared.chain().spaces().parameters[Id::new(places[k])].name;
+                return Err(format!(
+                    "Y_b K is off by {off:e} of {whole:e} in the column of {name}"
+                ));
+            }
         }
     }
     Ok(())

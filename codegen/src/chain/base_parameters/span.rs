@@ -110,9 +110,10 @@ impl Rest {
         }
     }
 
-    /// A quotient by another one, whose inverse is given.
-    fn over(self, inverse: Double, of: Self) -> Self {
-        let (value, scale) = (self.value * inverse, inverse.to_f64());
+    /// A quotient.
+    fn over(self, of: Self) -> Self {
+        let value = self.value / of.value;
+        let scale = 1.0 / of.value.to_f64();
         let size = value.to_f64();
         Self {
             value,
@@ -134,12 +135,11 @@ impl Rest {
 struct Kept {
     /// None of one that is of no parameter.
     name: Option<ParameterId>,
-    entries: Vec<Double>,
     /// The row in which it has 1 once what depends on others is taken off, and later columns have 0.
     pivot: usize,
     reduced: Vec<Rest>,
     /// How much of the reduced columns it is, its own last.
-    parts: Vec<Double>,
+    parts: Vec<Rest>,
 }
 
 impl Span {
@@ -154,7 +154,7 @@ impl Span {
         let left = rest.iter().map(|rest| rest.told()).fold(0.0, f64::max);
         if left <= TOLD {
             self.left.most = self.left.most.max(left);
-            return Some(self.combination(parts, &column));
+            return Some(self.combination(parts));
         }
         self.left.least = self.left.least.min(left);
         let known = rest.iter().filter(|rest| rest.told() > TOLD);
@@ -169,12 +169,10 @@ impl Span {
         };
         let largest = (0..rest.len()).max_by(|a, b| told(a).total_cmp(&told(b)));
         let pivot = largest.unwrap_or(0);
-        let inverse = Double::from(1.0) / rest[pivot].value;
-        parts.push(rest[pivot].value);
-        let reduced = rest.iter().map(|entry| entry.over(inverse, rest[pivot]));
+        parts.push(rest[pivot]);
+        let reduced = rest.iter().map(|entry| entry.over(rest[pivot]));
         self.kept.push(Kept {
             name,
-            entries: column.into_iter().map(|(entry, _)| entry).collect(),
             pivot,
             reduced: reduced.collect(),
             parts,
@@ -183,12 +181,12 @@ impl Span {
     }
 
     /// What is left of a column, and how much of the reduced columns is taken off.
-    fn reduce(&self, column: &[Entry]) -> (Vec<Rest>, Vec<Double>) {
+    fn reduce(&self, column: &[Entry]) -> (Vec<Rest>, Vec<Rest>) {
         let mut rest: Vec<Rest> = column.iter().copied().map(Rest::of).collect();
         let mut parts = Vec::with_capacity(self.kept.len() + 1);
         for kept in &self.kept {
             let part = rest[kept.pivot];
-            parts.push(part.value);
+            parts.push(part);
             if part.is_zero() {
                 continue;
             }
@@ -202,21 +200,19 @@ impl Span {
         (rest, parts)
     }
 
-    /// The columns that others were reduced from, of parts of the reduced ones; without what is nothing in every row.
-    fn combination(&self, mut parts: Vec<Double>, column: &[Entry]) -> Combination {
+    /// The columns that another one is made of, by its parts of the reduced ones; without those of which there is no more
+    /// than rounding.
+    fn combination(&self, mut parts: Vec<Rest>) -> Combination {
         let mut combination = Vec::new();
         for (place, kept) in self.kept.iter().enumerate().rev() {
-            let factor = parts[place] / kept.parts[place];
+            let factor = parts[place].over(kept.parts[place]);
+            if factor.told() <= TOLD {
+                continue;
+            }
             for (part, of_kept) in parts.iter_mut().zip(&kept.parts[..place]) {
-                *part = *part - factor * *of_kept;
+                *part = part.less(factor, *of_kept);
             }
-            let mut terms = kept.entries.iter().zip(column);
-            let is_there = terms.any(|(entry, (_, size))| {
-                (factor * *entry).to_f64().abs() > NOTHING * size && *size > 0.0
-            });
-            if is_there {
-                combination.extend(kept.name.map(|name| (name, factor)));
-            }
+            combination.extend(kept.name.map(|name| (name, factor.value)));
         }
         combination.reverse();
         combination

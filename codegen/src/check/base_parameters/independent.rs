@@ -6,6 +6,7 @@
 
 use std::collections::BTreeSet;
 
+use super::balance::units;
 use crate::chain::base_parameters::{BaseParameters, Block};
 use crate::dense::{Approximate, Columns};
 use crate::expression::Double;
@@ -67,17 +68,18 @@ pub(super) fn first_dependent(
     blocks.find_map(|(block, rows)| Some(Dependent(block.leaders[dependent(rows)?])))
 }
 
-/// The first column that has no pivot in some rows: complete pivoting, by what is left of entries beside the sizes of what
-/// they are sums of.
+/// The first column that has no pivot in some rows, by complete pivoting. What is left of an entry is one if it is more than
+/// rounding of what that is a sum of.
 fn dependent(mut rows: Rows) -> Option<usize> {
+    balance(&mut rows);
     let mut columns: Vec<usize> = (0..rows.first().map_or(0, Vec::len)).collect();
     while let Some(&first) = columns.first() {
         let places =
             (0..rows.len()).flat_map(|row| columns.iter().map(move |&column| (row, column)));
         let left = |&(row, column): &(usize, usize)| {
             let (entry, size): Entry = rows[row][column];
-            let known = entry.to_f64().abs() / size;
-            if known > ROUNDED { known } else { 0.0 }
+            let entry = entry.to_f64().abs();
+            if entry > ROUNDED * size { entry } else { 0.0 }
         };
         let best = places.max_by(|a, b| left(a).total_cmp(&left(b)));
         let Some((row, column)) = best.filter(|place| left(place) > 0.0) else {
@@ -92,6 +94,19 @@ fn dependent(mut rows: Rows) -> Option<usize> {
         }
     }
     None
+}
+
+/// Divides rows and columns by units of their own: else a pivot that is large beside what it is a sum of may be little
+/// beside the rest of its row, and rounding grows.
+fn balance(rows: &mut Rows) {
+    let sizes = rows.iter().map(|row| row.iter().map(|(_, size)| *size));
+    let [of_rows, of_columns] = units(sizes.map(Iterator::collect).collect());
+    for (row, of_row) in rows.iter_mut().zip(&of_rows) {
+        for ((entry, size), of_column) in row.iter_mut().zip(&of_columns) {
+            let unit = 1.0 / (of_row * of_column);
+            (*entry, *size) = (*entry * Double::from(unit), *size * unit);
+        }
+    }
 }
 
 /// Takes a multiple of a row off another one, in some columns.

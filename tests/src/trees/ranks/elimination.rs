@@ -11,13 +11,18 @@ use crate::big::Big;
 /// How many columns do not depend on each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rank {
-    Of(usize),
+    /// So many; and so many of those by a part of themselves that 106 bits tell.
+    Of { all: usize, told: usize },
+    /// 256 bits do not tell.
     Unknown,
 }
 
 /// What is left of a column that depends on others is less, and of one that does not more.
 const DEPENDENT: f64 = 1e-58;
 const INDEPENDENT: f64 = 1e-50;
+
+/// What is left of a column is less where 106 bits do not tell it from nothing: the square of a residue of `f64` is.
+const TOLD: f64 = 1e-20;
 
 /// So much of the largest entry that is left is enough of a pivot.
 const MUCH: f64 = 1e-3;
@@ -42,7 +47,7 @@ struct Waiting {
 
 pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
     let Some(first) = states.first() else {
-        return Rank::Of(0);
+        return Rank::Of { all: 0, told: 0 };
     };
     let columns = (0..first.len()).rev();
     let columns = columns.map(|k| Waiting {
@@ -51,6 +56,7 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
     });
     let mut waiting: Vec<Waiting> = columns.collect();
     let mut pivots: Vec<Pivot> = Vec::new();
+    let mut told = 0;
     for floor in FLOORS {
         let mut later = Vec::new();
         for mut next in waiting {
@@ -64,6 +70,7 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
                 later.push(next);
                 continue;
             }
+            told += usize::from(left >= TOLD);
             let mut rows = order.iter().copied();
             let row = rows
                 .find(|&row| sizes[row] >= MUCH * left)
@@ -80,7 +87,10 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
         most(&sizes(&next.column))
     });
     if left.fold(0.0, f64::max) < DEPENDENT {
-        Rank::Of(pivots.len())
+        Rank::Of {
+            all: pivots.len(),
+            told,
+        }
     } else {
         Rank::Unknown
     }

@@ -102,7 +102,7 @@ impl Rest {
         });
         Self {
             value: self.value - term,
-            whole: self.whole + of_term.sqrt(),
+            whole: self.whole.hypot(part.value.to_f64() * entry.whole),
             variance: self.variance
                 + part.variance * of_entry
                 + entry.variance * of_part

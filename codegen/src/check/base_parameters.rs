@@ -26,7 +26,7 @@ use crate::wording::quoted;
 use balance::units;
 use independent::{Dependent, ROUNDED, Rows, Seen, first_dependent, own_rows};
 
-/// A column may be off by so much, beside itself.
+/// A column may be off by so much, beside itself, rows being in units of their own.
 const OFF: f64 = 1e-10;
 
 /// At so many more states a block of columns is looked at than would do if each told something new.
@@ -176,20 +176,19 @@ fn first_wrong(base: &BaseParameters, seen: &[Seen]) -> Option<Wrong> {
         let rows = units.ids();
         let rows = rows.map(|row| Compared::of(parameter, terms, row, seen));
         let rows: List<VelocityId, Compared> = rows.collect();
-        let shares = rows.iter().zip(&units);
-        let whole = shares.map(|(row, unit)| row.whole / unit);
-        let whole = whole.fold(0.0, f64::max);
+        let most = |of: fn(&Compared) -> f64| {
+            let shares = rows.iter().zip(&units);
+            shares.map(|(row, unit)| of(row) / unit).fold(0.0, f64::max)
+        };
+        let (whole, size) = (most(|row| row.whole), most(|row| row.size));
         let mut rows = rows.iter().zip(&units);
         rows.find_map(|(row, unit)| {
-            let is_rounding = row.off <= row.explained + ROUNDED * row.size;
-            // What rounds to something where a column has nothing is little if it is that beside the rest of the column.
-            let whole = if is_rounding { whole * unit } else { row.whole };
             // What is not a number is not right.
-            let right = row.off <= OFF * whole + ROUNDED * row.size;
+            let right = row.off <= (OFF * whole + ROUNDED * size) * unit;
             (!right).then(|| Wrong {
                 parameter,
-                off: row.off / whole,
-                is_rounding,
+                off: row.off / (whole * unit),
+                is_rounding: row.off <= row.explained + ROUNDED * row.size,
             })
         })
     })

@@ -27,8 +27,8 @@ use elimination::{Rank, rank};
 /// How far a column by base parameters may be off, beside itself.
 const OFF: f64 = 1e-10;
 
-/// So much of the largest entry, 106 bits do not tell from nothing.
-const ROUNDING: f64 = 1e-28;
+/// So much of the largest entry of a column, 106 bits do not tell from nothing once columns have been eliminated.
+const ROUNDING: f64 = 1e-22;
 
 /// What the base parameters of a robot are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,13 +107,10 @@ fn makes_all(
         }
     }
     let seen = [1_000_000, 1_000_001].map(|state| states.at(state));
-    let entries = seen
-        .iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.abs().to_f64());
-    let rounding = ROUNDING * entries.fold(0.0, f64::max);
     for (k, terms) in terms.iter().enumerate() {
+        let entries = seen.iter().flat_map(|at| &at[k]);
+        let entries = entries.map(|entry| entry.abs().to_f64());
+        let rounding = ROUNDING * entries.fold(0.0, f64::max);
         // Rows have units of their own.
         for row in 0..seen[0][k].len() {
             let (mut off, mut whole) = (0.0_f64, 0.0_f64);

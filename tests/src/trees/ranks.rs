@@ -30,6 +30,9 @@ const OFF: f64 = 1e-10;
 /// So much of the largest entry of a column, 106 bits do not tell from nothing once columns have been eliminated.
 const ROUNDING: f64 = 1e-22;
 
+/// And so much of a column of nothing, 256 bits: entries are without units.
+const NOTHING: f64 = 1e-60;
+
 /// What the base parameters of a robot are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ranked {
@@ -110,7 +113,7 @@ fn makes_all(
     for (k, terms) in terms.iter().enumerate() {
         let entries = seen.iter().flat_map(|at| &at[k]);
         let entries = entries.map(|entry| entry.abs().to_f64());
-        let rounding = ROUNDING * entries.fold(0.0, f64::max);
+        let rounding = NOTHING + ROUNDING * entries.fold(0.0, f64::max);
         // Rows have units of their own.
         for row in 0..seen[0][k].len() {
             let (mut off, mut whole) = (0.0_f64, 0.0_f64);

@@ -30,8 +30,8 @@ const OFF: f64 = 1e-10;
 /// So much of the largest entry of a column, 106 bits do not tell from nothing once columns have been eliminated.
 const ROUNDING: f64 = 1e-22;
 
-/// And so much of a column of nothing, 256 bits: entries are without units.
-const NOTHING: f64 = 1e-60;
+/// And so much of an entry without units, where it is one of a column of nothing.
+const NOTHING: f64 = 1e-28;
 
 /// What the base parameters of a robot are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,6 +7,8 @@
 
 mod balance;
 mod independent;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeSet;
 

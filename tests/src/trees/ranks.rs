@@ -31,7 +31,7 @@ const OFF: f64 = 1e-10;
 const ROUNDING: f64 = 1e-22;
 
 /// And so much of an entry without units, where it is one of a column of nothing.
-const NOTHING: f64 = 1e-28;
+const NOTHING: f64 = 1e-26;
 
 /// What the base parameters of a robot are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,18 +7,19 @@
 
 mod articulated;
 pub mod mobility;
+mod planned;
 mod promise;
-pub mod range;
 mod solved;
 
 pub use self::articulated::Articulated;
+pub use self::planned::of_plan;
 pub use self::promise::{Accuracy, Bound, Means, Perturbed, Promise};
 pub use self::solved::{of_accelerations, of_derivatives, of_inverse, of_refined_inverse};
 
 use self::promise::{Owner, Worst, computed, error, owners, promise};
-use self::range::Range;
 use crate::chain::Chain;
 use crate::function::Function;
+use crate::range::Range;
 use crate::real::Real;
 use crate::schedule::Program;
 use crate::space::Variable;

@@ -39,7 +39,7 @@ use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::joint::drive::Part;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::rust::Library;
 use crate::print::rust::in_every_edition;
 use crate::processor::Processor;
@@ -116,7 +116,7 @@ enum Origin {
 }
 
 /// All stages but the last.
-type Expand = fn(&Description, &Request) -> Result<Listing, Errors>;
+type Expand = fn(&Description, &Request) -> Result<Module, Errors>;
 
 impl Builder {
     /// A robot in a URDF file; a relative path begins at the package of the build script.

@@ -24,7 +24,8 @@ use crate::error::{Errors, Place};
 use crate::expression::{Arithmetic, Input};
 use crate::function::{Function, Given, Truth};
 use crate::list;
-use crate::print::{ChainData, Listing};
+use crate::module::{ChainData, Module};
+use crate::plan::Planned;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
@@ -41,6 +42,8 @@ pub struct Check {
     place: Place,
     spaces: Spaces,
     states: Vec<Dense>,
+    /// Why its base parameters cannot be had.
+    base_parameters: Result<(), Errors>,
 }
 
 /// At how many states a robot of so many joints is looked at: beyond, one has to do, and takes as long.
@@ -90,6 +93,7 @@ impl Check {
                 place,
                 spaces: chain.spaces().clone(),
                 states,
+                base_parameters: judge_base_parameters(description, request, chain),
             }),
             Err(Contradiction(what)) => {
                 let mut errors = chain.source.errors();
@@ -100,19 +104,49 @@ impl Check {
         }
     }
 
+    /// Holds a plan against the description; where it is refused, that stands in its place.
+    #[must_use]
+    pub fn judge<'c>(&self, planned: Planned<'c>, scalar: Real) -> Planned<'c> {
+        let judged = planned.plan.and_then(|plan| {
+            self.judge_program(&plan.functions, plan.frame, &plan.program, scalar)?;
+            Ok(plan)
+        });
+        Planned {
+            plan: judged,
+            ..planned
+        }
+    }
+
+    /// Holds what a module has beside its functions against the description: the robot as data, and what is computed once.
+    ///
+    /// # Errors
+    /// Where one of them is another.
+    pub fn judge_module(&self, module: &Module) -> Result<(), Errors> {
+        let mut errors = Errors::new();
+        for judged in [self.judge_data(&module.data), self.judge_prepared(module)] {
+            if let Err(refusal) = judged {
+                errors.append(refusal);
+            }
+        }
+        errors.into_result(())
+    }
+
     /// Holds a program that computes some functions one after the other, of that frame,
     /// against the description.
     ///
     /// # Errors
     /// Where a result is another one, or where a number of the program is not one in the type that it is
     /// printed for.
-    pub fn judge(
+    pub fn judge_program(
         &self,
         functions: &[Function],
         frame: FrameId,
         program: &Program,
         scalar: Real,
     ) -> Result<(), Errors> {
+        if functions.contains(&Function::BaseRegressor) {
+            self.base_parameters.clone()?;
+        }
         self.printable(program, scalar)?;
         let mut errors = self.source.errors();
         for dense in &self.states {
@@ -136,7 +170,7 @@ impl Check {
     ///
     /// # Errors
     /// Where a result is another one.
-    pub fn judge_prepared(&self, listing: &Listing) -> Result<(), Errors> {
+    fn judge_prepared(&self, listing: &Module) -> Result<(), Errors> {
         let mut errors = self.source.errors();
         let Some(prepared) = &listing.prepared else {
             return Ok(());
@@ -167,7 +201,7 @@ impl Check {
     ///
     /// # Errors
     /// Where one of them is another, or where a number is not one.
-    pub fn judge_data(&self, data: &ChainData) -> Result<(), Errors> {
+    pub(crate) fn judge_data(&self, data: &ChainData) -> Result<(), Errors> {
         for program in [&data.program, &data.loops.program] {
             self.printable(program, Real::F64)?;
         }

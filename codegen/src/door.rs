@@ -57,14 +57,14 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
     let read = item.description.as_ref().filter(|_| errors.is_empty());
     if let Some(description) = read {
         match expand(description, &item.request) {
-            Ok(listing) => {
+            Ok(module) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
                 let watch = file.map(|path| watch(&path));
-                let doubts = listing.about.warnings.iter();
+                let doubts = module.about.warnings.iter();
                 let doubts = doubts.map(|doubt| warning(doubt, item.ident.span()));
                 let doubts: TokenStream = doubts.collect();
                 let world = World::runtime(item.request.runtime.as_ref());
-                let robot = rust::print(&listing, &target, &world);
+                let robot = rust::print(&module, &target, &world);
                 return quote! { #robot #watch #doubts };
             }
             Err(mistakes) => errors.append(mistakes),

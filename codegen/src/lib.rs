@@ -19,14 +19,15 @@
 //! the crate `homogen` are those for the compiler. [`Function`] lists what can be asked for, [`Formulation`] how it
 //! is computed, [`Processor`] for what.
 //!
-//! The engine is a row of stages, each of which knows the one before it:
+//! The engine is a row of stages, each of which knows the one before it, and [`expand`] connects them:
 //!
 //! ```text
-//! description ──► chain ──► layout ──► model ──► simplify ──► schedule ──► print
-//!  what the        what it    which     4×4       fewer         a routine:   rust, c,
-//!  user wrote      means      frames    matrices  operations    names,       python
-//!                             and       of Expr                 statements,
-//!                             numbers                           spaces
+//! description ──► chain ──► plan ──────────► module ──► print
+//!  what the        what it   one a function:   what is    rust, c,
+//!  user wrote      means     layout, model,    generated  llvm,
+//!                            simplify,            ▲       python
+//!                            schedule             ├── check
+//!                                                 └── accuracy
 //! ```
 //!
 //! # Features
@@ -79,9 +80,15 @@ pub mod matrix;
 #[doc(hidden)]
 pub mod model;
 #[doc(hidden)]
+pub mod module;
+#[doc(hidden)]
 pub mod number;
 #[doc(hidden)]
+pub mod plan;
+#[doc(hidden)]
 pub mod print;
+#[doc(hidden)]
+pub mod range;
 #[doc(hidden)]
 pub mod schedule;
 #[doc(hidden)]

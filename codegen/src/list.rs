@@ -2,7 +2,7 @@
 //! list of velocities.
 //!
 //! In: entries, one after the other. Out: a [`List`], which is a slice but for its numbers, and a [`Square`]
-//! of what any two of them have in common. It never knows what is listed: each kind of number stands in the
+//! of what any two of them have in common. It never knows what is generated: each kind of number stands in the
 //! file of the list that it numbers.
 
 use std::fmt::Debug;

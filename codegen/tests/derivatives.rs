@@ -9,11 +9,11 @@ use homogen_codegen::Function;
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::{self, Description};
 use homogen_codegen::error::Errors;
-use homogen_codegen::expand::expressions_by;
 use homogen_codegen::expression::{Double, Expr, Graph, Input, Term, along, evaluate, gradient};
 use homogen_codegen::layout::Layout;
 use homogen_codegen::list::Id;
 use homogen_codegen::model::{Way, coordinate_rates};
+use homogen_codegen::plan::expressions_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::space::{FrameId, Variable, VelocityId};
 

@@ -6,7 +6,7 @@
 use homogen_codegen::description::{Name, read_text};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand::expand;
-use homogen_codegen::print::{About, Listed};
+use homogen_codegen::module::{About, GeneratedFunction};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use homogen_codegen::space::Spaces;
@@ -18,7 +18,7 @@ pub struct Prices {
     pub about: About,
     /// What its arguments and results are over.
     pub spaces: Spaces,
-    functions: Vec<Listed>,
+    functions: Vec<GeneratedFunction>,
 }
 
 impl Prices {
@@ -28,9 +28,9 @@ impl Prices {
     /// Never: all functions have been counted.
     #[must_use]
     pub fn of(&self, function: Function) -> Price {
-        let listed = self.functions.iter();
-        let mut listed = listed.filter(|listed| listed.functions == [function]);
-        listed.next().expect("all functions are listed").price
+        let generated = self.functions.iter();
+        let mut generated = generated.filter(|generated| generated.functions == [function]);
+        generated.next().expect("all functions are listed").price
     }
 }
 
@@ -53,10 +53,10 @@ pub fn count(file: &str, text: &str, tip: &str) -> Result<Prices, Errors> {
         scalar: Real::Generic,
         ..Request::default()
     };
-    let listing = expand(&description, &request)?;
+    let module = expand(&description, &request)?;
     Ok(Prices {
-        about: listing.about,
-        spaces: listing.spaces,
-        functions: listing.functions,
+        about: module.about,
+        spaces: module.spaces,
+        functions: module.functions,
     })
 }

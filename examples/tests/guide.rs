@@ -10,8 +10,9 @@ use std::path::Path;
 
 use homogen_codegen::description::{Name, read_file};
 use homogen_codegen::error::Errors;
-use homogen_codegen::expand::{program_as, understand};
+use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::{Angles, Formulation, Frame, Parameters};
+use homogen_codegen::plan::program_as;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use homogen_codegen::space::FrameId;

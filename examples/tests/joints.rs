@@ -35,9 +35,8 @@ fn operations(kind: &str) -> Vec<usize> {
         ..Request::default()
     };
     let description = description.expect("there are no mistakes");
-    let listing =
-        expand(&description, &request).unwrap_or_else(|errors| panic!("{kind}: {errors}"));
-    let prices = listing.functions.iter().map(|listed| &listed.price);
+    let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{kind}: {errors}"));
+    let prices = module.functions.iter().map(|generated| &generated.price);
     prices.map(|price| price.mul + price.add).collect()
 }
 

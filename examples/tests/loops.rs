@@ -52,10 +52,10 @@ fn the_prices_of_the_slider_crank_are_those_of_today() {
         ..item.request
     };
     let description = item.description.expect("it is in place");
-    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let (_, table) = LOOPS.split_once("<!-- loops -->").expect("it is there");
-    for (function, listed) in Function::OF_LOOPS.into_iter().zip(&listing.functions) {
-        let (name, price) = (function.name(), &listed.price);
+    for (function, generated) in Function::OF_LOOPS.into_iter().zip(&module.functions) {
+        let (name, price) = (function.name(), &generated.price);
         let end = format!(" | {} | {} |", price.mul, price.add);
         let row = table
             .lines()

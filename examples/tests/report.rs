@@ -216,8 +216,8 @@ fn count(description: &Description, request: Request, function: Function) -> Pri
         functions: vec![vec![function]],
         ..request
     };
-    let listing = expand(description, &request).expect("it has no mistakes");
-    listing.functions[0].price
+    let module = expand(description, &request).expect("it has no mistakes");
+    module.functions[0].price
 }
 
 /// What stands between a heading and the next one of its rank or above.

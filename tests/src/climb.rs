@@ -7,7 +7,6 @@
 
 use std::marker::PhantomData;
 
-use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{Accuracy, Bound};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::description::Description;
@@ -15,7 +14,8 @@ use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
-use homogen_codegen::print::Listed;
+use homogen_codegen::module::GeneratedFunction;
+use homogen_codegen::range::Range;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::{FrameId, Variable};
@@ -34,16 +34,16 @@ pub fn listed(
     request: Request,
     function: Function,
     scalar: Real,
-) -> Listed {
+) -> GeneratedFunction {
     let request = Request {
         functions: vec![vec![function]],
         scalar,
         ..request
     };
-    let listing = expand(description, &request);
-    let listing = listing.unwrap_or_else(|errors| panic!("{errors}"));
-    let listed = listing.functions.into_iter().next();
-    listed.expect("one function was asked for")
+    let module = expand(description, &request);
+    let module = module.unwrap_or_else(|errors| panic!("{errors}"));
+    let generated = module.functions.into_iter().next();
+    generated.expect("one function was asked for")
 }
 
 /// The bounds of a function, of results or of what they are exact for.
@@ -51,8 +51,8 @@ pub fn listed(
 /// # Panics
 /// Where there are none.
 #[must_use]
-pub fn bounds(listed: &Listed) -> &[Bound] {
-    match &*listed.accuracy {
+pub fn bounds(generated: &GeneratedFunction) -> &[Bound] {
+    match &*generated.accuracy {
         [Accuracy::Within(promise) | Accuracy::Backward(_, promise)] => &promise.bounds,
         other => panic!("{other:?}"),
     }
@@ -78,7 +78,7 @@ pub fn of_results(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f6
 
 /// What a climb looks at: one function in one type, its bounds and its truth.
 pub struct Climb<T> {
-    listed: Listed,
+    generated: GeneratedFunction,
     /// Of each result.
     bounds: Vec<f64>,
     units: Vec<&'static str>,
@@ -97,14 +97,14 @@ impl<T: Tested> Climb<T> {
     /// Where the robot is refused, or the function has no bound.
     #[must_use]
     pub fn new(description: &Description, request: &Request, function: Function) -> Self {
-        let listed = listed(description, request.clone(), function, T::REAL);
+        let generated = listed(description, request.clone(), function, T::REAL);
         let chain = chain::build(description, request)
             .unwrap_or_else(|errors| panic!("{errors}"))
             .identified();
         Self {
-            bounds: of_results(&chain, function, bounds(&listed)),
+            bounds: of_results(&chain, function, bounds(&generated)),
             units: function.result().units(chain.spaces()),
-            listed,
+            generated,
             exact: exactly(&chain, function),
             range: Range::of(&chain),
             as_type: PhantomData,
@@ -138,7 +138,7 @@ impl<T: Tested> Climb<T> {
             state[place.expect("every input has a range")]
         };
         let exact = self.exact.at(|input| Double::from(at(input)));
-        let found = run(&self.listed.program, |input| T::literal(at(input)));
+        let found = run(&self.generated.program, |input| T::literal(at(input)));
         let pairs = found.into_iter().zip(exact);
         pairs
             .map(|(found, exact)| (Double::from(found.to_f64()) - exact).to_f64().abs())

@@ -137,24 +137,24 @@ fn take(input: &Input, random: &mut Random) -> Result<Outcome, String> {
 }
 
 fn expanded(description: &Description, request: &Request) -> Result<Outcome, String> {
-    let listing = match expand(description, request) {
-        Ok(listing) => listing,
+    let module = match expand(description, request) {
+        Ok(module) => module,
         Err(errors) => {
             refused(&errors, "no code")?;
             return Ok(Outcome::Understood);
         }
     };
-    for listed in &listing.functions {
-        let literal = listed
+    for generated in &module.functions {
+        let literal = generated
             .program
             .operands()
             .find(|operand| matches!(operand, Operand::Literal(value) if !value.is_finite()));
         if let Some(literal) = literal {
-            return Err(format!("{} reads {literal:?}", listed.name()));
+            return Err(format!("{} reads {literal:?}", generated.name()));
         }
     }
     let world = World::Core(Library::default());
-    if rust::print(&listing, &Item::named_after("arm"), &world).is_empty() {
+    if rust::print(&module, &Item::named_after("arm"), &world).is_empty() {
         return Err("no code, and nothing said".to_owned());
     }
     Ok(Outcome::Expanded)

@@ -8,7 +8,7 @@ use homogen_codegen::accuracy::Accuracy;
 use homogen_codegen::description::{Description, read_text};
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::{Formulation, Forward};
-use homogen_codegen::print::Listed;
+use homogen_codegen::module::GeneratedFunction;
 use homogen_codegen::request::{Parameter, Request, Target};
 use homogen_codegen::{Builder, Function, Real};
 use homogen_tests::climb::{Climb, bounds, listed};
@@ -53,8 +53,8 @@ fn joint(kind: &str, axis: &str, limit: &str) -> String {
 }
 
 /// Why a function has no bound.
-fn refusal(listed: &Listed) -> &'static str {
-    match *listed.accuracy {
+fn refusal(generated: &GeneratedFunction) -> &'static str {
+    match *generated.accuracy {
         [Accuracy::Unknown(reason)] => reason,
         ref other => panic!("{other:?}"),
     }
@@ -160,9 +160,9 @@ fn gravity_that_a_field_turns_to_where_it_is_felt() {
         let request = gravity(range);
         let worst = holds::<F32>(&description, &request, Function::Gravity);
         assert!(worst > 1e-2, "{worst}");
-        let listed = listed(&description, request, Function::Gravity, Real::F32);
-        let Accuracy::Within(promise) = &listed.accuracy[0] else {
-            panic!("{:?}", listed.accuracy);
+        let generated = listed(&description, request, Function::Gravity, Real::F32);
+        let Accuracy::Within(promise) = &generated.accuracy[0] else {
+            panic!("{:?}", generated.accuracy);
         };
         let most = range.map_or(2.0 * 9.81, |[_, most]| most);
         let said = format!("entries of `gravity` ≤ {most} m/s²");
@@ -187,9 +187,9 @@ fn a_mass_in_a_field_from_zero_to_twice_what_is_described() {
             holds::<F64>(&description, &request, function);
         }
         // Without the load its inertia is left, and M regular.
-        let listed = listed(&description, request, Function::ForwardDynamics, Real::F64);
+        let generated = listed(&description, request, Function::ForwardDynamics, Real::F64);
         assert!(
-            bounds(&listed)
+            bounds(&generated)
                 .iter()
                 .all(|bound| bound.double < Some(1e-11))
         );
@@ -244,9 +244,9 @@ fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
             .all(|bound| bound.single == Some(f64::INFINITY))
     );
     let huge = two(r#"lower="-1" upper="1" velocity="1e200""#);
-    let listed = listed(&huge, request, Function::Bias, Real::F64);
+    let generated = listed(&huge, request, Function::Bias, Real::F64);
     assert_eq!(
-        refusal(&listed),
+        refusal(&generated),
         "a number may overflow, as far as ranges tell"
     );
 }
@@ -255,9 +255,9 @@ fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
 #[test]
 fn limits_without_end() {
     let description = two(r#"lower="-inf" upper="inf" velocity="inf""#);
-    let listed = listed(&description, Request::default(), Function::Bias, Real::F32);
-    let Accuracy::Within(promise) = &listed.accuracy[0] else {
-        panic!("{:?}", listed.accuracy);
+    let generated = listed(&description, Request::default(), Function::Bias, Real::F32);
+    let Accuracy::Within(promise) = &generated.accuracy[0] else {
+        panic!("{:?}", generated.accuracy);
     };
     assert_eq!(promise.range, "|q| ≤ π rad, |q̇| ≤ 10 rad/s");
 }
@@ -303,8 +303,8 @@ fn an_inertia_that_no_body_has() {
             },
             ..Request::default()
         };
-        let listed = listed(&description, request, function, Real::F64);
-        let reason = refusal(&listed);
+        let generated = listed(&description, request, function, Real::F64);
+        let reason = refusal(&generated);
         assert_eq!(
             reason,
             "an inertia is none that a body has, as far as its digits tell"
@@ -336,13 +336,13 @@ fn a_coaxial_pair_whose_first_body_weighs_next_to_nothing() {
         },
         ..Request::default()
     };
-    let listed = listed(
+    let generated = listed(
         &description,
         request,
         Function::ForwardDynamics,
         Real::Generic,
     );
-    match &listed.accuracy[0] {
+    match &generated.accuracy[0] {
         Accuracy::Unknown(_) => {}
         Accuracy::Backward(_, promise) => {
             let single = promise.bounds.iter().map(|bound| bound.single);
@@ -385,12 +385,12 @@ fn a_solution_that_rounding_may_spoil_is_not_said_to_overflow() {
             inertia: if k + 1 < count { 0.03 } else { 1e-18 },
         };
         let arm = row(&(0..count).map(segment).collect::<Vec<_>>());
-        let listed = listed(
+        let generated = listed(
             &arm,
             Request::default(),
             Function::MassMatrixInverse,
             Real::F32,
         );
-        assert_eq!(refusal(&listed), expected, "{count} joints");
+        assert_eq!(refusal(&generated), expected, "{count} joints");
     }
 }

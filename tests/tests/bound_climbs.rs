@@ -6,13 +6,13 @@
 use homogen_codegen::Function;
 use homogen_codegen::accuracy::Accuracy;
 use homogen_codegen::accuracy::mobility::mobility;
-use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::chain;
 use homogen_codegen::description::Description;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::formulation::{Formulation, Forward};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
+use homogen_codegen::range::Range;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::Variable;

@@ -50,7 +50,7 @@ const ALLOWED: [(&str, &str, &str); 26] = [
     ("dense/approximate.rs", "sin_cos", "of a double"),
     ("dense/matrix.rs", "sin_cos", "of any arithmetic of ours"),
     ("dense/posture.rs", "sin_cos", "of a double and its error"),
-    ("expand/measured.rs", "sin_cos", "of a double"),
+    ("plan/measured.rs", "sin_cos", "of a double"),
     ("expand/review.rs", "sin_cos", "of a double"),
     (
         "expression/evaluate.rs",

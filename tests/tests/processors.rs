@@ -2,7 +2,7 @@
 
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
-use homogen_codegen::print::Listing;
+use homogen_codegen::module::Module;
 use homogen_codegen::request::Request;
 use homogen_codegen::{Builder, Function, Processor, Real, description, door};
 use quote::quote;
@@ -10,7 +10,7 @@ use quote::quote;
 const PANDA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/panda_class.urdf");
 
 /// Inverse and forward dynamics of seven joints, as a derive has them.
-fn listing(processor: Processor, scalar: Real) -> Result<Listing, Errors> {
+fn module(processor: Processor, scalar: Real) -> Result<Module, Errors> {
     let mut errors = Errors::new();
     let robot = description::read_file(PANDA.as_ref(), None, &mut errors).expect("it is a robot");
     let request = Request {
@@ -45,11 +45,11 @@ fn prices_follow_the_processor() {
         (Processor::AArch64, Real::F64),
     ]
     .map(|(processor, scalar)| {
-        let listing = listing(processor, scalar).unwrap_or_else(|errors| panic!("{errors}"));
-        let prices = listing.functions.iter().map(|listed| {
-            let (of, cycles) = listed.price.cycles.expect("a processor was chosen");
+        let module = module(processor, scalar).unwrap_or_else(|errors| panic!("{errors}"));
+        let prices = module.functions.iter().map(|generated| {
+            let (of, cycles) = generated.price.cycles.expect("a processor was chosen");
             assert_eq!(of, processor);
-            (cycles, listed.price.fused)
+            (cycles, generated.price.fused)
         });
         prices.collect::<Vec<_>>()
     });
@@ -66,12 +66,12 @@ fn prices_follow_the_processor() {
 
 #[test]
 fn without_a_processor_nothing_is_said_of_cycles() {
-    let portable = listing(Processor::Portable, Real::Generic).expect("it has no mistakes");
+    let portable = module(Processor::Portable, Real::Generic).expect("it has no mistakes");
     assert!(
         portable
             .functions
             .iter()
-            .all(|listed| listed.price.cycles.is_none())
+            .all(|generated| generated.price.cycles.is_none())
     );
     assert!(!file(Processor::Portable).contains("cycles"));
 }
@@ -106,7 +106,7 @@ fn a_file_for_core_counts_on_no_fused_product() {
 
 #[test]
 fn f64_on_a_processor_without_is_refused() {
-    let refusal = listing(Processor::CortexM4, Real::F64).expect_err("refused");
+    let refusal = module(Processor::CortexM4, Real::F64).expect_err("refused");
     assert_eq!(
         refusal.to_string(),
         "error: cortex-m4 computes f64 in software, operation by operation\n  \

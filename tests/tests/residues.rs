@@ -10,10 +10,11 @@ use std::fmt::Write;
 use homogen_codegen::check::Check;
 use homogen_codegen::description::{Description, Number, read_text};
 use homogen_codegen::error::Errors;
-use homogen_codegen::expand::{program, program_by, understand};
+use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::Angles;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
+use homogen_codegen::plan::{program, program_by};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::FrameId;
@@ -105,7 +106,7 @@ fn hold(description: &Description, request: &Request) {
         let functions = [function];
         let chosen = program(&chain, &functions, FrameId::FIRST, Real::F64)
             .and_then(|chosen| {
-                check.judge(&functions, FrameId::FIRST, &chosen, Real::F64)?;
+                check.judge_program(&functions, FrameId::FIRST, &chosen, Real::F64)?;
                 Ok(chosen)
             })
             .unwrap_or_else(|errors| panic!("{errors}"));

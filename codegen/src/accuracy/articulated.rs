@@ -21,10 +21,10 @@ use self::recursion::{Steps, values};
 use self::sizes::Pair;
 use super::promise::{Accuracy, Means, Perturbed, Worst, backward, computed};
 use super::solved::{DOUBTFUL, caused, largest, stays, tried, underflow, widened};
-use crate::accuracy::range::Range;
 use crate::chain::BodyId;
 use crate::list::List;
 use crate::model::ARTICULATED_MOTION;
+use crate::range::Range;
 use crate::schedule::Program;
 use crate::schedule::bound::{self, Value};
 

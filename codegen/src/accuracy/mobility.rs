@@ -11,12 +11,12 @@ mod row;
 
 use std::iter::successors;
 
-use super::range::Range;
 use crate::chain::{BodyId, Chain, Position};
 use crate::expression::{Double, Expr, Input, Term, evaluate};
 use crate::joint::Motion;
 use crate::layout::{Body, Layout, arrange};
 use crate::list::{Id, List};
+use crate::range::Range;
 use crate::request::Target;
 use crate::schedule::bound;
 use crate::space::VelocityId;

@@ -6,12 +6,13 @@
 
 use std::collections::BTreeMap;
 
-use super::range::{self, Range};
 use crate::chain::Chain;
 use crate::expression::Input;
+use crate::formulation::Sines;
 use crate::function::Function;
+use crate::range::{self, Range};
 use crate::real::{Real, Trigonometry};
-use crate::request::FieldId;
+use crate::request::{FieldId, Request};
 use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
 use crate::space::{Space, Variable};
@@ -77,6 +78,20 @@ pub struct Means {
     pub scalar: Real,
     /// Its sines and cosines.
     pub trigonometry: Trigonometry,
+}
+
+impl Means {
+    /// What the programs of a request compute with.
+    #[must_use]
+    pub const fn of(request: &Request) -> Self {
+        Self {
+            scalar: request.scalar,
+            trigonometry: match request.formulation.sines {
+                Sines::Own => request.trigonometry,
+                Sines::Platform => Trigonometry::Other,
+            },
+        }
+    }
 }
 
 /// The worst error of each result, or why there is none.

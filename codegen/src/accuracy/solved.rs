@@ -18,9 +18,9 @@
 
 use super::promise::{Accuracy, Means, Perturbed, Worst, backward, computed, error};
 use crate::accuracy::mobility::{Mobility, mobility};
-use crate::accuracy::range::Range;
 use crate::chain::Chain;
 use crate::layout::Layout;
+use crate::range::Range;
 use crate::real::Real;
 use crate::schedule::Program;
 use crate::schedule::bound::{Reason, Value};

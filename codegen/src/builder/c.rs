@@ -8,7 +8,7 @@ use super::Builder;
 use super::command::Language;
 use super::file::{doubt, write};
 use crate::error::{Errors, Place};
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
 
@@ -25,7 +25,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request; options that only Rust has.
     pub fn to_c(&self, header: &str) -> Result<Source, Errors> {
-        self.c_listing().map(|listing| self.c(&listing, header))
+        self.c_listing().map(|module| self.c(&module, header))
     }
 
     /// Writes [`Builder::to_c`] to a file in `OUT_DIR`, its header beside it (`arm.h` beside `arm.c`), and
@@ -38,15 +38,15 @@ impl Builder {
         let file = file.as_ref();
         self.telling(|| {
             let (header, name) = header_beside(file)?;
-            let listing = self.c_listing()?;
-            doubt(&listing);
-            let source = self.c(&listing, &name);
+            let module = self.c_listing()?;
+            doubt(&module);
+            let source = self.c(&module, &name);
             write(&header, &source.header)?;
             write(file, &source.text)
         })
     }
 
-    pub(crate) fn c_listing(&self) -> Result<Listing, Errors> {
+    pub(crate) fn c_listing(&self) -> Result<Module, Errors> {
         let mut errors = Errors::new();
         if self.request.runtime.is_some() {
             errors.push(Place::Unknown, "the runtime is Rust's: C has none");
@@ -63,7 +63,7 @@ impl Builder {
         without.request.runtime = None;
         without.library.sin_cos = None;
         match without.listing_where(true, true) {
-            Ok(listing) => errors.into_result(listing),
+            Ok(module) => errors.into_result(module),
             Err(mistakes) => {
                 errors.append(mistakes);
                 Err(errors)
@@ -71,15 +71,15 @@ impl Builder {
         }
     }
 
-    pub(crate) fn c(&self, listing: &Listing, header: &str) -> Source {
-        let prefix = self.prefix(listing);
+    pub(crate) fn c(&self, module: &Module, header: &str) -> Source {
+        let prefix = self.prefix(module);
         let writing = Writing {
             prefix: &prefix,
             header,
-            asked: &self.asked(listing, Language::C(header)),
-            fused: self.fuses(listing),
+            asked: &self.asked(module, Language::C(header)),
+            fused: self.fuses(module),
         };
-        let Source { header, text } = c::print(listing, &writing);
+        let Source { header, text } = c::print(module, &writing);
         let [header, text] =
             [header, text].map(|text| if self.ascii { spelt(&text) } else { text });
         Source { header, text }

@@ -9,7 +9,7 @@ use std::num::NonZeroUsize;
 use super::Builder;
 use crate::description::Name;
 use crate::description::fingerprint::fingerprint;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Parameter;
@@ -32,8 +32,8 @@ pub(super) enum Language<'a> {
 impl Builder {
     /// What the head of a file says was asked for: the command, with a hash by which two files tell whether it was
     /// the same.
-    pub(super) fn asked(&self, listing: &Listing, language: Language<'_>) -> String {
-        let file = listing.about.source.as_ref().map(|(file, _)| file.as_str());
+    pub(super) fn asked(&self, module: &Module, language: Language<'_>) -> String {
+        let file = module.about.source.as_ref().map(|(file, _)| file.as_str());
         let command = self.command(file, language);
         let hash = fingerprint(command.as_bytes());
         let command = code(&command);

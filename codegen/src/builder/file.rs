@@ -9,7 +9,7 @@ use std::{env, fs};
 use super::command::Language;
 use super::{Builder, Origin};
 use crate::error::{Errors, Place};
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::ascii::spelt;
 use crate::print::rust::{self, Source};
 use crate::processor::Processor;
@@ -22,7 +22,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_source(&self) -> Result<Source, Errors> {
-        self.file_listing().map(|listing| self.source(&listing))
+        self.file_listing().map(|module| self.source(&module))
     }
 
     /// Writes [`Builder::to_source`] to a file in `OUT_DIR`, and tells cargo which file to watch
@@ -33,9 +33,9 @@ impl Builder {
     /// that cannot be written.
     pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
         self.telling(|| {
-            let listing = self.file_listing()?;
-            doubt(&listing);
-            write(file.as_ref(), &self.source(&listing).to_string())
+            let module = self.file_listing()?;
+            doubt(&module);
+            write(file.as_ref(), &self.source(&module).to_string())
         })
     }
 
@@ -62,7 +62,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_c_header(&self) -> Result<String, Errors> {
-        self.file_listing().map(|listing| self.c_header(&listing))
+        self.file_listing().map(|module| self.c_header(&module))
     }
 
     /// Writes [`Builder::to_c_header`] to a file in `OUT_DIR`.
@@ -73,17 +73,17 @@ impl Builder {
         write(file.as_ref(), &self.to_c_header()?)
     }
 
-    pub(crate) fn c_header(&self, listing: &Listing) -> String {
-        let item = self.item(listing);
-        let asked = self.asked(listing, Language::Rust);
-        let header = rust::c_header(listing, &item, &asked, &self.library()).unwrap_or_default();
+    pub(crate) fn c_header(&self, module: &Module) -> String {
+        let item = self.item(module);
+        let asked = self.asked(module, Language::Rust);
+        let header = rust::c_header(module, &item, &asked, &self.library()).unwrap_or_default();
         if self.ascii { spelt(&header) } else { header }
     }
 
-    pub(crate) fn source(&self, listing: &Listing) -> Source {
-        let header = rust::header(listing, &self.asked(listing, Language::Rust), &self.world());
-        let appendix = rust::appendix(listing, &self.item(listing), &self.world());
-        let source = Source::file(header, &self.print(listing), appendix);
+    pub(crate) fn source(&self, module: &Module) -> Source {
+        let header = rust::header(module, &self.asked(module, Language::Rust), &self.world());
+        let appendix = rust::appendix(module, &self.item(module), &self.world());
+        let source = Source::file(header, &self.print(module), appendix);
         if self.ascii {
             source.in_ascii()
         } else {
@@ -148,8 +148,8 @@ impl Builder {
 }
 
 /// Tells cargo every doubt.
-pub(super) fn doubt(listing: &Listing) {
-    for warning in &listing.about.warnings {
+pub(super) fn doubt(module: &Module) {
+    for warning in &module.about.warnings {
         println!("cargo::warning={warning}");
     }
 }

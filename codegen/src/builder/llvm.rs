@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 use super::Builder;
 use super::command::Language;
 use crate::error::Errors;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::c;
 use crate::print::llvm::{self, Writing};
 use crate::processor::Processor;
@@ -25,31 +25,31 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request; options that only Rust has.
     pub fn to_llvm(&self, lanes: NonZeroUsize) -> Result<String, Errors> {
-        let listing = self.c_listing()?;
-        Ok(self.llvm(&listing, lanes))
+        let module = self.c_listing()?;
+        Ok(self.llvm(&module, lanes))
     }
 
-    pub(crate) fn llvm(&self, listing: &Listing, lanes: NonZeroUsize) -> String {
+    pub(crate) fn llvm(&self, module: &Module, lanes: NonZeroUsize) -> String {
         let writing = Writing {
-            prefix: &self.prefix(listing),
-            asked: &self.asked(listing, Language::Llvm(lanes)),
+            prefix: &self.prefix(module),
+            asked: &self.asked(module, Language::Llvm(lanes)),
             lanes: lanes.get(),
-            fused: self.fuses(listing),
+            fused: self.fuses(module),
         };
-        llvm::print(listing, &writing)
+        llvm::print(module, &writing)
     }
 
     /// Whether products fuse with sums on the processor that was named.
-    pub(super) fn fuses(&self, listing: &Listing) -> bool {
+    pub(super) fn fuses(&self, module: &Module) -> bool {
         let processor = self.request.processor;
-        processor != Processor::Portable && processor.fuses(listing.scalar)
+        processor != Processor::Portable && processor.fuses(module.scalar)
     }
 
     /// The prefix of all names in languages without modules.
-    pub(super) fn prefix(&self, listing: &Listing) -> String {
+    pub(super) fn prefix(&self, module: &Module) -> String {
         let robot = match &self.name {
             Some(name) => name.unraw().to_string(),
-            None => listing.about.robot.clone(),
+            None => module.about.robot.clone(),
         };
         let prefix = self.library.c_prefix.clone();
         prefix.unwrap_or_else(|| c::prefix(&robot))

@@ -13,7 +13,7 @@ use crate::error::{Errors, Place};
 #[cfg(feature = "cli")]
 use crate::expand;
 use crate::formulation::{Products, Sines};
-use crate::print::Listing;
+use crate::module::Module;
 #[cfg(feature = "pretty")]
 use crate::print::ascii::beyond;
 use crate::print::rust::{self, Item, Library, World};
@@ -29,15 +29,15 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_tokens(&self) -> Result<TokenStream, Errors> {
-        Ok(self.print(&self.listing()?))
+        Ok(self.print(&self.module()?))
     }
 
-    pub(super) fn print(&self, listing: &Listing) -> TokenStream {
-        rust::print(listing, &self.item(listing), &self.world())
+    pub(super) fn print(&self, module: &Module) -> TokenStream {
+        rust::print(module, &self.item(module), &self.world())
     }
 
-    pub(super) fn item(&self, listing: &Listing) -> Item {
-        let named_after = || Item::named_after(&listing.about.robot);
+    pub(super) fn item(&self, module: &Module) -> Item {
+        let named_after = || Item::named_after(&module.about.robot);
         self.name.clone().map_or_else(named_after, Item::made)
     }
 
@@ -61,14 +61,14 @@ impl Builder {
         library
     }
 
-    pub(crate) fn listing(&self) -> Result<Listing, Errors> {
+    pub(crate) fn module(&self) -> Result<Module, Errors> {
         // `core` has no fused product: a price that counted on it would be wrong.
         self.listing_where(self.request.runtime.is_some(), false)
     }
 
     /// The same, with what the reviewer of a file reads.
     #[cfg(feature = "pretty")]
-    pub(crate) fn file_listing(&self) -> Result<Listing, Errors> {
+    pub(crate) fn file_listing(&self) -> Result<Module, Errors> {
         self.listing_where(self.request.runtime.is_some(), true)
     }
 
@@ -107,7 +107,7 @@ impl Builder {
     }
 
     /// What is printed where a product can fuse with a sum, or cannot, with what only a reviewer reads or without.
-    pub(super) fn listing_where(&self, fuses: bool, review: bool) -> Result<Listing, Errors> {
+    pub(super) fn listing_where(&self, fuses: bool, review: bool) -> Result<Module, Errors> {
         let (description, mut request) = self.both()?;
         let mut errors = Errors::new();
         request.review = review;
@@ -125,20 +125,20 @@ impl Builder {
             errors.push(Place::Unknown, message);
             return Err(errors);
         }
-        let listing = (self.expand)(&description, &request)?;
+        let module = (self.expand)(&description, &request)?;
         #[cfg(feature = "pretty")]
         if self.ascii && review {
-            self.check_ascii(&listing)?;
+            self.check_ascii(&module)?;
         }
-        Ok(listing)
+        Ok(module)
     }
 
     /// Refuses names that files have to have, and ASCII has not.
     #[cfg(feature = "pretty")]
-    fn check_ascii(&self, listing: &Listing) -> Result<(), Errors> {
+    fn check_ascii(&self, module: &Module) -> Result<(), Errors> {
         let mut errors = Errors::new();
-        let name = self.item(listing).ident.to_string();
-        let names = beyond(listing).into_iter();
+        let name = self.item(module).ident.to_string();
+        let names = beyond(module).into_iter();
         for name in names.chain((!name.is_ascii()).then_some(name)) {
             let message = format!(
                 "`{}` is a name in the file, and not of ASCII",

@@ -9,7 +9,7 @@ use std::{env, fs, io, process};
 use super::Builder;
 use super::file::doubt;
 use crate::error::{Errors, Place};
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::python::{self, MARK, Package, Writing};
 use crate::processor::Processor;
 
@@ -47,7 +47,7 @@ impl Builder {
         })
     }
 
-    pub(crate) fn python_listing(&self) -> Result<Listing, Errors> {
+    pub(crate) fn python_listing(&self) -> Result<Module, Errors> {
         let mut errors = Errors::new();
         let mut refuse = |refused: bool, message, hint| {
             if refused {
@@ -89,7 +89,7 @@ impl Builder {
         }
     }
 
-    pub(crate) fn python(&self, listing: &Listing, module: &str) -> Package {
+    pub(crate) fn python(&self, listing: &Module, module: &str) -> Package {
         let writing = Writing {
             module,
             options: &self.options(),

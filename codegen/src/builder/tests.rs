@@ -9,14 +9,14 @@ use crate::description::Description;
 use crate::error::{Errors, Place};
 use crate::formulation::{Formulation, Products, Sines};
 use crate::function::Function;
-use crate::print::Listing;
-use crate::print::rust::tests::listing;
+use crate::module::Module;
+use crate::print::rust::tests::module;
 use crate::real::Real;
 use crate::request::{Request, Target};
 
 const URDF: &str = r#"<robot name="double pendulum"><link name="world"/></robot>"#;
 
-fn arm(expand: fn(&Description, &Request) -> Result<Listing, Errors>) -> Builder {
+fn arm(expand: fn(&Description, &Request) -> Result<Module, Errors>) -> Builder {
     let mut errors = Errors::new();
     let description = crate::description::read_text(URDF, "pendulum.urdf", None, &mut errors);
     let builder = Builder::from_description(description.expect("it is a robot"));
@@ -27,10 +27,10 @@ fn arm(expand: fn(&Description, &Request) -> Result<Listing, Errors>) -> Builder
     clippy::unnecessary_wraps,
     reason = "the stages it stands for can fail"
 )]
-fn as_asked(_: &Description, request: &Request) -> Result<Listing, Errors> {
-    Ok(Listing {
+fn as_asked(_: &Description, request: &Request) -> Result<Module, Errors> {
+    Ok(Module {
         parameters: request.parameters.clone(),
-        ..listing(request.scalar)
+        ..module(request.scalar)
     })
 }
 

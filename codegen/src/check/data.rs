@@ -7,7 +7,7 @@ use crate::dense::{Approximate, Body, BodyId, Closed, Freedom, Matrix, Moved, Ro
 use crate::expression::{Arithmetic, Double};
 use crate::joint::Posture;
 use crate::list::{Id, List};
-use crate::print::{ChainData, DataMotion, LoopsData};
+use crate::module::{ChainData, DataMotion, LoopsData};
 use crate::space::{CoordinateId, FrameId, VelocityId};
 
 /// How many numbers a joint has, and a frame.

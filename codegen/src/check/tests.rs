@@ -71,10 +71,10 @@ pub(super) fn all_of(
     description: &Description,
     request: &Request,
 ) -> Vec<(Vec<Function>, FrameId, Program)> {
-    let listing = expand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
-    let listed = listing.functions.into_iter();
-    listed
-        .map(|listed| (listed.functions, FrameId::FIRST, listed.program))
+    let module = expand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
+    let functions = module.functions.into_iter();
+    functions
+        .map(|generated| (generated.functions, FrameId::FIRST, generated.program))
         .collect()
 }
 
@@ -166,7 +166,7 @@ fn no_operation_of_a_program_can_be_another() {
                         continue;
                     }
                     *count += 1;
-                    let verdict = check.judge(&functions, frame, &broken, request.scalar);
+                    let verdict = check.judge_program(&functions, frame, &broken, request.scalar);
                     assert!(
                         verdict.is_err(),
                         "{}: step {k} of {functions:?}, {operation:?} for {changed:?}",
@@ -270,7 +270,7 @@ fn a_wrong_result_is_refused_with_function_entry_and_both_numbers() {
         .find(|(functions, ..)| functions == &[Function::Gravity])
         .expect("gravity is among all functions");
     program.results.swap(0, 1);
-    let refusal = check.judge(&functions, frame, &program, request.scalar);
+    let refusal = check.judge_program(&functions, frame, &program, request.scalar);
     let refusal = refusal.expect_err("the torques are exchanged").to_string();
     assert!(
         refusal.contains("entry 0 (joint \"shoulder\") of gravity would be "),

@@ -15,7 +15,7 @@ use crate::description::Description;
 use crate::expression::{Double, Input};
 use crate::function::{Function, Given, Truth};
 use crate::list::Id;
-use crate::print::{Listed, Vector};
+use crate::module::{GeneratedFunction, Vector};
 use crate::quaternion::{normalize, of_length_1};
 use crate::real::Real;
 use crate::request::Request;
@@ -47,34 +47,36 @@ pub fn vectors(
     description: &Description,
     request: &Request,
     chain: &Chain,
-    (functions, means): (&[Listed], Means),
+    (functions, means): (&[GeneratedFunction], Means),
 ) -> Vec<Vector> {
-    let (scalar, listed) = (means.scalar, functions.iter().enumerate());
+    let (scalar, generated) = (means.scalar, functions.iter().enumerate());
     let at = |state: State| {
         let robot = robot::robot(description, request, chain, &state.fields)?;
         Ok(Dense::of(robot, state))
     };
-    let is_constrained =
-        |(_, listed): &(usize, &Listed)| listed.functions.iter().any(|of| of.is_constrained());
-    let (constrained, free): (Vec<_>, Vec<_>) = listed.partition(is_constrained);
+    let is_constrained = |(_, generated): &(usize, &GeneratedFunction)| {
+        generated.functions.iter().any(|of| of.is_constrained())
+    };
+    let (constrained, free): (Vec<_>, Vec<_>) = generated.partition(is_constrained);
     let mut vectors = Vec::new();
     for (index, drawn) in states::states(chain, request, 2).iter().enumerate() {
-        let is_wanted =
-            |(_, listed): &&(usize, &Listed)| index == 0 || listed.program.results.len() <= SHORT;
+        let is_wanted = |(_, generated): &&(usize, &GeneratedFunction)| {
+            index == 0 || generated.program.results.len() <= SHORT
+        };
         let mut wanted: Vec<_> = free.iter().filter(is_wanted).collect();
         let mut state = rounded(drawn, chain, (index, scalar));
         for _ in 0..=NEARER {
             // A robot that contradicts its chain has been refused before.
             let Ok(dense) = at(state) else { break };
-            wanted.retain(|(function, listed)| {
-                let found = rounding(&dense.state, &listed.program, means);
+            wanted.retain(|(function, generated)| {
+                let found = rounding(&dense.state, &generated.program, means);
                 if found
                     .iter()
                     .any(|found| found.reason == Some(Reason::Angle))
                 {
                     return true;
                 }
-                let of = (*function, *listed);
+                let of = (*function, *generated);
                 vectors.extend(vector(&dense, chain, of, (&found, scalar)));
                 false
             });
@@ -91,10 +93,15 @@ pub fn vectors(
         let closed = closed.ok().flatten();
         let closed = closed.and_then(|state| at(as_it_is(&state, chain, scalar)).ok());
         let Some(mut closed) = closed else { continue };
-        for &(function, listed) in wanted {
-            if !is_uncertain(&mut closed, &listed.functions, scalar) {
-                let found = rounding(&closed.state, &listed.program, means);
-                vectors.extend(vector(&closed, chain, (function, listed), (&found, scalar)));
+        for &(function, generated) in wanted {
+            if !is_uncertain(&mut closed, &generated.functions, scalar) {
+                let found = rounding(&closed.state, &generated.program, means);
+                vectors.extend(vector(
+                    &closed,
+                    chain,
+                    (function, generated),
+                    (&found, scalar),
+                ));
             }
         }
     }
@@ -105,16 +112,16 @@ pub fn vectors(
 fn vector(
     dense: &Dense,
     chain: &Chain,
-    (function, listed): (usize, &Listed),
+    (function, generated): (usize, &GeneratedFunction),
     (found, scalar): (&[Found], Real),
 ) -> Option<Vector> {
     let named = |name: &String| chain.frames.find(|of| of.name == *name);
-    let frame = listed.frame.as_ref().and_then(named);
+    let frame = generated.frame.as_ref().and_then(named);
     let frame = frame.unwrap_or(FrameId::FIRST);
-    let expected = listed.functions.iter();
+    let expected = generated.functions.iter();
     let expected = expected.map(|&function| truth(dense, function, (frame, scalar)));
     let expected = expected.collect::<Option<Vec<_>>>()?.concat();
-    let arguments = listed.arguments(chain.spaces()).into_iter();
+    let arguments = generated.arguments(chain.spaces()).into_iter();
     let arguments = arguments.map(|argument| (argument, numbers(&dense.state, (argument, scalar))));
     let written = expected.iter();
     Some(Vector {
@@ -358,16 +365,16 @@ mod tests {
     use crate::Builder;
     use crate::expression::{Arithmetic, Input};
     use crate::function::Function;
-    use crate::print::{Listing, Vector};
+    use crate::module::{Module, Vector};
     use crate::real::{Real, Trigonometry};
     use crate::schedule::{Operand, Operation, run};
     use crate::space::{Kind, Variable};
 
     /// How many results of all vectors are not what they should be, in an arithmetic.
-    fn failures<T: Arithmetic + Into<f64>>(listing: &Listing) -> usize {
-        let review = listing.review.as_ref().expect("it becomes a file");
+    fn failures<T: Arithmetic + Into<f64>>(module: &Module) -> usize {
+        let review = module.review.as_ref().expect("it becomes a file");
         let wrong = review.vectors.iter().map(|vector| {
-            let found = run(&listing.functions[vector.function].program, |input| {
+            let found = run(&module.functions[vector.function].program, |input| {
                 T::literal(number(vector, input))
             });
             let expected = vector.expected.iter().zip(&vector.tolerances);
@@ -422,7 +429,7 @@ mod tests {
             let program = &mut wrong
                 .functions
                 .iter_mut()
-                .find(|listed| listed.name() == "inverse_dynamics")
+                .find(|generated| generated.name() == "inverse_dynamics")
                 .expect("it is asked for")
                 .program;
             let changed = program
@@ -456,32 +463,32 @@ mod tests {
                 ]);
             let builder = if is_free { builder.floating() } else { builder };
             let [double, single] = [Real::F64, Real::F32].map(|real| {
-                let listing = builder.clone().scalar(real).file_listing();
-                let listing = listing.expect("a robot");
-                check_angles(&listing, real);
-                listing
+                let module = builder.clone().scalar(real).file_listing();
+                let module = module.expect("a robot");
+                check_angles(&module, real);
+                module
             });
             assert_eq!((failures::<f64>(&double), failures::<f32>(&single)), (0, 0));
         }
     }
 
-    fn check_angles(listing: &Listing, real: Real) {
+    fn check_angles(module: &Module, real: Real) {
         let reach = Trigonometry::Own.reach(real);
-        let vectors = &listing.review.as_ref().expect("it becomes a file").vectors;
-        for (function, listed) in listing.functions.iter().enumerate() {
+        let vectors = &module.review.as_ref().expect("it becomes a file").vectors;
+        for (function, generated) in module.functions.iter().enumerate() {
             let of = |vector: &&Vector| vector.function == function;
             assert!(
                 vectors.iter().any(|vector| of(&vector)),
                 "{}",
-                listed.name()
+                generated.name()
             );
             for vector in vectors.iter().filter(of) {
                 let mut arguments = vector.arguments.iter();
                 let q = arguments.find(|(argument, _)| *argument == Variable::Q);
                 let entries = q.map_or(&[][..], |(_, q)| q).iter();
-                let entries = entries.zip(&listing.spaces.coordinates);
+                let entries = entries.zip(&module.spaces.coordinates);
                 let mut turns = entries.filter(|(_, entry)| entry.kind == Kind::Turn);
-                assert!(turns.all(|(q, _)| q.abs() <= reach), "{}", listed.name());
+                assert!(turns.all(|(q, _)| q.abs() <= reach), "{}", generated.name());
             }
         }
     }

@@ -36,7 +36,7 @@ impl BaseParameters {
         let description = self.robot.description(input)?;
         let request = self.robot.request(&None, Vec::new());
         let chain = expand::understand(&description, &request)?;
-        expand::check_size(&chain)?;
+        crate::plan::check_size(&chain)?;
         let chain = expand::identified(chain, &description, &request)?;
         let base = chain.base_parameters.clone().unwrap_or_default();
         Ok(match self.format {

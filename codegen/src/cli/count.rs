@@ -16,7 +16,7 @@ use super::{Answer, Said, json, options};
 use crate::accuracy::{Accuracy, Bound, Perturbed};
 use crate::error::Complaint;
 use crate::expand::{expand, understand};
-use crate::print::{LeftOut, Listed, Listing};
+use crate::module::{GeneratedFunction, LeftOut, Module};
 use crate::schedule::Price;
 use crate::wording::visible;
 
@@ -43,17 +43,17 @@ impl Count {
         let description = self.robot.description(input)?;
         let request = self.functions.request(&self.robot);
         let chain = understand(&description, &request)?;
-        let listing = expand(&description, &request)?;
+        let module = expand(&description, &request)?;
         Ok(match self.format {
             Format::Text => Answer {
-                output: table(&listing.functions),
+                output: table(&module.functions),
                 remarks: options::warnings(&description, &chain.report.warnings)
-                    + &Functions::remarks(&listing),
-                code: Functions::code(&listing),
+                    + &Functions::remarks(&module),
+                code: Functions::code(&module),
             },
             Format::Json => Answer {
-                output: json::answer(in_json(&listing, &chain.report.warnings)),
-                code: Functions::code(&listing),
+                output: json::answer(in_json(&module, &chain.report.warnings)),
+                code: Functions::code(&module),
                 ..Answer::default()
             },
         })
@@ -84,41 +84,42 @@ fn columns(price: &Price, signs: bool) -> Vec<(&'static str, usize)> {
 }
 
 /// Whether any of some functions takes a sign, as those with Coulomb friction do.
-pub(super) fn have_signs(functions: &[Listed]) -> bool {
-    functions.iter().any(|listed| listed.price.sign > 0)
+pub(super) fn have_signs(functions: &[GeneratedFunction]) -> bool {
+    functions.iter().any(|generated| generated.price.sign > 0)
 }
 
-fn in_json(listing: &Listing, doubts: &[Complaint]) -> Value {
-    let signs = have_signs(&listing.functions);
-    let prices = (listing.functions.iter()).map(|listed| (listed.name(), price(listed, signs)));
+fn in_json(module: &Module, doubts: &[Complaint]) -> Value {
+    let signs = have_signs(&module.functions);
+    let prices =
+        (module.functions.iter()).map(|generated| (generated.name(), price(generated, signs)));
     let prices: Map<String, Value> = prices.collect();
     json!({
-        "robot": listing.about.robot,
+        "robot": module.about.robot,
         "functions": prices,
-        "left_out": left_out(listing),
+        "left_out": left_out(module),
         "warnings": json::warnings(doubts),
     })
 }
 
 /// What a function costs, the number of signs where it is wanted, and how exact it is.
-pub(super) fn price(listed: &Listed, signs: bool) -> Value {
+pub(super) fn price(generated: &GeneratedFunction, signs: bool) -> Value {
     let mut price = json!({});
-    for (name, number) in columns(&listed.price, signs) {
+    for (name, number) in columns(&generated.price, signs) {
         match name.split_once(' ') {
             Some((group, name)) => price[group][name] = json!(number),
             None => price[name] = json!(number),
         }
     }
-    if let Some((_, cycles)) = listed.price.cycles {
+    if let Some((_, cycles)) = generated.price.cycles {
         price["cycles"] = json!(cycles);
     }
-    price["errors"] = listed.accuracy.iter().map(error).collect();
+    price["errors"] = generated.accuracy.iter().map(error).collect();
     price
 }
 
 /// What the robot cannot have, with the reasons.
-pub(super) fn left_out(listing: &Listing) -> Value {
-    let left_out = listing.about.left_out.iter();
+pub(super) fn left_out(module: &Module) -> Value {
+    let left_out = module.about.left_out.iter();
     let left_out = left_out.map(
         |LeftOut {
              functions,
@@ -168,8 +169,8 @@ fn error(accuracy: &Accuracy) -> Value {
     })
 }
 
-fn table(functions: &[Listed]) -> String {
-    let names = functions.iter().map(Listed::name);
+fn table(functions: &[GeneratedFunction]) -> String {
+    let names = functions.iter().map(GeneratedFunction::name);
     let names: Vec<String> = names.map(|name| visible(&name).into_owned()).collect();
     let width = names.iter().map(|name| name.chars().count()).max();
     let width = width.unwrap_or(0);
@@ -179,10 +180,10 @@ fn table(functions: &[Listed]) -> String {
         text.push_str("  ");
         text.push_str(head);
     }
-    for (name, listed) in names.iter().zip(functions) {
+    for (name, generated) in names.iter().zip(functions) {
         // Writing to a string cannot fail.
         let _ = write!(text, "\n{name:width$}");
-        for (head, number) in columns(&listed.price, signs) {
+        for (head, number) in columns(&generated.price, signs) {
             let column = head.len();
             let _ = write!(text, "  {number:>column$}");
         }

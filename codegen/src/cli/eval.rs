@@ -31,6 +31,7 @@ use crate::check::Check;
 use crate::error::{Errors, Place};
 use crate::expand;
 use crate::function::Function;
+use crate::plan;
 use crate::space::FrameId;
 
 /// Compute a function at given states, without a compiler
@@ -88,7 +89,7 @@ impl Eval {
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
         let chain = if request.asks_for(Function::BaseRegressor) {
-            expand::identified(chain, &description, &request)?
+            chain.identified()
         } else {
             chain
         };
@@ -97,8 +98,8 @@ impl Eval {
 
         // Further frames come after the tip's.
         let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
-        expand::check_size(&chain)?;
-        let program = expand::program_for(
+        plan::check_size(&chain)?;
+        let program = plan::program_for(
             request.processor,
             request.formulation,
             &chain,
@@ -106,7 +107,7 @@ impl Eval {
             frame,
             self.scalar.into(),
         )?;
-        Check::of(&description, &request, &chain)?.judge(
+        Check::of(&description, &request, &chain)?.judge_program(
             &[function],
             frame,
             &program,

@@ -14,7 +14,7 @@ use super::options::{self, Robot};
 use crate::builder::Builder;
 use crate::error::Errors;
 use crate::function::Function;
-use crate::print::{LeftOut, Listing};
+use crate::module::{LeftOut, Module};
 use crate::real::Real;
 use crate::request::Request;
 use crate::wording::{known, list, visible};
@@ -95,8 +95,8 @@ impl Functions {
     }
 
     /// The status of an answer about these functions: 0, or [`FAULT`].
-    pub(super) fn code(listing: &Listing) -> u8 {
-        let mut left_out = listing.about.left_out.iter();
+    pub(super) fn code(module: &Module) -> u8 {
+        let mut left_out = module.about.left_out.iter();
         if left_out.any(|left_out| left_out.is_fault) {
             FAULT
         } else {
@@ -105,14 +105,14 @@ impl Functions {
     }
 
     /// What a person should know about the answer: what the robot cannot have.
-    pub(super) fn remarks(listing: &Listing) -> String {
+    pub(super) fn remarks(module: &Module) -> String {
         let mut text = String::new();
         for LeftOut {
             functions,
             reason,
             hint,
             ..
-        } in &listing.about.left_out
+        } in &module.about.left_out
         {
             let functions = list(functions.iter().map(String::as_str));
             // Writing to a string cannot fail.

@@ -15,7 +15,7 @@ use super::options::{Robot, Scalar, is_standard_input, mistake};
 use super::{Answer, Said};
 use crate::builder::{Builder, header_beside};
 use crate::error::Errors;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::real::Real;
 
 /// What is written.
@@ -108,15 +108,15 @@ impl Generate {
         if let Some(prefix) = &self.extern_c {
             builder = builder.extern_c(prefix);
         }
-        let (output, listing) = match self.language {
+        let (output, module) = match self.language {
             Language::Rust => self.rust(&builder)?,
             Language::C => self.c(&builder)?,
             Language::Llvm => self.llvm(&builder)?,
         };
         Ok(Answer {
             output,
-            remarks: remarks + &Functions::remarks(&listing),
-            code: Functions::code(&listing),
+            remarks: remarks + &Functions::remarks(&module),
+            code: Functions::code(&module),
         })
     }
 
@@ -130,32 +130,32 @@ impl Generate {
     }
 
     /// Writes a file of Rust, or returns its text.
-    fn rust(&self, builder: &Builder) -> Result<(String, Listing), Errors> {
-        let listing = builder.file_listing()?;
-        let text = builder.source(&listing).to_string();
+    fn rust(&self, builder: &Builder) -> Result<(String, Module), Errors> {
+        let module = builder.file_listing()?;
+        let text = builder.source(&module).to_string();
         if let Some(path) = &self.c_header {
-            write(path, &builder.c_header(&listing))?;
+            write(path, &builder.c_header(&module))?;
         }
         if is_standard_input(&self.output) {
-            return Ok((text, listing));
+            return Ok((text, module));
         }
         write(&self.output, &text)?;
-        Ok((String::new(), listing))
+        Ok((String::new(), module))
     }
 
     /// Writes a module of LLVM IR, or returns its text.
-    fn llvm(&self, builder: &Builder) -> Result<(String, Listing), Errors> {
-        let listing = builder.c_listing()?;
-        let text = builder.llvm(&listing, self.lanes);
+    fn llvm(&self, builder: &Builder) -> Result<(String, Module), Errors> {
+        let module = builder.c_listing()?;
+        let text = builder.llvm(&module, self.lanes);
         if is_standard_input(&self.output) {
-            return Ok((text, listing));
+            return Ok((text, module));
         }
         write(&self.output, &text)?;
-        Ok((String::new(), listing))
+        Ok((String::new(), module))
     }
 
     /// Writes a file of C and its header, or returns both as one text.
-    fn c(&self, builder: &Builder) -> Result<(String, Listing), Errors> {
+    fn c(&self, builder: &Builder) -> Result<(String, Module), Errors> {
         if self.c_header.is_some() {
             let message = "--c-header is the header of functions that are written in Rust";
             let mut errors = mistake(message);
@@ -164,15 +164,15 @@ impl Generate {
         }
         let to_file = !is_standard_input(&self.output);
         let beside = to_file.then(|| header_beside(&self.output)).transpose()?;
-        let listing = builder.c_listing()?;
+        let module = builder.c_listing()?;
         let Some((path, name)) = beside else {
-            let source = builder.c(&listing, "robot.h");
-            return Ok((format!("{}\n{}", source.header, source.text), listing));
+            let source = builder.c(&module, "robot.h");
+            return Ok((format!("{}\n{}", source.header, source.text), module));
         };
-        let source = builder.c(&listing, &name);
+        let source = builder.c(&module, &name);
         write(&path, &source.header)?;
         write(&self.output, &source.text)?;
-        Ok((String::new(), listing))
+        Ok((String::new(), module))
     }
 }
 

@@ -40,12 +40,12 @@ impl Inspect {
             .request(&self.frame, vec![self.function.0.clone()]);
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
         let chain = understand(&description, &request)?;
-        let mut listing = expand(&description, &request)?;
+        let mut module = expand(&description, &request)?;
         // A further frame comes after the tip's.
-        let last = listing.functions.len().saturating_sub(1);
-        listing.functions.drain(..last);
-        let item = Item::named_after(&listing.about.robot);
-        let methods = rust::methods(&listing, &item, &World::default());
+        let last = module.functions.len().saturating_sub(1);
+        module.functions.drain(..last);
+        let item = Item::named_after(&module.about.robot);
+        let methods = rust::methods(&module, &item, &World::default());
         Ok(Answer {
             output: Source::new("", &methods).to_string(),
             remarks: options::warnings(&description, &chain.report.warnings),

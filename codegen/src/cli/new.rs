@@ -18,7 +18,7 @@ use super::{Answer, Said};
 use crate::builder::Builder;
 use crate::error::Errors;
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::space::{Entry, Kind};
@@ -109,8 +109,8 @@ impl Firmware {
             .generate([Function::Gravity, Function::InverseDynamics])
             .processor(self.target.processor())
             .scalar(Real::F32);
-        let listing = builder.file_listing()?;
-        let robot = package(&listing.about.robot);
+        let module = builder.file_listing()?;
+        let robot = package(&module.about.robot);
         let folder = self.output.clone();
         let folder = folder.unwrap_or_else(|| PathBuf::from(format!("{robot}-firmware")));
         if fs::symlink_metadata(&folder).is_ok() {
@@ -118,14 +118,14 @@ impl Firmware {
             return Err(mistake(message));
         }
         let description = self.description();
-        let words = self.words(&listing, &calls, &folder)?;
+        let words = self.words(&module, &calls, &folder)?;
         let mut files = template::firmware(&words);
         let read = |reason| mistake(format!("cannot read {}: {reason}", self.file.display()));
         let text = fs::read(&self.file).map_err(read)?;
         files.push((".gitignore", "/target\n".to_owned()));
         template::write_fresh(&folder, &files, (description, &text))
             .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))?;
-        let doubts = listing.about.warnings.iter();
+        let doubts = module.about.warnings.iter();
         Ok(Answer {
             output: format!("cd {} && cargo run --release\n", folder.display()),
             remarks: doubts.fold(String::new(), |mut text, doubt| {
@@ -184,12 +184,12 @@ impl Firmware {
     /// What stands for the words of the template.
     fn words(
         &self,
-        listing: &Listing,
+        module: &Module,
         calls: &str,
         folder: &Path,
     ) -> Result<[(&'static str, String); 12], Errors> {
         let [processor, machine, chosen] = self.target.board();
-        let spaces = &listing.spaces;
+        let spaces = &module.spaces;
         let alike = spaces.coordinates.len() == spaces.velocities.len()
             && (spaces.coordinates.iter().zip(&spaces.velocities)).all(|(q, qd)| q.name == qd.name);
         let start = start(&spaces.coordinates);
@@ -202,7 +202,7 @@ impl Firmware {
         Ok([
             (
                 "@PACKAGE@",
-                format!("{}-firmware", package(&listing.about.robot)),
+                format!("{}-firmware", package(&module.about.robot)),
             ),
             ("@CODEGEN@", self.codegen(folder)?),
             ("@TARGET@", self.target.name().to_owned()),

@@ -86,35 +86,35 @@ impl Show {
         // A page tells where each name comes from, which an array between sections would hide.
         request.section = Some(usize::MAX);
         let chain = understand(&description, &request)?;
-        let listing = expand(&description, &request)?;
+        let module = expand(&description, &request)?;
         let remarks =
-            options::warnings(&description, &chain.report.warnings) + &Functions::remarks(&listing);
+            options::warnings(&description, &chain.report.warnings) + &Functions::remarks(&module);
         let (description, request) = freed(&description, &request);
         let skeleton = skeleton::skeleton(&description, &request, &chain)?;
-        let layouts = skeleton::layouts(&chain, &listing);
+        let layouts = skeleton::layouts(&chain, &module);
         let mut data = shown(json!({
             "version": env!("CARGO_PKG_VERSION"),
             "report": check::in_json(&description, &chain),
-            "facts": listing.about.facts,
-            "formulation": listing.about.formulation,
-            "left_out": count::left_out(&listing),
+            "facts": module.about.facts,
+            "formulation": module.about.formulation,
+            "left_out": count::left_out(&module),
             "skeleton": skeleton,
             "layouts": layouts.places,
         }));
         data["letters"] = names::letters();
-        data["functions"] = function::functions(&listing, &layouts);
+        data["functions"] = function::functions(&module, &layouts);
         let output = page(&data);
         if is_standard_input(&self.output) {
             return Ok(Answer {
                 output,
                 remarks,
-                code: Functions::code(&listing),
+                code: Functions::code(&module),
             });
         }
         write(&self.output, &output)?;
         Ok(Answer {
             remarks,
-            code: Functions::code(&listing),
+            code: Functions::code(&module),
             ..Answer::default()
         })
     }

@@ -15,7 +15,7 @@ use crate::function::Function;
 use crate::joint::Drive;
 use crate::layout::{Layout, arrange};
 use crate::model::Way;
-use crate::print::About;
+use crate::module::About;
 use crate::space::FrameId;
 use crate::wording::{code, list};
 

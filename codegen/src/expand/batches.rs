@@ -1,13 +1,13 @@
 //! Which functions have no batches, though batches are asked for.
 //!
-//! In: the functions of a listing. Out: the names that their batches would have, with the reason: a doubt where the
+//! In: the functions of a module. Out: the names that their batches would have, with the reason: a doubt where the
 //! functions were named, a mistake where the request is strict, and left out where all that there are were meant. It
 //! never decides which functions there are.
 
 use crate::chain::Chain;
 use crate::error::{Complaint, Errors, Place};
 use crate::function::Function;
-use crate::print::{About, LeftOut, Listed};
+use crate::module::{About, GeneratedFunction, LeftOut};
 use crate::request::Request;
 use crate::wording::list;
 
@@ -16,7 +16,7 @@ use crate::wording::list;
 /// # Errors
 /// Where functions were named and the request is strict.
 pub(super) fn tell(
-    functions: &[Listed],
+    functions: &[GeneratedFunction],
     chain: &Chain,
     request: &Request,
     about: &mut About,
@@ -50,13 +50,13 @@ pub(super) fn tell(
 }
 
 /// The batches that are missing, those for the same reason together; `acted` where actions from outside enter.
-fn missing(functions: &[Listed], acted: bool) -> Vec<LeftOut> {
+fn missing(functions: &[GeneratedFunction], acted: bool) -> Vec<LeftOut> {
     let mut missing: Vec<LeftOut> = Vec::new();
-    for listed in functions {
-        let Some((reason, hint)) = reason(listed, acted) else {
+    for generated in functions {
+        let Some((reason, hint)) = reason(generated, acted) else {
             continue;
         };
-        let name = format!("{}_batch", listed.name());
+        let name = format!("{}_batch", generated.name());
         match missing.iter_mut().find(|other| other.reason == reason) {
             Some(same) => same.functions.push(name),
             None => missing.push(LeftOut {
@@ -71,9 +71,12 @@ fn missing(functions: &[Listed], acted: bool) -> Vec<LeftOut> {
 }
 
 /// Why a function has no batches, and what could be done; none where it has.
-fn reason(listed: &Listed, acted: bool) -> Option<(&'static str, Option<&'static str>)> {
-    match *listed.functions {
-        [function] if listed.frame.is_none() => match function {
+fn reason(
+    generated: &GeneratedFunction,
+    acted: bool,
+) -> Option<(&'static str, Option<&'static str>)> {
+    match *generated.functions {
+        [function] if generated.frame.is_none() => match function {
             _ if function.has_batches(acted) => None,
             _ if Function::ALL.contains(&function) => Some((
                 "functions that actions from outside enter have no batches",
@@ -101,7 +104,7 @@ mod tests {
     use crate::description::{Description, Name, read_text};
     use crate::error::{Errors, Place};
     use crate::function::Function;
-    use crate::print::Listing;
+    use crate::module::Module;
     use crate::request::Request;
 
     fn two_link() -> Description {
@@ -134,7 +137,7 @@ mod tests {
         }
     }
 
-    fn doubts(request: &Request) -> Listing {
+    fn doubts(request: &Request) -> Module {
         expand(&two_link(), request).expect("an arm")
     }
 

@@ -6,7 +6,7 @@
 use crate::chain::{BodyId, Chain, Frame, Joint, Position};
 use crate::expression::{Double, Expr, Term};
 use crate::list::Id;
-use crate::print::{ChainData, DataMotion, LoopData, LoopsData};
+use crate::module::{ChainData, DataMotion, LoopData, LoopsData};
 use crate::schedule::schedule;
 
 /// The chain as data: one joint of each with a posture, and of others one for each coordinate.

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use homogen_random::Random;
 
-use super::{program, understand};
+use super::understand;
 use crate::chain::Chain;
 use crate::description::read_text;
 use crate::error::Errors;
@@ -15,6 +15,7 @@ use crate::expression::{Arithmetic, Double, Evaluation, Expr, Input, Term};
 use crate::function::Function;
 use crate::layout::{Layout, arrange};
 use crate::model;
+use crate::plan::program;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Length, Price, sections};

@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::means;
+use crate::accuracy::Means;
 use crate::chain::Chain;
 use crate::check::vectors;
 use crate::description::Description;
@@ -13,7 +13,7 @@ use crate::expression::{Arithmetic, Double, Evaluation, Expr, Input, Term};
 use crate::layout::{Layout, Sliding, arrange};
 use crate::list::Id;
 use crate::matrix::{Inertia, Symmetric, Vector};
-use crate::print::{Listed, Origins, Review, Sum};
+use crate::module::{GeneratedFunction, Origins, Review, Sum};
 use crate::real::Real;
 use crate::request::{FieldId, Request};
 use crate::space::ParameterId;
@@ -28,9 +28,9 @@ pub(super) fn review(
     description: &Description,
     request: &Request,
     chain: &Chain,
-    functions: &[Listed],
+    functions: &[GeneratedFunction],
 ) -> Review {
-    let means = means(request);
+    let means = Means::of(request);
     Review {
         efforts: efforts(description, chain),
         // Of any type of number there are no numbers.
@@ -57,20 +57,20 @@ fn efforts(description: &Description, chain: &Chain) -> Vec<f64> {
 }
 
 /// Where inertial numbers come from, for each layout of functions that have any.
-fn origins(chain: &Chain, functions: &[Listed]) -> Vec<Origins> {
+fn origins(chain: &Chain, functions: &[GeneratedFunction]) -> Vec<Origins> {
     let mut layouts: Vec<(Layout, Vec<String>)> = Vec::new();
-    let with_mass = functions.iter().filter(|listed| {
-        let mut functions = listed.functions.iter();
+    let with_mass = functions.iter().filter(|generated| {
+        let mut functions = generated.functions.iter();
         functions.any(|function| function.has_mass())
     });
-    for listed in with_mass {
-        let name = listed.name();
+    for generated in with_mass {
+        let name = generated.name();
         match layouts
             .iter_mut()
-            .find(|(layout, _)| *layout == listed.layout)
+            .find(|(layout, _)| *layout == generated.layout)
         {
             Some((_, names)) => names.push(name),
-            None => layouts.push((listed.layout, vec![name])),
+            None => layouts.push((generated.layout, vec![name])),
         }
     }
     let layouts = layouts.into_iter();

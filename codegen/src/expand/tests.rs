@@ -6,10 +6,12 @@
 use std::fs;
 use std::time::{Duration, Instant};
 
-use super::{accuracy_of, cheapest, expand, means, program, understand, wanted};
+use super::{expand, understand};
+use crate::accuracy::{Means, of_plan};
 use crate::description::{Description, read_text};
 use crate::error::Errors;
 use crate::function::Function;
+use crate::plan::{Planned, plans, program};
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::Price;
@@ -63,7 +65,7 @@ fn what_is_asked_for_together_shares_its_work() {
     }
 }
 
-/// From the description to what is listed; what has been chosen is bounded once more, by itself.
+/// From the description to what is generated; what has been chosen is bounded once more, by itself.
 #[test]
 #[ignore = "measures: run it by itself"]
 fn share_of_the_bounds_in_the_time_of_an_expansion() {
@@ -71,24 +73,22 @@ fn share_of_the_bounds_in_the_time_of_an_expansion() {
         let description = described(robot);
         let request = Request::default();
         let start = Instant::now();
-        let listing = expand(&description, &request).expect("all functions");
+        let module = expand(&description, &request).expect("all functions");
         let whole = start.elapsed();
         let chain = understand(&description, &request).expect("a tree");
         let mut bounds = Duration::ZERO;
-        for (functions, frame) in wanted(&chain, &request) {
-            let (asked, scalar) = (request.formulation, request.scalar);
-            let Ok(found) = cheapest(request.processor, asked, &chain, &functions, frame, scalar)
-            else {
+        for Planned { plan, .. } in plans(&chain, &request).expect("few joints") {
+            let Ok(plan) = plan else {
                 continue;
             };
             let start = Instant::now();
-            accuracy_of(&found, &chain, &functions, means(&request));
+            let _ = of_plan(&plan, Means::of(&request));
             bounds += start.elapsed();
         }
         println!(
             "{robot}: {} joints, {} functions in {whole:.2?}, of which bounds {bounds:.2?}: {:.0} %",
             chain.joints.len(),
-            listing.functions.len(),
+            module.functions.len(),
             100.0 * bounds.as_secs_f64() / whole.as_secs_f64()
         );
     }
@@ -125,7 +125,7 @@ fn a_payload_that_is_prepared_costs_little_more_than_none() {
     let functions = folded.functions.iter().zip(&free.functions);
     let functions = functions.zip(&prepared.functions);
     let prices: Vec<_> = functions
-        .map(|((folded, free), left)| [folded, free, left].map(|listed| pair(listed.price)))
+        .map(|((folded, free), left)| [folded, free, left].map(|generated| pair(generated.price)))
         .collect();
     let inverse_dynamics = [(305, 278), (344, 334), (308, 283)];
     let gravity = [(49, 30), (58, 45), (50, 32)];

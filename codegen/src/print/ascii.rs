@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::rust::names;
 use crate::request::Parameter;
 
@@ -108,10 +108,10 @@ pub(crate) fn spelt(text: &str) -> String {
 }
 
 /// The names in code that cannot be spelt, since others call functions and fields by them.
-pub(crate) fn beyond(listing: &Listing) -> Vec<String> {
-    let methods = names::of_methods(listing).into_iter();
+pub(crate) fn beyond(module: &Module) -> Vec<String> {
+    let methods = names::of_methods(module).into_iter();
     let methods = methods.map(|name| name.to_string());
-    let fields = listing.parameters.iter().map(Parameter::name);
+    let fields = module.parameters.iter().map(Parameter::name);
     methods
         .chain(fields)
         .filter(|name| !name.is_ascii())

@@ -1,6 +1,6 @@
 //! C: functions in C99, and the header of functions that are written in another language.
 //!
-//! In: a [`Listing`], and how names begin. Out: a [`Source`], or the header alone. It never names a value
+//! In: a [`Module`], and how names begin. Out: a [`Source`], or the header alone. It never names a value
 //! of a program: that is done before.
 
 mod body;
@@ -16,9 +16,9 @@ mod source;
 #[cfg(all(test, feature = "pretty"))]
 mod tests;
 
-use super::Listing;
 use super::documentation::Angles;
 use crate::formulation::Sines;
+use crate::module::Module;
 use crate::real::Real;
 
 pub(super) use declarations::results;
@@ -58,8 +58,8 @@ pub fn prefix(robot: &str) -> String {
 
 /// The functions and their header; [`Real::Generic`] is taken for `double`.
 #[must_use]
-pub fn print(listing: &Listing, writing: &Writing<'_>) -> Source {
-    let angles = match (listing.sines, listing.scalar) {
+pub fn print(module: &Module, writing: &Writing<'_>) -> Source {
+    let angles = match (module.sines, module.scalar) {
         (Sines::Own, real) => Angles::own(real),
         (Sines::Platform, Real::F32) => Angles::As("sinf".to_owned()),
         (Sines::Platform, Real::F64 | Real::Generic) => Angles::As("sin".to_owned()),
@@ -72,8 +72,8 @@ pub fn print(listing: &Listing, writing: &Writing<'_>) -> Source {
         needs: Some(&writing.needs()),
     };
     Source {
-        header: header.text(listing),
-        text: source::source(listing, writing),
+        header: header.text(module),
+        text: source::source(module, writing),
     }
 }
 

@@ -2,14 +2,14 @@
 //!
 //! In: [`About`] a robot, the price of a function and its error. Out: lines that tell what is computed,
 //! in which frame and unit, from which source, what is modelled, what it costs and how exact it is;
-//! and the same for the head of a file. It never says anything that the listing does not hold.
+//! and the same for the head of a file. It never says anything that the module does not hold.
 
 mod error;
 
 use std::fmt::Write;
 
-use super::{About, LeftOut, Listed, Listing};
 use crate::function::Function;
+use crate::module::{About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
 use crate::request::Target;
 use crate::schedule::{Price, sections};
@@ -37,16 +37,16 @@ impl Angles {
 /// What is said of a function; `angles` where its results are plain arrays, and what has been done `once` of
 /// a robot that is prepared.
 pub(super) fn of_function(
-    listing: &Listing,
-    listed: &Listed,
+    module: &Module,
+    generated: &GeneratedFunction,
     angles: Option<&Angles>,
     once: Option<&Price>,
 ) -> Vec<String> {
-    let about = &listing.about;
-    let base = frame_0(listing);
-    let frame = listed.frame.as_deref().unwrap_or(&about.tip);
+    let about = &module.about;
+    let base = frame_0(module);
+    let frame = generated.frame.as_deref().unwrap_or(&about.tip);
     let mut lines = Vec::new();
-    match &*listed.functions {
+    match &*generated.functions {
         [function] => lines.push(function.sentence(&base, &code(frame))),
         several => {
             lines.push("Several functions that share their work, in this order:".to_owned());
@@ -58,34 +58,34 @@ pub(super) fn of_function(
         }
     }
     lines.push(String::new());
-    let of = listed.arguments(&listing.spaces);
+    let of = generated.arguments(&module.spaces);
     lines.push(arguments(&of));
-    lines.extend(postures(&listing.spaces, &of));
-    lines.extend(residuals(&listing.spaces, listed));
-    lines.extend(left_open(&listing.spaces, listed));
+    lines.extend(postures(&module.spaces, &of));
+    lines.extend(residuals(&module.spaces, generated));
+    lines.extend(left_open(&module.spaces, generated));
     if let Some(angles) = angles {
-        let results = listed.functions.iter();
+        let results = generated.functions.iter();
         let results = results.flat_map(|function| function.result().parts());
         let layouts = results.filter_map(|(_, result)| result.entity.layout());
         lines.extend(layouts.map(str::to_owned));
-        lines.push(range(angles, listed));
+        lines.push(range(angles, generated));
     }
-    lines.push(origin(listing));
+    lines.push(origin(module));
     lines.extend(facts(about));
     let of_bodies = |function: &Function| function.is_of_bodies();
-    if about.driven && listed.functions.iter().any(of_bodies) {
+    if about.driven && generated.functions.iter().any(of_bodies) {
         lines.push("Momenta and the Coriolis matrix are of bodies alone: friction and armature are not in them.".to_owned());
     }
-    if listing.spaces.parameters.iter().any(is_of_a_drive)
-        && listed.functions.contains(&Function::Regressor)
+    if module.spaces.parameters.iter().any(is_of_a_drive)
+        && generated.functions.contains(&Function::Regressor)
     {
         lines.push("Behind the parameters of all links π has armature, damping and friction of each velocity of a joint, zero or not.".to_owned());
     }
     lines.push(String::new());
-    lines.push(format!("{}.", listed.price));
-    lines.extend(apart(listing, listed));
+    lines.push(format!("{}.", generated.price));
+    lines.extend(apart(module, generated));
     lines.extend(once.map(|once| format!("Done before, once for all functions: {once}.")));
-    for accuracy in &listed.accuracy {
+    for accuracy in &generated.accuracy {
         let said = error::lines(accuracy);
         // A list is a paragraph of its own.
         let list = said.len() > 1;
@@ -96,27 +96,27 @@ pub(super) fn of_function(
 }
 
 /// That a function is compiled in sections, where it is.
-fn apart(listing: &Listing, listed: &Listed) -> Option<String> {
-    let sections = sections(&listed.program, listing.length)?;
+fn apart(module: &Module, generated: &GeneratedFunction) -> Option<String> {
+    let sections = sections(&generated.program, module.length)?;
     Some(format!(
         "Compiled in {} sections of at most {} statements, called one after the other; what waits for a later one \
          stands in an array of {} numbers.",
         sections.sections.len(),
-        listing.length.of_section(),
+        module.length.of_section(),
         sections.work
     ))
 }
 
 /// What frame 0 is: that of the base, or one that a field places the base in.
-fn frame_0(listing: &Listing) -> String {
-    let mut fields = listing.parameters.iter();
+fn frame_0(module: &Module) -> String {
+    let mut fields = module.parameters.iter();
     match fields.find(|field| field.target.places_base()) {
         Some(field) => format!(
             "the world that `{}` places {} in",
             field.field,
-            code(&listing.about.base)
+            code(&module.about.base)
         ),
-        None => code(&listing.about.base),
+        None => code(&module.about.base),
     }
 }
 
@@ -142,27 +142,27 @@ pub(super) fn of_prepared(robot: &str) -> Vec<String> {
 }
 
 /// What a function computes, in a line.
-pub(super) fn title(listing: &Listing, listed: &Listed) -> String {
-    let about = &listing.about;
-    let base = frame_0(listing);
-    let frame = code(listed.frame.as_deref().unwrap_or(&about.tip));
-    match &*listed.functions {
+pub(super) fn title(module: &Module, generated: &GeneratedFunction) -> String {
+    let about = &module.about;
+    let base = frame_0(module);
+    let frame = code(generated.frame.as_deref().unwrap_or(&about.tip));
+    match &*generated.functions {
         [function] => function.sentence(&base, &frame),
         _ => "Several functions that share their work, in this order:".to_owned(),
     }
 }
 
 /// What is said of the robot as data.
-pub(super) fn of_chain(listing: &Listing) -> Vec<String> {
+pub(super) fn of_chain(module: &Module) -> Vec<String> {
     let title = "The same robot as data, for the generic recursions at run time.".to_owned();
     let mut lines = vec![title, String::new()];
-    lines.extend(of_robot(listing, ""));
+    lines.extend(of_robot(module, ""));
     lines
 }
 
 /// What is said of the robot with its loops as data.
-pub(super) fn of_mechanism(listing: &Listing) -> Vec<String> {
-    let names: Vec<String> = listing.spaces.names(Space::Constraints).map(code).collect();
+pub(super) fn of_mechanism(module: &Module) -> Vec<String> {
+    let names: Vec<String> = module.spaces.names(Space::Constraints).map(code).collect();
     vec![
         "The same robot as data, with what closes its loops.".to_owned(),
         String::new(),
@@ -175,11 +175,11 @@ const fn is_of_a_drive(entry: &Entry) -> bool {
 }
 
 /// What is said of the values of base parameters.
-pub(super) fn of_base_parameters(listing: &Listing) -> Vec<String> {
-    let names: Vec<String> = (listing.spaces.names(Space::BaseParameters))
+pub(super) fn of_base_parameters(module: &Module) -> Vec<String> {
+    let names: Vec<String> = (module.spaces.names(Space::BaseParameters))
         .map(code)
         .collect();
-    let driven = listing.spaces.base_parameters.iter().any(is_of_a_drive);
+    let driven = module.spaces.base_parameters.iter().any(is_of_a_drive);
     let units = if driven {
         "kg, kg m, kg m², of drives N m s and N m, of those that slide N s/m and N"
     } else {
@@ -191,18 +191,18 @@ pub(super) fn of_base_parameters(listing: &Listing) -> Vec<String> {
         format!("Each by the one that leads it: {}.", names.join(", ")),
         "What is grouped with each, `homogen base-parameters` tells.".to_owned(),
     ];
-    if !listing.parameters.is_empty() {
+    if !module.parameters.is_empty() {
         lines.push("Fields are what is described in their place.".to_owned());
     }
     lines
 }
 
 /// What is said of a robot, and of what was asked for where that is told.
-pub(super) fn of_robot(listing: &Listing, asked: &str) -> Vec<String> {
-    let mut lines = vec![origin(listing)];
+pub(super) fn of_robot(module: &Module, asked: &str) -> Vec<String> {
+    let mut lines = vec![origin(module)];
     lines.extend((!asked.is_empty()).then(|| asked.to_owned()));
-    lines.extend(facts(&listing.about));
-    lines.extend(left_out(&listing.about));
+    lines.extend(facts(&module.about));
+    lines.extend(left_out(&module.about));
     lines
 }
 
@@ -259,19 +259,19 @@ pub(super) fn of_field(target: &Target) -> String {
 }
 
 /// What is said at the head of a file, for which this was asked.
-pub(super) fn head(listing: &Listing, asked: &str) -> Vec<String> {
+pub(super) fn head(module: &Module, asked: &str) -> Vec<String> {
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = vec![format!(
         "@generated by homogen-codegen {version}; do not edit."
     )];
-    lines.extend(of_robot(listing, asked));
+    lines.extend(of_robot(module, asked));
     lines
 }
 
 /// What is said of the price and the error of a function at the head of a file.
-pub(super) fn price(listed: &Listed, name: &str) -> Vec<String> {
-    let mut lines = vec![format!("{name}: {}.", listed.price)];
-    let said = listed.accuracy.iter().flat_map(error::lines);
+pub(super) fn price(generated: &GeneratedFunction, name: &str) -> Vec<String> {
+    let mut lines = vec![format!("{name}: {}.", generated.price)];
+    let said = generated.accuracy.iter().flat_map(error::lines);
     lines.extend(said.map(|line| match line.strip_prefix("Error") {
         Some(rest) => format!("    error{rest}"),
         None => format!("    {line}"),
@@ -280,10 +280,10 @@ pub(super) fn price(listed: &Listed, name: &str) -> Vec<String> {
 }
 
 /// For which arguments a result is precise, and what it is for others.
-fn range(angles: &Angles, listed: &Listed) -> String {
+fn range(angles: &Angles, generated: &GeneratedFunction) -> String {
     let rest = "NaN, infinite and huge arguments give what IEEE arithmetic makes of them";
     match angles {
-        _ if listed.program.angles.is_empty() => format!("{rest}."),
+        _ if generated.program.angles.is_empty() => format!("{rest}."),
         Angles::UpTo(range) => format!("Precise for angles up to {range}; {rest}."),
         Angles::As(path) => {
             let path = code(path);
@@ -328,8 +328,8 @@ fn postures(spaces: &Spaces, arguments: &[Variable]) -> Vec<String> {
 }
 
 /// The residuals of loops in their order, where a result is over them.
-fn residuals(spaces: &Spaces, listed: &Listed) -> Option<String> {
-    let results = listed.functions.iter().map(|function| function.result());
+fn residuals(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
+    let results = generated.functions.iter().map(|function| function.result());
     let mut parts = results.flat_map(Outcome::parts);
     let over = parts.any(|(_, part)| part.over.contains(&Space::Constraints));
     let names: Vec<String> = spaces.names(Space::Constraints).map(code).collect();
@@ -337,13 +337,13 @@ fn residuals(spaces: &Spaces, listed: &Listed) -> Option<String> {
 }
 
 /// Which functions know nothing of the loops of a robot that has some.
-fn left_open(spaces: &Spaces, listed: &Listed) -> Option<String> {
-    let open = listed.functions.iter();
+fn left_open(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
+    let open = generated.functions.iter();
     let open: Vec<_> = open.filter(|function| !function.is_of_loops()).collect();
     if spaces.len(Space::Constraints) == 0 || open.is_empty() {
         return None;
     }
-    let by = if listed.functions.len() > 1 {
+    let by = if generated.functions.len() > 1 {
         let names: Vec<String> = open.iter().map(|function| code(function.name())).collect();
         format!(" by {}", list(names.iter().map(String::as_str)))
     } else {
@@ -361,14 +361,14 @@ fn left_open(spaces: &Spaces, listed: &Listed) -> Option<String> {
 }
 
 /// Robot, file and coordinates.
-fn origin(listing: &Listing) -> String {
-    let about = &listing.about;
+fn origin(module: &Module) -> String {
+    let about = &module.about;
     let mut line = format!("Robot {}", code(&about.robot));
     if let Some((file, hash)) = &about.source {
         // Writing to a string cannot fail.
         let _ = write!(line, " from {} (FNV-1a {hash:016x})", code(file));
     }
-    let entries = listing.spaces.coordinates.iter();
+    let entries = module.spaces.coordinates.iter();
     let names: Vec<_> = entries.map(|entry| code(&entry.name)).collect();
     match &*names {
         [] => line.push_str(", without joints."),

@@ -1,6 +1,6 @@
 //! LLVM IR: functions of one state, and of states in the lanes of vectors.
 //!
-//! In: a [`Listing`], how names begin, and how many lanes a vector has. Out: a module as text, for LLVM 19 or later,
+//! In: a [`Module`], how names begin, and how many lanes a vector has. Out: a module as text, for LLVM 19 or later,
 //! without a target: whoever compiles it chooses the processor. Each function is there twice: `NAME` takes one state,
 //! as the file in C has it; `NAME_batch` takes any number of states, at any stride. Results are bit for bit those of
 //! the file in C: no operation carries a flag that lets LLVM change it.
@@ -14,7 +14,7 @@ mod sines;
 mod tests;
 
 use crate::formulation::Sines;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::c::symbols;
 use crate::print::documentation::{self, Angles};
 use crate::real::Real;
@@ -38,8 +38,8 @@ pub struct Writing<'a> {
 
 /// The module; [`Real::Generic`] is taken for `double`.
 #[must_use]
-pub fn print(listing: &Listing, writing: &Writing<'_>) -> String {
-    let real = match listing.scalar {
+pub fn print(module: &Module, writing: &Writing<'_>) -> String {
+    let real = match module.scalar {
         Real::F32 => Real::F32,
         Real::F64 | Real::Generic => Real::F64,
     };
@@ -49,28 +49,29 @@ pub fn print(listing: &Listing, writing: &Writing<'_>) -> String {
     } else {
         vec![one]
     };
-    let symbols = symbols(listing, writing.prefix);
-    let mut head = documentation::head(listing, writing.asked);
-    for (listed, name) in listing.functions.iter().zip(&symbols) {
-        head.extend(documentation::price(listed, name));
+    let symbols = symbols(module, writing.prefix);
+    let mut head = documentation::head(module, writing.asked);
+    for (generated, name) in module.functions.iter().zip(&symbols) {
+        head.extend(documentation::price(generated, name));
     }
     let mut text = comment(&head) + "\n";
-    let has_angles = (listing.functions.iter()).any(|listed| !listed.program.angles.is_empty());
-    let own_sines = listing.sines == Sines::Own && has_angles;
+    let has_angles =
+        (module.functions.iter()).any(|generated| !generated.program.angles.is_empty());
+    let own_sines = module.sines == Sines::Own && has_angles;
     for &lanes in widths.iter().filter(|_| own_sines) {
         text.push_str(&sines::define(lanes, writing.fused));
     }
     for &lanes in &widths {
         text.push_str(&moves(lanes));
     }
-    let angles = match listing.sines {
+    let angles = match module.sines {
         Sines::Own => Angles::own(real),
         Sines::Platform => Angles::As("llvm.sin".to_owned()),
     };
-    for (listed, symbol) in listing.functions.iter().zip(&symbols) {
-        let about = documentation::of_function(listing, listed, Some(&angles), None);
+    for (generated, symbol) in module.functions.iter().zip(&symbols) {
+        let about = documentation::of_function(module, generated, Some(&angles), None);
         text.push_str(&comment(&about));
-        let function = Function::new(listing, listed, symbol, writing.fused);
+        let function = Function::new(module, generated, symbol, writing.fused);
         for &lanes in &widths {
             text.push_str(&define(&function, lanes));
         }

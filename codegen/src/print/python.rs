@@ -1,6 +1,6 @@
 //! Python: a package around functions in Rust.
 //!
-//! In: a [`Listing`], the struct in Rust, and what the module is called. Out: a [`Package`], the texts of all its
+//! In: a [`Module`], the struct in Rust, and what the module is called. Out: a [`Package`], the texts of all its
 //! files. It needs nothing of this project to be built. It never names a value of a program, and writes no file.
 
 mod class;
@@ -15,8 +15,9 @@ mod tests;
 
 use quote::quote;
 
+use super::documentation;
 use super::rust::{self, Item, Source};
-use super::{Listing, documentation};
+use crate::module::Module;
 use crate::real::Real;
 use described::Class;
 
@@ -47,7 +48,7 @@ pub struct Writing<'a> {
 
 /// The package; [`Real::Generic`] is taken for `float64`.
 #[must_use]
-pub fn print(listing: &Listing, item: &Item, writing: &Writing<'_>) -> Package {
+pub fn print(listing: &Module, item: &Item, writing: &Writing<'_>) -> Package {
     let Writing { module, options } = *writing;
     let class = Class::of(listing, item, module, options);
     let head = documentation::head(listing, &format!("Options: {options}."));

@@ -1,11 +1,11 @@
 //! What the reviewer of a file reads beside its code, as far as languages share it.
 //!
-//! In: a [`Listing`] with its [`Review`](super::Review). Out: limits as lists with what is said of them, and lines
+//! In: a [`Module`] with its [`Review`](super::Review). Out: limits as lists with what is said of them, and lines
 //! that tell where numbers come from. It never formats a number of code.
 
 use std::fmt::Write;
 
-use super::{Listing, Origins, Sum};
+use crate::module::{Module, Origins, Sum};
 use crate::space::{Entry, Variable};
 use crate::wording::{code, list};
 
@@ -23,8 +23,8 @@ pub(super) struct Limits {
 }
 
 /// The lists of limits that anything is described of.
-pub(super) fn limits(listing: &Listing) -> Vec<Limits> {
-    let Some(review) = &listing.review else {
+pub(super) fn limits(module: &Module) -> Vec<Limits> {
+    let Some(review) = &module.review else {
         return Vec::new();
     };
     let ends = |entries: &[Entry], end: usize| -> Vec<f64> {
@@ -34,7 +34,7 @@ pub(super) fn limits(listing: &Listing) -> Vec<Limits> {
             .map(|entry| entry.range.unwrap_or(otherwise)[end]);
         ends.collect()
     };
-    let (coordinates, velocities) = (&listing.spaces.coordinates, &listing.spaces.velocities);
+    let (coordinates, velocities) = (&module.spaces.coordinates, &module.spaces.velocities);
     let all = [
         (
             "lower",
@@ -63,18 +63,18 @@ pub(super) fn limits(listing: &Listing) -> Vec<Limits> {
 }
 
 /// The names of the entries of coordinates and velocities: one list where they are alike.
-pub(super) fn names(listing: &Listing) -> Vec<(&'static str, String, Vec<&str>)> {
+pub(super) fn names(module: &Module) -> Vec<(&'static str, String, Vec<&str>)> {
     let letters = |of: &[Variable]| -> String {
         let letters = of.iter().map(|of| of.letter());
         format!("The names of the entries of {}.", list(letters))
     };
-    let coordinates: Vec<&str> = listing
+    let coordinates: Vec<&str> = module
         .spaces
         .coordinates
         .iter()
         .map(|of| &*of.name)
         .collect();
-    let velocities: Vec<&str> = listing
+    let velocities: Vec<&str> = module
         .spaces
         .velocities
         .iter()
@@ -92,9 +92,9 @@ pub(super) fn names(listing: &Listing) -> Vec<(&'static str, String, Vec<&str>)>
 }
 
 /// Where numbers come from that the description has not, a line each.
-pub(super) fn origins(listing: &Listing) -> Vec<String> {
+pub(super) fn origins(module: &Module) -> Vec<String> {
     let mut lines = Vec::new();
-    let Some(review) = listing
+    let Some(review) = module
         .review
         .as_ref()
         .filter(|review| !review.origins.is_empty())

@@ -1,6 +1,6 @@
 //! Rust.
 //!
-//! In: a [`Listing`], the struct that gets methods, and what the code finds around it. Out: tokens.
+//! In: a [`Module`], the struct that gets methods, and what the code finds around it. Out: tokens.
 //! It never names a value of a program: that is done before.
 
 mod arguments;
@@ -36,7 +36,8 @@ mod world;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::{Fields, Listed, Listing, documentation};
+use super::{Fields, documentation};
+use crate::module::{GeneratedFunction, Module};
 use dialect::Dialect;
 
 pub use comments::header;
@@ -57,75 +58,80 @@ pub use world::{Library, World};
 ///
 /// Without the runtime, [`Real::Generic`](crate::real::Real::Generic) is taken for `f64`.
 #[must_use]
-pub fn print(listing: &Listing, item: &Item, world: &World) -> TokenStream {
-    let dialect = Dialect::of(listing.scalar, listing.sines, item, world);
+pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
+    let dialect = Dialect::of(module.scalar, module.sines, item, world);
     let mut methods = TokenStream::new();
     let mut beside = TokenStream::new();
-    for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
-        let fields = Fields::Own(&listing.parameters);
-        let computation = |dialect: &_| method::computation((listed, fields), listing, dialect);
-        let own = |code: &_| method(listing, item, listed, &name, (code, &dialect));
-        let acted = listing.spaces.actions() > 0;
+    for (generated, name) in module.functions.iter().zip(names::of_methods(module)) {
+        let fields = Fields::Own(&module.parameters);
+        let computation = |dialect: &_| method::computation((generated, fields), module, dialect);
+        let own = |code: &_| method(module, item, generated, &name, (code, &dialect));
+        let acted = module.spaces.actions() > 0;
         let batched =
-            |function: crate::function::Function| listing.batch && function.has_batches(acted);
-        match (&*listed.functions, &listed.frame, &dialect.world) {
+            |function: crate::function::Function| module.batch && function.has_batches(acted);
+        match (&*generated.functions, &generated.frame, &dialect.world) {
             ([function], None, World::Runtime(runtime)) if batched(*function) => {
-                let batch = batch::Batched::new(listing, item, *function, runtime, &dialect);
+                let batch = batch::Batched::new(module, item, *function, runtime, &dialect);
                 methods.extend(own(&batch.call()));
                 methods.extend(batch.method());
                 beside.extend(batch.in_trait(&computation(&dialect.inlined())));
             }
             ([function], None, _) => {
                 methods.extend(own(&computation(&dialect)));
-                beside.extend(method::in_trait(listing, item, *function, &name, &dialect));
+                beside.extend(method::in_trait(module, item, *function, &name, &dialect));
             }
             _ => methods.extend(own(&computation(&dialect))),
         }
     }
-    methods.extend(base_parameters::base_parameters(listing, item, &dialect));
-    methods.extend(chain::chain(listing, item, &dialect));
-    methods.extend(mechanism::mechanism(listing, item, &dialect));
-    methods.extend(steps::steps(listing, item, &dialect));
-    let (prepare, prepared) = prepared::prepared(listing, item, &dialect);
+    methods.extend(base_parameters::base_parameters(module, item, &dialect));
+    methods.extend(chain::chain(module, item, &dialect));
+    methods.extend(mechanism::mechanism(module, item, &dialect));
+    methods.extend(steps::steps(module, item, &dialect));
+    let (prepare, prepared) = prepared::prepared(module, item, &dialect);
     methods.extend(prepare);
-    methods.extend(dialect.own_sines(listing));
-    beside.extend(results::own_structures(listing, item, &dialect));
-    beside.extend(extern_c::functions(listing, item, &dialect));
-    let declaration = declaration::declaration(listing, item, &dialect);
-    let constants = review::constants(listing, item, &dialect);
+    methods.extend(dialect.own_sines(module));
+    beside.extend(results::own_structures(module, item, &dialect));
+    beside.extend(extern_c::functions(module, item, &dialect));
+    let declaration = declaration::declaration(module, item, &dialect);
+    let constants = review::constants(module, item, &dialect);
     let methods = declaration::block(item, &methods, &dialect);
     quote! { #declaration #constants #methods #beside #prepared }
 }
 
 /// A method of the robot, under what there is to say of it.
 fn method(
-    listing: &Listing,
+    module: &Module,
     item: &Item,
-    listed: &Listed,
+    generated: &GeneratedFunction,
     name: &Ident,
     computation: (&TokenStream, &Dialect),
 ) -> TokenStream {
     let (_, dialect) = computation;
-    let about = documentation::of_function(listing, listed, dialect.angles().as_ref(), None);
-    method::method((item, &listing.spaces), (listed, &about), name, computation)
+    let about = documentation::of_function(module, generated, dialect.angles().as_ref(), None);
+    method::method(
+        (item, &module.spaces),
+        (generated, &about),
+        name,
+        computation,
+    )
 }
 
 /// The methods that [`print()`] writes for functions, alone, to be read.
 #[must_use]
-pub fn methods(listing: &Listing, item: &Item, world: &World) -> TokenStream {
-    each_method(listing, item, world).into_iter().collect()
+pub fn methods(module: &Module, item: &Item, world: &World) -> TokenStream {
+    each_method(module, item, world).into_iter().collect()
 }
 
-/// The same one by one, in the order of the listing.
+/// The same one by one, in the order of the module.
 #[must_use]
-pub fn each_method(listing: &Listing, item: &Item, world: &World) -> Vec<TokenStream> {
-    let dialect = Dialect::of(listing.scalar, listing.sines, item, world);
-    let methods = listing.functions.iter().zip(names::of_methods(listing));
+pub fn each_method(module: &Module, item: &Item, world: &World) -> Vec<TokenStream> {
+    let dialect = Dialect::of(module.scalar, module.sines, item, world);
+    let methods = module.functions.iter().zip(names::of_methods(module));
     methods
-        .map(|(listed, name)| {
-            let fields = Fields::Own(&listing.parameters);
-            let body = method::computation((listed, fields), listing, &dialect);
-            method(listing, item, listed, &name, (&body, &dialect))
+        .map(|(generated, name)| {
+            let fields = Fields::Own(&module.parameters);
+            let body = method::computation((generated, fields), module, &dialect);
+            method(module, item, generated, &name, (&body, &dialect))
         })
         .collect()
 }

@@ -1,10 +1,10 @@
 //! Steps of a robot some of whose coordinates are no angles and shifts: from a posture by velocities, and
 //! from one posture to another.
 //!
-//! In: a [`Listing`]. Out: which functions of postures it has, and what they are called, take and return in
+//! In: a [`Module`]. Out: which functions of postures it has, and what they are called, take and return in
 //! any language. Robots whose coordinates are all added to have none.
 
-use super::{DataMotion, Listing};
+use crate::module::{DataMotion, Module};
 use crate::space::Space;
 
 /// A function of postures alone.
@@ -20,9 +20,9 @@ pub(super) enum Step {
 
 impl Step {
     /// Those of a robot.
-    pub fn of(listing: &Listing) -> &'static [Self] {
+    pub fn of(module: &Module) -> &'static [Self] {
         let is_posture = |motion: &DataMotion| matches!(motion, DataMotion::Posture(_));
-        if listing.data.motions.iter().any(is_posture) {
+        if module.data.motions.iter().any(is_posture) {
             &[Self::Integrate, Self::Difference, Self::Normalize]
         } else {
             &[]

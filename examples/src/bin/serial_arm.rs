@@ -13,8 +13,9 @@ use std::{env, error, fs};
 
 use homogen_codegen::description::read_file;
 use homogen_codegen::error::Errors;
-use homogen_codegen::expand::{program, understand};
+use homogen_codegen::expand::understand;
 use homogen_codegen::expression::Input;
+use homogen_codegen::plan::program;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Variable};

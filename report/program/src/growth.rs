@@ -89,12 +89,12 @@ fn one(
         ..Request::default()
     };
     let start = Instant::now();
-    let listing = expand(description, &request).map_err(told)?;
+    let module = expand(description, &request).map_err(told)?;
     let item = Item::named_after("chain");
     // The file brings its own sines.
-    let tokens = rust::print(&listing, &item, &World::Core(Library::default())).to_string();
+    let tokens = rust::print(&module, &item, &World::Core(Library::default())).to_string();
     let expansion = start.elapsed().as_secs_f64();
-    let price = listing.functions[0].price;
+    let price = module.functions[0].price;
     let mut grown = Grown {
         joints,
         function,

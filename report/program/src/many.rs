@@ -122,8 +122,8 @@ pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>>
             batch: true,
             ..scene.request.clone()
         };
-        let listing = expand(&scene.description, &request).map_err(told)?;
-        let methods = rust::print(&listing, &Item::named_after("robot"), &World::default());
+        let module = expand(&scene.description, &request).map_err(told)?;
+        let methods = rust::print(&module, &Item::named_after("robot"), &World::default());
         writeln!(
             modules,
             "#[allow(dead_code, reason = \"batches are called as a builder has them\")] mod m_{k} {{ {methods} }}"
@@ -136,7 +136,7 @@ pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>>
             scene.length(Space::Velocities),
             name = FUNCTION.name(),
         )?;
-        prices.push(listing.functions[0].price);
+        prices.push(module.functions[0].price);
     }
     let mut text = String::new();
     for scalar in [Scalar::F64, Scalar::F32].map(Scalar::name) {

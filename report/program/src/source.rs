@@ -58,9 +58,9 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
                 modules,
                 "#[allow(dead_code, reason = \"steps are not measured\")] mod {module} {{ {methods} }}"
             )?;
-            for (listed, k) in listing.functions.iter().zip(served) {
+            for (generated, k) in listing.functions.iter().zip(served) {
                 let (function, cases) = (scene.functions[k], &mut cases[k]);
-                prices.push((scene.name.clone(), variant.name, function, listed.price));
+                prices.push((scene.name.clone(), variant.name, function, generated.price));
                 let robot = format!("{module}::Robot");
                 for &scalar in variant.scalars {
                     let function = wanted(function);

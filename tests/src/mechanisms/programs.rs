@@ -9,7 +9,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{expand, understand};
 use homogen_codegen::joint::Posture;
 use homogen_codegen::list::Id;
-use homogen_codegen::print::Listing;
+use homogen_codegen::module::Module;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::Space;
@@ -33,7 +33,7 @@ pub const FUNCTIONS: [Function; 5] = [
 pub struct Programs {
     /// What the generator made of it.
     pub chain: Chain,
-    listing: Listing,
+    module: Module,
     scalar: Real,
 }
 
@@ -50,7 +50,7 @@ impl Programs {
         };
         Ok(Self {
             chain: understand(description, &request)?,
-            listing: expand(description, &request)?,
+            module: expand(description, &request)?,
             scalar,
         })
     }
@@ -61,9 +61,9 @@ impl Programs {
     /// For another function.
     #[must_use]
     pub fn run(&self, function: Function, arguments: &Arguments) -> Vec<f64> {
-        let mut listed = self.listing.functions.iter();
-        let listed = listed.find(|listed| listed.functions == [function]);
-        let program = &listed.expect("it was asked for").program;
+        let mut generated = self.module.functions.iter();
+        let generated = generated.find(|generated| generated.functions == [function]);
+        let program = &generated.expect("it was asked for").program;
         match self.scalar {
             Real::F32 => {
                 let found = run(program, |input| F32::literal(arguments.at(input)));

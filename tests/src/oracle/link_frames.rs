@@ -5,10 +5,10 @@
 
 use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::expand::expressions_by;
 use homogen_codegen::expression::Evaluation;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
+use homogen_codegen::plan::expressions_by;
 use homogen_codegen::space::FrameId;
 
 use super::state::State;

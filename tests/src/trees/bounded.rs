@@ -5,10 +5,10 @@
 //! any other.
 
 use homogen_codegen::Function;
-use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{self, Accuracy, Means};
-use homogen_codegen::expand::program_as;
 use homogen_codegen::formulation::Formulation;
+use homogen_codegen::plan::program_as;
+use homogen_codegen::range::Range;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::{FrameId, Space};
 

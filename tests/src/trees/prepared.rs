@@ -9,10 +9,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use homogen_codegen::chain::Chain;
 use homogen_codegen::check::Check;
 use homogen_codegen::error::Errors;
-use homogen_codegen::expand::{program, program_as, program_by, understand};
+use homogen_codegen::expand::understand;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::list::Id;
+use homogen_codegen::plan::{program, program_as, program_by};
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Space, Variable};
 use homogen_codegen::{Function, Real};
@@ -173,7 +174,7 @@ impl<'r> Prepared<'r> {
         let program = program.map_err(|errors| format!("refused: {errors}"))?;
         let judged = self
             .check
-            .judge(functions, FrameId::FIRST, &program, Real::F64);
+            .judge_program(functions, FrameId::FIRST, &program, Real::F64);
         judged.map_err(|errors| format!("refused: {errors}"))?;
         let mut worst: f64 = 0.0;
         for arguments in &self.states {
@@ -247,7 +248,8 @@ impl<'r> Prepared<'r> {
     ) -> Result<Program, Errors> {
         let functions = [function];
         let program = program_as(formulation, &self.chain, &functions, frame, Real::F64)?;
-        self.check.judge(&functions, frame, &program, Real::F64)?;
+        self.check
+            .judge_program(&functions, frame, &program, Real::F64)?;
         Ok(program)
     }
 

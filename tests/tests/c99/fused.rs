@@ -23,17 +23,17 @@ fn expected(robot: &Robot, real: Real, states: &[f64]) -> Vec<u8> {
         trigonometry: Trigonometry::Own,
         ..robot.request(real)
     };
-    let listing = expand(robot.description(), &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let module = expand(robot.description(), &request).unwrap_or_else(|errors| panic!("{errors}"));
     assert!(
-        listing
+        module
             .functions
             .iter()
-            .any(|listed| listed.price.fused > 0)
+            .any(|generated| generated.price.fused > 0)
     );
     let joints = robot.spaces.velocities.len();
     let mut bytes = Vec::new();
     for state in states.chunks_exact(robot.inputs()) {
-        for listed in &listing.functions {
+        for generated in &module.functions {
             let input = |input: Input| match input {
                 Input::Variable(variable, k) => {
                     let before = Variable::ALL.into_iter().position(|of| of == variable);
@@ -43,11 +43,11 @@ fn expected(robot: &Robot, real: Real, states: &[f64]) -> Vec<u8> {
             };
             match real {
                 Real::F32 => {
-                    let numbers = run(&listed.program, |of| Fused32::literal(input(of)));
+                    let numbers = run(&generated.program, |of| Fused32::literal(input(of)));
                     bytes.extend(numbers.iter().flat_map(|one| one.0.to_ne_bytes()));
                 }
                 Real::F64 | Real::Generic => {
-                    let numbers = run(&listed.program, |of| Fused64::literal(input(of)));
+                    let numbers = run(&generated.program, |of| Fused64::literal(input(of)));
                     bytes.extend(numbers.iter().flat_map(|one| one.0.to_ne_bytes()));
                 }
             }

@@ -4,13 +4,13 @@
 //! farther from 106 bits than its bound, or a bound far from the worst.
 
 use homogen_codegen::Function;
-use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{self, Accuracy, Means};
 use homogen_codegen::chain::Chain;
-use homogen_codegen::expand::program_as;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
+use homogen_codegen::plan::program_as;
+use homogen_codegen::range::Range;
 use homogen_codegen::schedule::{Operand, Program, run};
 use homogen_codegen::space::FrameId;
 use homogen_tests::states::Random;

@@ -4,13 +4,13 @@
 //! misses the given τ by more than its bound, or the inverse of M what its bound lets it be off by.
 
 use homogen_codegen::accuracy::mobility::mobility;
-use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::accuracy::{Accuracy, Bound};
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
+use homogen_codegen::range::Range;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Variable};
@@ -46,16 +46,21 @@ fn all_solved(
         scalar,
         ..request
     };
-    let listing = expand(&description, &request);
-    let listing = listing.unwrap_or_else(|errors| panic!("{errors}"));
-    let listed = listing.functions.into_iter().next();
-    let listed = listed.expect("one item was asked for");
-    let bounds = listed.accuracy.into_iter().map(|accuracy| match accuracy {
-        Accuracy::Backward(_, promise) | Accuracy::BesideDiagonal(promise) => Some(promise.bounds),
-        Accuracy::Unknown(_) => None,
-        other @ Accuracy::Within(_) => panic!("{other:?}"),
-    });
-    (listed.program, bounds.collect())
+    let module = expand(&description, &request);
+    let module = module.unwrap_or_else(|errors| panic!("{errors}"));
+    let generated = module.functions.into_iter().next();
+    let generated = generated.expect("one item was asked for");
+    let bounds = generated
+        .accuracy
+        .into_iter()
+        .map(|accuracy| match accuracy {
+            Accuracy::Backward(_, promise) | Accuracy::BesideDiagonal(promise) => {
+                Some(promise.bounds)
+            }
+            Accuracy::Unknown(_) => None,
+            other @ Accuracy::Within(_) => panic!("{other:?}"),
+        });
+    (generated.program, bounds.collect())
 }
 
 /// What a function computes, with 106 bits.

@@ -3,11 +3,11 @@
 //! In: a chain, a range of it, random numbers. Out: inputs that are numbers of a type, ends of the range among
 //! them.
 
-use homogen_codegen::accuracy::range::Range;
 use homogen_codegen::chain::{Chain, Position};
 use homogen_codegen::expression::Input;
 use homogen_codegen::joint::Posture;
 use homogen_codegen::list::Id;
+use homogen_codegen::range::Range;
 use homogen_codegen::space::Variable;
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;

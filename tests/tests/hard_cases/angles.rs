@@ -1,10 +1,10 @@
 //! Angles of many turns, and sums of angles.
 
 use homogen_codegen::Function;
-use homogen_codegen::expand::program_by;
 use homogen_codegen::formulation::Angles;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
+use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::{Operand, Program};
 use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;

@@ -2,9 +2,9 @@
 
 use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::expand::program_by;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
+use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;

@@ -4,11 +4,11 @@
 //! limit. It never chooses states.
 
 use homogen_codegen::chain::Chain;
-use homogen_codegen::expand::{program, program_by};
 use homogen_codegen::expression::Evaluation;
 use homogen_codegen::formulation::Forward;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
+use homogen_codegen::plan::{program, program_by};
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::FrameId;
 use homogen_codegen::{Function, Real};

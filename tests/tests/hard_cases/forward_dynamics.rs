@@ -7,7 +7,7 @@
 use homogen_codegen::Function::{ForwardDynamics, InverseDynamics, MassMatrixInverse};
 use homogen_codegen::Real;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::expand::program;
+use homogen_codegen::plan::program;
 use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::subjects::subject;

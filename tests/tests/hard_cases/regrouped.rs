@@ -1,9 +1,9 @@
 //! Base parameters against those of the description.
 
 use homogen_codegen::Function::{self, InverseDynamics};
-use homogen_codegen::expand::program_by;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
+use homogen_codegen::plan::program_by;
 use homogen_codegen::space::FrameId;
 use homogen_tests::metrics;
 use homogen_tests::tested::{F32, F64, Tested};

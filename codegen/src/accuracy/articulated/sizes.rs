@@ -4,10 +4,10 @@
 //! a posture.
 
 use crate::accuracy::mobility::reach;
-use crate::accuracy::range::Range;
 use crate::chain::BodyId;
 use crate::expression::{Double, Term};
 use crate::layout::Body;
+use crate::range::Range;
 use crate::schedule::bound;
 use crate::space::VelocityId;
 

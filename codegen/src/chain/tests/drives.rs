@@ -175,8 +175,8 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
             functions: vec![vec![Function::InverseDynamics]],
             ..asked()
         };
-        let listing = crate::expand::expand(&description, &request);
-        assert!(listing.is_ok(), "{:?}", listing.err());
+        let module = crate::expand::expand(&description, &request);
+        assert!(module.is_ok(), "{:?}", module.err());
         // What is asked for replaces them all, rotor and ratio together.
         let number = |value: f64| Number {
             value,
@@ -262,16 +262,16 @@ fn every_door_says_the_same_and_tells_it() {
         .damping("j", [2.0])
         .rotor("j", 0.5, 2.0)
         .armature("j", [1.0]);
-    let listing = builder
+    let module = builder
         .clone()
         .generate([Function::InverseDynamics])
-        .listing()
+        .module()
         .expect("no mistakes");
-    let facts = listing.about.facts.join("; ");
+    let facts = module.about.facts.join("; ");
     let expected = "armature of 1 joint; viscous friction of 1 joint; Coulomb friction (its sign \
          that of q̇, 0 at rest: a step) of 1 joint; ";
     assert!(facts.starts_with(expected), "{facts}");
-    let price = listing.functions[0].price.to_string();
+    let price = module.functions[0].price.to_string();
     // 1 kg m² of the link, 3 of the drive.
     assert!(
         price.starts_with("3 mul, 2 add, 0 div, 1 sign, "),
@@ -282,7 +282,7 @@ fn every_door_says_the_same_and_tells_it() {
             .clone()
             .parameter("field", target(named("j")))
             .generate([Function::InverseDynamics])
-            .listing()
+            .module()
             .expect("no mistakes")
             .functions[0]
             .price
@@ -334,10 +334,10 @@ fn every_kind_of_joint_can_have_a_drive() {
         let (description, request) = read(&text);
         let generate = |request: &Request, functions: &[Function]| {
             let builder = Builder::from_description(description.clone()).request(request.clone());
-            let listing = builder.generate(functions.iter().copied()).listing();
-            listing.unwrap_or_else(|errors| panic!("{joint}: {errors}"))
+            let module = builder.generate(functions.iter().copied()).module();
+            module.unwrap_or_else(|errors| panic!("{joint}: {errors}"))
         };
-        let listing = generate(
+        let module = generate(
             &request,
             &[
                 Function::InverseDynamics,
@@ -352,7 +352,7 @@ fn every_kind_of_joint_can_have_a_drive() {
                 Function::BaseRegressor,
             ],
         );
-        let facts = listing.about.facts.join("; ");
+        let facts = module.about.facts.join("; ");
         assert!(facts.starts_with("armature of 3 joints"), "{facts}");
         // Without the follower there are articulated bodies as well.
         let alone = Request {
@@ -399,8 +399,8 @@ fn derivatives_know_drives_and_actions_on_every_kind_of_joint() {
                 Function::InverseDynamicsDerivatives,
                 Function::ForwardDynamicsDerivatives,
             ];
-            let listing = builder.generate(functions).listing();
-            listing.unwrap_or_else(|errors| panic!("{joint}{frame}: {errors}"));
+            let module = builder.generate(functions).module();
+            module.unwrap_or_else(|errors| panic!("{joint}{frame}: {errors}"));
         }
     }
 }
@@ -414,8 +414,8 @@ fn the_coriolis_matrix_has_none() {
         builder.generate([Function::CoriolisMatrix])
     };
     let program = |settings: &str| {
-        let listing = builder(settings).listing().expect("no mistakes");
-        format!("{:?}", listing.functions[0].program)
+        let module = builder(settings).module().expect("no mistakes");
+        format!("{:?}", module.functions[0].program)
     };
     let drives = "armature(shoulder = 1), damping(elbow = 2), friction(shoulder = 3)";
     assert_eq!(program(drives), program(""));
@@ -436,8 +436,8 @@ fn regressors_have_columns_of_drives() {
     let said_of = |settings: &str| {
         let (description, request) = read(&arm(settings));
         let builder = Builder::from_description(description).request(request);
-        let listing = builder.generate([Function::BaseRegressor, Function::Regressor]);
-        listing.listing().expect("no mistakes").spaces
+        let module = builder.generate([Function::BaseRegressor, Function::Regressor]);
+        module.module().expect("no mistakes").spaces
     };
     let of_drives = |settings: &str| -> Vec<String> {
         let parameters = said_of(settings).parameters;

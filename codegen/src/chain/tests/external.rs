@@ -6,7 +6,7 @@ use super::*;
 use crate::builder::Builder;
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters};
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::space::Variable;
 
 /// A joint with several velocities, parallel axes, a link that is merged.
@@ -35,7 +35,7 @@ const ALL: [Function; 4] = [
     Function::ForwardDynamicsDerivatives,
 ];
 
-fn listed(settings: &str, formulation: Formulation) -> Listing {
+fn listed(settings: &str, formulation: Formulation) -> Module {
     // Derivatives are dear, and do not depend on the form of accelerations that are asked for.
     let functions = if formulation.forward.is_some() {
         &ALL[..2]
@@ -47,8 +47,8 @@ fn listed(settings: &str, formulation: Formulation) -> Listing {
         formulation,
         ..request
     });
-    let listing = builder.generate(functions.iter().copied()).listing();
-    listing.unwrap_or_else(|errors| panic!("{formulation:?}: {errors}"))
+    let module = builder.generate(functions.iter().copied()).module();
+    module.unwrap_or_else(|errors| panic!("{formulation:?}: {errors}"))
 }
 
 #[test]
@@ -76,12 +76,12 @@ fn every_form_agrees_with_dense_matrices() {
     for frame in ["", ", frame = 0"] {
         for formulation in forms {
             let settings = format!("tip: tool, external(finger, h, tool{frame})");
-            let listing = listed(&settings, formulation);
-            assert_eq!(listing.spaces.actions(), 3);
-            assert_eq!(listing.spaces.actions[0].name, "finger.cx");
-            assert!((listing.functions.iter()).all(|listed| {
-                listed
-                    .arguments(&listing.spaces)
+            let module = listed(&settings, formulation);
+            assert_eq!(module.spaces.actions(), 3);
+            assert_eq!(module.spaces.actions[0].name, "finger.cx");
+            assert!((module.functions.iter()).all(|generated| {
+                generated
+                    .arguments(&module.spaces)
                     .contains(&Variable::Actions)
             }));
         }

@@ -101,12 +101,12 @@ fn every_kind_has_every_function() {
         let follows = "mimic: turn, multiplier: -2.0, offset: 0.3,";
         let alone = kind.starts_with("screw") || kind.starts_with("prismatic");
         let (description, request) = read(&joint_of(kind, if alone { follows } else { "" }));
-        let listing = expand(&description, &request);
-        let listing = listing.unwrap_or_else(|errors| panic!("{kind}: {errors}"));
+        let module = expand(&description, &request);
+        let module = module.unwrap_or_else(|errors| panic!("{kind}: {errors}"));
         assert!(
-            listing.about.left_out.is_empty(),
+            module.about.left_out.is_empty(),
             "{kind}: {:?}",
-            listing.about.left_out
+            module.about.left_out
         );
     }
 }
@@ -124,11 +124,11 @@ fn branches_that_only_a_follower_connects_are_coupled() {
          joint follows: revolute(y) {{ from: b, to: d, at: xyz(0.1, 0.3, 0.2), mimic: leads, multiplier: -0.5 }}"
     );
     let (description, request) = read(&text);
-    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     assert!(
-        listing.about.left_out.is_empty(),
+        module.about.left_out.is_empty(),
         "{:?}",
-        listing.about.left_out
+        module.about.left_out
     );
 }
 
@@ -210,8 +210,8 @@ fn offsets_of_followers_of_followers_are_not_rounded_before_they_are_used() {
     );
     let builder = Builder::from_description(description).request(request);
     let made = |builder: Builder| {
-        let listing = builder.generate([Function::ForwardKinematics]).listing();
-        listing.unwrap_or_else(|errors| panic!("{errors}"));
+        let module = builder.generate([Function::ForwardKinematics]).module();
+        module.unwrap_or_else(|errors| panic!("{errors}"));
     };
     made(builder.clone());
     for at in [-1.8, 2.01, -1.4325] {

@@ -126,8 +126,8 @@ fn the_check_agrees_on_quaternions() {
             "0 0.6 0.8",
         );
         for request in [Request::default(), exact()] {
-            let listing = expand(&description, &request);
-            assert!(listing.is_ok(), "{quaternion}: {:?}", listing.err());
+            let module = expand(&description, &request);
+            assert!(module.is_ok(), "{quaternion}: {:?}", module.err());
         }
     }
 }
@@ -208,9 +208,9 @@ fn a_plane_across_the_diagonal_has_a_frame_like_any_other() {
         "1 1 -1",
     ] {
         let description = file("rpy=\"0.1 0.2 0.3\"", "planar", axis);
-        let listing = expand(&description, &Request::default());
-        assert!(listing.is_ok(), "{axis}: {:?}", listing.err());
-        let told = listing.expect("a listing").about.facts.join("; ");
+        let module = expand(&description, &Request::default());
+        assert!(module.is_ok(), "{axis}: {:?}", module.err());
+        let told = module.expect("a module").about.facts.join("; ");
         assert!(told.contains("`j` has x along ["), "{told}");
     }
 }

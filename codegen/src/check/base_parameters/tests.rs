@@ -45,7 +45,9 @@ fn base_parameters_that_cannot_be_told_apart_are_refused_by_name() {
     assert!(!said.contains("fault"), "{said}");
     // Of all functions that one is left out.
     let listing = expand(&askew, &asked(Vec::new())).unwrap_or_else(|errors| panic!("{errors}"));
-    let of = |listed: &crate::print::Listed| listed.functions.contains(&Function::BaseRegressor);
+    let of = |generated: &crate::module::GeneratedFunction| {
+        generated.functions.contains(&Function::BaseRegressor)
+    };
     assert!(!listing.functions.iter().any(of) && listing.functions.len() > 20);
     let left_out = listing.about.left_out.iter();
     let left_out = left_out.filter(|left_out| left_out.functions == ["base_regressor"]);

@@ -300,11 +300,11 @@ mod tests {
                     formulation,
                     ..Request::default()
                 };
-                let listing = expand(&robot, &request).unwrap_or_else(|errors| panic!("{errors}"));
-                let steps = listing
+                let module = expand(&robot, &request).unwrap_or_else(|errors| panic!("{errors}"));
+                let steps = module
                     .functions
                     .iter()
-                    .flat_map(|listed| &listed.program.steps);
+                    .flat_map(|generated| &generated.program.steps);
                 for label in steps.filter_map(|step| step.label.as_deref()) {
                     let label = label.strip_prefix("minus_").unwrap_or(label);
                     let is = |form: &&Form| {

@@ -1,6 +1,6 @@
 //! A robot as a page draws it: what moves, where links are, where frames stand.
 //!
-//! In: a description, the request, its chain and a listing. Out: numbers and names. Bodies are those of the
+//! In: a description, the request, its chain and a module. Out: numbers and names. Bodies are those of the
 //! chain, in the frames that the description has; every link that is not left out is fixed to one of
 //! them. It never moves a joint: that is done where the page is looked at.
 
@@ -15,7 +15,7 @@ use crate::joint::{Motion, Posture};
 use crate::layout::{Layout, arrange};
 use crate::list::{Id, List};
 use crate::matrix::{Pose, Rotation};
-use crate::print::Listing;
+use crate::module::Module;
 use crate::quaternion::normalize;
 use crate::request::Request;
 use crate::space::{Entry, Kind, Variable};
@@ -144,21 +144,21 @@ pub(super) struct Layouts {
     pub(super) places: Vec<Value>,
 }
 
-/// The frames of the functions of a listing: layouts that differ only in where mass sits are one.
-pub(super) fn layouts(chain: &Chain, listing: &Listing) -> Layouts {
+/// The frames of the functions of a module: layouts that differ only in where mass sits are one.
+pub(super) fn layouts(chain: &Chain, module: &Module) -> Layouts {
     let mut known: Vec<(Layout, usize)> = Vec::new();
     let mut places: Vec<Value> = Vec::new();
-    let of = listing.functions.iter().map(|listed| {
-        if let Some((_, index)) = known.iter().find(|(layout, _)| *layout == listed.layout) {
+    let of = module.functions.iter().map(|generated| {
+        if let Some((_, index)) = known.iter().find(|(layout, _)| *layout == generated.layout) {
             return *index;
         }
-        let chosen = chosen(chain, listed.layout);
+        let chosen = chosen(chain, generated.layout);
         let same = places.iter().position(|other| *other == chosen);
         let index = same.unwrap_or_else(|| {
             places.push(chosen);
             places.len() - 1
         });
-        known.push((listed.layout, index));
+        known.push((generated.layout, index));
         index
     });
     let of = of.collect();

@@ -6,12 +6,12 @@
 
 use crate::chain::Chain;
 use crate::closure::Row;
-use crate::expand::program::expressions_by;
 use crate::expression::{Double, Evaluation, Input};
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::list::{Id, List};
 use crate::model::Way;
+use crate::plan::expressions_by;
 use crate::quaternion::normalize;
 use crate::random::Random;
 use crate::request::FieldId;

@@ -1,6 +1,6 @@
 //! From a routine to statements.
 //!
-//! In: a [`Listed`] function of a [`Listing`], or what is computed once for all of them, and how it is written. Out: a
+//! In: a [`GeneratedFunction`] function of a [`Module`], or what is computed once for all of them, and how it is written. Out: a
 //! constant for each statement of its [`Routine`], and its results in the arrays of the caller. It never branches, but
 //! from the end of a round to the next one, and calls nothing but sines, cosines, roots and fused products.
 
@@ -12,10 +12,11 @@ use super::declarations::{VALUES, argument_lengths, lengths, members, number, re
 use super::literals::literal;
 use super::names::{ascii, unscoped};
 use crate::formulation::Sines;
+use crate::module::{GeneratedFunction, Module, Prepared};
+use crate::print::Fields;
 use crate::print::large::columns;
 use crate::print::review::filled;
 use crate::print::walk::{Language, walk};
-use crate::print::{Fields, Listed, Listing, Prepared};
 use crate::real::Real;
 use crate::schedule::{Angle, Names, Operation, Program, Readable, Rounds, Routine, Stored, Value};
 use crate::space::{Quantity, Variable};
@@ -30,26 +31,26 @@ pub(super) struct Body {
 
 /// The body of a function that reads these fields; `own` gives the functions names that it calls.
 pub(super) fn body(
-    listing: &Listing,
-    (listed, fields): (&Listed, Fields<'_>),
+    module: &Module,
+    (generated, fields): (&GeneratedFunction, Fields<'_>),
     writing: &Writing<'_>,
     own: &mut dyn FnMut(&str) -> String,
 ) -> Body {
-    let arguments = listed.arguments(&listing.spaces);
-    let results = results(&listed.functions);
+    let arguments = generated.arguments(&module.spaces);
+    let results = results(&generated.functions);
     let taken = results.iter().map(|(name, _)| name.as_str());
     let names = names(taken, writing);
-    let large = columns(&listed.functions, &listing.spaces).is_some();
+    let large = columns(&generated.functions, &module.spaces).is_some();
     let filled = results.first().filter(|_| large);
-    let filled = filled.map(|(name, quantity)| (name.clone(), lengths(quantity, &listing.spaces)));
+    let filled = filled.map(|(name, quantity)| (name.clone(), lengths(quantity, &module.spaces)));
     let (mut writer, routine) = Writer::of(
-        (&listed.program, filled),
-        (listing, fields),
+        (&generated.program, filled),
+        (module, fields),
         &arguments,
         (names, writing),
     );
     let sections = writer.sections(&routine, own);
-    writer.store(&routine, listing, &results);
+    writer.store(&routine, module, &results);
     Body {
         sections,
         text: writer.text,
@@ -58,16 +59,16 @@ pub(super) fn body(
 
 /// The body of the function that computes once what depends on fields alone.
 pub(super) fn once(
-    listing: &Listing,
+    module: &Module,
     prepared: &Prepared,
     writing: &Writing<'_>,
     own: &mut dyn FnMut(&str) -> String,
 ) -> Body {
     let names = names(["prepared"].into_iter(), writing);
-    let fields = Fields::Own(&listing.parameters);
+    let fields = Fields::Own(&module.parameters);
     let (mut writer, routine) = Writer::of(
         (&prepared.once, None),
-        (listing, fields),
+        (module, fields),
         &[],
         (names, writing),
     );
@@ -138,16 +139,16 @@ impl<'w> Writer<'w> {
     /// The statements of a program, and its routine; of one that fills a matrix, the matrix' name and lengths.
     fn of(
         (program, filled): (&Program, Option<(String, Vec<usize>)>),
-        (listing, fields): (&Listing, Fields<'_>),
+        (module, fields): (&Module, Fields<'_>),
         arguments: &[Variable],
         (names, writing): (Names, &'w Writing<'w>),
     ) -> (Self, Routine) {
         let readable = Readable {
             arguments,
-            spaces: &listing.spaces,
+            spaces: &module.spaces,
             fields: &in_ascii(fields),
         };
-        let length = listing.length;
+        let length = module.length;
         let stored = match filled {
             Some(_) => Stored::AsFound,
             None => Stored::AtTheEnd,
@@ -155,13 +156,13 @@ impl<'w> Writer<'w> {
         let routine = Routine::of((program, length), &readable, names, stored);
         let work = routine.work.as_ref();
         let mut writer = Self {
-            sines: listing.sines,
+            sines: module.sines,
             names: routine.names.clone(),
             work: work.map_or_else(String::new, |work| work.name.clone()),
             filled,
-            ..Self::new(listing.scalar, writing)
+            ..Self::new(module.scalar, writing)
         };
-        writer.load(&routine, (listing, fields));
+        writer.load(&routine, (module, fields));
         walk(&mut writer, &routine.statements);
         (writer, routine)
     }
@@ -178,20 +179,20 @@ impl<'w> Writer<'w> {
     }
 
     /// All that is read of arguments and fields, before anything is written.
-    fn load(&mut self, routine: &Routine, (listing, fields): (&Listing, Fields<'_>)) {
+    fn load(&mut self, routine: &Routine, (module, fields): (&Module, Fields<'_>)) {
         for (argument, entries) in &routine.arguments {
             let read = entries.iter().enumerate();
             for (k, name) in read.filter_map(|(k, name)| Some((k, name.as_ref()?))) {
-                let lengths = argument_lengths(*argument, &listing.spaces);
+                let lengths = argument_lengths(*argument, &module.spaces);
                 self.constant(name, &place(argument.name(), k, &lengths));
             }
             if entries.iter().all(Option::is_none) {
                 self.line(&format!("(void){};", argument.name()));
             }
         }
-        let mut unread = !listing.parameters.is_empty();
+        let mut unread = !module.parameters.is_empty();
         let members = match fields {
-            Fields::Own(_) => members(listing),
+            Fields::Own(_) => members(module),
             Fields::Computed(_) => vec![VALUES.to_owned()],
         };
         for (entries, member) in routine.fields.iter().zip(members) {
@@ -281,10 +282,10 @@ impl<'w> Writer<'w> {
     }
 
     /// The results that are not stored yet, one after the other.
-    fn store(&mut self, routine: &Routine, listing: &Listing, results: &[(String, Quantity)]) {
+    fn store(&mut self, routine: &Routine, module: &Module, results: &[(String, Quantity)]) {
         let mut values = routine.results.iter().enumerate();
         for (name, quantity) in results {
-            let lengths = lengths(quantity, &listing.spaces);
+            let lengths = lengths(quantity, &module.spaces);
             let size = lengths.iter().product::<usize>();
             for (k, (result, value)) in values.by_ref().take(size).enumerate() {
                 if routine.stored.contains(&result) {

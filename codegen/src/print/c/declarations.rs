@@ -1,6 +1,6 @@
 //! What C is told of functions before it calls them.
 //!
-//! In: a [`Listing`], how names begin. Out: the struct of fields, the parameters of a function, the
+//! In: a [`Module`], how names begin. Out: the struct of fields, the parameters of a function, the
 //! entries of spaces as constants. It never looks at what a function does.
 
 use std::fmt::Write;
@@ -9,7 +9,8 @@ use super::comments::{comment, harmless};
 use super::literals::literal;
 use super::names::{self, constant, constants, own};
 use crate::function::Function;
-use crate::print::{Listed, Listing, documentation};
+use crate::module::{GeneratedFunction, Module};
+use crate::print::documentation;
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::space::{ACTION, Quantity, Space, Spaces, Variable};
@@ -24,13 +25,13 @@ pub(super) const fn number(real: Real) -> &'static str {
 }
 
 /// The struct, where it has fields.
-pub(super) fn structure(text: &mut String, listing: &Listing, prefix: &str) {
-    if listing.parameters.is_empty() {
+pub(super) fn structure(text: &mut String, module: &Module, prefix: &str) {
+    if module.parameters.is_empty() {
         return;
     }
-    let number = number(listing.scalar);
+    let number = number(module.scalar);
     text.push_str("typedef struct {\n");
-    for (parameter, member) in listing.parameters.iter().zip(members(listing)) {
+    for (parameter, member) in module.parameters.iter().zip(members(module)) {
         let about = documentation::of_field(&parameter.target);
         let size = match parameter.target.entries() {
             1 => String::new(),
@@ -50,11 +51,11 @@ pub(super) fn structure(text: &mut String, listing: &Listing, prefix: &str) {
 pub(super) const VALUES: &str = "values";
 
 /// The struct of what is computed once of the fields, where that is asked for.
-pub(super) fn prepared(text: &mut String, listing: &Listing, prefix: &str) {
-    let Some(prepared) = &listing.prepared else {
+pub(super) fn prepared(text: &mut String, module: &Module, prefix: &str) {
+    let Some(prepared) = &module.prepared else {
         return;
     };
-    let (number, count) = (number(listing.scalar), prepared.names.len());
+    let (number, count) = (number(module.scalar), prepared.names.len());
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
@@ -71,15 +72,15 @@ pub(super) fn of_prepare(prefix: &str) -> String {
 }
 
 /// The values of base parameters, where they are asked for.
-pub(super) fn base_parameters(text: &mut String, listing: &Listing, prefix: &str) {
-    let values = listing.base_parameters();
+pub(super) fn base_parameters(text: &mut String, module: &Module, prefix: &str) {
+    let values = module.base_parameters();
     let Some(values) = values.filter(|values| !values.is_empty()) else {
         return;
     };
-    text.push_str(&comment(&documentation::of_base_parameters(listing)));
-    let numbers = values.iter().map(|&value| literal(value, listing.scalar));
+    text.push_str(&comment(&documentation::of_base_parameters(module)));
+    let numbers = values.iter().map(|&value| literal(value, module.scalar));
     let numbers: Vec<String> = numbers.collect();
-    let (number, count) = (number(listing.scalar), values.len());
+    let (number, count) = (number(module.scalar), values.len());
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
@@ -93,15 +94,15 @@ pub(super) fn base_parameters(text: &mut String, listing: &Listing, prefix: &str
 ///
 /// What a field of a struct in another language is called does not matter: only its place is that of
 /// its definition.
-pub(super) fn members(listing: &Listing) -> Vec<String> {
-    names::members(listing.parameters.iter().map(Parameter::name))
+pub(super) fn members(module: &Module) -> Vec<String> {
+    names::members(module.parameters.iter().map(Parameter::name))
 }
 
 /// The entries of coordinates and velocities, and of residuals where there are loops, by which arguments and
 /// results are indexed, and how many there are.
-pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
+pub(super) fn indices(text: &mut String, module: &Module, prefix: &str) {
     let mut spaces = vec![(Space::Coordinates, "Q"), (Space::Velocities, "V")];
-    if listing.spaces.len(Space::Constraints) > 0 {
+    if module.spaces.len(Space::Constraints) > 0 {
         spaces.push((Space::Constraints, "C"));
     }
     for (space, letter) in spaces {
@@ -117,8 +118,8 @@ pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
             "/* The entries of {}. */\nenum {{",
             letters.join(", ")
         );
-        let names = constants(&listing.spaces, space, (prefix, letter));
-        for (name, entry) in names.iter().zip(listing.spaces.entries(space)) {
+        let names = constants(&module.spaces, space, (prefix, letter));
+        for (name, entry) in names.iter().zip(module.spaces.entries(space)) {
             let units = variables.iter().map(|of| of.unit(entry.kind));
             let units: Vec<_> = units.filter(|unit| *unit != "1").collect();
             let within = if units.is_empty() { "" } else { " in " };
@@ -133,19 +134,19 @@ pub(super) fn indices(text: &mut String, listing: &Listing, prefix: &str) {
 
 /// `const float q[6], float gravity[6]`, behind a pointer to a struct of that name, where there is one.
 pub(super) fn parameters(
-    listing: &Listing,
-    listed: &Listed,
+    module: &Module,
+    generated: &GeneratedFunction,
     (prefix, structure): (&str, &str),
 ) -> String {
-    let spaces = &listing.spaces;
-    let number = number(listing.scalar);
-    let robot = (!listing.parameters.is_empty())
-        .then(|| format!("const {} *robot", own(prefix, structure)));
-    let arguments = listed.arguments(spaces).into_iter();
+    let spaces = &module.spaces;
+    let number = number(module.scalar);
+    let robot =
+        (!module.parameters.is_empty()).then(|| format!("const {} *robot", own(prefix, structure)));
+    let arguments = generated.arguments(spaces).into_iter();
     let arguments = arguments
         .map(|argument| declarator(argument.name(), &argument_lengths(argument, spaces)))
         .map(|argument| format!("const {number} {argument}"));
-    let results = results(&listed.functions).into_iter();
+    let results = results(&generated.functions).into_iter();
     let results = results
         .map(|(name, quantity)| declarator(&name, &lengths(&quantity, spaces)))
         .map(|result| format!("{number} {result}"));

@@ -1,6 +1,6 @@
 //! The header: what there is to be called.
 //!
-//! In: a [`Listing`], and where its functions are written. Out: declarations with their comments. It
+//! In: a [`Module`], and where its functions are written. Out: declarations with their comments. It
 //! never knows how a function computes.
 
 use std::fmt::Write;
@@ -9,10 +9,10 @@ use super::comments::comment;
 use super::declarations::{self, base_parameters, indices, of_prepare, parameters, structure};
 use super::names::{ascii, own, prepared_symbols, symbols};
 use super::review;
+use crate::module::{Module, Prepared};
 use crate::print::documentation::{self, Angles};
-use crate::print::{Listing, Prepared};
 
-/// What a header tells besides what the listing does.
+/// What a header tells besides what the module does.
 pub(in crate::print) struct Header<'a> {
     /// How the names of the functions begin.
     pub prefix: &'a str,
@@ -28,9 +28,9 @@ pub(in crate::print) struct Header<'a> {
 
 impl Header<'_> {
     /// The text of the file.
-    pub fn text(&self, listing: &Listing) -> String {
+    pub fn text(&self, module: &Module) -> String {
         let prefix = self.prefix;
-        let mut head = documentation::head(listing, self.asked);
+        let mut head = documentation::head(module, self.asked);
         head.push(
             "No pointer may be null, and no result may overlap an argument or another result."
                 .to_owned(),
@@ -44,29 +44,29 @@ impl Header<'_> {
             text.push_str(QUALIFIER);
         }
         text.push_str("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-        if is_c || listing.review.is_some() {
-            indices(&mut text, listing, prefix);
+        if is_c || module.review.is_some() {
+            indices(&mut text, module, prefix);
         }
-        review::limits(&mut text, listing, prefix);
-        structure(&mut text, listing, prefix);
-        let prepared = listing.prepared.as_ref().filter(|_| is_c);
+        review::limits(&mut text, module, prefix);
+        structure(&mut text, module, prefix);
+        let prepared = module.prepared.as_ref().filter(|_| is_c);
         if prepared.is_some() {
-            declarations::prepared(&mut text, listing, prefix);
+            declarations::prepared(&mut text, module, prefix);
         }
-        base_parameters(&mut text, listing, prefix);
+        base_parameters(&mut text, module, prefix);
         let qualifier = if is_c { "HOMOGEN_FN " } else { "" };
-        for (listed, name) in listing.functions.iter().zip(symbols(listing, prefix)) {
-            let about = documentation::of_function(listing, listed, Some(self.angles), None);
+        for (generated, name) in module.functions.iter().zip(symbols(module, prefix)) {
+            let about = documentation::of_function(module, generated, Some(self.angles), None);
             text.push_str(&comment(&about));
-            let parameters = parameters(listing, listed, (prefix, "robot"));
+            let parameters = parameters(module, generated, (prefix, "robot"));
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{qualifier}void {name}({parameters});\n");
         }
         if let Some(prepared) = prepared {
-            text.push_str(&self.prepared(listing, prepared));
+            text.push_str(&self.prepared(module, prepared));
         }
         if is_c {
-            review::declaration(&mut text, listing, prefix);
+            review::declaration(&mut text, module, prefix);
         }
         text.push_str("#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
         text
@@ -75,18 +75,18 @@ impl Header<'_> {
 
 impl Header<'_> {
     /// The function that computes once what depends on fields alone, and those that read it.
-    fn prepared(&self, listing: &Listing, prepared: &Prepared) -> String {
+    fn prepared(&self, module: &Module, prepared: &Prepared) -> String {
         let prefix = self.prefix;
         let mut text = comment(&documentation::of_prepare(&prepared.price));
         let filled = of_prepare(prefix);
         let prepare = own(prefix, "prepare");
         let _ = writeln!(text, "HOMOGEN_FN void {prepare}({filled});\n");
-        let symbols = prepared_symbols(listing, prefix);
-        for (listed, name) in prepared.functions.iter().zip(symbols) {
+        let symbols = prepared_symbols(module, prefix);
+        for (generated, name) in prepared.functions.iter().zip(symbols) {
             let once = Some(&prepared.price);
-            let about = documentation::of_function(listing, listed, Some(self.angles), once);
+            let about = documentation::of_function(module, generated, Some(self.angles), once);
             text.push_str(&comment(&about));
-            let parameters = parameters(listing, listed, (prefix, "prepared"));
+            let parameters = parameters(module, generated, (prefix, "prepared"));
             // Writing to a string cannot fail.
             let _ = writeln!(text, "HOMOGEN_FN void {name}({parameters});\n");
         }

@@ -10,7 +10,7 @@
 use std::fmt::Write;
 
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::schedule::{Names, sanitize};
 use crate::space::{Space, Spaces};
 
@@ -98,20 +98,20 @@ fn is_own_constant(name: &str) -> bool {
 }
 
 /// The names of the functions behind a prefix, in ASCII, which linkers want.
-pub(in crate::print) fn symbols(listing: &Listing, prefix: &str) -> Vec<String> {
-    functions(listing, |name| own(prefix, name))
+pub(in crate::print) fn symbols(module: &Module, prefix: &str) -> Vec<String> {
+    functions(module, |name| own(prefix, name))
 }
 
 /// The same of the functions that read what has been computed of the fields.
-pub(super) fn prepared_symbols(listing: &Listing, prefix: &str) -> Vec<String> {
-    functions(listing, |name| own(prefix, &format!("prepared_{name}")))
+pub(super) fn prepared_symbols(module: &Module, prefix: &str) -> Vec<String> {
+    functions(module, |name| own(prefix, &format!("prepared_{name}")))
 }
 
-fn functions(listing: &Listing, symbol: impl Fn(&str) -> String) -> Vec<String> {
+fn functions(module: &Module, symbol: impl Fn(&str) -> String) -> Vec<String> {
     let mut names = Names::default();
-    let listed = listing.functions.iter();
-    listed
-        .map(|listed| symbol(&names.fresh(&ascii(&listed.name()))))
+    let functions = module.functions.iter();
+    functions
+        .map(|generated| symbol(&names.fresh(&ascii(&generated.name()))))
         .collect()
 }
 

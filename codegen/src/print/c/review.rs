@@ -1,6 +1,6 @@
 //! What the reviewer of a file reads beside its code.
 //!
-//! In: a [`Listing`] with its [`Review`](crate::print::Review), and how it is written. Out: limits as constants, a
+//! In: a [`Module`] with its [`Review`](crate::module::Review), and how it is written. Out: limits as constants, a
 //! function that tests all others, and where numbers come from. It never prints an operation.
 
 use std::fmt::Write;
@@ -10,8 +10,8 @@ use super::comments::{comment, harmless};
 use super::declarations::{argument_lengths, lengths, number, results};
 use super::literals::literal;
 use super::names::{constant, own, symbols, unscoped};
+use crate::module::{Module, Vector};
 use crate::print::review::{self, Limits};
-use crate::print::{Listing, Vector};
 use crate::schedule::Names;
 use crate::space::Space;
 use crate::template;
@@ -20,17 +20,17 @@ use crate::template;
 const SWITCH: &str = "HOMOGEN_SELF_TEST";
 
 /// The limits, as what stands behind the `=` of an array.
-pub(super) fn limits(text: &mut String, listing: &Listing, prefix: &str) {
-    let limits = review::limits(listing).into_iter();
+pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
+    let limits = review::limits(module).into_iter();
     let limits: Vec<Limits> = limits.collect();
     let infinite = |limits: &Limits| limits.numbers.iter().any(|limit| limit.is_infinite());
     if limits.is_empty() {
         return;
     }
-    let largest = listing.scalar.largest();
+    let largest = module.scalar.largest();
     let mut about = vec![format!(
         "Limits, each for an array: static const {} lower[] = {};",
-        number(listing.scalar),
+        number(module.scalar),
         constant(prefix, "lower")
     )];
     if limits.iter().any(infinite) {
@@ -44,7 +44,7 @@ pub(super) fn limits(text: &mut String, listing: &Listing, prefix: &str) {
     } in limits
     {
         let numbers = numbers.iter().map(|limit| limit.clamp(-largest, largest));
-        let numbers = numbers.map(|limit| literal(limit, listing.scalar));
+        let numbers = numbers.map(|limit| literal(limit, module.scalar));
         let numbers: Vec<String> = numbers.collect();
         let name = constant(prefix, name);
         // Writing to a string cannot fail.
@@ -59,16 +59,16 @@ pub(super) fn limits(text: &mut String, listing: &Listing, prefix: &str) {
 }
 
 /// Whether there is a function that tests all others.
-fn is_tested(listing: &Listing) -> bool {
+fn is_tested(module: &Module) -> bool {
     // Arrays of no length are none.
-    let has_results = listing.spaces.len(Space::Velocities) > 0;
-    let review = listing.review.as_ref();
+    let has_results = module.spaces.len(Space::Velocities) > 0;
+    let review = module.review.as_ref();
     has_results && review.is_some_and(|review| !review.vectors.is_empty())
 }
 
 /// The declaration of that function.
-pub(super) fn declaration(text: &mut String, listing: &Listing, prefix: &str) {
-    if !is_tested(listing) {
+pub(super) fn declaration(text: &mut String, module: &Module, prefix: &str) {
+    if !is_tested(module) {
         return;
     }
     let about = [
@@ -88,15 +88,15 @@ pub(super) fn declaration(text: &mut String, listing: &Listing, prefix: &str) {
 }
 
 /// What stands behind all functions: that one, and where numbers come from.
-pub(super) fn appendix(listing: &Listing, writing: &Writing<'_>) -> String {
+pub(super) fn appendix(module: &Module, writing: &Writing<'_>) -> String {
     let mut text = String::new();
-    if let (true, Some(review)) = (is_tested(listing), &listing.review) {
-        let test = Test::of(listing, writing.prefix);
+    if let (true, Some(review)) = (is_tested(module), &module.review) {
+        let test = Test::of(module, writing.prefix);
         let words = [
             ("@compare@", &*test.compare),
             ("@self_test@", &test.own),
             ("@failures@", &test.local("failures")),
-            ("@number@", number(listing.scalar)),
+            ("@number@", number(module.scalar)),
         ];
         text.push_str(&template::filled(TESTS, &words));
         for vector in &review.vectors {
@@ -106,7 +106,7 @@ pub(super) fn appendix(listing: &Listing, writing: &Writing<'_>) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "    return {failures};\n}}\n#endif");
     }
-    let origins = review::origins(listing);
+    let origins = review::origins(module);
     if !origins.is_empty() {
         text.push('\n');
         text.push_str(&comment(&origins));
@@ -116,8 +116,8 @@ pub(super) fn appendix(listing: &Listing, writing: &Writing<'_>) -> String {
 
 /// The function that tests all others, in the making.
 struct Test<'l> {
-    listing: &'l Listing,
-    /// The names of the functions that it calls, in the order of the listing.
+    module: &'l Module,
+    /// The names of the functions that it calls, in the order of the module.
     symbols: Vec<String>,
     /// The name of that which compares numbers.
     compare: String,
@@ -130,8 +130,8 @@ struct Test<'l> {
 }
 
 impl<'l> Test<'l> {
-    fn of(listing: &'l Listing, prefix: &str) -> Self {
-        let symbols = symbols(listing, prefix);
+    fn of(module: &'l Module, prefix: &str) -> Self {
+        let symbols = symbols(module, prefix);
         let [compare, test, robot] =
             ["failures", "self_test", "robot"].map(|name| own(prefix, name));
         let mut taken = unscoped();
@@ -139,7 +139,7 @@ impl<'l> Test<'l> {
             taken.take(name);
         }
         Self {
-            listing,
+            module,
             symbols,
             compare,
             own: test,
@@ -157,18 +157,18 @@ impl<'l> Test<'l> {
     fn written(&self, numbers: &[f64]) -> Vec<String> {
         let numbers = numbers.iter();
         numbers
-            .map(|&value| literal(value, self.listing.scalar))
+            .map(|&value| literal(value, self.module.scalar))
             .collect()
     }
 
     /// The block that calls a function and counts what is wrong.
     fn call(&self, vector: &Vector) -> String {
         let Self {
-            listing, compare, ..
+            module, compare, ..
         } = self;
-        let (spaces, number) = (&listing.spaces, number(listing.scalar));
+        let (spaces, number) = (&module.spaces, number(module.scalar));
         let (mut call, mut lines) = self.arguments(vector);
-        let quantities = results(&listing.functions[vector.function].functions);
+        let quantities = results(&module.functions[vector.function].functions);
         let mut counts = Vec::new();
         let (mut expected, mut tolerances) = (&*vector.expected, &*vector.tolerances);
         for (name, quantity) in &quantities {
@@ -214,10 +214,10 @@ impl<'l> Test<'l> {
 
     /// What a function is called with, and the lines that declare it.
     fn arguments(&self, vector: &Vector) -> (Vec<String>, Vec<String>) {
-        let Self { listing, robot, .. } = self;
-        let number = number(listing.scalar);
+        let Self { module, robot, .. } = self;
+        let number = number(module.scalar);
         let (mut call, mut lines) = (Vec::new(), Vec::new());
-        if !listing.parameters.is_empty() {
+        if !module.parameters.is_empty() {
             let fields = vector.fields.iter();
             let fields = fields.map(|values| match &*self.written(values) {
                 [value] => value.clone(),
@@ -230,7 +230,7 @@ impl<'l> Test<'l> {
             call.push(format!("&{name}"));
         }
         for (argument, numbers) in &vector.arguments {
-            let lengths = argument_lengths(*argument, &listing.spaces);
+            let lengths = argument_lengths(*argument, &module.spaces);
             let name = self.local(argument.name());
             let numbers = match &*lengths {
                 [_, each] => {

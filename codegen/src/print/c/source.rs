@@ -1,6 +1,6 @@
 //! The source: functions, and what they need of a compiler.
 //!
-//! In: a [`Listing`], and how it is written. Out: definitions of what the header declares. It never
+//! In: a [`Module`], and how it is written. Out: definitions of what the header declares. It never
 //! prints an operation itself.
 
 use std::fmt::Write;
@@ -13,48 +13,49 @@ use super::header::guard;
 use super::names::{prepared_symbols, symbols};
 use super::{review, sections, sines};
 use crate::formulation::Sines;
-use crate::print::{Fields, Listed, Listing, documentation};
+use crate::module::{GeneratedFunction, Module};
+use crate::print::{Fields, documentation};
 use crate::real::Real;
 use crate::schedule::{Names, Operation};
 
 /// The text of the file.
-pub(super) fn source(listing: &Listing, writing: &Writing<'_>) -> String {
-    let symbols = symbols(listing, writing.prefix);
-    let mut head = documentation::head(listing, writing.asked);
+pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
+    let symbols = symbols(module, writing.prefix);
+    let mut head = documentation::head(module, writing.asked);
     head.push(writing.needs());
-    for (listed, name) in listing.functions.iter().zip(&symbols) {
-        head.extend(documentation::price(listed, name));
+    for (generated, name) in module.functions.iter().zip(&symbols) {
+        head.extend(documentation::price(generated, name));
     }
     let mut text = comment(&head);
     text.push('\n');
     let (guard, header) = (guard(writing.prefix), writing.header);
     // Writing to a string cannot fail.
     let _ = writeln!(text, "#ifndef {guard}\n#include \"{header}\"\n#endif");
-    let own_sines = listing.sines == Sines::Own && listing.functions.iter().any(has_angles);
+    let own_sines = module.sines == Sines::Own && module.functions.iter().any(has_angles);
     text.push_str("#include <float.h>\n");
-    if listing
+    if module
         .functions
         .iter()
-        .any(|listed| calls(listing, listed))
+        .any(|generated| calls(module, generated))
     {
         text.push_str("#include <math.h>\n");
     }
     if own_sines {
         text.push_str("#include <stdint.h>\n");
     }
-    text.push_str(&arithmetic(listing.scalar));
+    text.push_str(&arithmetic(module.scalar));
     if writing.fused {
-        text.push_str(&product_and_sum(&writing.mul_add(), listing.scalar));
+        text.push_str(&product_and_sum(&writing.mul_add(), module.scalar));
     }
     if own_sines {
         text.push('\n');
-        text.push_str(&sines::function(listing.scalar, writing));
+        text.push_str(&sines::function(module.scalar, writing));
     }
-    let functions = functions(listing, writing, &symbols);
+    let functions = functions(module, writing, &symbols);
     if functions.has_sections {
         text.push_str(&sections::apart(&writing.apart()));
     }
-    text + &functions.text + &review::appendix(listing, writing)
+    text + &functions.text + &review::appendix(module, writing)
 }
 
 /// The definitions of functions.
@@ -73,9 +74,9 @@ impl Functions {
     }
 }
 
-fn functions(listing: &Listing, writing: &Writing<'_>, symbols: &[String]) -> Functions {
+fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Functions {
     let prefix = writing.prefix;
-    let prepared = prepared_symbols(listing, prefix);
+    let prepared = prepared_symbols(module, prefix);
     let mut names = Names::default();
     for name in symbols.iter().chain(&prepared) {
         names.take(name);
@@ -84,39 +85,39 @@ fn functions(listing: &Listing, writing: &Writing<'_>, symbols: &[String]) -> Fu
         text: String::new(),
         has_sections: false,
     };
-    for (listed, name) in listing.functions.iter().zip(symbols) {
-        let parameters = parameters(listing, listed, (prefix, "robot"));
-        let fields = Fields::Own(&listing.parameters);
+    for (generated, name) in module.functions.iter().zip(symbols) {
+        let parameters = parameters(module, generated, (prefix, "robot"));
+        let fields = Fields::Own(&module.parameters);
         let mut own = |section: &str| names.alone(&format!("{name}_{section}"));
-        let body = body(listing, (listed, fields), writing, &mut own);
+        let body = body(module, (generated, fields), writing, &mut own);
         functions.push(&format!("{name}({parameters})"), &body);
     }
-    let Some(all) = &listing.prepared else {
+    let Some(all) = &module.prepared else {
         return functions;
     };
     let prepare = writing.own("prepare");
     let mut own = |section: &str| names.alone(&format!("{prepare}_{section}"));
-    let once = once(listing, all, writing, &mut own);
+    let once = once(module, all, writing, &mut own);
     functions.push(&format!("{prepare}({})", of_prepare(prefix)), &once);
-    for (listed, name) in all.functions.iter().zip(prepared) {
-        let parameters = parameters(listing, listed, (prefix, "prepared"));
+    for (generated, name) in all.functions.iter().zip(prepared) {
+        let parameters = parameters(module, generated, (prefix, "prepared"));
         let fields = Fields::Computed(&all.names);
         let mut own = |section: &str| names.alone(&format!("{name}_{section}"));
-        let body = body(listing, (listed, fields), writing, &mut own);
+        let body = body(module, (generated, fields), writing, &mut own);
         functions.push(&format!("{name}({parameters})"), &body);
     }
     functions
 }
 
-fn has_angles(listed: &Listed) -> bool {
-    !listed.program.angles.is_empty()
+fn has_angles(generated: &GeneratedFunction) -> bool {
+    !generated.program.angles.is_empty()
 }
 
 /// Whether it calls a function of the library.
-fn calls(listing: &Listing, listed: &Listed) -> bool {
-    let mut steps = listed.program.steps.iter();
+fn calls(module: &Module, generated: &GeneratedFunction) -> bool {
+    let mut steps = generated.program.steps.iter();
     let root = steps.any(|step| matches!(step.operation, Operation::Sqrt(_)));
-    root || (listing.sines == Sines::Platform && has_angles(listed))
+    root || (module.sines == Sines::Platform && has_angles(generated))
 }
 
 /// What the type of number has to be, what compilers must not do with it, and what some of them need to

@@ -1,6 +1,6 @@
 //! One function of a module: its parameters, what it reads, and what it stores.
 //!
-//! In: a [`Listed`] function, its symbol, and the type of a value. Out: its definition. With one lane the parameters
+//! In: a [`GeneratedFunction`] function, its symbol, and the type of a value. Out: its definition. With one lane the parameters
 //! are those of the file in C; with several each entry of an argument and a result is a vector. Fields are numbers,
 //! one after the other, in the order of the robot's struct, and the same for all lanes.
 
@@ -8,10 +8,11 @@ use std::fmt::Write;
 
 use super::body::{Writer, local};
 use super::lanes::Lanes;
+use crate::module::{GeneratedFunction, Module};
+use crate::print::Fields;
 use crate::print::c::results;
 use crate::print::large::columns;
 use crate::print::walk::walk;
-use crate::print::{Fields, Listed, Listing};
 use crate::schedule::{Names, Readable, Routine, Stored, Work};
 use crate::space::Variable;
 
@@ -20,8 +21,8 @@ pub(super) const ROBOT: &str = "robot";
 
 /// A function that is written, whatever its lanes.
 pub(super) struct Function<'l> {
-    listing: &'l Listing,
-    listed: &'l Listed,
+    module: &'l Module,
+    generated: &'l GeneratedFunction,
     pub(super) symbol: &'l str,
     fused: bool,
     /// The arguments, in their order.
@@ -38,37 +39,37 @@ pub(super) struct Pointer {
 
 impl<'l> Function<'l> {
     pub(super) fn new(
-        listing: &'l Listing,
-        listed: &'l Listed,
+        module: &'l Module,
+        generated: &'l GeneratedFunction,
         symbol: &'l str,
         fused: bool,
     ) -> Self {
         Self {
-            listing,
-            listed,
+            module,
+            generated,
             symbol,
             fused,
-            arguments: listed.arguments(&listing.spaces),
+            arguments: generated.arguments(&module.spaces),
         }
     }
 
     /// Whether it takes a pointer to fields first.
     pub(super) fn has_fields(&self) -> bool {
-        !self.listing.parameters.is_empty()
+        !self.module.parameters.is_empty()
     }
 
     pub(super) fn arguments(&self) -> Vec<Pointer> {
         let arguments = self.arguments.iter().map(|argument| Pointer {
             name: argument.name().to_owned(),
-            len: self.listing.spaces.len(argument.space()),
+            len: self.module.spaces.len(argument.space()),
         });
         arguments.collect()
     }
 
     pub(super) fn results(&self) -> Vec<Pointer> {
-        let results = results(&self.listed.functions).into_iter();
+        let results = results(&self.generated.functions).into_iter();
         let results = results.map(|(name, quantity)| {
-            let lengths = quantity.lengths(&self.listing.spaces);
+            let lengths = quantity.lengths(&self.module.spaces);
             let lengths = lengths.iter().chain(quantity.entity.dimensions());
             Pointer {
                 len: lengths.product(),
@@ -90,19 +91,19 @@ impl<'l> Function<'l> {
         for result in &results {
             names.take(&result.name);
         }
-        let fields = Fields::Own(&self.listing.parameters).entries();
+        let fields = Fields::Own(&self.module.parameters).entries();
         let readable = Readable {
             arguments: &self.arguments,
-            spaces: &self.listing.spaces,
+            spaces: &self.module.spaces,
             fields: &fields,
         };
-        let large = columns(&self.listed.functions, &self.listing.spaces).is_some();
+        let large = columns(&self.generated.functions, &self.module.spaces).is_some();
         let when = if large {
             Stored::AsFound
         } else {
             Stored::AtTheEnd
         };
-        let program = (&self.listed.program, self.listing.length);
+        let program = (&self.generated.program, self.module.length);
         Routine::of(program, &readable, names, when)
     }
 }
@@ -110,7 +111,7 @@ impl<'l> Function<'l> {
 /// The definition for values of a type, and those of the functions that it calls.
 pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
     let routine = function.routine();
-    let mut writer = Writer::new(lanes, function.fused, function.listing.sines);
+    let mut writer = Writer::new(lanes, function.fused, function.module.sines);
     let results = function.results();
     writer.filled = results.first().map(|result| result.name.clone());
     load(&mut writer, &routine);
@@ -209,7 +210,7 @@ fn call(writer: &mut Writer, function: &Function<'_>, work: &Work) {
 fn define_sections(function: &Function<'_>, work: &Work, lanes: Lanes) -> String {
     let mut text = String::new();
     for apart in &work.sections {
-        let mut writer = Writer::new(lanes, function.fused, function.listing.sines);
+        let mut writer = Writer::new(lanes, function.fused, function.module.sines);
         writer.work = Some(work.name.clone());
         for (place, name) in &apart.taken {
             let address = writer.waiting(*place);

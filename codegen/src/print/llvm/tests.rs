@@ -4,19 +4,19 @@ use std::collections::BTreeMap;
 
 use super::{Writing, print};
 use crate::function::Function;
-use crate::print::Listing;
-use crate::print::rust::tests::{listed, listing, literal, step, with_payload};
+use crate::module::Module;
+use crate::print::rust::tests::{generated, literal, module, step, with_payload};
 use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program};
 
-fn written(listing: &Listing, lanes: usize, fused: bool) -> String {
+fn written(module: &Module, lanes: usize, fused: bool) -> String {
     let writing = Writing {
         prefix: "pendulum_",
         asked: "Made by hand.",
         lanes,
         fused,
     };
-    print(listing, &writing)
+    print(module, &writing)
 }
 
 /// The lines of a function.
@@ -29,7 +29,7 @@ fn function<'t>(text: &'t str, name: &str) -> &'t str {
 }
 
 /// A gravity function that consists of these steps, and returns the last.
-fn steps(real: Real, operations: &[Operation]) -> Listing {
+fn steps(real: Real, operations: &[Operation]) -> Module {
     let last = u32::try_from(operations.len() - 1).expect("few steps");
     let program = Program {
         angles: Vec::new(),
@@ -38,17 +38,17 @@ fn steps(real: Real, operations: &[Operation]) -> Listing {
         results: vec![Operand::Step(last), literal(-0.5)],
         open: BTreeMap::new(),
     };
-    Listing {
-        functions: vec![listed(&[Function::Gravity], program)],
-        ..listing(real)
+    Module {
+        functions: vec![generated(&[Function::Gravity], program)],
+        ..module(real)
     }
 }
 
 #[test]
 fn products_and_sums_are_fused_or_not() {
     let operation = Operation::NegMulAdd(literal(2.0), literal(3.0), literal(4.0));
-    let listing = steps(Real::F32, &[operation]);
-    let plain = written(&listing, 4, false);
+    let module = steps(Real::F32, &[operation]);
+    let plain = written(&module, 4, false);
     let expected = "define internal void @pendulum_gravity.4(ptr %q, ptr %gravity) nounwind {
   %v.1 = fmul <4 x float> splat (float 0x4000000000000000), splat (float 0x4008000000000000)
   %t_1 = fsub <4 x float> splat (float 0x4010000000000000), %v.1
@@ -59,7 +59,7 @@ fn products_and_sums_are_fused_or_not() {
   ret void
 }";
     assert_eq!(function(&plain, "@pendulum_gravity.4"), expected);
-    let fused = written(&listing, 1, true);
+    let fused = written(&module, 1, true);
     let expected = "define void @pendulum_gravity(ptr %q, ptr %gravity) nounwind {
   %v.1 = fneg float 0x4000000000000000
   %t_1 = call float @llvm.fma.f32(float %v.1, float 0x4008000000000000, float 0x4010000000000000)
@@ -74,7 +74,7 @@ fn products_and_sums_are_fused_or_not() {
 
 #[test]
 fn fields_are_the_same_in_all_lanes() {
-    let text = written(&with_payload(listing(Real::F64)), 2, false);
+    let text = written(&with_payload(module(Real::F64)), 2, false);
     let expected = "  %v.3 = getelementptr double, ptr %robot, i64 0
   %v.4 = load double, ptr %v.3, align 8
   %v.5 = insertelement <2 x double> poison, double %v.4, i64 0

@@ -1,6 +1,6 @@
 //! The class of a robot, as Python sees it.
 //!
-//! In: a [`Listing`]. Out: the names, shapes and texts of its methods and attributes, which the extension and
+//! In: a [`Module`]. Out: the names, shapes and texts of its methods and attributes, which the extension and
 //! its stub share. It never writes a language.
 
 use proc_macro2::Ident;
@@ -8,17 +8,18 @@ use syn::ext::IdentExt;
 
 use super::names::{in_module, unscoped};
 use crate::list::Id;
+use crate::module::{GeneratedFunction, Module};
+use crate::print::documentation;
 use crate::print::rust::names::{self as rust, ident, of_methods, type_name};
 use crate::print::rust::{Item, under};
 use crate::print::steps::Step;
-use crate::print::{Listed, Listing, documentation};
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::space::{ACTION, Entity, Outcome, Quantity, Space, Spaces, Variable};
 
 /// The class.
 pub(super) struct Class<'l> {
-    pub listing: &'l Listing,
+    pub listing: &'l Module,
     /// What Python imports.
     pub module: &'l str,
     /// What it is called in Python.
@@ -71,7 +72,7 @@ pub(super) const fn dtype(real: Real) -> &'static str {
 }
 
 impl<'l> Class<'l> {
-    pub fn of(listing: &'l Listing, item: &Item, module: &'l str, options: &str) -> Self {
+    pub fn of(listing: &'l Module, item: &Item, module: &'l str, options: &str) -> Self {
         let mut names = in_module(module);
         let name = names.alone(&item.ident.unraw().to_string());
         let of_methods = of_methods(listing);
@@ -79,9 +80,9 @@ impl<'l> Class<'l> {
         let steps = Step::of(listing).iter();
         let steps = steps.map(|&step| Method::of_step(step, &listing.spaces));
         let methods: Vec<_> = methods
-            .map(|(listed, name)| {
+            .map(|(generated, name)| {
                 let mut tuple = |wish: &str| names.alone(&type_name(wish));
-                Method::of(listing, listed, name, &mut tuple)
+                Method::of(listing, generated, name, &mut tuple)
             })
             .chain(steps)
             .collect();
@@ -146,13 +147,13 @@ impl<'l> Class<'l> {
 impl Method {
     /// A function of the request.
     fn of(
-        listing: &Listing,
-        listed: &Listed,
+        listing: &Module,
+        generated: &GeneratedFunction,
         name: &Ident,
         tuple: &mut dyn FnMut(&str) -> String,
     ) -> Self {
         let spaces = &listing.spaces;
-        let is_alone = listed.functions.len() == 1;
+        let is_alone = generated.functions.len() == 1;
         let returned = |name: String, field: String, about, quantity: Quantity| Returned {
             name: ident(&name),
             field,
@@ -160,7 +161,7 @@ impl Method {
             about,
             rows: rows(&quantity),
         };
-        let results = listed.functions.iter().flat_map(|function| {
+        let results = generated.functions.iter().flat_map(|function| {
             let function_name = function.name().to_owned();
             match function.result() {
                 Outcome::One(quantity) => {
@@ -186,10 +187,10 @@ impl Method {
             }
         });
         let results: Vec<_> = results.collect();
-        let arguments = listed.arguments(spaces).into_iter();
+        let arguments = generated.arguments(spaces).into_iter();
         let mut method = Self {
             name: name.clone(),
-            about: documentation::of_function(listing, listed, None, None),
+            about: documentation::of_function(listing, generated, None, None),
             arguments: arguments
                 .map(|argument| (argument.name(), last_of_argument(argument, spaces)))
                 .collect(),
@@ -197,7 +198,7 @@ impl Method {
             results,
         };
         // Behind what is computed, and the empty line after it.
-        method.insert_shapes(match listed.functions.len() {
+        method.insert_shapes(match generated.functions.len() {
             1 => 2,
             several => several + 3,
         });
@@ -350,11 +351,11 @@ const OWN: [&str; 12] = [
 ];
 
 /// Whether arguments or results are over a space.
-fn is_spoken_of(listing: &Listing, space: Space) -> bool {
+fn is_spoken_of(listing: &Module, space: Space) -> bool {
     let mut functions = listing
         .functions
         .iter()
-        .flat_map(|listed| &listed.functions);
+        .flat_map(|generated| &generated.functions);
     matches!(space, Space::Coordinates | Space::Velocities)
         || functions.any(|function| {
             let mut parts = function.result().parts();

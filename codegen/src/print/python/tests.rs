@@ -4,9 +4,9 @@ use quote::format_ident;
 
 use super::{Package, Writing, print};
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::rust::Item;
-use crate::print::rust::tests::{listed, listing, literal, turning, with_payload};
+use crate::print::rust::tests::{generated, literal, module, turning, with_payload};
 use crate::real::Real;
 use crate::schedule::Program;
 
@@ -15,8 +15,8 @@ const WRITING: Writing<'_> = Writing {
     options: "f64",
 };
 
-fn written(listing: &Listing) -> Package {
-    print(listing, &Item::named_after(&listing.about.robot), &WRITING)
+fn written(module: &Module) -> Package {
+    print(module, &Item::named_after(&module.about.robot), &WRITING)
 }
 
 fn file<'p>(package: &'p Package, path: &str) -> &'p str {
@@ -27,14 +27,14 @@ fn file<'p>(package: &'p Package, path: &str) -> &'p str {
 
 /// A function whose results are all zero.
 fn zeros(functions: &[Function], count: usize) -> Program {
-    let mut program = listed(functions, listing(Real::F64).functions.remove(0).program).program;
+    let mut program = generated(functions, module(Real::F64).functions.remove(0).program).program;
     program.results = vec![literal(0.0); count];
     program
 }
 
 #[test]
 fn a_class_with_a_function() {
-    let package = written(&listing(Real::F64));
+    let package = written(&module(Real::F64));
     assert_eq!(package.class, "DoublePendulum");
     let class = file(&package, "src/lib.rs");
     let method = "    #[pyo3(signature = (q, *, out = None))]
@@ -82,7 +82,7 @@ fn a_class_with_a_function() {
 
 #[test]
 fn a_stub_tells_shapes_and_units() {
-    let package = written(&listing(Real::F32));
+    let package = written(&module(Real::F32));
     let stub = file(&package, "python/arm_py/__init__.pyi");
     let method = "    def gravity(self, q: _ArrayLike, *, out: _NDArray[_np.float32] | None = None) -> _NDArray[_np.float32]:
         \"\"\"Joint torques and forces τ that hold the robot at rest against gravity; N m, N.
@@ -99,7 +99,7 @@ fn a_stub_tells_shapes_and_units() {
 
 #[test]
 fn fields_are_arguments_of_the_class() {
-    let package = written(&with_payload(listing(Real::F64)));
+    let package = written(&with_payload(module(Real::F64)));
     let class = file(&package, "src/lib.rs");
     assert!(
         class.contains(
@@ -127,9 +127,9 @@ fn fields_are_arguments_of_the_class() {
 
 #[test]
 fn a_field_that_is_called_as_a_method_gives_way() {
-    let mut listing = with_payload(listing(Real::F64));
-    listing.parameters[0].field = format_ident!("gravity");
-    let stub = written(&listing);
+    let mut module = with_payload(module(Real::F64));
+    module.parameters[0].field = format_ident!("gravity");
+    let stub = written(&module);
     let stub = file(&stub, "python/arm_py/__init__.pyi");
     assert!(
         stub.contains("def __init__(self, gravity_: float)"),
@@ -141,13 +141,13 @@ fn a_field_that_is_called_as_a_method_gives_way() {
 fn several_results_are_a_tuple_of_its_own_name() {
     let functions = [Function::InverseDynamicsDerivatives, Function::MassMatrix];
     let alone = [Function::InverseDynamicsDerivatives];
-    let mut listing = listing(Real::F64);
-    listing.about.robot = "inverse dynamics derivatives".to_owned();
-    listing.functions = vec![
-        listed(&alone, zeros(&alone, 8)),
-        listed(&functions, zeros(&functions, 12)),
+    let mut module = module(Real::F64);
+    module.about.robot = "inverse dynamics derivatives".to_owned();
+    module.functions = vec![
+        generated(&alone, zeros(&alone, 8)),
+        generated(&functions, zeros(&functions, 12)),
     ];
-    let package = written(&listing);
+    let package = written(&module);
     assert_eq!(package.class, "InverseDynamicsDerivatives");
     let stub = file(&package, "python/arm_py/__init__.pyi");
     for part in [
@@ -169,9 +169,9 @@ fn several_results_are_a_tuple_of_its_own_name() {
 #[test]
 fn a_pose_is_whole() {
     let functions = [Function::ForwardKinematics];
-    let mut listing = listing(Real::F64);
-    listing.functions = vec![listed(&functions, zeros(&functions, 12))];
-    let package = written(&listing);
+    let mut module = module(Real::F64);
+    module.functions = vec![generated(&functions, zeros(&functions, 12))];
+    let package = written(&module);
     let functions = file(&package, "src/functions.rs");
     assert!(
         functions.contains("(forward_kinematics: 16);"),
@@ -186,12 +186,12 @@ fn a_pose_is_whole() {
 
 #[test]
 fn nothing_of_a_description_is_code() {
-    let mut listing = listing(Real::F64);
-    listing.about.robot = "None".to_owned();
-    listing.about.tip = "\"\"\"\nimport os #\u{202e}\\".to_owned();
-    listing.about.facts = vec!["\"\"\" + evil() + r\"\"\"\\".to_owned()];
-    listing.spaces = turning(["\"\"\"; import os #", "'''\\\n\u{202e}{}"].map(str::to_owned));
-    let package = written(&listing);
+    let mut module = module(Real::F64);
+    module.about.robot = "None".to_owned();
+    module.about.tip = "\"\"\"\nimport os #\u{202e}\\".to_owned();
+    module.about.facts = vec!["\"\"\" + evil() + r\"\"\"\\".to_owned()];
+    module.spaces = turning(["\"\"\"; import os #", "'''\\\n\u{202e}{}"].map(str::to_owned));
+    let package = written(&module);
     assert_eq!(package.class, "None_");
     for (path, text) in &package.files {
         assert!(!text.contains('\u{202e}'), "{path}");

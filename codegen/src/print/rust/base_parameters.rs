@@ -1,6 +1,6 @@
 //! The values of base parameters, beside the regressor that they belong to.
 //!
-//! In: a [`Listing`]. Out: the constant `BASE_PARAMETERS`, where the base regressor is among its functions. It never
+//! In: a [`Module`]. Out: the constant `BASE_PARAMETERS`, where the base regressor is among its functions. It never
 //! computes a value.
 
 use proc_macro2::TokenStream;
@@ -11,12 +11,13 @@ use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{array, literal};
 use super::literals::Numerals;
-use crate::print::{Listing, documentation};
+use crate::module::Module;
+use crate::print::documentation;
 use crate::real::Real;
 
 /// `pub const BASE_PARAMETERS: [f64; NB] = […];`
-pub(super) fn base_parameters(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
-    let Some(values) = listing.base_parameters() else {
+pub(super) fn base_parameters(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
+    let Some(values) = module.base_parameters() else {
         return TokenStream::new();
     };
     let numerals = match dialect.real {
@@ -25,7 +26,7 @@ pub(super) fn base_parameters(listing: &Listing, item: &Item, dialect: &Dialect)
     };
     let numbers = values.iter().map(|&value| numerals.write(value));
     let of = array(&dialect.field(), &literal(values.len()));
-    let about = doc(&documentation::of_base_parameters(listing));
+    let about = doc(&documentation::of_base_parameters(module));
     let visibility = &item.visibility;
     quote! { #about #visibility const BASE_PARAMETERS: #of = [#(#numbers),*]; }
 }

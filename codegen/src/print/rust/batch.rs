@@ -17,11 +17,11 @@ use super::method;
 use super::names::ident;
 use super::results::result_type;
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 
 /// A function of a robot with the runtime at a path.
 pub(super) struct Batched<'p> {
-    listing: &'p Listing,
+    module: &'p Module,
     item: &'p Item,
     function: Function,
     runtime: &'p TokenStream,
@@ -30,14 +30,14 @@ pub(super) struct Batched<'p> {
 
 impl<'p> Batched<'p> {
     pub(super) fn new(
-        listing: &'p Listing,
+        module: &'p Module,
         item: &'p Item,
         function: Function,
         runtime: &'p TokenStream,
         dialect: &'p Dialect,
     ) -> Self {
         Self {
-            listing,
+            module,
             item,
             function,
             runtime,
@@ -47,7 +47,7 @@ impl<'p> Batched<'p> {
 
     /// The function of one state, by its trait.
     pub(super) fn call(&self) -> TokenStream {
-        let lengths = known(&self.listing.spaces);
+        let lengths = known(&self.module.spaces);
         let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
         let (name, arguments) = (
             ident(self.function.name()),
@@ -58,7 +58,7 @@ impl<'p> Batched<'p> {
 
     /// The function's trait, with what computes it.
     pub(super) fn in_trait(&self, body: &TokenStream) -> TokenStream {
-        let lengths = known(&self.listing.spaces);
+        let lengths = known(&self.module.spaces);
         let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
         let generics = method::generics(&[], self.dialect);
         let head = declaration::implementation(self.item, &of, &generics);
@@ -80,7 +80,7 @@ impl<'p> Batched<'p> {
 
     /// The method for slices of states.
     pub(super) fn method(&self) -> TokenStream {
-        let lengths = known(&self.listing.spaces);
+        let lengths = known(&self.module.spaces);
         let runtime = self.runtime;
         let results = self.dialect.local("results");
         let (name, arguments) = (

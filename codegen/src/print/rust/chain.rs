@@ -16,7 +16,8 @@ use super::literals::Numerals;
 use super::results::{square_and_column, two_vectors};
 use super::world::World;
 use crate::joint::Posture;
-use crate::print::{ChainData, DataMotion, Fields, Listing, documentation};
+use crate::module::{ChainData, DataMotion, Module};
+use crate::print::{Fields, documentation};
 use crate::schedule::Length;
 use crate::space::Space;
 
@@ -26,26 +27,26 @@ const PLACEMENT: usize = 12;
 const SCREW: usize = 6;
 
 /// `fn chain() -> ::homogen::Chain<N, F>`, a method where fields enter it.
-pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+pub(super) fn chain(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Runtime(runtime) = &dialect.world else {
         return TokenStream::new();
     };
-    let data = &listing.data;
+    let data = &module.data;
     let Body {
         statements,
         results,
     } = body(
         (&data.program, Length::UNBOUNDED),
         (&[], Returns::Arrays),
-        (Fields::Own(&listing.parameters), &listing.spaces),
+        (Fields::Own(&module.parameters), &module.spaces),
         &dialect.of_data(),
     );
     let results = results.numbers();
     let value = value(data, &results, runtime);
 
-    let about = doc(&documentation::of_chain(listing));
+    let about = doc(&documentation::of_chain(module));
     let visibility = &item.visibility;
-    let lengths = known(&listing.spaces);
+    let lengths = known(&module.spaces);
     let signature = signature(
         (
             &lengths,
@@ -53,11 +54,11 @@ pub(super) fn chain(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
             &literal(data.frames.len()),
         ),
         None,
-        !listing.parameters.is_empty(),
+        !module.parameters.is_empty(),
         runtime,
     );
     // Without parameters there is nothing to compute.
-    let constant = listing.parameters.is_empty().then(|| quote! { const });
+    let constant = module.parameters.is_empty().then(|| quote! { const });
     quote! {
         #about
         #[must_use]

@@ -1,6 +1,6 @@
 //! What stands above Rust.
 //!
-//! In: lines. Out: doc comments, and the head of a file. It never says anything that the listing does
+//! In: lines. Out: doc comments, and the head of a file. It never says anything that the module does
 //! not hold, but for what the code needs to be compiled.
 
 use std::fmt::Write;
@@ -10,7 +10,8 @@ use quote::quote;
 
 use super::names;
 use super::world::{World, spelled};
-use crate::print::{Listing, documentation};
+use crate::module::Module;
+use crate::print::documentation;
 use crate::wording::{code, visible};
 
 /// Lines as a doc comment.
@@ -24,11 +25,11 @@ pub(super) fn doc(lines: &[String]) -> TokenStream {
 
 /// The head of a generated file, as line comments: origin, what was asked for, what it needs, prices.
 #[must_use]
-pub fn header(listing: &Listing, asked: &str, world: &World) -> String {
-    let mut lines = documentation::head(listing, asked);
+pub fn header(module: &Module, asked: &str, world: &World) -> String {
+    let mut lines = documentation::head(module, asked);
     lines.push(needs(world));
-    for (listed, name) in listing.functions.iter().zip(names::of_methods(listing)) {
-        lines.extend(documentation::price(listed, &name.to_string()));
+    for (generated, name) in module.functions.iter().zip(names::of_methods(module)) {
+        lines.extend(documentation::price(generated, &name.to_string()));
     }
     lines.iter().fold(String::new(), |mut text, line| {
         // Writing to a string cannot fail.

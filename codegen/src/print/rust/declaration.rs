@@ -12,22 +12,23 @@ use super::dialect::Dialect;
 use super::item::{Declaration, Item};
 use super::lengths::{array, literal};
 use super::world::World;
-use crate::print::{Listing, documentation};
+use crate::module::Module;
+use crate::print::documentation;
 
 /// The struct itself, where it has to be written.
-pub(super) fn declaration(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+pub(super) fn declaration(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     match &item.declaration {
         Declaration::Exists => TokenStream::new(),
         Declaration::Written(tokens) => tokens.clone(),
-        Declaration::Made => made(listing, item, dialect),
+        Declaration::Made => made(module, item, dialect),
     }
 }
 
-fn made(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+fn made(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let Item {
         visibility, ident, ..
     } = item;
-    let about = doc(&documentation::of_robot(listing, ""));
+    let about = doc(&documentation::of_robot(module, ""));
     let derive = match dialect.world {
         World::Runtime(_) => quote! {
             #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
@@ -35,7 +36,7 @@ fn made(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
         World::Core(_) | World::Lanes(_) => quote! { #[derive(Clone, Copy, Debug)] },
     };
     let number = dialect.field();
-    let fields = listing.parameters.iter().map(|parameter| {
+    let fields = module.parameters.iter().map(|parameter| {
         let field = &parameter.field;
         let about = doc(&[documentation::of_field(&parameter.target)]);
         let kind = match (&dialect.world, parameter.target.entries()) {
@@ -48,7 +49,7 @@ fn made(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
         quote! { #about pub #field: #kind, }
     });
     let layout = dialect.is_for_c().then(|| quote! { #[repr(C)] });
-    if listing.parameters.is_empty() {
+    if module.parameters.is_empty() {
         quote! { #about #derive #visibility struct #ident; }
     } else {
         quote! { #about #derive #layout #visibility struct #ident { #(#fields)* } }

@@ -13,7 +13,7 @@ use super::names::{SIN_COS, ident};
 use super::sines;
 use super::world::{Library, World};
 use crate::formulation::Sines;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::documentation::Angles;
 use crate::real::Real;
 use crate::schedule::{LONGEST_SCOPE, Names};
@@ -285,9 +285,9 @@ impl Dialect {
     }
 
     /// The sines and cosines that the struct has of its own, for programs that have angles.
-    pub fn own_sines(&self, listing: &Listing) -> TokenStream {
-        let mut functions = listing.functions.iter();
-        let angles = functions.any(|listed| !listed.program.angles.is_empty());
+    pub fn own_sines(&self, module: &Module) -> TokenStream {
+        let mut functions = module.functions.iter();
+        let angles = functions.any(|generated| !generated.program.angles.is_empty());
         match &self.world {
             World::Core(Library { sin_cos: None, .. }) if angles => {
                 sines::function(self.real, &self.robot)

@@ -1,6 +1,6 @@
 //! Functions for C: with its calling convention, around the methods.
 //!
-//! In: a [`Listing`] and its struct. Out: a function for each method, and the header that declares
+//! In: a [`Module`] and its struct. Out: a function for each method, and the header that declares
 //! them. Pointers become references to arrays of fixed size, results go to memory that need not hold
 //! anything yet: there is nothing unsafe but the promise that no other function has these names.
 
@@ -15,10 +15,11 @@ use super::lengths::known;
 use super::names::{ident, of_methods};
 use super::results::type_of;
 use super::world::{Library, World};
-use crate::print::{Listed, Listing, c};
+use crate::module::{GeneratedFunction, Module};
+use crate::print::c;
 
 /// The functions, one for each method, where the library says how names begin.
-pub(super) fn functions(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+pub(super) fn functions(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Core(Library {
         c_prefix: Some(prefix),
         ..
@@ -26,40 +27,40 @@ pub(super) fn functions(listing: &Listing, item: &Item, dialect: &Dialect) -> To
     else {
         return TokenStream::new();
     };
-    let methods = listing.functions.iter().zip(of_methods(listing));
+    let methods = module.functions.iter().zip(of_methods(module));
     methods
-        .zip(c::symbols(listing, prefix))
-        .map(|((listed, method), symbol)| {
-            function(listing, item, listed, &method, &symbol, dialect)
+        .zip(c::symbols(module, prefix))
+        .map(|((generated, method), symbol)| {
+            function(module, item, generated, &method, &symbol, dialect)
         })
         .collect()
 }
 
 /// The header that declares them.
 #[must_use]
-pub fn c_header(listing: &Listing, item: &Item, asked: &str, library: &Library) -> Option<String> {
+pub fn c_header(module: &Module, item: &Item, asked: &str, library: &Library) -> Option<String> {
     let prefix = library.c_prefix.as_deref()?;
     let header = c::Header {
         prefix,
         guard: &format!("{prefix}{}_", item.ident.unraw()),
         asked,
-        angles: &library.angles(listing.scalar),
+        angles: &library.angles(module.scalar),
         needs: None,
     };
-    Some(header.text(listing))
+    Some(header.text(module))
 }
 
 fn function(
-    listing: &Listing,
+    module: &Module,
     item: &Item,
-    listed: &Listed,
+    generated: &GeneratedFunction,
     method: &Ident,
     symbol: &str,
     dialect: &Dialect,
 ) -> TokenStream {
     let robot = &item.ident;
-    let lengths = known(&listing.spaces);
-    let arguments = listed.arguments(&listing.spaces);
+    let lengths = known(&module.spaces);
+    let arguments = generated.arguments(&module.spaces);
     let each = arguments.iter();
     let each = each.map(|&argument| arguments::type_of(argument, &lengths, dialect));
     let each: Vec<_> = each.collect();
@@ -67,7 +68,7 @@ fn function(
         .iter()
         .map(|&argument| dialect.argument(argument))
         .collect();
-    let results = c::results(&listed.functions);
+    let results = c::results(&generated.functions);
     let types = results
         .iter()
         .map(|(_, quantity)| type_of(quantity, &lengths, dialect));
@@ -76,7 +77,7 @@ fn function(
         .map(|(name, _)| dialect.local(name))
         .collect();
 
-    let (receiver, value) = if listing.parameters.is_empty() {
+    let (receiver, value) = if module.parameters.is_empty() {
         (TokenStream::new(), quote! { #robot })
     } else {
         let value = dialect.local("robot");
@@ -84,7 +85,7 @@ fn function(
     };
     let call = quote! { #value.#method(#(#arguments),*) };
     // What several functions return is a tuple, several quantities of one a struct.
-    let values: Vec<_> = listed
+    let values: Vec<_> = generated
         .functions
         .iter()
         .map(|function| dialect.local(&format!("{}_", function.name())))
@@ -93,7 +94,7 @@ fn function(
         [value] => quote! { #value },
         values => quote! { (#(#values),*) },
     };
-    let parts = listed
+    let parts = generated
         .functions
         .iter()
         .zip(&values)
@@ -104,7 +105,7 @@ fn function(
                 quote! { #value #part }
             })
         });
-    let body = if let ([result], [_]) = (&*results, &*listed.functions) {
+    let body = if let ([result], [_]) = (&*results, &*generated.functions) {
         quote! { #result.write(#call); }
     } else {
         quote! {

@@ -1,6 +1,6 @@
 //! Functions of numbers side by side.
 //!
-//! In: a [`Listing`], the struct that gets methods, and the path of a crate with a trait `number::Number`. Out: the
+//! In: a [`Module`], the struct that gets methods, and the path of a crate with a trait `number::Number`. Out: the
 //! struct, and a method for each function that takes and returns arrays of numbers, of every result one without
 //! arrays within it. It is Rust that no user reads first: what the functions mean is said where they are called.
 
@@ -16,52 +16,53 @@ use super::lengths::literal;
 use super::names::of_methods;
 use super::steps;
 use super::world::World;
-use crate::print::{Fields, Listed, Listing, c, documentation};
+use crate::module::{GeneratedFunction, Module};
+use crate::print::{Fields, c, documentation};
 use crate::schedule::Length;
 use crate::space::Entity;
 
 /// The struct and its methods.
 #[must_use]
-pub fn lanes(listing: &Listing, item: &Item, path: &TokenStream) -> TokenStream {
+pub fn lanes(module: &Module, item: &Item, path: &TokenStream) -> TokenStream {
     let dialect = Dialect::of(
-        listing.scalar,
-        listing.sines,
+        module.scalar,
+        module.sines,
         item,
         &World::Lanes(path.clone()),
     );
-    let methods = listing.functions.iter().zip(of_methods(listing));
-    let methods = methods.map(|(listed, name)| method(listing, item, listed, &name, &dialect));
+    let methods = module.functions.iter().zip(of_methods(module));
+    let methods = methods.map(|(generated, name)| method(module, item, generated, &name, &dialect));
     let mut methods: TokenStream = methods.collect();
-    methods.extend(steps::steps(listing, item, &dialect));
-    let declaration = declaration::declaration(listing, item, &dialect);
+    methods.extend(steps::steps(module, item, &dialect));
+    let declaration = declaration::declaration(module, item, &dialect);
     let block = declaration::block(item, &methods, &dialect);
     quote! { #declaration #block }
 }
 
 fn method(
-    listing: &Listing,
+    module: &Module,
     item: &Item,
-    listed: &Listed,
+    generated: &GeneratedFunction,
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
     let World::Lanes(path) = &dialect.world else {
         return TokenStream::new();
     };
-    let arguments = listed.arguments(&listing.spaces);
+    let arguments = generated.arguments(&module.spaces);
     let Body {
         statements,
         results,
     } = body(
-        (&listed.program, Length::UNBOUNDED),
+        (&generated.program, Length::UNBOUNDED),
         (&arguments, Returns::Arrays),
-        (Fields::Own(&listing.parameters), &listing.spaces),
+        (Fields::Own(&module.parameters), &module.spaces),
         dialect,
     );
     let results = results.numbers();
     let number = &dialect.number;
     let parameters = arguments.iter().map(|argument| {
-        let length = literal(listing.spaces.len(argument.space()));
+        let length = literal(module.spaces.len(argument.space()));
         let argument = dialect.argument(*argument);
         quote! { #argument: &[#number; #length] }
     });
@@ -73,11 +74,11 @@ fn method(
         quote! { #path::number::Number::like(#first[0], #value) }
     };
     let mut rest = &*results;
-    let quantities = c::results(&listed.functions);
+    let quantities = c::results(&generated.functions);
     let (types, values): (Vec<_>, Vec<_>) = quantities
         .iter()
         .map(|(_, quantity)| {
-            let size = quantity.size(&listing.spaces);
+            let size = quantity.size(&module.spaces);
             let (own, others) = rest.split_at(size.min(rest.len()));
             rest = others;
             let under = under(quantity.entity).iter().map(|&value| constant(value));
@@ -89,7 +90,7 @@ fn method(
         })
         .unzip();
     let bound = dialect.bound();
-    let about = doc(&[documentation::title(listing, listed)]);
+    let about = doc(&[documentation::title(module, generated)]);
     let visibility = &item.visibility;
     quote! {
         #about

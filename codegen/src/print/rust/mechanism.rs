@@ -1,6 +1,6 @@
 //! The robot with its loops as data.
 //!
-//! In: what closes them, as [`LoopsData`](crate::print::LoopsData). Out: the function `mechanism` that
+//! In: what closes them, as [`LoopsData`](crate::module::LoopsData). Out: the function `mechanism` that
 //! returns it as the runtime's `Mechanism`, for the generic recursions that generated code is checked
 //! against; none where there is no loop. It never reads the programs of the generated functions.
 
@@ -16,7 +16,8 @@ use super::lengths::literal;
 use super::results::square_and_column;
 use super::world::World;
 use crate::closure::Row;
-use crate::print::{Fields, Listing, LoopData, documentation};
+use crate::module::{LoopData, Module};
+use crate::print::{Fields, documentation};
 use crate::schedule::Length;
 use crate::space::Space;
 
@@ -25,11 +26,11 @@ const PLACEMENT: usize = 12;
 const LOOP: usize = 2 * PLACEMENT + 1;
 
 /// `fn mechanism() -> ::homogen::Mechanism<N, F, C, Q, B>`, a method where fields enter it.
-pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+pub(super) fn mechanism(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Runtime(runtime) = &dialect.world else {
         return TokenStream::new();
     };
-    let data = &listing.data;
+    let data = &module.data;
     if data.loops.loops.is_empty() {
         return TokenStream::new();
     }
@@ -39,7 +40,7 @@ pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> To
     } = body(
         (&data.loops.program, Length::UNBOUNDED),
         (&[], Returns::Arrays),
-        (Fields::Own(&listing.parameters), &listing.spaces),
+        (Fields::Own(&module.parameters), &module.spaces),
         &dialect.of_data(),
     );
     let results = results.numbers();
@@ -47,13 +48,13 @@ pub(super) fn mechanism(listing: &Listing, item: &Item, dialect: &Dialect) -> To
     let residuals = loops.flat_map(|(closed, numbers)| residuals(closed, numbers, runtime));
     let driven = &data.loops.driven;
 
-    let about = doc(&documentation::of_mechanism(listing));
+    let about = doc(&documentation::of_mechanism(module));
     let visibility = &item.visibility;
-    let length = |space: Space| literal(listing.spaces.len(space));
+    let length = |space: Space| literal(module.spaces.len(space));
     let [velocities, constraints, coordinates] =
         [Space::Velocities, Space::Constraints, Space::Coordinates].map(length);
     let [frames, joints] = [data.frames.len(), data.names.len()].map(literal);
-    let reads_fields = !listing.parameters.is_empty();
+    let reads_fields = !module.parameters.is_empty();
     let this = reads_fields.then(|| quote! { &self });
     let constant = (!reads_fields).then(|| quote! { const });
     let chain = if reads_fields {

@@ -1,6 +1,6 @@
 //! One generated function: its signature, its doc comment, its body, its trait.
 //!
-//! In: a [`Listed`] of a [`Listing`]. Out: an inherent method, and the implementation of a trait
+//! In: a [`GeneratedFunction`] of a [`Module`]. Out: an inherent method, and the implementation of a trait
 //! that calls it. It never prints an operation itself.
 
 use proc_macro2::{Ident, TokenStream};
@@ -17,19 +17,20 @@ use super::names::ident;
 use super::results::{result_type, result_value};
 use super::world::World;
 use crate::function::Function;
+use crate::module::{GeneratedFunction, Module, arguments};
+use crate::print::Fields;
 use crate::print::large::columns;
-use crate::print::{Fields, Listed, Listing, arguments};
 use crate::space::{Space, Spaces};
 
 /// What computes `listed` from what its struct has, to stand between braces.
 pub(super) fn computation(
-    (listed, fields): (&Listed, Fields<'_>),
-    listing: &Listing,
+    (generated, fields): (&GeneratedFunction, Fields<'_>),
+    module: &Module,
     dialect: &Dialect,
 ) -> TokenStream {
-    let spaces = &listing.spaces;
-    let arguments = listed.arguments(spaces);
-    let returns = match (&*listed.functions, columns(&listed.functions, spaces)) {
+    let spaces = &module.spaces;
+    let arguments = generated.arguments(spaces);
+    let returns = match (&*generated.functions, columns(&generated.functions, spaces)) {
         ([only], _) if only.result().is_number() => Returns::Number,
         (_, Some(columns)) => Returns::Matrix(columns),
         (_, None) => Returns::Arrays,
@@ -38,14 +39,14 @@ pub(super) fn computation(
         statements,
         results,
     } = body(
-        (&listed.program, listing.length),
+        (&generated.program, module.length),
         (&arguments, returns),
         (fields, spaces),
         dialect,
     );
     let result = match results {
         Results::Filled(matrix) => matrix.into_token_stream(),
-        Results::Numbers(numbers) => result_value(&listed.functions, spaces, &numbers, dialect),
+        Results::Numbers(numbers) => result_value(&generated.functions, spaces, &numbers, dialect),
     };
     quote! { #statements #result }
 }
@@ -53,7 +54,7 @@ pub(super) fn computation(
 /// The method that computes `listed` by what stands between its braces, under these lines.
 pub(super) fn method(
     (item, spaces): (&Item, &Spaces),
-    (listed, about): (&Listed, &[String]),
+    (generated, about): (&GeneratedFunction, &[String]),
     name: &Ident,
     (computation, dialect): (&TokenStream, &Dialect),
 ) -> TokenStream {
@@ -61,7 +62,7 @@ pub(super) fn method(
     let visibility = &item.visibility;
     let lengths = known(spaces);
     let acted = spaces.actions() > 0;
-    let signature = signature(name, (&listed.functions, acted), &lengths, &[], dialect);
+    let signature = signature(name, (&generated.functions, acted), &lengths, &[], dialect);
     quote! {
         #about
         #[must_use]
@@ -71,16 +72,16 @@ pub(super) fn method(
 
 /// The implementation of a function's trait by the method `name`.
 pub(super) fn in_trait(
-    listing: &Listing,
+    module: &Module,
     item: &Item,
     function: Function,
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
     let arguments = names(function, dialect).into_iter();
-    let lengths = known(&listing.spaces);
+    let lengths = known(&module.spaces);
     // Controllers that serve any robot know of no actions from outside.
-    let acted = listing.spaces.actions() > 0 && function.takes_actions();
+    let acted = module.spaces.actions() > 0 && function.takes_actions();
     let actions = match &dialect.world {
         World::Runtime(runtime) if acted => Some(no_actions(&lengths, runtime)),
         World::Runtime(_) | World::Core(_) | World::Lanes(_) => None,

@@ -5,7 +5,7 @@
 
 use proc_macro2::{Ident, Span};
 
-use crate::print::Listing;
+use crate::module::Module;
 use crate::schedule::{Names, sanitize};
 
 /// The function of sines that a struct has of its own.
@@ -16,15 +16,15 @@ pub(super) fn unscoped() -> Names {
     Names::beside(&KEYWORDS)
 }
 
-/// The names of all methods, in the order of the listing; none is that of a function that a struct
+/// The names of all methods, in the order of the module; none is that of a function that a struct
 /// has besides.
-pub(in crate::print) fn of_methods(listing: &Listing) -> Vec<Ident> {
+pub(in crate::print) fn of_methods(module: &Module) -> Vec<Ident> {
     let mut names = unscoped();
     names.take("chain");
     names.take(SIN_COS);
-    let listed = listing.functions.iter();
-    listed
-        .map(|listed| ident(&names.fresh(&listed.name())))
+    let functions = module.functions.iter();
+    functions
+        .map(|generated| ident(&names.fresh(&generated.name())))
         .collect()
 }
 

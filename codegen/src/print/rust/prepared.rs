@@ -1,6 +1,6 @@
 //! A robot whose fields have been read once and for all.
 //!
-//! In: the functions of a [`Listing`] in two parts. Out: the method `prepare`, which computes what depends on
+//! In: the functions of a [`Module`] in two parts. Out: the method `prepare`, which computes what depends on
 //! fields alone, and the struct that holds it, with a method and a trait for each function. It never
 //! decides what belongs to which part.
 
@@ -19,15 +19,16 @@ use super::method;
 use super::names::{ident, of_methods};
 use super::steps;
 use super::world::World;
-use crate::print::{Fields, Listing, documentation};
+use crate::module::Module;
+use crate::print::{Fields, documentation};
 
 /// The method of the robot, and what stands beside it; nothing where nobody asks.
 pub(super) fn prepared(
-    listing: &Listing,
+    module: &Module,
     item: &Item,
     dialect: &Dialect,
 ) -> (TokenStream, TokenStream) {
-    let Some(prepared) = &listing.prepared else {
+    let Some(prepared) = &module.prepared else {
         return <(TokenStream, TokenStream)>::default();
     };
     let own = of(item, dialect);
@@ -35,9 +36,9 @@ pub(super) fn prepared(
         statements,
         results,
     } = body(
-        (&prepared.once, listing.length),
+        (&prepared.once, module.length),
         (&[], Returns::Arrays),
-        (Fields::Own(&listing.parameters), &listing.spaces),
+        (Fields::Own(&module.parameters), &module.spaces),
         dialect,
     );
     let results = results.numbers();
@@ -54,26 +55,26 @@ pub(super) fn prepared(
     let inside = dialect.of_prepared();
     let mut methods = TokenStream::new();
     let mut beside = TokenStream::new();
-    for (listed, name) in prepared.functions.iter().zip(of_methods(listing)) {
+    for (generated, name) in prepared.functions.iter().zip(of_methods(module)) {
         let fields = Fields::Computed(&prepared.names);
-        let body = method::computation((listed, fields), listing, &inside);
+        let body = method::computation((generated, fields), module, &inside);
         let about = documentation::of_function(
-            listing,
-            listed,
+            module,
+            generated,
             inside.angles().as_ref(),
             Some(&prepared.price),
         );
         methods.extend(method::method(
-            (&own, &listing.spaces),
-            (listed, &about),
+            (&own, &module.spaces),
+            (generated, &about),
             &name,
             (&body, &inside),
         ));
-        if let ([function], None) = (&*listed.functions, &listed.frame) {
-            beside.extend(method::in_trait(listing, &own, *function, &name, &inside));
+        if let ([function], None) = (&*generated.functions, &generated.frame) {
+            beside.extend(method::in_trait(module, &own, *function, &name, &inside));
         }
     }
-    methods.extend(steps::steps(listing, &own, &inside));
+    methods.extend(steps::steps(module, &own, &inside));
     let methods = declaration::block(&own, &methods, &inside);
     let structure = structure(item, &own, prepared.names.len(), dialect);
     (prepare, quote! { #structure #methods #beside })

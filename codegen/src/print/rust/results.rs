@@ -15,7 +15,7 @@ use super::lengths::{Lengths, array, known, literal};
 use super::names::ident;
 use super::world::World;
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 
 /// The type of what `functions` return together.
@@ -73,16 +73,16 @@ fn own_structure(function: Function, dialect: &Dialect) -> Ident {
 }
 
 /// The structs that functions return, where there is no runtime to have them.
-pub(super) fn own_structures(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Core(_) = dialect.world else {
         return TokenStream::new();
     };
-    let mut functions: Vec<Function> = (listing.functions.iter())
-        .flat_map(|listed| listed.functions.iter().copied())
+    let mut functions: Vec<Function> = (module.functions.iter())
+        .flat_map(|generated| generated.functions.iter().copied())
         .collect();
     functions.sort_unstable();
     functions.dedup();
-    let lengths = known(&listing.spaces);
+    let lengths = known(&module.spaces);
     let structures = functions.into_iter().filter_map(|function| {
         let Outcome::Parts(parts) = function.result() else {
             return None;

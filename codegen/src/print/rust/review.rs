@@ -1,6 +1,6 @@
 //! What the reviewer of a file reads beside its code.
 //!
-//! In: a [`Listing`] with its [`Review`](crate::print::Review), and its struct. Out: names and limits as constants of
+//! In: a [`Module`] with its [`Review`](crate::module::Review), and its struct. Out: names and limits as constants of
 //! the struct, and behind the items a module of tests and where numbers come from. It never prints an operation.
 
 use std::fmt::Write;
@@ -17,8 +17,9 @@ use super::lengths::{array, literal};
 use super::literals::Numerals;
 use super::names::{ident, of_methods};
 use super::world::World;
+use crate::module::{GeneratedFunction, Module, Vector};
+use crate::print::c;
 use crate::print::review::{self, Limits};
-use crate::print::{Listed, Listing, Vector, c};
 use crate::real::Real;
 use crate::schedule::Names;
 use crate::space::{ACTION, Variable};
@@ -26,7 +27,7 @@ use crate::template;
 use crate::wording::visible;
 
 /// The constants, in a block of their own.
-pub(super) fn constants(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
+pub(super) fn constants(listing: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     if listing.review.is_none() {
         return TokenStream::new();
     }
@@ -81,7 +82,7 @@ fn string(text: &str) -> Literal {
 
 /// What stands behind the items: tests, and where numbers come from.
 #[must_use]
-pub fn appendix(listing: &Listing, item: &Item, world: &World) -> String {
+pub fn appendix(listing: &Module, item: &Item, world: &World) -> String {
     let mut text = String::new();
     if let World::Core(_) = world {
         text.push_str(&tests(listing, item));
@@ -98,7 +99,7 @@ pub fn appendix(listing: &Listing, item: &Item, world: &World) -> String {
 }
 
 /// A module with a test for each function.
-fn tests(listing: &Listing, item: &Item) -> String {
+fn tests(listing: &Module, item: &Item) -> String {
     let vectors = listing
         .review
         .as_ref()
@@ -148,20 +149,20 @@ fn words(calls: &str) -> Names {
 }
 
 /// A test for each function.
-fn calls(listing: &Listing, vectors: &[Vector], robot: &str, number: &str) -> String {
+fn calls(listing: &Module, vectors: &[Vector], robot: &str, number: &str) -> String {
     let mut text = String::new();
     let functions = listing
         .functions
         .iter()
         .zip(of_methods(listing))
         .enumerate();
-    for (function, (listed, method)) in functions {
+    for (function, (generated, method)) in functions {
         let own = vectors.iter().filter(|vector| vector.function == function);
         let calls: String = own
             .map(|vector| {
                 call(
                     listing,
-                    (listed, vector),
+                    (generated, vector),
                     (robot, &method.to_string()),
                     number,
                 )
@@ -177,8 +178,8 @@ fn calls(listing: &Listing, vectors: &[Vector], robot: &str, number: &str) -> St
 
 /// The statements that call a method and look at what it returns.
 fn call(
-    listing: &Listing,
-    (listed, vector): (&Listed, &Vector),
+    listing: &Module,
+    (generated, vector): (&GeneratedFunction, &Vector),
     (robot, method): (&str, &str),
     number: &str,
 ) -> String {
@@ -234,7 +235,7 @@ fn call(
         arguments.join(", ")
     ));
     let (mut expected, mut tolerances) = (&*vector.expected, &*vector.tolerances);
-    for (place, quantity) in results(listed) {
+    for (place, quantity) in results(generated) {
         let size = quantity.size(&listing.spaces);
         let (own, rest) = expected.split_at(size.min(expected.len()));
         let (most, others) = tolerances.split_at(size.min(tolerances.len()));
@@ -260,9 +261,9 @@ fn call(
 }
 
 /// The places of the results of a function behind `found`, and what each is.
-fn results(listed: &Listed) -> Vec<(String, crate::space::Quantity)> {
-    let several = listed.functions.len() > 1;
-    let functions = listed.functions.iter().enumerate();
+fn results(generated: &GeneratedFunction) -> Vec<(String, crate::space::Quantity)> {
+    let several = generated.functions.len() > 1;
+    let functions = generated.functions.iter().enumerate();
     let places = functions.flat_map(|(k, function)| {
         let place = if several {
             format!("found.{k}")

@@ -15,26 +15,26 @@ use super::item::Item;
 use super::lengths::{array, literal};
 use super::world::World;
 use crate::joint::Posture;
+use crate::module::{DataMotion, Module};
 use crate::print::steps::Step;
-use crate::print::{DataMotion, Listing};
 use crate::space::Space;
 
 /// The methods, where the robot needs them.
-pub(super) fn steps(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenStream {
-    let of_robot = Step::of(listing);
+pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
+    let of_robot = Step::of(module);
     if of_robot.is_empty() {
         return TokenStream::new();
     }
     let (kernels, neutral) = match &dialect.world {
         World::Runtime(runtime) => (
             quote! { #runtime::robot::posture },
-            neutral(listing, item, runtime, dialect),
+            neutral(module, item, runtime, dialect),
         ),
         World::Lanes(path) => (quote! { #path::posture }, TokenStream::new()),
         World::Core(_) => return TokenStream::new(),
     };
     let steps = Steps {
-        motions: &listing.data.motions,
+        motions: &module.data.motions,
         kernels,
         dialect,
     };
@@ -43,14 +43,14 @@ pub(super) fn steps(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
         let visibility = &item.visibility;
         let name = format_ident!("{}", step.name());
         let generics = dialect.bound().map(|bound| quote! { <#bound> });
-        let row = |space| array(&dialect.number, &literal(listing.spaces.len(space)));
+        let row = |space| array(&dialect.number, &literal(module.spaces.len(space)));
         let arguments = step.arguments().iter().map(|&(argument, space)| {
             let (argument, row) = (dialect.local(argument), row(space));
             quote! { #argument: &#row }
         });
         let head = quote! { #visibility fn #name #generics(&self, #(#arguments),*) };
         let result = row(step.result());
-        let (statements, entries) = steps.body(step, listing);
+        let (statements, entries) = steps.body(step, module);
         match &dialect.world {
             World::Lanes(_) => quote! {
                 #about #[inline(always)] #head -> (#result,) { #statements ([#(#entries),*],) }
@@ -64,20 +64,15 @@ pub(super) fn steps(listing: &Listing, item: &Item, dialect: &Dialect) -> TokenS
 }
 
 /// The method `neutral`.
-fn neutral(
-    listing: &Listing,
-    item: &Item,
-    runtime: &TokenStream,
-    dialect: &Dialect,
-) -> TokenStream {
+fn neutral(module: &Module, item: &Item, runtime: &TokenStream, dialect: &Dialect) -> TokenStream {
     let about = doc(&[
         "Coordinates at which every joint stands where it was placed.".to_owned(),
         "Zeros, and 0, 0, 0, 1 of quaternions (x, y, z, w).".to_owned(),
     ]);
     let (number, visibility) = (&dialect.number, &item.visibility);
     let generics = dialect.bound().map(|bound| quote! { <#bound> });
-    let row = array(number, &literal(listing.spaces.len(Space::Coordinates)));
-    let entries = joints(&listing.data.motions).flat_map(|own| {
+    let row = array(number, &literal(module.spaces.len(Space::Coordinates)));
+    let entries = joints(&module.data.motions).flat_map(|own| {
         let count = own.coordinates.len();
         let is_one = move |k| k + 1 == count && quaternion(own.motion).is_some();
         (0..count).map(move |k| {
@@ -129,9 +124,9 @@ fn joints(motions: &[DataMotion]) -> impl Iterator<Item = Own> {
 
 impl Steps<'_> {
     /// Statements, and the entries of the result.
-    fn body(&self, step: Step, listing: &Listing) -> (TokenStream, Vec<TokenStream>) {
+    fn body(&self, step: Step, module: &Module) -> (TokenStream, Vec<TokenStream>) {
         let arguments = step.arguments().iter().map(|&(argument, space)| {
-            let entries = self.names(argument, 0..listing.spaces.len(space));
+            let entries = self.names(argument, 0..module.spaces.len(space));
             (self.dialect.local(argument), entries)
         });
         let (arguments, entries): (Vec<_>, Vec<_>) = arguments.unzip();

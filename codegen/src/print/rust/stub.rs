@@ -14,7 +14,7 @@ use super::names::{ident, unscoped};
 use super::world::World;
 use super::{batch, chain, declaration, mechanism, method, prepared};
 use crate::function::Function;
-use crate::print;
+use crate::module;
 use crate::real::Real;
 use crate::request::Request;
 use crate::space::{Space, Spaces};
@@ -101,7 +101,7 @@ fn functions(
             if frame.is_some() && !functions.iter().all(|function| function.of_a_frame()) {
                 continue;
             }
-            let name = ident(&names.fresh(&print::name(functions, frame)));
+            let name = ident(&names.fresh(&module::name(functions, frame)));
             let further = functions
                 .iter()
                 .any(|function| function.further().next().is_some());

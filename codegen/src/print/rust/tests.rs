@@ -10,7 +10,7 @@ use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::layout::Layout;
-use crate::print::{About, ChainData, DataMotion, Listed, Listing, LoopsData};
+use crate::module::{About, ChainData, DataMotion, GeneratedFunction, LoopsData, Module};
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Length, Operand, Operation, Price, Program, Step};
@@ -60,9 +60,9 @@ fn gravity(mass: Operand) -> Program {
     }
 }
 
-pub(crate) fn listed(functions: &[Function], program: Program) -> Listed {
+pub(crate) fn generated(functions: &[Function], program: Program) -> GeneratedFunction {
     let price = Price::of(&program).beside_dense(384, 288);
-    Listed {
+    GeneratedFunction {
         functions: functions.to_vec(),
         frame: None,
         layout: Layout::DESCRIBED,
@@ -109,7 +109,7 @@ pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
 }
 
 /// The arm, its gravity torques, and its data.
-pub(crate) fn listing(scalar: Real) -> Listing {
+pub(crate) fn module(scalar: Real) -> Module {
     let identity = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let axis = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
     let inertia = [0.0833, 0.0, 0.0, 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.5];
@@ -121,7 +121,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
         &[0.0, -9.81, 0.0][..],
     ]
     .concat();
-    Listing {
+    Module {
         spaces: turning(["shoulder", "elbow"].map(str::to_owned)),
         about: About {
             driven: false,
@@ -136,7 +136,7 @@ pub(crate) fn listing(scalar: Real) -> Listing {
             formulation: Vec::new(),
             ..About::default()
         },
-        functions: vec![listed(&[Function::Gravity], gravity(literal(0.5)))],
+        functions: vec![generated(&[Function::Gravity], gravity(literal(0.5)))],
         data: ChainData {
             names: vec!["shoulder".to_owned(), "elbow".to_owned()],
             parents: vec![None, Some(0)],
@@ -174,24 +174,24 @@ fn made() -> Item {
 }
 
 /// What is printed for a crate that has the runtime.
-fn with_runtime(listing: &Listing) -> String {
-    pretty(&print(listing, &pendulum(), &World::default()))
+fn with_runtime(module: &Module) -> String {
+    pretty(&print(module, &pendulum(), &World::default()))
 }
 
 fn pretty(tokens: &TokenStream) -> String {
     Source::new("", tokens).to_string()
 }
 
-/// The listing with the mass of the second rod as a field.
-pub(crate) fn with_payload(mut listing: Listing) -> Listing {
+/// The module with the mass of the second rod as a field.
+pub(crate) fn with_payload(mut module: Module) -> Module {
     let payload = Operand::Input(Input::Parameter(0, 0));
-    listing.functions = vec![listed(&[Function::Gravity], gravity(payload))];
-    listing.parameters = vec![Parameter {
+    module.functions = vec![generated(&[Function::Gravity], gravity(payload))];
+    module.parameters = vec![Parameter {
         field: format_ident!("payload"),
         target: Target::MassOf(name("rod-2")),
         range: None,
     }];
-    listing
+    module
 }
 
 /// The text of the method or function `name`, without its doc comment and attributes.
@@ -205,7 +205,7 @@ fn function<'a>(text: &'a str, name: &str) -> &'a str {
 
 #[test]
 fn the_methods_of_a_struct_that_exists() {
-    let text = with_runtime(&listing(Real::Generic));
+    let text = with_runtime(&module(Real::Generic));
     let start = r#"#[allow(
     clippy::approx_constant,
     clippy::large_stack_arrays,
@@ -254,7 +254,7 @@ impl<T: ::homogen::Scalar> ::homogen::robot::Gravity<2, T> for Pendulum {
 
 #[test]
 fn the_robot_as_data() {
-    let text = with_runtime(&listing(Real::F32));
+    let text = with_runtime(&module(Real::F32));
     let chain = function(&text, "chain");
     assert!(
         chain.starts_with("fn chain() -> ::homogen::Chain<2, 1> {"),
@@ -283,7 +283,7 @@ fn the_robot_as_data() {
 #[test]
 fn a_field_is_converted_whatever_its_type() {
     let load = |real| {
-        let text = with_runtime(&with_payload(listing(real)));
+        let text = with_runtime(&with_payload(module(real)));
         let statements = function(&text, "gravity").to_owned();
         let start = statements.find("let payload").expect("the field is read");
         let end = statements
@@ -304,13 +304,13 @@ fn a_field_is_converted_whatever_its_type() {
 
 #[test]
 fn several_functions_are_a_tuple_and_have_no_trait() {
-    let mut listing = listing(Real::F64);
+    let mut module = module(Real::F64);
     let together = [Function::MassMatrix, Function::Gravity];
-    listing.functions = vec![listed(
+    module.functions = vec![generated(
         &together,
         constant(&[1.0, 0.5, 0.5, 0.25, 0.0, 0.0]),
     )];
-    let text = with_runtime(&listing);
+    let text = with_runtime(&module);
     let body = function(&text, "mass_matrix_and_gravity");
     let end = "let _ = q;\n        ([[1.0_f64, 0.5_f64], [0.5_f64, 0.25_f64]], [0.0_f64, 0.0_f64])";
     assert!(body.ends_with(end), "{body}");
@@ -319,14 +319,14 @@ fn several_functions_are_a_tuple_and_have_no_trait() {
 
 #[test]
 fn further_frames_have_methods_of_their_own() {
-    let mut listing = listing(Real::F64);
-    listing.functions = ["hand-eye", "hand eye"]
-        .map(|frame| Listed {
+    let mut module = module(Real::F64);
+    module.functions = ["hand-eye", "hand eye"]
+        .map(|frame| GeneratedFunction {
             frame: Some(frame.to_owned()),
-            ..listed(&[Function::Velocity], constant(&[0.0; 6]))
+            ..generated(&[Function::Velocity], constant(&[0.0; 6]))
         })
         .to_vec();
-    let text = with_runtime(&listing);
+    let text = with_runtime(&module);
     let body = function(&text, "velocity_of_hand_eye(");
     assert!(body.contains("::homogen::Velocity::new("), "{body}");
     function(&text, "velocity_of_hand_eye_(");

@@ -118,7 +118,7 @@ const MUTATIONS: [Mutation; 46] = [
         from: "for _ in 0..=refinements {\n        let needed",
         to: "for _ in 0..refinements.max(1) {\n        let needed",
         noticed_by: engine(
-            "expand::forward::tests::a_refinement_brings_back_the_digits_that_the_mass_matrix_lost",
+            "plan::forward::tests::a_refinement_brings_back_the_digits_that_the_mass_matrix_lost",
         ),
     },
     Mutation {

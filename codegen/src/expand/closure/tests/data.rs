@@ -4,12 +4,12 @@ use super::{FOUR_BAR, PIN, described};
 use crate::check::Check;
 use crate::expand::{expand, understand};
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::c;
 use crate::print::rust::{Item, Source, World, print};
 use crate::request::Request;
 
-fn listing() -> Listing {
+fn module() -> Module {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let request = Request {
         functions: vec![vec![Function::ConstraintJacobian]],
@@ -24,7 +24,7 @@ fn data_that_closes_something_else_is_refused() {
     let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let check =
         Check::of(&description, &request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
-    let mut data = listing().data;
+    let mut data = module().data;
     check
         .judge_data(&data)
         .unwrap_or_else(|errors| panic!("{errors}"));
@@ -37,7 +37,7 @@ fn data_that_closes_something_else_is_refused() {
 #[test]
 fn a_robot_with_loops_is_a_mechanism() {
     let (item, world) = (Item::named_after("four bar"), World::default());
-    let text = Source::new("", &print(&listing(), &item, &world)).to_string();
+    let text = Source::new("", &print(&module(), &item, &world)).to_string();
     assert!(
         text.contains("pub const fn mechanism() -> ::homogen::Mechanism<3, 0, 2, 3, 3> {"),
         "{text}"
@@ -49,7 +49,7 @@ fn a_robot_with_loops_is_a_mechanism() {
             "{text}"
         );
     }
-    let mut open = listing();
+    let mut open = module();
     open.data.loops.loops.clear();
     let text = Source::new("", &print(&open, &item, &world)).to_string();
     assert!(!text.contains("mechanism"), "{text}");
@@ -63,7 +63,7 @@ fn headers_of_c_count_residuals() {
         asked: "",
         fused: false,
     };
-    let c::Source { header, .. } = c::print(&listing(), &writing);
+    let c::Source { header, .. } = c::print(&module(), &writing);
     for part in [
         "/* The entries of the residuals of loops. */\nenum {\n    BARS_C_PIN_X, /* `pin.x` */\n",
         "    BARS_C_PIN_Y, /* `pin.y` */\n    BARS_NC\n};\n",

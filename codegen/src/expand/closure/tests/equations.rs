@@ -7,12 +7,13 @@ use super::{
 };
 use crate::accuracy::Accuracy;
 use crate::check::Check;
-use crate::expand::{expand, program_by, program_for, understand};
+use crate::expand::{expand, understand};
 use crate::formulation::{Angles, Formulation, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::list::Id;
 use crate::model::Way;
+use crate::plan::{program_by, program_for};
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
@@ -168,7 +169,7 @@ fn every_kind_is_what_the_description_says_in_both_precisions() {
                 };
                 let program =
                     program_by(&chain, &[function], FrameId::FIRST, Layout::DESCRIBED, way);
-                let judged = check.judge(&[function], FrameId::FIRST, &program, scalar);
+                let judged = check.judge_program(&[function], FrameId::FIRST, &program, scalar);
                 judged.unwrap_or_else(|errors| panic!("{kind} {scalar:?}: {errors}"));
             }
         }
@@ -187,19 +188,19 @@ fn more_residuals_than_passive_joints_are_held_against_the_description_as_well()
         actuated: ["trunk", "left_1", "right_1"].map(Into::into).to_vec(),
         ..request
     };
-    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let check =
         Check::of(&description, &request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
     let function = [Function::ActuatedInverseDynamics];
-    let mut program = listing.functions[0].program.clone();
+    let mut program = module.functions[0].program.clone();
     check
-        .judge(&function, FrameId::FIRST, &program, Real::F64)
+        .judge_program(&function, FrameId::FIRST, &program, Real::F64)
         .unwrap_or_else(|errors| panic!("{errors}"));
     program.results.swap(0, 1);
     assert!(
         check
-            .judge(&function, FrameId::FIRST, &program, Real::F64)
+            .judge_program(&function, FrameId::FIRST, &program, Real::F64)
             .is_err()
     );
 }
@@ -216,12 +217,12 @@ fn bounds_are_told_of_residuals_by_name() {
         functions: vec![vec![Function::ConstraintJacobian]],
         ..request
     };
-    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-    let residuals = listing.spaces.names(Space::Constraints).map(str::to_owned);
+    let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let residuals = module.spaces.names(Space::Constraints).map(str::to_owned);
     let residuals: Vec<String> = residuals.collect();
-    assert!(residuals.len() > listing.spaces.len(Space::Velocities));
-    let [Accuracy::Within(promise)] = &*listing.functions[0].accuracy else {
-        panic!("{:?}", listing.functions[0].accuracy);
+    assert!(residuals.len() > module.spaces.len(Space::Velocities));
+    let [Accuracy::Within(promise)] = &*module.functions[0].accuracy else {
+        panic!("{:?}", module.functions[0].accuracy);
     };
     let mut named = promise.bounds.iter().map(|bound| bound.joint.as_ref());
     assert!(named.all(|name| name.is_some_and(|name| residuals.contains(name))));

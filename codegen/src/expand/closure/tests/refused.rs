@@ -1,9 +1,9 @@
-//! What is listed of robots with loops and of others; loops and drives that cannot be.
+//! What is generated of robots with loops and of others; loops and drives that cannot be.
 
 use super::{FOUR_BAR, PIN, chain, described};
 use crate::expand::{expand, understand};
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::print::rust::{Item, Source, World, methods};
 use crate::request::Request;
 
@@ -15,14 +15,14 @@ fn all_that_a_robot_with_loops_can_have_is_listed() {
         actuated: vec!["a".into()],
         ..request
     };
-    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-    let listed: Vec<Function> = (listing.functions.iter())
-        .flat_map(|listed| listed.functions.clone())
+    let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let generated: Vec<Function> = (module.functions.iter())
+        .flat_map(|generated| generated.functions.clone())
         .collect();
     for function in Function::OF_LOOPS {
-        assert!(listed.contains(&function), "{function:?}");
+        assert!(generated.contains(&function), "{function:?}");
     }
-    let facts = &listing.about.facts;
+    let facts = &module.about.facts;
     let told = "closed whatever the joints do: pin.z, pin.xz and pin.yz";
     assert!(facts.iter().any(|fact| fact == told), "{facts:?}");
 }
@@ -30,16 +30,16 @@ fn all_that_a_robot_with_loops_can_have_is_listed() {
 #[test]
 fn what_leaves_loops_open_says_so() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
-    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let (item, world) = (Item::named_after("four bar"), World::default());
     let open = "/// Loops are left open: what counts is the tree of joints that hangs on the base";
-    for listed in &listing.functions {
-        let alone = Listing {
-            functions: vec![listed.clone()],
-            ..listing.clone()
+    for generated in &module.functions {
+        let alone = Module {
+            functions: vec![generated.clone()],
+            ..module.clone()
         };
         let text = Source::new("", &methods(&alone, &item, &world)).to_string();
-        let [function] = &*listed.functions else {
+        let [function] = &*generated.functions else {
             panic!("one at a time");
         };
         assert_eq!(text.contains(open), !function.is_of_loops(), "{function:?}");
@@ -95,12 +95,16 @@ fn functions_of_loops_are_refused_where_there_is_none() {
             "{told}"
         );
     }
-    let listing = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-    let listed = listing
+    let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    let generated = module
         .functions
         .iter()
-        .flat_map(|listed| &listed.functions);
-    assert!(listed.into_iter().all(|function| !function.is_of_loops()));
+        .flat_map(|generated| &generated.functions);
+    assert!(
+        generated
+            .into_iter()
+            .all(|function| !function.is_of_loops())
+    );
 }
 
 #[test]

@@ -3,11 +3,12 @@
 use super::{FOUR_BAR, PIN, chain, closed_four_bar, described, plain, values};
 use crate::chain::Chain;
 use crate::closure::Row;
-use crate::expand::{expand, program_by, understand};
+use crate::expand::{expand, understand};
 use crate::expression::Input;
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::model::Way;
+use crate::plan::program_by;
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::run;

@@ -1,14 +1,14 @@
 //! Functions that take slices of states besides, as text.
 
-use super::{function, listing, made, name, pretty, stub, with_runtime};
-use crate::print::Listing;
+use super::{function, made, module, name, pretty, stub, with_runtime};
+use crate::module::Module;
 use crate::real::Real;
 use crate::request::Request;
 
-fn batched() -> Listing {
-    Listing {
+fn batched() -> Module {
+    Module {
         batch: true,
-        ..listing(Real::Generic)
+        ..module(Real::Generic)
     }
 }
 
@@ -39,7 +39,7 @@ fn what_computes_is_inlined_and_both_methods_call_it() {
 
 #[test]
 fn nothing_is_said_of_batches_where_none_are_asked_for() {
-    let text = with_runtime(&listing(Real::Generic));
+    let text = with_runtime(&module(Real::Generic));
     assert!(
         !text.contains("batch") && !text.contains("inline(always)"),
         "{text}"

@@ -4,11 +4,11 @@ use quote::{ToTokens, format_ident};
 use syn::{Block, Expr, ImplItem, Item as SynItem, Stmt};
 
 use super::super::{Library, World, print};
-use super::{listed, listing, made, name, pretty, turning, with_runtime};
+use super::{generated, made, module, name, pretty, turning, with_runtime};
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
-use crate::print::Listing;
+use crate::module::Module;
 use crate::real::Real;
 use crate::request::{Parameter, Target};
 use crate::schedule::{LONGEST_SCOPE, Length, Operand, Operation, Program, Step};
@@ -45,19 +45,19 @@ fn program() -> Program {
     }
 }
 
-fn long(scalar: Real) -> Listing {
-    let mut listing = listing(scalar);
-    listing.spaces = turning((0..JOINTS).map(|joint| format!("joint {joint}")));
-    listing.parameters = (0..FIELDS)
+fn long(scalar: Real) -> Module {
+    let mut module = module(scalar);
+    module.spaces = turning((0..JOINTS).map(|joint| format!("joint {joint}")));
+    module.parameters = (0..FIELDS)
         .map(|field| Parameter {
             field: format_ident!("center_{field}"),
             target: Target::CenterOfMassOf(name("link")),
             range: None,
         })
         .collect();
-    listing.functions = vec![listed(&[Function::Gravity], program())];
-    listing.sines = Sines::Platform;
-    listing
+    module.functions = vec![generated(&[Function::Gravity], program())];
+    module.sines = Sines::Platform;
+    module
 }
 
 /// How many statements of a block and of those around it come one after the other at most.
@@ -108,7 +108,7 @@ fn nothing_is_below_more_than_two_scopes() {
 #[test]
 fn sections_stand_within_the_function_that_calls_them() {
     const MOST: usize = 120;
-    let cut = |scalar| Listing {
+    let cut = |scalar| Module {
         length: Length::at_most(MOST),
         ..long(scalar)
     };
@@ -148,7 +148,7 @@ fn sections_stand_within_the_function_that_calls_them() {
 /// What is no longer than it may be stays as it was, byte for byte.
 #[test]
 fn nothing_is_cut_where_it_need_not_be() {
-    let whole = Listing {
+    let whole = Module {
         length: Length::at_most(STEPS as usize),
         ..long(Real::Generic)
     };

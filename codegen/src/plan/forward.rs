@@ -130,7 +130,7 @@ pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
 }
 
 /// Whether an error leaves half of the digits of a type.
-pub(super) fn keeps_half(error: f64, scalar: Real) -> bool {
+pub fn keeps_half(error: f64, scalar: Real) -> bool {
     error <= scalar.roundoff().sqrt().recip()
 }
 
@@ -170,7 +170,7 @@ pub(super) fn hopeless(
 ///
 /// Where no function is named, a robot of many joints is not looked at: that takes as long as to generate
 /// its mass matrix.
-pub(super) fn doubts(chain: &Chain, request: &Request) -> Vec<Complaint> {
+pub(crate) fn doubts(chain: &Chain, request: &Request) -> Vec<Complaint> {
     const UNASKED: usize = 40;
     let most = if request.functions.is_empty() {
         UNASKED

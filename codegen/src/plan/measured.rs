@@ -7,7 +7,6 @@
 
 use super::program::expressions_by;
 use super::solvable::field;
-use crate::accuracy::range::Range;
 use crate::chain::Chain;
 use crate::expression::{Arithmetic, Double, Evaluation, Input};
 use crate::formulation::Forward;
@@ -16,6 +15,7 @@ use crate::layout::Layout;
 use crate::list::Id;
 use crate::model::Way;
 use crate::quaternion::of_length_1;
+use crate::range::Range;
 use crate::real::Real;
 use crate::schedule::{Program, run};
 use crate::space::{FrameId, Variable};
@@ -81,16 +81,16 @@ pub(super) const fn allowed(function: Function) -> f64 {
 /// How far off a program is, beside its largest result \[u\]; of a function that may be farther off by so much
 /// less.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Off {
+pub struct Off {
     /// In the worst of a thousand states, as far as a few tell.
-    pub(super) worst: f64,
+    pub worst: f64,
     /// In an eighth of all states at least, to the same scale: what a robot loses that does not only pass
     /// through a posture in which it is singular.
-    pub(super) eighth: f64,
+    pub eighth: f64,
     /// What the mass matrix times its inverse is off from one in the worst state, beside what it is a sum of. Near a
     /// singular posture all forms lose the same digits of an inverse's largest entries, and yet one may
     /// invert and another not. Not looked at where results are accurate enough.
-    pub(super) unsolved: f64,
+    pub unsolved: f64,
 }
 
 impl Off {

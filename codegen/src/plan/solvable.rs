@@ -6,7 +6,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::accuracy::range::Range;
 use crate::chain::{BodyId, Chain, Joint, physical};
 use crate::error::{Complaint, Errors};
 use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
@@ -14,6 +13,7 @@ use crate::layout::{Layout, arrange};
 use crate::list::{Id, List};
 use crate::model;
 use crate::quaternion::normalize;
+use crate::range::Range;
 use crate::request::FieldId;
 use crate::space::{Variable, VelocityId};
 use crate::wording::{list, quoted};

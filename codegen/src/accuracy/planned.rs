@@ -1,0 +1,143 @@
+//! What is promised of the results of a plan: of all that are evaluated, and of each that solves something.
+//!
+//! In: a [`Plan`], which knows the programs that a bound needs. Out: an [`Accuracy`] of each. It chooses nothing.
+
+use std::cell::OnceCell;
+
+use super::{
+    Accuracy, Articulated, Means, of, of_accelerations, of_derivatives, of_inverse,
+    of_refined_inverse,
+};
+use crate::formulation::Forward;
+use crate::function::{Function, Given, Truth};
+use crate::plan::{Plan, keeps_half};
+use crate::real::Real;
+
+/// Why solutions have no bound in `f32`.
+const UNDONE: &str = "less than half of the digits may be left";
+
+/// What is promised of the results of a plan.
+#[must_use]
+pub fn of_plan(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
+    let evaluated = of(plan.chain, &plan.functions, &plan.program, means);
+    let promised = evaluated.into_iter().chain(solved(plan, means));
+    // What would be refused in f32, where it loses as many units, promises nothing there.
+    if means.scalar != Real::Generic || keeps_half(plan.off.worst, Real::F32) {
+        return promised.collect();
+    }
+    let promised = promised.map(|accuracy| match accuracy {
+        solved @ (Accuracy::Backward(..) | Accuracy::BesideDiagonal(_)) => {
+            solved.without_single(UNDONE)
+        }
+        other => other,
+    });
+    promised.collect()
+}
+
+/// What is promised of each function that solves something; what several solve is said once.
+fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
+    let has_residual = has_residual(plan.way.forward);
+    let promises = Promises::of(plan, means);
+    let mut said = Vec::new();
+    let mut promised = Vec::new();
+    for function in &plan.functions {
+        let Truth::Solution(given) = function.truth() else {
+            if function.is_constrained() {
+                let reason = "none is derived where loops are held together";
+                promised.push(Accuracy::Unknown(reason));
+            }
+            continue;
+        };
+        // Derivatives are of accelerations that are found, and M⁻¹ is one of them. Of what is made with an inverse no
+        // more can be said than of that.
+        let givens: &[Given] = match given {
+            Given::TorqueDerivatives if !has_residual => {
+                &[Given::Torques, Given::TorqueDerivatives, Given::MassMatrix]
+            }
+            _ => &[given],
+        };
+        for &given in givens {
+            if !said.contains(&given) {
+                said.push(given);
+                promised.push(promises.solution(given));
+            }
+        }
+    }
+    promised
+}
+
+const fn has_residual(forward: Forward) -> bool {
+    matches!(forward, Forward::MassMatrix { refinements: 1.. })
+}
+
+/// What bounds of solutions are made of.
+struct Promises<'p> {
+    plan: &'p Plan<'p>,
+    means: Means,
+    bodies: OnceCell<Result<Articulated<'p>, &'static str>>,
+}
+
+impl<'p> Promises<'p> {
+    const fn of(plan: &'p Plan<'p>, means: Means) -> Self {
+        Self {
+            plan,
+            means,
+            bodies: OnceCell::new(),
+        }
+    }
+
+    fn solution(&self, given: Given) -> Accuracy {
+        let &Plan {
+            chain,
+            layout,
+            way,
+            ref programs,
+            ..
+        } = self.plan;
+        let means = self.means;
+        let equation = || programs.equation(layout, way, has_residual(way.forward));
+        let torque_derivatives =
+            || programs.function(Function::InverseDynamicsDerivatives, layout, way);
+        match (given, way.forward) {
+            (Given::Torques, Forward::MassMatrix { refinements }) => {
+                of_accelerations(chain, &equation(), refinements, means)
+            }
+            (Given::Torques, Forward::Articulated) => {
+                self.of_bodies(|bodies| bodies.accelerations(means))
+            }
+            (Given::MassMatrix, Forward::Articulated) => {
+                self.of_bodies(|bodies| bodies.inverse(means))
+            }
+            (Given::TorqueDerivatives, Forward::Articulated) => {
+                self.of_bodies(|bodies| bodies.derivatives(&torque_derivatives(), means))
+            }
+            (Given::MassMatrix, Forward::UNREFINED) => {
+                let mass_matrix = programs.function(Function::MassMatrix, layout, way);
+                of_inverse(chain, &mass_matrix, means)
+            }
+            (Given::MassMatrix, Forward::MassMatrix { refinements }) => {
+                let at_rest = programs.equation_at_rest(layout, way);
+                of_refined_inverse(chain, &at_rest, refinements, means)
+            }
+            (Given::TorqueDerivatives, Forward::UNREFINED) => {
+                of_derivatives(chain, &equation(), &torque_derivatives(), means)
+            }
+            (Given::TorqueDerivatives, _) => {
+                Accuracy::Unknown("none is derived of an inverse that is refined")
+            }
+        }
+    }
+
+    fn of_bodies(&self, promised: impl Fn(&Articulated<'_>) -> Accuracy) -> Accuracy {
+        let Plan {
+            chain, layout, way, ..
+        } = self.plan;
+        let bodies = self
+            .bodies
+            .get_or_init(|| Articulated::of(chain, *layout, *way));
+        match bodies {
+            Ok(bodies) => promised(bodies),
+            Err(reason) => Accuracy::Unknown(reason),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Functions that are left out, where all that a robot can have were asked for.
+//!
+//! In: why a function is refused. Out: what comments and the command line say of it.
+
+use crate::check::is_fault;
+use crate::error::Errors;
+use crate::function::Function;
+use crate::module::LeftOut;
+
+/// The functions that a robot cannot have whose frames nobody asks for.
+pub(super) fn functions_of_a_frame() -> LeftOut {
+    let all = Function::ALL.into_iter();
+    let of_a_frame = all.filter(|function| function.of_a_frame());
+    LeftOut {
+        functions: of_a_frame
+            .map(|function| function.name().to_owned())
+            .collect(),
+        reason: "the robot has more than one end, and none is named as the tip".to_owned(),
+        hint: Some("name a link as the tip, or further frames".to_owned()),
+        is_fault: false,
+    }
+}
+
+/// Notes a function that the robot cannot have, beside those that it cannot have for the same reason.
+pub(super) fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: &Errors) {
+    let reasons = refusal.complaints().iter();
+    let reasons: Vec<String> = reasons.map(|reason| refusal.locate(reason)).collect();
+    let reason = reasons.join("; ");
+    if let Some(same) = left_out.iter_mut().find(|other| other.reason == reason) {
+        same.functions.push(function);
+    } else {
+        let mut hints = refusal.complaints().iter();
+        left_out.push(LeftOut {
+            functions: vec![function],
+            reason,
+            hint: hints.find_map(|complaint| complaint.hint.clone()),
+            is_fault: is_fault(refusal),
+        });
+    }
+}

@@ -1,0 +1,50 @@
+//! What depends on fields alone, computed once.
+//!
+//! In: the functions of a module, the fields that they read. Out: them in two parts. It changes no operation.
+
+use crate::error::{Errors, Place};
+use crate::module::{GeneratedFunction, Prepared};
+use crate::request::{Parameter, Request};
+use crate::schedule::{Price, part};
+
+/// The parts of functions.
+///
+/// # Errors
+/// Where nothing depends on fields alone.
+pub(super) fn prepared(
+    functions: &[GeneratedFunction],
+    request: &Request,
+) -> Result<Prepared, Errors> {
+    let programs: Vec<_> = functions.iter().map(|function| &function.program).collect();
+    let entries: Vec<Vec<String>> = request.parameters.iter().map(Parameter::entries).collect();
+    let parts = part(&programs, &entries);
+    let on = |price: Price| price.on(request.processor, request.scalar);
+    let left = functions.iter().zip(parts.each);
+    let left = left.map(|(function, program)| {
+        let Price {
+            naive_mul,
+            naive_add,
+            ..
+        } = function.price;
+        let price = Price::of(&program).beside_dense(naive_mul, naive_add);
+        GeneratedFunction {
+            price: on(price),
+            program,
+            ..function.clone()
+        }
+    });
+    let mut errors = Errors::new();
+    if parts.names.is_empty() {
+        errors.push_with_hint(
+            Place::Unknown,
+            "`prepare` computes once what depends on fields alone, and no function reads one",
+            "leave it out, or ask for functions that read the fields",
+        );
+    }
+    errors.into_result(Prepared {
+        functions: left.collect(),
+        price: on(Price::of(&parts.once)),
+        once: parts.once,
+        names: parts.names,
+    })
+}

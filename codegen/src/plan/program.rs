@@ -1,0 +1,126 @@
+//! The program of one layout and one way, whatever it costs.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use crate::chain::Chain;
+use crate::expression::{Expr, Graph, Term};
+use crate::function::Function;
+use crate::layout::{Bodies, Layout, arrange};
+use crate::model::{Way, equation, equation_at_rest};
+use crate::schedule::{Program, schedule};
+use crate::simplify::simplify;
+use crate::space::FrameId;
+
+/// The program that a layout and a way give.
+#[must_use]
+pub fn program_by(
+    chain: &Chain,
+    functions: &[Function],
+    frame: FrameId,
+    layout: Layout,
+    way: Way,
+) -> Program {
+    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+    schedule(&graph, &results)
+}
+
+/// Programs of a chain that bounds are made of, each made once, when it is first asked for.
+pub struct Programs<'c> {
+    chain: &'c Chain,
+    made: RefCell<Vec<(Key, Rc<Program>)>>,
+}
+
+/// What a program depends on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Key {
+    Function(Function, Layout, Way),
+    Equation(Layout, Way, bool),
+    EquationAtRest(Layout, Way),
+}
+
+impl<'c> Programs<'c> {
+    /// None yet.
+    #[must_use]
+    pub const fn of(chain: &'c Chain) -> Self {
+        Self {
+            chain,
+            made: RefCell::new(Vec::new()),
+        }
+    }
+
+    /// The robot.
+    #[must_use]
+    pub const fn chain(&self) -> &'c Chain {
+        self.chain
+    }
+
+    /// The program of a function of the whole robot.
+    pub fn function(&self, function: Function, layout: Layout, way: Way) -> Rc<Program> {
+        self.get(Key::Function(function, layout, way), || {
+            program_by(self.chain, &[function], FrameId::FIRST, layout, way)
+        })
+    }
+
+    /// The program of what accelerations are solved from: the mass matrix, and the torques at q̈ = 0, under actions
+    /// from outside where there are any; and those of given accelerations, where a residual is made of them.
+    pub fn equation(&self, layout: Layout, way: Way, has_residual: bool) -> Rc<Program> {
+        self.get(Key::Equation(layout, way, has_residual), || {
+            compiled(self.chain, layout, |graph, bodies| {
+                equation(graph, bodies, way, has_residual)
+            })
+        })
+    }
+
+    /// The same of what the inverse of the mass matrix is refined from.
+    pub fn equation_at_rest(&self, layout: Layout, way: Way) -> Rc<Program> {
+        self.get(Key::EquationAtRest(layout, way), || {
+            compiled(self.chain, layout, |graph, bodies| {
+                equation_at_rest(graph, bodies, way)
+            })
+        })
+    }
+
+    fn get(&self, key: Key, make: impl FnOnce() -> Program) -> Rc<Program> {
+        let made = self.made.borrow();
+        let before = made.iter().find(|(other, _)| *other == key);
+        if let Some((_, program)) = before {
+            return Rc::clone(program);
+        }
+        drop(made);
+        let program = Rc::new(make());
+        self.made.borrow_mut().push((key, Rc::clone(&program)));
+        program
+    }
+}
+
+fn compiled(
+    chain: &Chain,
+    layout: Layout,
+    results: impl for<'g> FnOnce(&'g Graph, &Bodies<'g>) -> Vec<Term<'g>>,
+) -> Program {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, layout);
+    let results = results(&graph, &bodies).into_iter();
+    let results: Vec<Expr> = results.map(Term::expr).collect();
+    let (graph, results) = simplify(&graph, &results);
+    schedule(&graph, &results)
+}
+
+/// What that program computes, with all its numbers as they came about.
+#[must_use]
+pub fn expressions_by(
+    chain: &Chain,
+    functions: &[Function],
+    frame: FrameId,
+    layout: Layout,
+    way: Way,
+) -> (Graph, Vec<Expr>) {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, layout);
+    let results: Vec<Expr> = (functions.iter())
+        .flat_map(|&function| function.build(&graph, &bodies, frame, way))
+        .map(Term::expr)
+        .collect();
+    simplify(&graph, &results)
+}

@@ -63,6 +63,14 @@ pub fn is_fault(refusal: &Errors) -> bool {
     hints.any(|hint| hint == Some(FAULT))
 }
 
+/// A refusal that is a fault, for tests of what becomes of one.
+#[cfg(test)]
+pub(crate) fn fault(message: &str) -> Errors {
+    let mut errors = Errors::new();
+    errors.push_with_hint(Place::Unknown, message, FAULT);
+    errors
+}
+
 impl Check {
     /// Computes what the description says of a chain.
     ///

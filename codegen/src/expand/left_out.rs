@@ -38,3 +38,32 @@ pub(super) fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: 
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::leave_out;
+    use crate::check::fault;
+    use crate::error::{Errors, Place};
+
+    #[test]
+    fn a_fault_is_told_apart_from_what_a_robot_cannot_have() {
+        let mut unknown = Errors::new();
+        unknown.push(Place::Unknown, "nothing has mass");
+        let mut left_out = Vec::new();
+        leave_out(
+            &mut left_out,
+            "regressor".to_owned(),
+            &fault("entry 0 would be 1"),
+        );
+        leave_out(&mut left_out, "center_of_mass".to_owned(), &unknown);
+        leave_out(
+            &mut left_out,
+            "center_of_mass_jacobian".to_owned(),
+            &unknown,
+        );
+        let told = left_out
+            .iter()
+            .map(|left_out| (left_out.functions.len(), left_out.is_fault));
+        assert_eq!(told.collect::<Vec<_>>(), [(1, true), (2, false)]);
+    }
+}

@@ -128,11 +128,25 @@ fn actions(values: &[Value], length: usize) -> Result<Vec<Value>, String> {
     Ok(entries)
 }
 
-/// The text with JSON's `null` where JSON has no word for the number.
+/// The text with JSON's `null` where JSON has no word for the number; names keep what they contain.
 fn without_nan(text: &str) -> String {
-    let text = text.replace("NaN", "null");
-    text.replace("-Infinity", "null")
-        .replace("Infinity", "null")
+    let mut without = String::with_capacity(text.len());
+    let mut is_name = false;
+    for (k, part) in text.split('"').enumerate() {
+        if k > 0 {
+            without.push('"');
+        }
+        if is_name {
+            without.push_str(part);
+            let backslashes = part.len() - part.trim_end_matches('\\').len();
+            is_name = backslashes % 2 == 1;
+        } else {
+            let words = part.replace("NaN", "null").replace("-Infinity", "null");
+            without.push_str(&words.replace("Infinity", "null"));
+            is_name = true;
+        }
+    }
+    without
 }
 
 fn refuse_syntax(reason: &serde_json::Error, file: &str, errors: &mut Errors) {
@@ -143,4 +157,16 @@ fn refuse_syntax(reason: &serde_json::Error, file: &str, errors: &mut Errors) {
     let message = text.split(" at line ").next().unwrap_or_default();
     errors.set_file(file, None);
     errors.push(Place::File { line, column }, format!("not JSON: {message}"));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_nan;
+
+    #[test]
+    fn names_keep_what_they_contain() {
+        let text = r#"{"NaN \" of Infinity\\": NaN, "a": [-Infinity, Infinity]}"#;
+        let expected = r#"{"NaN \" of Infinity\\": null, "a": [null, null]}"#;
+        assert_eq!(without_nan(text), expected);
+    }
 }

@@ -325,6 +325,29 @@ fn every_form_of_the_inverse_inverts_the_mass_matrix() {
     }
 }
 
+/// A motor that turns so much faster than its joint that single precision loses the joint beside it.
+#[test]
+fn a_multiplier_that_loses_the_digits_is_blamed_and_not_a_mass() {
+    let text = r#"<robot name="geared"><link name="base"/>
+        <link name="arm"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+        <link name="motor"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+        <link name="tool"><inertial><origin xyz="0.3 0 0"/><mass value="1"/>
+        <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+        <joint name="lift" type="continuous"><parent link="base"/><child link="arm"/><axis xyz="0 1 0"/></joint>
+        <joint name="spin" type="continuous"><parent link="arm"/><child link="motor"/><axis xyz="0 1 0"/>
+        <mimic joint="lift" multiplier="20000"/></joint>
+        <joint name="reach" type="continuous"><parent link="arm"/><child link="tool"/><origin xyz="0.5 0 0"/><axis xyz="0 1 0"/></joint>
+        </robot>"#;
+    let mut errors = Errors::new();
+    let geared = read_text(text, "geared.urdf", None, &mut errors).expect("a robot");
+    let chain = chain::build(&geared, &Request::default()).expect("a chain");
+    let said = refusal(&chain, ForwardDynamics, Real::F32);
+    assert!(
+        said.contains("joint \"spin\" mimics joint \"lift\" with a multiplier of 20000"),
+        "{said}"
+    );
+}
+
 #[test]
 fn a_massless_end_is_refused_by_the_name_of_its_joint() {
     for function in SOLVED {

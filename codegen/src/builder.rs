@@ -4,18 +4,13 @@
 //! needs `core` and nothing else, one in C with its header, or a package for Python. It never reads or writes anything
 //! before [`Builder::write`], [`Builder::to_tokens`] or [`Builder::to_source`].
 
-#[cfg(feature = "pretty")]
 mod c;
-#[cfg(feature = "pretty")]
 mod command;
-#[cfg(feature = "pretty")]
 mod file;
-#[cfg(feature = "pretty")]
 mod llvm;
 mod output;
-#[cfg(feature = "pretty")]
 mod python;
-#[cfg(all(test, feature = "pretty"))]
+#[cfg(test)]
 mod tests;
 
 #[cfg(feature = "cli")]

@@ -15,6 +15,7 @@ mod solved;
 mod states;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "files")]
 mod vectors;
 
 use crate::chain::Chain;
@@ -34,6 +35,7 @@ use crate::wording::quoted;
 pub use base_parameters::judge_base_parameters;
 pub use redundancy::{Redundancy, redundancy};
 use robot::Contradiction;
+#[cfg(feature = "files")]
 pub use vectors::vectors;
 
 /// A robot at a few states, by which programs are judged.

@@ -10,6 +10,7 @@ mod collect;
 mod data;
 mod left_out;
 mod prepared;
+#[cfg(feature = "files")]
 mod review;
 mod understood;
 

@@ -34,11 +34,12 @@
 //!
 //! | feature | |
 //! |---|---|
-//! | `pretty` (default) | text instead of tokens: [`Builder::write`], [`Builder::to_source`] |
+//! | `files` (default) | [`Builder`]: files in Rust, C and LLVM, packages for Python, and what reviewers read |
 //! | `cli` | the binary `homogen` |
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+#[cfg(feature = "files")]
 pub mod builder;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -95,9 +96,11 @@ pub mod schedule;
 pub mod simplify;
 #[doc(hidden)]
 pub mod space;
+#[cfg(feature = "files")]
 mod template;
 mod wording;
 
+#[cfg(feature = "files")]
 pub use builder::Builder;
 pub use formulation::Formulation;
 pub use function::Function;

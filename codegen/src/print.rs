@@ -4,16 +4,20 @@
 //! language, which has a room of its own below and finds here what every language shares. It never
 //! computes a number, changes an operation or chooses an order.
 
-#[cfg(feature = "pretty")]
+#[cfg(feature = "files")]
 pub(crate) mod ascii;
+#[cfg(feature = "files")]
 pub mod c;
 mod documentation;
 mod large;
+#[cfg(feature = "files")]
 pub mod llvm;
-#[cfg(feature = "pretty")]
+#[cfg(feature = "files")]
 pub mod python;
+#[cfg(feature = "files")]
 mod review;
 pub mod rust;
+#[cfg(feature = "files")]
 mod sines;
 mod steps;
 mod walk;

@@ -3,7 +3,7 @@
 //! In: the `use` declarations of all sources without their tests. Out: nothing where the only circle is
 //! that of a graph and the handle to its nodes. What a file passes on it does not use, and whoever takes it
 //! there uses where it comes from; paths within code are not followed.
-#![cfg(feature = "pretty")]
+#![cfg(feature = "files")]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

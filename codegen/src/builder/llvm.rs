@@ -4,15 +4,11 @@
 
 use std::num::NonZeroUsize;
 
-use syn::ext::IdentExt;
-
 use super::Builder;
 use super::command::Language;
 use crate::error::Errors;
 use crate::module::Module;
-use crate::print::c;
 use crate::print::llvm::{self, Writing};
-use crate::processor::Processor;
 
 impl Builder {
     /// The same functions as LLVM IR, for LLVM 19 or later: `NAME` of one state, with the parameters that it has in
@@ -37,21 +33,5 @@ impl Builder {
             fused: self.fuses(module),
         };
         llvm::print(module, &writing)
-    }
-
-    /// Whether products fuse with sums on the processor that was named.
-    pub(super) fn fuses(&self, module: &Module) -> bool {
-        let processor = self.request.processor;
-        processor != Processor::Portable && processor.fuses(module.scalar)
-    }
-
-    /// The prefix of all names in languages without modules.
-    pub(super) fn prefix(&self, module: &Module) -> String {
-        let robot = match &self.name {
-            Some(name) => name.unraw().to_string(),
-            None => module.about.robot.clone(),
-        };
-        let prefix = self.library.c_prefix.clone();
-        prefix.unwrap_or_else(|| c::prefix(&robot))
     }
 }

@@ -4,6 +4,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::ext::IdentExt;
 
 use super::{Builder, Origin};
 #[cfg(feature = "cli")]
@@ -14,13 +15,12 @@ use crate::error::{Errors, Place};
 use crate::expand;
 use crate::formulation::{Products, Sines};
 use crate::module::Module;
-#[cfg(feature = "pretty")]
 use crate::print::ascii::beyond;
+use crate::print::c;
 use crate::print::rust::{self, Item, Library, World};
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 use crate::request::Request;
-#[cfg(feature = "pretty")]
 use crate::wording::visible;
 
 impl Builder {
@@ -67,7 +67,6 @@ impl Builder {
     }
 
     /// The same, with what the reviewer of a file reads.
-    #[cfg(feature = "pretty")]
     pub(crate) fn file_listing(&self) -> Result<Module, Errors> {
         self.listing_where(self.request.runtime.is_some(), true)
     }
@@ -126,7 +125,6 @@ impl Builder {
             return Err(errors);
         }
         let module = (self.expand)(&description, &request)?;
-        #[cfg(feature = "pretty")]
         if self.ascii && review {
             self.check_ascii(&module)?;
         }
@@ -134,7 +132,6 @@ impl Builder {
     }
 
     /// Refuses names that files have to have, and ASCII has not.
-    #[cfg(feature = "pretty")]
     fn check_ascii(&self, module: &Module) -> Result<(), Errors> {
         let mut errors = Errors::new();
         let name = self.item(module).ident.to_string();
@@ -148,6 +145,22 @@ impl Builder {
             errors.push_with_hint(Place::Unknown, message, hint);
         }
         errors.into_result(())
+    }
+
+    /// Whether products fuse with sums on the processor that was named.
+    pub(super) fn fuses(&self, module: &Module) -> bool {
+        let processor = self.request.processor;
+        processor != Processor::Portable && processor.fuses(module.scalar)
+    }
+
+    /// The prefix of all names in languages without modules.
+    pub(super) fn prefix(&self, module: &Module) -> String {
+        let robot = match &self.name {
+            Some(name) => name.unraw().to_string(),
+            None => module.about.robot.clone(),
+        };
+        let prefix = self.library.c_prefix.clone();
+        prefix.unwrap_or_else(|| c::prefix(&robot))
     }
 
     fn description(&self, errors: &mut Errors) -> Option<Description> {

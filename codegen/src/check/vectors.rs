@@ -360,7 +360,7 @@ fn upwards(value: f64) -> f64 {
     format!("{:.1e}", value * 1.05).parse().unwrap_or(value)
 }
 
-#[cfg(all(test, feature = "pretty"))]
+#[cfg(all(test, feature = "files"))]
 mod tests {
     use crate::Builder;
     use crate::expression::{Arithmetic, Input};

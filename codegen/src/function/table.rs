@@ -77,6 +77,7 @@ impl Function {
     }
 
     /// Whether masses and moments of inertia are numbers of it, and not factors of its result.
+    #[cfg(feature = "files")]
     pub(crate) fn has_mass(self) -> bool {
         self.has(Property::Mass)
     }

@@ -13,7 +13,7 @@ mod review;
 mod sections;
 mod sines;
 mod source;
-#[cfg(all(test, feature = "pretty"))]
+#[cfg(test)]
 mod tests;
 
 use super::documentation::Angles;

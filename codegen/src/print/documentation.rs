@@ -142,6 +142,7 @@ pub(super) fn of_prepared(robot: &str) -> Vec<String> {
 }
 
 /// What a function computes, in a line.
+#[cfg(feature = "files")]
 pub(super) fn title(module: &Module, generated: &GeneratedFunction) -> String {
     let about = &module.about;
     let base = frame_0(module);

@@ -10,7 +10,7 @@ mod body;
 mod function;
 mod lanes;
 mod sines;
-#[cfg(all(test, feature = "pretty"))]
+#[cfg(test)]
 mod tests;
 
 use crate::formulation::Sines;

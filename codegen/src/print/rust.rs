@@ -12,8 +12,10 @@ mod comments;
 mod declaration;
 mod dialect;
 mod early;
+#[cfg(feature = "files")]
 mod extern_c;
 mod item;
+#[cfg(feature = "files")]
 mod lanes;
 mod lengths;
 mod literals;
@@ -21,15 +23,16 @@ mod mechanism;
 mod method;
 pub(in crate::print) mod names;
 mod prepared;
-#[cfg(feature = "pretty")]
+#[cfg(feature = "files")]
 mod pretty;
 mod results;
+#[cfg(feature = "files")]
 mod review;
 mod sections;
 pub(super) mod sines;
 mod steps;
 mod stub;
-#[cfg(all(test, feature = "pretty"))]
+#[cfg(all(test, feature = "files"))]
 pub(crate) mod tests;
 mod world;
 
@@ -41,14 +44,18 @@ use crate::module::{GeneratedFunction, Module};
 use dialect::Dialect;
 
 pub use comments::header;
+#[cfg(feature = "files")]
 pub use extern_c::c_header;
 pub use item::{Declaration, Item};
+#[cfg(feature = "files")]
 pub use lanes::lanes;
-#[cfg(feature = "pretty")]
+#[cfg(feature = "files")]
 pub(super) use lanes::under;
+#[cfg(feature = "files")]
 pub(crate) use names::in_every_edition;
-#[cfg(feature = "pretty")]
+#[cfg(feature = "files")]
 pub use pretty::Source;
+#[cfg(feature = "files")]
 pub use review::appendix;
 pub use stub::stub;
 pub use world::{Library, World};
@@ -91,11 +98,25 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     methods.extend(prepare);
     methods.extend(dialect.own_sines(module));
     beside.extend(results::own_structures(module, item, &dialect));
-    beside.extend(extern_c::functions(module, item, &dialect));
     let declaration = declaration::declaration(module, item, &dialect);
-    let constants = review::constants(module, item, &dialect);
+    let [constants, for_c] = of_files(module, item, &dialect);
     let methods = declaration::block(item, &methods, &dialect);
-    quote! { #declaration #constants #methods #beside #prepared }
+    quote! { #declaration #constants #methods #beside #for_c #prepared }
+}
+
+/// What files have besides: constants for their reviewers, and functions for C.
+#[cfg(feature = "files")]
+fn of_files(module: &Module, item: &Item, dialect: &Dialect) -> [TokenStream; 2] {
+    [
+        review::constants(module, item, dialect),
+        extern_c::functions(module, item, dialect),
+    ]
+}
+
+/// Nothing, where no files are written.
+#[cfg(not(feature = "files"))]
+fn of_files(_: &Module, _: &Item, _: &Dialect) -> [TokenStream; 2] {
+    Default::default()
 }
 
 /// A method of the robot, under what there is to say of it.

@@ -63,7 +63,7 @@ fn renamed(tokens: TokenStream, from: &Ident, to: &Ident) -> TokenStream {
 ///
 /// # Panics
 /// Never: the texts are our own.
-#[cfg(feature = "pretty")]
+#[cfg(feature = "files")]
 pub(in crate::print) fn parts(real: Real) -> [&'static str; 2] {
     let between = "#[inline(never)]\n";
     let parts = text(real).split_once(between);

@@ -130,6 +130,7 @@ pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
 }
 
 /// Whether an error leaves half of the digits of a type.
+#[must_use]
 pub fn keeps_half(error: f64, scalar: Real) -> bool {
     error <= scalar.roundoff().sqrt().recip()
 }

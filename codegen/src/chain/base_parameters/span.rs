@@ -18,6 +18,10 @@ const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 /// So many times its rounding error is more than rounding.
 const TOLD: f64 = 1e4;
 
+/// A factor that is no more than so many times its rounding error is nothing: the error that is carried is more than any that
+/// was seen.
+const ROUNDED: f64 = 10.0;
+
 /// Beside a part so small of what an entry is a sum of, its square would not be told from rounding: of axes that are parallel
 /// but for so small an angle, some columns see the angle and others its square.
 const ASKEW: f64 = 1e-13;
@@ -206,7 +210,7 @@ impl Span {
         let mut combination = Vec::new();
         for (place, kept) in self.kept.iter().enumerate().rev() {
             let factor = parts[place].over(kept.parts[place]);
-            if factor.told() <= TOLD {
+            if factor.told() <= ROUNDED {
                 continue;
             }
             for (part, of_kept) in parts.iter_mut().zip(&kept.parts[..place]) {

@@ -5,13 +5,14 @@ use proc_macro2::{Ident, Span};
 use super::super::choice::cheapest;
 use super::super::measured::{ENOUGH, Measure};
 use super::super::program::program_by;
-use super::super::solvable::at_the_end;
+use super::super::solvable::{at_the_end, solvable};
+use super::hopeless;
 use crate::chain::{self, Chain};
 use crate::description::{Description, Name, read_text};
 use crate::error::Errors;
 use crate::expand::understand;
 use crate::expression::{Double, Input};
-use crate::formulation::{Formulation, Forward};
+use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function::{self, ForwardDynamics, MassMatrixInverse};
 use crate::layout::Layout;
 use crate::model::Way;
@@ -341,7 +342,9 @@ fn a_multiplier_that_loses_the_digits_is_blamed_and_not_a_mass() {
     let mut errors = Errors::new();
     let geared = read_text(text, "geared.urdf", None, &mut errors).expect("a robot");
     let chain = chain::build(&geared, &Request::default()).expect("a chain");
-    let said = refusal(&chain, ForwardDynamics, Real::F32);
+    let of = (Real::F32, Frame::Link);
+    let worst = solvable(&chain).expect("a mass matrix that can be inverted");
+    let said = hopeless(&chain, worst, 1e6, &[ForwardDynamics], of).to_string();
     assert!(
         said.contains("joint \"spin\" mimics joint \"lift\" with a multiplier of 20000"),
         "{said}"

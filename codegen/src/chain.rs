@@ -31,7 +31,8 @@ use crate::joint::drive::Part;
 use crate::joint::{Drive, Motion, Posture};
 use crate::list::{List, id};
 use crate::matrix::{Inertia, Pose, Vector};
-use crate::request::{FieldId, Parameter, Request};
+use crate::request::{Parameter, Request};
+use crate::space::FieldId;
 use crate::space::{CoordinateId, Entry, FrameId, Kind, Spaces, VelocityId};
 
 id! {

@@ -18,7 +18,7 @@ pub(crate) use robot::{Body, BodyId, Closed, Columns, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
 use crate::list::{Id, List, Square};
-use crate::request::FieldId;
+use crate::space::FieldId;
 use crate::space::{CoordinateId, FrameId, ParameterId, Variable, VelocityId};
 use posture::{Posture, Rates};
 

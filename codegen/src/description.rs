@@ -30,10 +30,10 @@ pub mod words;
 pub use self::file::{is_utf_16, read_bytes, read_file, read_text};
 pub use self::item::Item;
 pub use self::robot::{
-    Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Name, Source,
-    Step,
+    Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Source, Step,
 };
 pub use self::root::freed;
 pub use self::unmodelled::{Modelled, Unmodelled};
 pub use crate::joint::JointKind;
+pub use crate::name::Name;
 pub use crate::number::Number;

@@ -5,7 +5,6 @@
 //! the other and each has a coordinate of its own, or a [`Posture`] says where all of them together
 //! have taken the body. How bodies move by one freedom is said by [`Motion`].
 
-pub mod across;
 mod continuous;
 mod cylindrical;
 pub mod drive;

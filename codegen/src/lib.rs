@@ -82,6 +82,7 @@ pub mod matrix;
 pub mod model;
 #[doc(hidden)]
 pub mod module;
+mod name;
 #[doc(hidden)]
 pub mod number;
 #[doc(hidden)]

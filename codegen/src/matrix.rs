@@ -15,6 +15,7 @@
 //! | Y = W J | [`Flow`] | N, p |
 
 mod acceleration;
+pub mod across;
 mod action;
 mod flow;
 mod inertia;

@@ -11,20 +11,15 @@ pub use target::{Parameter, Target};
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 
-use crate::description::{Name, Number};
 use crate::error::{Complaint, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
 use crate::joint::drive::{Motor, Part, Parts};
-use crate::list::id;
+use crate::name::Name;
+use crate::number::Number;
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 use crate::schedule::Length;
-
-id! {
-    /// The number of a struct field: in every list that has an entry for each of [`Request::parameters`].
-    FieldId
-}
 
 /// Everything that is asked for.
 #[derive(Clone, Debug, Default)]

@@ -34,6 +34,11 @@ pub enum Space {
 }
 
 id! {
+    /// The number of a struct field: in every list that has an entry for each of [`Request::parameters`](crate::request::Request).
+    FieldId
+}
+
+id! {
     /// The number of an entry of [`Space::Coordinates`].
     CoordinateId
 }

@@ -12,9 +12,10 @@ use crate::formulation::Sines;
 use crate::function::Function;
 use crate::range::{self, Range};
 use crate::real::{Real, Trigonometry};
-use crate::request::{FieldId, Request};
+use crate::request::Request;
 use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
+use crate::space::FieldId;
 use crate::space::{Space, Variable};
 
 /// What is promised of the results of a function.

@@ -19,7 +19,8 @@ use crate::expression::{Graph, Term};
 use crate::joint::{Drive, Motion, Posture, entry};
 use crate::list::List;
 use crate::matrix::{Inertia, Pose, Vector};
-use crate::request::{FieldId, Request};
+use crate::request::Request;
+use crate::space::FieldId;
 use crate::space::{ACTION, Entry};
 
 /// Where a link ended up: in which body, and where in it.

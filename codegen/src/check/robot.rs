@@ -21,7 +21,8 @@ use crate::dense::{Approximate, Body, BodyId, Freedom, Matrix, Moved, Robot};
 use crate::description::{Description, LinkId, Name};
 use crate::expression::{Arithmetic, Double};
 use crate::list::{Id, List};
-use crate::request::{FieldId, Request};
+use crate::request::Request;
+use crate::space::FieldId;
 use crate::space::{CoordinateId, FrameId, Kind, Space, VelocityId};
 
 type Scalar = Approximate;

@@ -10,6 +10,7 @@ use crate::error::{Complaint, Errors, Place};
 use crate::joint::JointKind;
 use crate::joint::drive::Parts;
 use crate::list::{Id, id};
+use crate::name::Name;
 use crate::number::Number;
 
 /// A robot as it was described: links and joints in the order of the text.
@@ -77,25 +78,6 @@ impl Source {
             errors.set_file(file.clone(), self.anchor);
         }
         errors
-    }
-}
-
-/// A name and its place.
-#[derive(Clone, Debug, Default)]
-pub struct Name {
-    /// The text, as written.
-    pub text: String,
-    /// Where it stands.
-    pub place: Place,
-}
-
-impl From<&str> for Name {
-    /// A name that was written nowhere: a build script's.
-    fn from(text: &str) -> Self {
-        Self {
-            text: text.to_owned(),
-            place: Place::Unknown,
-        }
     }
 }
 

@@ -15,7 +15,8 @@ use crate::list::Id;
 use crate::matrix::{Inertia, Symmetric, Vector};
 use crate::module::{GeneratedFunction, Origins, Review, Sum};
 use crate::real::Real;
-use crate::request::{FieldId, Request};
+use crate::request::Request;
+use crate::space::FieldId;
 use crate::space::ParameterId;
 
 /// How many inertial parameters a link has.

@@ -6,7 +6,7 @@ use std::ops::{Add, Mul};
 use super::Vector;
 use super::vector::towards_one;
 use crate::expression::{Double, Graph, Term};
-use crate::joint::across::is_diagonal;
+use crate::matrix::across::is_diagonal;
 
 /// A rotation matrix R, row by row.
 #[derive(Clone, Copy, Debug)]
@@ -90,7 +90,7 @@ impl<'g> Rotation<Term<'g>> {
 
     /// The third column is the given direction, a b c. The first is along c² a² b² as far as that is across it, which
     /// makes of the axes those that follow them in turn, and turns no further than the direction does, but near
-    /// ±(1, 1, 1): see [`across`](crate::joint::across).
+    /// ±(1, 1, 1): see [`across`](crate::matrix::across).
     #[must_use]
     pub fn across(direction: Vector<Term<'g>>) -> Self {
         let graph = direction.x().graph();

@@ -14,7 +14,7 @@ use crate::list::{Id, List};
 use crate::model;
 use crate::quaternion::normalize;
 use crate::range::Range;
-use crate::request::FieldId;
+use crate::space::FieldId;
 use crate::space::{Variable, VelocityId};
 use crate::wording::{list, quoted};
 

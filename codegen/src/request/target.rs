@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
-use crate::description::Name;
 use crate::joint::drive::Part;
+use crate::name::Name;
 use crate::wording::quoted;
 
 /// A struct field that takes the place of a number of the description at run time.

@@ -13,7 +13,8 @@ use crate::expression::{Double, Input, Term};
 use crate::joint::{Freedom, JointKind, Motion};
 use crate::list::Id;
 use crate::matrix::{Pose, Rotation, Vector};
-use crate::request::{FieldId, Target};
+use crate::request::Target;
+use crate::space::FieldId;
 
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];

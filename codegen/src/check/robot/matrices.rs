@@ -6,7 +6,7 @@
 use super::Scalar;
 use crate::dense::Matrix;
 use crate::expression::Arithmetic;
-use crate::joint::across::is_diagonal;
+use crate::matrix::across::is_diagonal;
 
 /// A placement by its origin and its roll, pitch and yaw.
 pub(super) fn placed([x, y, z, roll, pitch, yaw]: [Scalar; 6]) -> Matrix<Scalar> {

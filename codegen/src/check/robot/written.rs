@@ -11,7 +11,8 @@ use crate::dense::Matrix;
 use crate::description::{Axis, Joint, Number, Step};
 use crate::expression::Arithmetic;
 use crate::list::Id;
-use crate::request::{FieldId, Target};
+use crate::request::Target;
+use crate::space::FieldId;
 
 impl Reader<'_> {
     /// The value of the field that stands for a target.

@@ -1,0 +1,413 @@
+//! The rooms of this crate: each names those that stand before it in the list and that it needs, and no other.
+//!
+//! In: the sources without their tests. Out: nothing where `crate::` in code is followed by a room that may be named. It
+//! does not see what is called by way of a method.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Each room with those it may name besides itself: first the nouns, then the stages in the order of `expand`, then the
+/// doors.
+const ROOMS: [(&str, &[&str]); 35] = [
+    ("wording", &[]),
+    ("list", &[]),
+    ("template", &[]),
+    ("random", &[]),
+    ("real", &[]),
+    ("error", &["wording"]),
+    ("space", &["list"]),
+    ("expression", &["space"]),
+    ("number", &["error", "expression"]),
+    ("name", &["error"]),
+    ("matrix", &["expression"]),
+    ("joint", &["space", "expression", "number", "matrix"]),
+    ("quaternion", &["real", "expression"]),
+    ("closure", &["space", "number"]),
+    ("processor", &["wording", "real"]),
+    ("formulation", &["wording"]),
+    ("simplify", &["expression"]),
+    (
+        "dense",
+        &["list", "space", "expression", "joint", "closure"],
+    ),
+    ("schedule", &["real", "space", "expression", "processor"]),
+    (
+        "function",
+        &[
+            "list",
+            "space",
+            "expression",
+            "matrix",
+            "formulation",
+            "dense",
+        ],
+    ),
+    (
+        "request",
+        &[
+            "wording",
+            "real",
+            "error",
+            "number",
+            "name",
+            "joint",
+            "processor",
+            "formulation",
+            "schedule",
+            "function",
+        ],
+    ),
+    (
+        "description",
+        &[
+            "wording",
+            "list",
+            "real",
+            "error",
+            "expression",
+            "number",
+            "name",
+            "joint",
+            "closure",
+            "processor",
+            "formulation",
+            "function",
+            "request",
+        ],
+    ),
+    (
+        "chain",
+        &[
+            "wording",
+            "list",
+            "random",
+            "error",
+            "space",
+            "expression",
+            "number",
+            "matrix",
+            "joint",
+            "closure",
+            "dense",
+            "function",
+            "request",
+            "description",
+        ],
+    ),
+    (
+        "layout",
+        &[
+            "list",
+            "space",
+            "expression",
+            "matrix",
+            "joint",
+            "closure",
+            "chain",
+        ],
+    ),
+    (
+        "model",
+        &[
+            "list",
+            "real",
+            "space",
+            "expression",
+            "matrix",
+            "joint",
+            "closure",
+            "formulation",
+            "chain",
+            "layout",
+        ],
+    ),
+    ("range", &["list", "space", "expression", "chain"]),
+    (
+        "plan",
+        &[
+            "wording",
+            "list",
+            "real",
+            "error",
+            "space",
+            "expression",
+            "quaternion",
+            "processor",
+            "formulation",
+            "simplify",
+            "schedule",
+            "function",
+            "request",
+            "chain",
+            "layout",
+            "model",
+            "range",
+        ],
+    ),
+    (
+        "accuracy",
+        &[
+            "list",
+            "real",
+            "space",
+            "expression",
+            "joint",
+            "formulation",
+            "simplify",
+            "schedule",
+            "function",
+            "request",
+            "chain",
+            "layout",
+            "model",
+            "range",
+            "plan",
+        ],
+    ),
+    (
+        "module",
+        &[
+            "real",
+            "space",
+            "joint",
+            "closure",
+            "formulation",
+            "schedule",
+            "function",
+            "request",
+            "layout",
+            "accuracy",
+        ],
+    ),
+    (
+        "check",
+        &[
+            "wording",
+            "list",
+            "random",
+            "real",
+            "error",
+            "space",
+            "expression",
+            "matrix",
+            "joint",
+            "quaternion",
+            "dense",
+            "schedule",
+            "function",
+            "request",
+            "description",
+            "chain",
+            "plan",
+            "accuracy",
+            "module",
+        ],
+    ),
+    (
+        "print",
+        &[
+            "wording",
+            "list",
+            "template",
+            "real",
+            "space",
+            "number",
+            "joint",
+            "closure",
+            "processor",
+            "formulation",
+            "schedule",
+            "function",
+            "request",
+            "accuracy",
+            "module",
+        ],
+    ),
+    (
+        "expand",
+        &[
+            "wording",
+            "list",
+            "random",
+            "real",
+            "error",
+            "space",
+            "expression",
+            "matrix",
+            "joint",
+            "quaternion",
+            "closure",
+            "formulation",
+            "schedule",
+            "function",
+            "request",
+            "description",
+            "chain",
+            "layout",
+            "model",
+            "plan",
+            "accuracy",
+            "module",
+            "check",
+        ],
+    ),
+    (
+        "builder",
+        &[
+            "wording",
+            "real",
+            "error",
+            "joint",
+            "processor",
+            "formulation",
+            "function",
+            "request",
+            "description",
+            "chain",
+            "module",
+            "print",
+            "expand",
+        ],
+    ),
+    (
+        "door",
+        &[
+            "error",
+            "space",
+            "function",
+            "description",
+            "print",
+            "expand",
+        ],
+    ),
+    (
+        "cli",
+        &[
+            "wording",
+            "list",
+            "template",
+            "real",
+            "error",
+            "space",
+            "expression",
+            "matrix",
+            "joint",
+            "quaternion",
+            "closure",
+            "processor",
+            "formulation",
+            "schedule",
+            "function",
+            "request",
+            "description",
+            "chain",
+            "layout",
+            "plan",
+            "accuracy",
+            "module",
+            "check",
+            "print",
+            "expand",
+            "builder",
+        ],
+    ),
+];
+
+/// What a row of a function holds besides its data: how its entries are computed, by the model, and what they are by dense
+/// matrices. Rows are nouns to all stages before the model, so that these arrows go up, and no others.
+const UP: [(&str, &str); 3] = [
+    ("function", "chain"),
+    ("function", "layout"),
+    ("function", "model"),
+];
+
+/// The files at or below a path, with the room that each is in.
+fn files(path: &Path, room: &str) -> Vec<(String, PathBuf)> {
+    let entries = fs::read_dir(path).expect("the folder is there");
+    let paths = entries.map(|entry| entry.expect("readable").path());
+    paths
+        .flat_map(|path| {
+            let stem = path.file_stem().and_then(|stem| stem.to_str());
+            let stem = stem.expect("a name").to_owned();
+            let room = if room.is_empty() { &stem } else { room };
+            if path.is_dir() {
+                files(&path, room)
+            } else {
+                vec![(room.to_owned(), path)]
+            }
+        })
+        .filter(|(_, path)| path.extension().is_some_and(|extension| extension == "rs"))
+        .collect()
+}
+
+/// Whether a file is one of tests.
+fn is_of_tests(path: &Path) -> bool {
+    let mut parts = path.iter().filter_map(|part| part.to_str());
+    parts.any(|part| ["tests", "tests.rs", "long_chains.rs"].contains(&part))
+}
+
+/// The rooms that the code of a file names, without its module of tests.
+fn named(text: &str) -> Vec<&str> {
+    let code = text
+        .split("#[cfg(test)]\nmod tests {")
+        .next()
+        .unwrap_or_default();
+    let lines = code.lines().filter(|line| !line.trim().starts_with("//"));
+    let paths = lines.flat_map(|line| {
+        let paths = line
+            .match_indices("crate::")
+            .map(|(at, _)| (&line[..at], &line[at + 7..]));
+        // What a macro, or code that is printed, calls its own crate is none of this one.
+        paths
+            .filter(|(before, _)| !before.ends_with('$'))
+            .map(|(_, path)| path)
+    });
+    paths
+        .map(|path| {
+            let end = path.find(|c: char| !c.is_alphanumeric() && c != '_');
+            &path[..end.unwrap_or(path.len())]
+        })
+        .collect()
+}
+
+#[test]
+fn a_room_names_those_before_it_alone() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let files = files(&source, "");
+    let of_rooms = files
+        .iter()
+        .filter(|(room, _)| !["lib", "main"].contains(&&**room));
+    let inside = |path: &Path| path.strip_prefix(&source).expect("inside").to_owned();
+    let mut used = vec![0; UP.len()];
+    for (room, path) in of_rooms.filter(|(_, path)| !is_of_tests(&inside(path))) {
+        let known = ROOMS.iter().find(|(name, _)| name == room);
+        let (_, before) = known.unwrap_or_else(|| panic!("{} is in no room", path.display()));
+        let text = fs::read_to_string(path).expect("readable");
+        for named in named(&text) {
+            if let Some(up) = UP.iter().position(|up| *up == (room, named)) {
+                used[up] += 1;
+                continue;
+            }
+            let is_room = ROOMS.iter().any(|(name, _)| *name == named);
+            assert!(
+                named == room || before.contains(&named) || !is_room,
+                "{} names `{named}`",
+                path.display()
+            );
+        }
+    }
+    assert!(
+        used.iter().all(|count| *count > 0),
+        "an arrow is gone: take it out"
+    );
+}
+
+#[test]
+fn the_list_is_in_order() {
+    for (k, (room, before)) in ROOMS.iter().enumerate() {
+        for other in *before {
+            let place = ROOMS.iter().position(|(name, _)| name == other);
+            assert!(place.is_some_and(|place| place < k), "{room} names {other}");
+        }
+    }
+}

@@ -100,13 +100,14 @@ impl Rest {
     /// Less a product.
     fn less(self, part: Self, entry: Self) -> Self {
         let term = part.value * entry.value;
+        let of_whole = part.value.to_f64() * entry.whole;
         let [of_part, of_entry, of_term] = [part.value, entry.value, term].map(|x| {
             let size = x.to_f64();
             size * size
         });
         Self {
             value: self.value - term,
-            whole: self.whole.hypot(part.value.to_f64() * entry.whole),
+            whole: (self.whole * self.whole + of_whole * of_whole).sqrt(),
             variance: self.variance
                 + part.variance * of_entry
                 + entry.variance * of_part

@@ -28,11 +28,13 @@ pub(super) fn units(mut sizes: Vec<Vec<f64>>) -> [Vec<f64>; 2] {
     units
 }
 
-/// The power of two that is nearest to the root of the largest size; one where all are zero.
+/// A power of two near the root of the largest size, the same on every platform; one where all are zero.
 fn root(sizes: impl Iterator<Item = f64>) -> f64 {
     let largest = sizes.fold(0.0, f64::max);
     if largest > 0.0 {
-        (0.5 * largest.log2()).round().exp2()
+        // Half of the exponent, whose bias is 1023.
+        let exponent = largest.to_bits() >> 52;
+        f64::from_bits(((exponent + 1023) / 2) << 52)
     } else {
         1.0
     }

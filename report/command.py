@@ -12,7 +12,7 @@ def homogen():
     told = os.environ.get("HOMOGEN")
     if told is not None:
         return told
-    build = ["cargo", "build", "--quiet", "--locked", "-p", "homogen-codegen", "--features", "cli", "--bin", "homogen"]
+    build = ["cargo", "build", "--quiet", "--locked", "-p", "homogen-cli", "--bin", "homogen"]
     subprocess.run(build, check=True, cwd=ROOT)
     return pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/homogen"
 

@@ -13,12 +13,9 @@ mod python;
 #[cfg(test)]
 mod tests;
 
-#[cfg(feature = "cli")]
-pub(crate) use c::header_beside;
-#[cfg(feature = "cli")]
-pub(crate) use command::FORMAT;
-#[cfg(feature = "cli")]
-pub(crate) use python::{module_of, write_folder};
+pub use c::header_beside;
+pub use command::FORMAT;
+pub use python::{module_of, write_folder};
 
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;

@@ -207,14 +207,18 @@ impl Choice {
 
 /// A formulation as far as it has been said.
 #[derive(Default)]
-pub(crate) struct Reader {
+#[doc(hidden)]
+pub struct Reader {
     formulation: Formulation,
     made: Vec<(String, Choice)>,
 }
 
 impl Reader {
     /// Takes a word, and the value given with it.
-    pub(crate) fn take(&mut self, word: &str, value: Option<&str>) -> Result<(), Refusal> {
+    ///
+    /// # Errors
+    /// Of a word that is none, or comes twice.
+    pub fn take(&mut self, word: &str, value: Option<&str>) -> Result<(), Refusal> {
         let rows = || WORDS.iter().filter(|(known, ..)| *known == word);
         if rows().next().is_none() {
             let mut words: Vec<&str> = WORDS.iter().map(|(word, ..)| *word).collect();
@@ -254,7 +258,8 @@ impl Reader {
     }
 
     /// What all the words say together.
-    pub(crate) fn formulation(self) -> Formulation {
+    #[must_use]
+    pub fn formulation(self) -> Formulation {
         self.formulation
     }
 }

@@ -15,7 +15,7 @@
 //! ```
 //!
 //! [`Builder`] is the door for build scripts, and needs `core` alone of what it writes for, or C99
-//! ([`Builder::write_c`]); the binary `homogen` (feature `cli`) is the door for shells; the derive and the macro of
+//! ([`Builder::write_c`]); the crate `homogen-cli`, whose binary is `homogen`, is the door for shells; the derive and the macro of
 //! the crate `homogen` are those for the compiler. [`Function`] lists what can be asked for, [`Formulation`] how it
 //! is computed, [`Processor`] for what.
 //!
@@ -35,20 +35,18 @@
 //! | feature | |
 //! |---|---|
 //! | `files` (default) | [`Builder`]: files in Rust, C and LLVM, packages for Python, and what reviewers read |
-//! | `cli` | the binary `homogen` |
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "files")]
 pub mod builder;
-#[cfg(feature = "cli")]
-pub mod cli;
 pub mod description;
 pub mod error;
 pub mod formulation;
 pub mod function;
 pub mod processor;
-mod quaternion;
+#[doc(hidden)]
+pub mod quaternion;
 mod random;
 pub mod real;
 pub mod request;
@@ -57,6 +55,9 @@ pub mod request;
 // reports look at.
 #[doc(hidden)]
 pub mod accuracy;
+#[cfg(feature = "files")]
+#[doc(hidden)]
+pub mod arithmetic;
 #[doc(hidden)]
 pub mod chain;
 #[doc(hidden)]
@@ -82,7 +83,8 @@ pub mod matrix;
 pub mod model;
 #[doc(hidden)]
 pub mod module;
-mod name;
+#[doc(hidden)]
+pub mod name;
 #[doc(hidden)]
 pub mod number;
 #[doc(hidden)]
@@ -98,8 +100,10 @@ pub mod simplify;
 #[doc(hidden)]
 pub mod space;
 #[cfg(feature = "files")]
-mod template;
-mod wording;
+#[doc(hidden)]
+pub mod template;
+#[doc(hidden)]
+pub mod wording;
 
 #[cfg(feature = "files")]
 pub use builder::Builder;

@@ -138,7 +138,8 @@ impl GeneratedFunction {
     }
 
     /// What its functions together are functions of.
-    pub(crate) fn arguments(&self, spaces: &Spaces) -> Vec<Variable> {
+    #[must_use]
+    pub fn arguments(&self, spaces: &Spaces) -> Vec<Variable> {
         arguments(&self.functions, spaces.actions() > 0)
     }
 }

@@ -28,6 +28,7 @@ pub fn normalize(entries: &mut [Double]) {
 /// In no type are there other quaternions of length 1 to the last digit than the 24 whose entries are ±½, or
 /// ±1 and zeros, and these turn every axis into an axis. So three entries are cut to half of the digits, and
 /// one, at the place `small`, is what they leave: so small that its rounding is next to nothing.
+#[must_use]
 pub fn of_length_1(direction: [f64; 4], small: usize, scalar: Real) -> [f64; 4] {
     let grid = match scalar {
         Real::F32 => f64::from(1_u32 << 12),

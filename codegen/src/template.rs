@@ -4,7 +4,8 @@
 //! gone through once: what stands for a word is never looked through, whatever it looks like.
 
 /// The text with what stands for its words; a word that stands for nothing stays.
-pub(crate) fn filled(text: &str, words: &[(&str, &str)]) -> String {
+#[must_use]
+pub fn filled(text: &str, words: &[(&str, &str)]) -> String {
     let mut filled = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find('@') {

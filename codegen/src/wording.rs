@@ -9,7 +9,8 @@ use std::borrow::Cow;
 const LONGEST: usize = 60;
 
 /// The text in double quotes, cut where it is too long for a message.
-pub(crate) fn quoted(text: &str) -> String {
+#[must_use]
+pub fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST) {
         Some((cut, _)) => format!("\"{}…\"", visible(&text[..cut])),
         None => format!("\"{}\"", visible(text)),
@@ -21,7 +22,7 @@ pub(crate) fn quoted(text: &str) -> String {
 ///
 /// A terminal obeys control characters, rustc refuses comments in which others turn the direction of
 /// the text, and two names that differ by what has no width look like one.
-pub(crate) fn visible(text: &str) -> Cow<'_, str> {
+pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(is_hidden) {
         return Cow::Borrowed(text);
     }
@@ -38,7 +39,8 @@ pub(crate) fn visible(text: &str) -> Cow<'_, str> {
 
 /// Whether a character has no picture of its own: controls, those that turn the direction of text,
 /// those without width, breaks of lines and paragraphs, marks of encodings, tags.
-pub(crate) fn is_hidden(letter: char) -> bool {
+#[must_use]
+pub fn is_hidden(letter: char) -> bool {
     letter.is_control()
         || matches!(letter,
             '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}'
@@ -47,12 +49,13 @@ pub(crate) fn is_hidden(letter: char) -> bool {
 }
 
 /// A name of the user's in documentation, so that neither Markdown nor a lint takes it for prose.
-pub(crate) fn code(name: &str) -> String {
+#[must_use]
+pub fn code(name: &str) -> String {
     format!("`{}`", visible(name).replace('`', "'"))
 }
 
 /// `a, b and c`.
-pub(crate) fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+pub fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     let words: Vec<&str> = words.into_iter().collect();
     match words.split_last() {
         None => String::new(),
@@ -62,7 +65,8 @@ pub(crate) fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
 }
 
 /// `did you mean "tip"? known keys: base and tip`, the question only where a known word is near.
-pub(crate) fn known(word: &str, kind: &str, words: &[&str]) -> String {
+#[must_use]
+pub fn known(word: &str, kind: &str, words: &[&str]) -> String {
     let all = format!("known {kind}: {}", list(words.iter().copied()));
     match nearest(word, words) {
         Some(meant) => format!("did you mean \"{meant}\"? {all}"),
@@ -72,7 +76,8 @@ pub(crate) fn known(word: &str, kind: &str, words: &[&str]) -> String {
 
 /// The candidate that differs from the word by the fewest changed letters, if they are few enough
 /// to be a slip.
-pub(crate) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+#[must_use]
+pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
     let letters = word.chars().count();
     // Longer words are no slip of a known one, and would cost time for nothing.

@@ -25,7 +25,7 @@ const NUMBERED: [[&str; 2]; 10] = [
 ];
 
 /// The rooms that write numbers out, as names and places of what is printed.
-const WRITERS: [&str; 2] = ["cli", "print"];
+const WRITERS: [&str; 1] = ["print"];
 
 /// The type that a name is declared with in a line of code, wherever the name ends in one of those words.
 fn declared<'l>(line: &'l str, word: &str) -> impl Iterator<Item = &'l str> {

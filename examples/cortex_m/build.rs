@@ -16,7 +16,7 @@ use homogen_codegen::Function::{
 use homogen_codegen::{Builder, Real};
 
 /// The memory of the boards: that of every firmware that `homogen new` writes.
-const MEMORY: &str = "../../codegen/src/cli/new/firmware/memory.x";
+const MEMORY: &str = "../../cli/src/new/firmware/memory.x";
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-env-changed=ARM");

@@ -24,7 +24,7 @@ declare -A processor=([M4F]=cortex-m4 [M7]=cortex-m7)
 # a sum in one instruction, each rounded, pays on the M7, and GCC takes it where size counts.
 declare -A optimised=([M4F]="-O2 -fno-tree-ter -fno-schedule-insns" [M7]="-Os -fno-tree-ter")
 # Where memory.x is, which the template of a firmware brings along.
-memory=../../codegen/src/cli/new/firmware
+memory=../../cli/src/new/firmware
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
 seen="$CARGO_TARGET_DIR/seen"
 

@@ -81,7 +81,7 @@ fn files_that_are_named_are_there() {
         let programs = programs.filter_map(|rest| rest.split_whitespace().next());
         // Examples are one file each; what tests at length is a file or a folder of the tests.
         let programs = programs.map(|name| match name.trim_matches('`') {
-            "homogen" => "codegen/src/main.rs".to_owned(),
+            "homogen" => "cli/src/main.rs".to_owned(),
             "NAME" => "examples/src/bin".to_owned(),
             name @ "mutations" => format!("tests/src/bin/{name}/main.rs"),
             name @ ("fire" | "trees") => format!("tests/src/bin/{name}.rs"),

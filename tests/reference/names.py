@@ -4,7 +4,7 @@
 In: the Panda-class arm at a random state. Out: a line for each pair of functions, and 1 where one of them
 differs. Needs what make.py needs, and the command line:
 
-    cargo build -p homogen-codegen --features cli --bin homogen
+    cargo build -p homogen-cli --bin homogen
     venv/bin/python tests/reference/names.py target/debug/homogen
 """
 

@@ -16,7 +16,7 @@ use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use homogen_codegen::cli;
+use homogen_cli as cli;
 use homogen_codegen::description::{Description, inline, read_bytes};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;

@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 folder="${CARGO_TARGET_DIR:-$PWD/target}/standalone/sections"
 mkdir -p "$folder"
 
-cargo build --quiet --locked -p homogen-codegen --features cli --bin homogen --example sizes
+cargo build --quiet --locked -p homogen-cli --bin homogen --example sizes
 built="${CARGO_TARGET_DIR:-target}/debug"
 "$built/examples/sizes" --robot chain 32 >"$folder/chain.urdf"
 generate() { "$built/homogen" generate "$folder/chain.urdf" --functions inverse_dynamics,mass_matrix "$@"; }

@@ -6,7 +6,7 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use homogen_codegen::cli::answer;
+use homogen_cli::answer;
 use serde_json::{Value, json};
 
 /// Largest difference in units of the largest number of a result.

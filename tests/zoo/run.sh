@@ -51,8 +51,7 @@ while read -r package; do
 done < <(grep -v '^#' "$here/packages.txt")
 
 say "homogen"
-cargo build --quiet --release --locked --manifest-path "$root/Cargo.toml" -p homogen-codegen \
-    --features cli --bin homogen
+cargo build --quiet --release --locked --manifest-path "$root/Cargo.toml" -p homogen-cli --bin homogen
 
 report=()
 [ $# -gt 1 ] || report=(--report "$root/report/ZOO.md")

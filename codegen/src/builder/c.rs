@@ -46,7 +46,9 @@ impl Builder {
         })
     }
 
-    pub(crate) fn c_listing(&self) -> Result<Module, Errors> {
+    /// What a file in C is made of.
+    #[doc(hidden)]
+    pub fn c_listing(&self) -> Result<Module, Errors> {
         let mut errors = Errors::new();
         if self.request.runtime.is_some() {
             errors.push(Place::Unknown, "the runtime is Rust's: C has none");
@@ -71,7 +73,10 @@ impl Builder {
         }
     }
 
-    pub(crate) fn c(&self, module: &Module, header: &str) -> Source {
+    /// The file in C of a module.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn c(&self, module: &Module, header: &str) -> Source {
         let prefix = self.prefix(module);
         let writing = Writing {
             prefix: &prefix,
@@ -87,7 +92,8 @@ impl Builder {
 }
 
 /// The path of the header of a file, and the name by which the file includes it.
-pub(crate) fn header_beside(file: &Path) -> Result<(PathBuf, String), Errors> {
+#[doc(hidden)]
+pub fn header_beside(file: &Path) -> Result<(PathBuf, String), Errors> {
     let header = file.with_extension("h");
     let name = header.file_name().and_then(|name| name.to_str());
     // What a compiler does with these between quotes it decides for itself.

@@ -73,14 +73,20 @@ impl Builder {
         write(file.as_ref(), &self.to_c_header()?)
     }
 
-    pub(crate) fn c_header(&self, module: &Module) -> String {
+    /// The header of the functions for C of a file in Rust.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn c_header(&self, module: &Module) -> String {
         let item = self.item(module);
         let asked = self.asked(module, Language::Rust);
         let header = rust::c_header(module, &item, &asked, &self.library()).unwrap_or_default();
         if self.ascii { spelt(&header) } else { header }
     }
 
-    pub(crate) fn source(&self, module: &Module) -> Source {
+    /// The file in Rust of a module.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn source(&self, module: &Module) -> Source {
         let header = rust::header(module, &self.asked(module, Language::Rust), &self.world());
         let appendix = rust::appendix(module, &self.item(module), &self.world());
         let source = Source::file(header, &self.print(module), appendix);

@@ -25,7 +25,10 @@ impl Builder {
         Ok(self.llvm(&module, lanes))
     }
 
-    pub(crate) fn llvm(&self, module: &Module, lanes: NonZeroUsize) -> String {
+    /// The module of LLVM.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn llvm(&self, module: &Module, lanes: NonZeroUsize) -> String {
         let writing = Writing {
             prefix: &self.prefix(module),
             asked: &self.asked(module, Language::Llvm(lanes)),

@@ -7,11 +7,9 @@ use quote::quote;
 use syn::ext::IdentExt;
 
 use super::{Builder, Origin};
-#[cfg(feature = "cli")]
 use crate::chain::Chain;
 use crate::description::{self, Description, inline};
 use crate::error::{Errors, Place};
-#[cfg(feature = "cli")]
 use crate::expand;
 use crate::formulation::{Products, Sines};
 use crate::module::Module;
@@ -61,19 +59,22 @@ impl Builder {
         library
     }
 
-    pub(crate) fn module(&self) -> Result<Module, Errors> {
+    /// What is generated for the robot.
+    #[doc(hidden)]
+    pub fn module(&self) -> Result<Module, Errors> {
         // `core` has no fused product: a price that counted on it would be wrong.
         self.listing_where(self.request.runtime.is_some(), false)
     }
 
     /// The same, with what the reviewer of a file reads.
-    pub(crate) fn file_listing(&self) -> Result<Module, Errors> {
+    #[doc(hidden)]
+    pub fn file_listing(&self) -> Result<Module, Errors> {
         self.listing_where(self.request.runtime.is_some(), true)
     }
 
     /// The robot as it is understood, with what is doubted of it.
-    #[cfg(feature = "cli")]
-    pub(crate) fn understand(&self) -> Result<(Description, Chain), Errors> {
+    #[doc(hidden)]
+    pub fn understand(&self) -> Result<(Description, Chain), Errors> {
         let (description, request) = self.both()?;
         let chain = expand::understand(&description, &request)?;
         Ok((description, chain))

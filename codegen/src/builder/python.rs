@@ -47,7 +47,9 @@ impl Builder {
         })
     }
 
-    pub(crate) fn python_listing(&self) -> Result<Module, Errors> {
+    /// What a package for Python is made of.
+    #[doc(hidden)]
+    pub fn python_listing(&self) -> Result<Module, Errors> {
         let mut errors = Errors::new();
         let mut refuse = |refused: bool, message, hint| {
             if refused {
@@ -89,7 +91,10 @@ impl Builder {
         }
     }
 
-    pub(crate) fn python(&self, listing: &Module, module: &str) -> Package {
+    /// The package for Python of a module.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn python(&self, listing: &Module, module: &str) -> Package {
         let writing = Writing {
             module,
             options: &self.options(),
@@ -99,7 +104,8 @@ impl Builder {
 }
 
 /// What a module is called after a text.
-pub(crate) fn in_python(text: &str) -> Result<String, Errors> {
+#[doc(hidden)]
+pub fn in_python(text: &str) -> Result<String, Errors> {
     python::module(text).ok_or_else(|| {
         let mut errors = Errors::new();
         errors.push_with_hint(
@@ -112,7 +118,8 @@ pub(crate) fn in_python(text: &str) -> Result<String, Errors> {
 }
 
 /// What a module is called that is written to a folder.
-pub(crate) fn module_of(folder: &Path) -> Result<String, Errors> {
+#[doc(hidden)]
+pub fn module_of(folder: &Path) -> Result<String, Errors> {
     let name = folder.file_name().and_then(|name| name.to_str());
     let name =
         name.ok_or_else(|| refused("the module is called after the folder: it needs a name"))?;
@@ -120,7 +127,8 @@ pub(crate) fn module_of(folder: &Path) -> Result<String, Errors> {
 }
 
 /// Writes a package to a fresh folder beside `folder`, and then puts it in its place.
-pub(crate) fn write_folder(folder: &Path, package: &Package) -> Result<(), Errors> {
+#[doc(hidden)]
+pub fn write_folder(folder: &Path, package: &Package) -> Result<(), Errors> {
     let fail = |reason: io::Error| refused(format!("cannot write {}: {reason}", folder.display()));
     let exists = match fs::symlink_metadata(folder) {
         Ok(_) => true,

@@ -31,7 +31,8 @@ use crate::wording::quoted;
 
 #[doc(hidden)]
 pub use self::elements::page;
-pub(crate) use self::xml::LARGEST_FILE;
+#[doc(hidden)]
+pub use self::xml::LARGEST_FILE;
 
 /// Reads the text of a file named `file`; `anchor` is the token that named it, for the compiler.
 ///

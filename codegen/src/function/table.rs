@@ -56,7 +56,8 @@ impl Function {
 
     /// What it computes, with the letters of the paper; `base` is what frame 0 is called, `frame` the
     /// frame that it is of.
-    pub(crate) fn sentence(self, base: &str, frame: &str) -> String {
+    #[must_use]
+    pub fn sentence(self, base: &str, frame: &str) -> String {
         (self.definition().sentence)(base, frame)
     }
 

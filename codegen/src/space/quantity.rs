@@ -7,7 +7,6 @@ use super::{Kind, Space, Spaces};
 
 /// One of the things that results are made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Entity {
     /// A number.
     Number,

@@ -8,7 +8,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use homogen_codegen::cli::answer;
+use homogen_cli::answer;
 use homogen_codegen::print::c::prefix;
 use homogen_codegen::print::python;
 

@@ -1,7 +1,7 @@
 //! Every doubt that `homogen check` tells, each other command tells too, in words and as JSON; and what
 //! a robot cannot have is told with the reason wherever it is left out.
 
-use homogen_codegen::cli::Answer;
+use homogen_cli::Answer;
 use homogen_codegen::{Builder, Function, Real};
 use serde_json::Value;
 

@@ -1,6 +1,6 @@
 //! `homogen eval`: results in given states, with their shape, and what is wrong with states.
 
-use homogen_codegen::cli::Answer;
+use homogen_cli::Answer;
 use serde_json::{Value, json};
 
 use super::{ARM, homogen, keys};

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use homogen_codegen::cli::Answer;
+use homogen_cli::Answer;
 use serde_json::Value;
 
 use super::homogen;

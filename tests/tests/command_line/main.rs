@@ -18,7 +18,7 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use homogen_codegen::cli::{Answer, answer, run};
+use homogen_cli::{Answer, answer, run};
 use serde_json::Value;
 
 /// Four links that move and one that does not, right angles in six digits, a doubtful inertia.

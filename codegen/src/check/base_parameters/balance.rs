@@ -34,7 +34,7 @@ fn root(sizes: impl Iterator<Item = f64>) -> f64 {
     if largest > 0.0 {
         // Half of the exponent, whose bias is 1023.
         let exponent = largest.to_bits() >> 52;
-        f64::from_bits(((exponent + 1023) / 2) << 52)
+        f64::from_bits(u64::midpoint(exponent, 1023) << 52)
     } else {
         1.0
     }

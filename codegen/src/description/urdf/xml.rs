@@ -11,7 +11,7 @@ use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
 /// The most bytes of a file.
-pub(crate) const LARGEST_FILE: usize = 64 << 20;
+pub const LARGEST_FILE: usize = 64 << 20;
 
 /// The most nodes of a document (elements, attributes, pieces of text between them): with this
 /// many, the document takes some 150 MB.

@@ -1,0 +1,141 @@
+//! `homogen base-parameters`: what torques can tell of the inertial parameters.
+//!
+//! In: a description. Out: the base parameters in the order of the columns of the base regressor, each as the sum that it
+//! is, with its value as described. It never generates anything.
+
+use std::fmt::Write;
+use std::io::Read;
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use super::options::{Format, Robot};
+use super::{Answer, Said, json, options};
+use homogen_codegen::chain::Chain;
+use homogen_codegen::chain::base_parameters::{BaseParameters as Found, Group};
+use homogen_codegen::expand;
+use homogen_codegen::list::List;
+use homogen_codegen::space::{Entry, Kind, ParameterId};
+use homogen_codegen::wording::visible;
+
+/// Tell which sums of inertial parameters torques can tell, and their values
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen base-parameters arm.urdf --format json")]
+pub(super) struct BaseParameters {
+    #[command(flatten)]
+    robot: Robot,
+    /// How the answer is printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+impl BaseParameters {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        let description = self.robot.description(input)?;
+        let request = self.robot.request(&None, Vec::new());
+        let chain = expand::understand(&description, &request)?;
+        homogen_codegen::plan::check_size(&chain)?;
+        let chain = expand::identified(chain, &description, &request)?;
+        let base = chain.base_parameters.clone().unwrap_or_default();
+        Ok(match self.format {
+            Format::Text => Answer {
+                output: in_text(&description.name.text, &chain, &base),
+                remarks: options::warnings(&description, &chain.report.warnings),
+                code: 0,
+            },
+            Format::Json => Answer {
+                output: json::answer(in_json(&description.name.text, &chain, &base)),
+                ..Answer::default()
+            },
+        })
+    }
+}
+
+const fn unit(entry: &Entry) -> &'static str {
+    match entry.kind {
+        Kind::Moment(0)
+        | Kind::Drive {
+            order: 2,
+            slides: true,
+        } => "kg",
+        Kind::Moment(1) => "kg m",
+        Kind::Drive {
+            order: 1,
+            slides: true,
+        } => "N s/m",
+        Kind::Drive {
+            order: 0,
+            slides: true,
+        } => "N",
+        Kind::Drive { order: 1, .. } => "N m s",
+        Kind::Drive { order: 0, .. } => "N m",
+        _ => "kg m²",
+    }
+}
+
+fn in_json(robot: &str, chain: &Chain, base: &Found) -> Value {
+    let parameters = &chain.spaces().parameters;
+    let groups = base.groups.iter().map(|group| {
+        let members = group.members.iter().map(|&(parameter, factor)| {
+            json!({ "parameter": parameters[parameter].name, "factor": factor })
+        });
+        let leader = &parameters[group.leader()];
+        json!({
+            "leader": leader.name,
+            "unit": unit(leader),
+            "value": group.value,
+            "members": members.collect::<Value>(),
+        })
+    });
+    json!({
+        "robot": robot,
+        "parameters": parameters.iter().map(|entry| entry.name.as_str()).collect::<Value>(),
+        "base_parameters": groups.collect::<Value>(),
+        "warnings": json::warnings(&chain.report.warnings),
+    })
+}
+
+fn in_text(robot: &str, chain: &Chain, base: &Found) -> String {
+    let parameters = &chain.spaces().parameters;
+    let groups = &base.groups;
+    let mut text = String::new();
+    let (some, all) = (groups.len(), parameters.len());
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "robot {}: {some} base parameters of {all} inertial parameters",
+        visible(robot)
+    );
+    for group in groups {
+        let (value, unit) = (group.value, unit(&parameters[group.leader()]));
+        let _ = writeln!(
+            text,
+            "  {value} {unit} = {}",
+            visible(&sum(group, parameters))
+        );
+    }
+    text
+}
+
+/// A group as a sum.
+fn sum(group: &Group, parameters: &List<ParameterId, Entry>) -> String {
+    let mut sum = String::new();
+    for (k, &(parameter, factor)) in group.members.iter().enumerate() {
+        let sign = match (k, factor < 0.0) {
+            (0, true) => "−",
+            (0, false) => "",
+            (_, true) => " − ",
+            (_, false) => " + ",
+        };
+        sum.push_str(sign);
+        let size = factor.abs();
+        if (size - 1.0).abs() > 0.0 {
+            // Writing to a string cannot fail.
+            let _ = write!(sum, "{size} ");
+        }
+        sum.push_str(&parameters[parameter].name);
+    }
+    sum
+}

@@ -1,0 +1,339 @@
+//! `homogen check`: what was read, and what became of it.
+//!
+//! In: a description. Out: the order of q, the links that are modelled, what was merged, locked,
+//! left out or taken for a right angle, and every doubt with its line and column. It never
+//! generates anything.
+
+use std::fmt::Write;
+use std::io::Read;
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use super::functions::Frames;
+use super::options::{Format, Robot};
+use super::{Answer, Said, json, options};
+use homogen_codegen::chain::{BodyId, Chain, Report};
+use homogen_codegen::description::{Description, Joint, freed};
+use homogen_codegen::expand;
+use homogen_codegen::list::Id;
+use homogen_codegen::space::Space;
+use homogen_codegen::wording::visible;
+
+/// Tell what was read, merged, locked, left out or repaired, and every doubt with its place
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen check arm.urdf --tip tool0 --format json")]
+pub(super) struct Check {
+    #[command(flatten)]
+    robot: Robot,
+    #[command(flatten)]
+    frames: Frames,
+    /// How the answer is printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+impl Check {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        let description = self.robot.description(input)?;
+        let request = self.robot.request(&self.frames.frames, Vec::new());
+        let chain = expand::understand(&description, &request)?;
+        let (description, _) = freed(&description, &request);
+        let output = match self.format {
+            Format::Text => in_text(&description, &chain),
+            Format::Json => json::answer(in_json(&description, &chain)),
+        };
+        Ok(Answer {
+            output,
+            ..Answer::default()
+        })
+    }
+}
+
+/// The joints that move, each with the mass of the body that it carries; those that follow another among
+/// them.
+fn described<'a>(
+    description: &'a Description,
+    chain: &'a Chain,
+) -> impl Iterator<Item = (&'a Joint, f64)> {
+    // Of a joint with several velocities, the last moves the body.
+    let last = |k: BodyId| chain.joints.get(k.plus(1)).map(|next| next.of.as_str());
+    let bodies = chain.joints.numbered();
+    let bodies = bodies.filter(move |(k, body)| last(*k) != Some(&body.of));
+    bodies.filter_map(|(_, body)| {
+        let mass = chain.graph.value(body.inertia.mass)?.to_f64();
+        let mut joints = description.joints.iter();
+        let joint = joints.find(|joint| joint.name.text == body.of)?;
+        Some((joint, mass))
+    })
+}
+
+fn tip(chain: &Chain) -> Option<&str> {
+    let tip = chain.frames.first().filter(|_| chain.has_tip);
+    tip.map(|tip| tip.name.as_str())
+}
+
+pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
+    let report = &chain.report;
+    let spaces = chain.spaces();
+    let names = |space| spaces.names(space).collect::<Value>();
+    let merged = report.merged.iter();
+    let merged: Value = merged
+        .map(|(link, into)| json!({ "link": link, "into": into }))
+        .collect();
+    let locked = report.locked.iter();
+    let locked: Value = locked
+        .map(|(joint, at)| json!({ "joint": joint, "q": at }))
+        .collect();
+    let mimicked = report.mimicked.iter();
+    let mimicked: Value = mimicked
+        .map(|mimic| {
+            json!({
+                "joint": mimic.joint, "of": mimic.leader,
+                "multiplier": mimic.multiplier, "offset": mimic.offset,
+            })
+        })
+        .collect();
+    let snapped = report.snapped.iter().map(|angle| {
+        let (line, column) = json::line_and_column(angle.place);
+        json!({
+            "line": line, "column": column, "item": angle.item,
+            "written": angle.written, "quarter_turns": angle.quarters,
+        })
+    });
+    let details = described(description, chain).map(|(joint, mass)| {
+        let limits = joint.limits.as_ref();
+        // JSON has no infinity: a bound that does not exist is null.
+        let limits = limits.map(|limits| {
+            json!({ "lower": limits.lower, "upper": limits.upper, "velocity": limits.velocity })
+        });
+        let mut planes = report.planes.iter();
+        let plane = planes.find(|plane| plane.joint == joint.name.text);
+        let plane = plane.map(|plane| json!({ "x": plane.x, "y": plane.y }));
+        let mut details = json!({
+            "name": joint.name.text, "kind": joint.kind.word(), "parent": joint.parent.text,
+            "child": joint.child.text, "mass": mass, "limits": limits,
+        });
+        if let Some(plane) = plane {
+            details["plane"] = plane;
+        }
+        details
+    });
+    let frames: Value = chain
+        .frames
+        .iter()
+        .map(|frame| frame.name.as_str())
+        .collect();
+    let mut answer = json!({
+        "robot": description.name.text,
+        "file": description.source.file,
+        "base": report.base,
+        "tip": tip(chain),
+        "joints": report.joints,
+        "coordinates": names(Space::Coordinates),
+        "velocities": names(Space::Velocities),
+        "links": report.links,
+        "merged": merged,
+        "locked": locked,
+        "dropped": report.dropped,
+        "mimicked": mimicked,
+        "snapped": snapped.collect::<Value>(),
+        "turned": turned(chain),
+        "warnings": json::warnings(&report.warnings),
+        "details": {
+            "hash": format!("{:016x}", description.source.hash),
+            "frames": frames,
+            "joints": details.collect::<Value>(),
+        },
+    });
+    if !chain.loops.is_empty() {
+        let loops = chain.loops.iter().map(|closed| {
+            let [from, to] = closed.frames.each_ref().map(|frame| &frame.name);
+            json!({ "name": closed.name, "kind": closed.word, "from": from, "to": to })
+        });
+        answer["loops"] = loops.collect();
+        answer["constraints"] = names(Space::Constraints);
+        answer["closed"] = json!(report.closed);
+        answer["dependent"] = json!(report.dependent);
+    }
+    answer
+}
+
+/// Quaternions that were taken for rotations by right angles.
+fn turned(chain: &Chain) -> Value {
+    let turned = chain.report.turned.iter().map(|turned| {
+        let (line, column) = json::line_and_column(turned.place);
+        json!({
+            "line": line, "column": column, "item": turned.item,
+            "written": turned.written, "meant": turned.squares.map(root),
+        })
+    });
+    turned.collect()
+}
+
+/// An entry of a quaternion of right angles, of which four times the square is told.
+fn root(square: i64) -> String {
+    let sign = if square < 0 { "−" } else { "" };
+    let size = match square.abs() {
+        0 => "0",
+        1 => "½",
+        2 => "√½",
+        _ => "1",
+    };
+    format!("{sign}{size}")
+}
+
+/// Quarter turns as people write them.
+fn meant(quarters: i64) -> String {
+    let sign = if quarters < 0 { "−" } else { "" };
+    match (quarters.unsigned_abs(), quarters % 2 == 0) {
+        (0, _) => "0".to_owned(),
+        (1, _) => format!("{sign}π/2"),
+        (2, _) => format!("{sign}π"),
+        (turns, true) => format!("{sign}{} π", turns / 2),
+        (turns, false) => format!("{sign}{turns} π/2"),
+    }
+}
+
+/// What loops close, and what needs no closing.
+fn loops(chain: &Chain, line: &mut impl FnMut(String)) {
+    for closed in &chain.loops {
+        let [from, to] = closed.frames.each_ref().map(|frame| &frame.name);
+        let rows: Vec<String> = (closed.rows.iter())
+            .map(|row| row.name(&closed.name))
+            .collect();
+        let (name, kind, rows) = (&closed.name, closed.word, rows.join(", "));
+        line(format!(
+            "loop {name}: {kind}, holds {from} and {to} together: {rows}"
+        ));
+    }
+    if !chain.report.closed.is_empty() {
+        let names = chain.report.closed.join(", ");
+        line(format!("  closed whatever the joints do: {names}"));
+    }
+    if !chain.report.dependent.is_empty() {
+        let names = chain.report.dependent.join(", ");
+        line(format!(
+            "  implied by the others where loops are closed: {names}"
+        ));
+    }
+}
+
+/// `1 joint`, `2 joints`.
+fn counted(number: usize, one: &str, several: &str) -> String {
+    match number {
+        1 => format!("1 {one}"),
+        _ => format!("{number} {several}"),
+    }
+}
+
+/// What was taken for right angles and zeros.
+fn repaired(report: &Report, line: &mut impl FnMut(String)) {
+    let (right_angles, residues) = report.right_angles_and_residues();
+    line(counted(
+        right_angles,
+        "angle taken for a right angle",
+        "angles taken for right angles",
+    ));
+    if residues > 0 {
+        line(counted(
+            residues,
+            "residue taken for zero",
+            "residues taken for zero",
+        ));
+    }
+    for number in &report.snapped {
+        let (row, column) = json::line_and_column(number.place);
+        let (item, written, meant) = (&number.item, number.written, meant(number.quarters));
+        line(format!("  {row}:{column}: {written} of {item} is {meant}"));
+    }
+    for quaternion in &report.turned {
+        let (row, column) = json::line_and_column(quaternion.place);
+        let written = quaternion.written.map(|entry| entry.to_string()).join(" ");
+        let meant = quaternion.squares.map(root).join(" ");
+        let item = &quaternion.item;
+        line(format!("  {row}:{column}: {written} of {item} is {meant}"));
+    }
+}
+
+fn in_text(description: &Description, chain: &Chain) -> String {
+    let report = &chain.report;
+    let mut text = String::new();
+    let mut line = |line: String| {
+        text.push_str(&visible(&line));
+        text.push('\n');
+    };
+    let from = match &description.source.file {
+        Some(file) => format!(" from {file}"),
+        None => String::new(),
+    };
+    line(format!("robot {}{from}", description.name.text));
+    line(format!("base {}", report.base));
+    match tip(chain) {
+        Some(tip) => line(format!("tip {tip}")),
+        None => line("no tip: there is more than one end, and --tip names none".to_owned()),
+    }
+    let joints = counted(report.joints.len(), "joint", "joints");
+    line(format!("{joints}, in the order of q:"));
+    let mut k = 0;
+    for (joint, mass) in described(description, chain) {
+        let (parent, child) = (&joint.parent.text, &joint.child.text);
+        let (name, kind) = (&joint.name.text, joint.kind.word());
+        let names = joint.kind.coordinates(name).into_iter();
+        let names: Vec<String> = names.map(|(name, _)| name).collect();
+        let follows = report.mimicked.iter().find(|mimic| mimic.joint == *name);
+        let coordinates = match (follows, &*names) {
+            (Some(mimic), _) => {
+                let offset = match mimic.offset {
+                    0.0 => String::new(),
+                    offset => format!(" + {offset}"),
+                };
+                format!(" ({} of {}{offset})", mimic.multiplier, mimic.leader)
+            }
+            (None, [_]) => String::new(),
+            (None, names) => format!(" ({})", names.join(", ")),
+        };
+        let plane = report.planes.iter().find(|plane| plane.joint == *name);
+        let plane = plane.map_or(String::new(), |plane| format!(", {}", plane.text()));
+        let place = match follows {
+            Some(_) => "   ".to_owned(),
+            None => format!("{k:3}"),
+        };
+        line(format!(
+            "  {place}  {name}: {kind}{coordinates}{plane}, from {parent} to {child}, carries {mass} kg"
+        ));
+        k += if follows.is_some() { 0 } else { names.len() };
+    }
+    loops(chain, &mut line);
+    line(counted(
+        report.links.len(),
+        "link modelled",
+        "links modelled",
+    ));
+    line(counted(report.merged.len(), "link merged", "links merged"));
+    for (link, into) in &report.merged {
+        line(format!("  {link} into {into}"));
+    }
+    line(counted(
+        report.locked.len(),
+        "joint locked",
+        "joints locked",
+    ));
+    for (joint, at) in &report.locked {
+        line(format!("  {joint} at {at}"));
+    }
+    line(counted(
+        report.dropped.len(),
+        "link left out",
+        "links left out",
+    ));
+    for link in &report.dropped {
+        line(format!("  {link}"));
+    }
+    repaired(report, &mut line);
+    line(counted(report.warnings.len(), "warning", "warnings"));
+    let _ = write!(text, "{}", options::warnings(description, &report.warnings));
+    text
+}

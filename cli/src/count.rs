@@ -1,0 +1,193 @@
+//! `homogen count`: what each function costs.
+//!
+//! In: a description and names of functions. Out: a table of the prices that stand above the
+//! generated functions, the dense 4×4 products beside them, what the robot cannot have and every
+//! doubt; as JSON also the bounds of the error.
+
+use std::fmt::Write;
+use std::io::Read;
+
+use clap::Args;
+use serde_json::{Map, Value, json};
+
+use super::functions::Functions;
+use super::options::{Format, Robot};
+use super::{Answer, Said, json, options};
+use homogen_codegen::accuracy::{Accuracy, Bound, Perturbed};
+use homogen_codegen::error::Complaint;
+use homogen_codegen::expand::{expand, understand};
+use homogen_codegen::module::{GeneratedFunction, LeftOut, Module};
+use homogen_codegen::schedule::Price;
+use homogen_codegen::wording::visible;
+
+/// Count the operations, depth and literals of each function
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen count arm.urdf --functions inverse_dynamics,mass_matrix+bias --format json
+
+Exit status: 0; 1 for a mistake in what was read; 2 for one in the arguments; 3 if everything was asked for and a
+function was left out because of a fault of homogen, which standard error reports.")]
+pub(super) struct Count {
+    #[command(flatten)]
+    robot: Robot,
+    #[command(flatten)]
+    functions: Functions,
+    /// How the answer is printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+impl Count {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        let description = self.robot.description(input)?;
+        let request = self.functions.request(&self.robot);
+        let chain = understand(&description, &request)?;
+        let module = expand(&description, &request)?;
+        Ok(match self.format {
+            Format::Text => Answer {
+                output: table(&module.functions),
+                remarks: options::warnings(&description, &chain.report.warnings)
+                    + &Functions::remarks(&module),
+                code: Functions::code(&module),
+            },
+            Format::Json => Answer {
+                output: json::answer(in_json(&module, &chain.report.warnings)),
+                code: Functions::code(&module),
+                ..Answer::default()
+            },
+        })
+    }
+}
+
+/// The numbers of a price in the order of the table, that of signs where it is wanted; a name of two words is a group and
+/// a key.
+fn columns(price: &Price, signs: bool) -> Vec<(&'static str, usize)> {
+    let mut columns = vec![
+        ("mul", price.mul),
+        ("add", price.add),
+        ("div", price.div),
+        ("sqrt", price.sqrt),
+        ("sin", price.sin),
+        ("cos", price.cos),
+        ("neg", price.neg),
+        ("fused", price.fused),
+        ("depth", price.depth),
+        ("literals", price.literals),
+        ("naive mul", price.naive_mul),
+        ("naive add", price.naive_add),
+    ];
+    if signs {
+        columns.push(("sign", price.sign));
+    }
+    columns
+}
+
+/// Whether any of some functions takes a sign, as those with Coulomb friction do.
+pub(super) fn have_signs(functions: &[GeneratedFunction]) -> bool {
+    functions.iter().any(|generated| generated.price.sign > 0)
+}
+
+fn in_json(module: &Module, doubts: &[Complaint]) -> Value {
+    let signs = have_signs(&module.functions);
+    let prices =
+        (module.functions.iter()).map(|generated| (generated.name(), price(generated, signs)));
+    let prices: Map<String, Value> = prices.collect();
+    json!({
+        "robot": module.about.robot,
+        "functions": prices,
+        "left_out": left_out(module),
+        "warnings": json::warnings(doubts),
+    })
+}
+
+/// What a function costs, the number of signs where it is wanted, and how exact it is.
+pub(super) fn price(generated: &GeneratedFunction, signs: bool) -> Value {
+    let mut price = json!({});
+    for (name, number) in columns(&generated.price, signs) {
+        match name.split_once(' ') {
+            Some((group, name)) => price[group][name] = json!(number),
+            None => price[name] = json!(number),
+        }
+    }
+    if let Some((_, cycles)) = generated.price.cycles {
+        price["cycles"] = json!(cycles);
+    }
+    price["errors"] = generated.accuracy.iter().map(error).collect();
+    price
+}
+
+/// What the robot cannot have, with the reasons.
+pub(super) fn left_out(module: &Module) -> Value {
+    let left_out = module.about.left_out.iter();
+    let left_out = left_out.map(
+        |LeftOut {
+             functions,
+             reason,
+             hint,
+             is_fault,
+         }| {
+            json!({ "functions": functions, "reason": reason, "hint": hint, "fault": is_fault })
+        },
+    );
+    left_out.collect()
+}
+
+/// The worst of each unit by the type of number, of the results or of what they are exact for; the
+/// same for each joint; and where that holds; or why there is no bound.
+fn error(accuracy: &Accuracy) -> Value {
+    let (of, promise) = match accuracy {
+        Accuracy::Unknown(reason) => return json!({ "unknown": reason }),
+        Accuracy::Within(promise) => ("results", promise),
+        Accuracy::BesideDiagonal(promise) => ("diagonal", promise),
+        Accuracy::Backward(Perturbed::Torques, promise) => ("tau", promise),
+        Accuracy::Backward(Perturbed::MassMatrix, promise) => ("M", promise),
+        Accuracy::Backward(Perturbed::UnitForces, promise) => ("unit forces", promise),
+        Accuracy::Backward(Perturbed::TorqueDerivatives, promise) => ("tau derivatives", promise),
+    };
+    let by_unit = |of: fn(&Bound) -> Option<f64>| {
+        let mut worst: Map<String, Value> = Map::new();
+        for bound in &promise.bounds {
+            let found = of(bound);
+            let before = worst.get(bound.unit).and_then(Value::as_f64);
+            let most = found.map(|found| before.map_or(found, |before| before.max(found)));
+            worst.insert(bound.unit.to_owned(), json!(most));
+        }
+        worst
+    };
+    let of_joint = |bound: &Bound| {
+        let (joint, unit) = (&bound.joint, bound.unit);
+        json!({ "joint": joint, "unit": unit, "f64": bound.double, "f32": bound.single })
+    };
+    json!({
+        "of": of,
+        "f64": by_unit(|bound| bound.double),
+        "f32": by_unit(|bound| bound.single),
+        "joints": promise.bounds.iter().map(of_joint).collect::<Vec<_>>(),
+        "range": promise.range,
+        "lacks": promise.lacks,
+    })
+}
+
+fn table(functions: &[GeneratedFunction]) -> String {
+    let names = functions.iter().map(GeneratedFunction::name);
+    let names: Vec<String> = names.map(|name| visible(&name).into_owned()).collect();
+    let width = names.iter().map(|name| name.chars().count()).max();
+    let width = width.unwrap_or(0);
+    let mut text = format!("{:width$}", "");
+    let signs = have_signs(functions);
+    for (head, _) in columns(&Price::default(), signs) {
+        text.push_str("  ");
+        text.push_str(head);
+    }
+    for (name, generated) in names.iter().zip(functions) {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "\n{name:width$}");
+        for (head, number) in columns(&generated.price, signs) {
+            let column = head.len();
+            let _ = write!(text, "  {number:>column$}");
+        }
+    }
+    text.push('\n');
+    text
+}

@@ -1,0 +1,162 @@
+//! The values of a scheduled program at many states.
+//!
+//! In: a program, what its function is a function of, states. Out: its results at each of them, computed operation by
+//! operation for several states at a time and on all cores; neither changes a bit of any. It never looks at what the
+//! results mean.
+
+use std::array::from_fn;
+use std::num::NonZero;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::thread;
+
+use super::super::options::Scalar;
+use super::states::States;
+use homogen_codegen::arithmetic::Own;
+use homogen_codegen::expression::Input;
+use homogen_codegen::formulation::Sines;
+use homogen_codegen::schedule::{Arithmetic, Program, run};
+use homogen_codegen::space::Variable;
+
+/// How many states each operation is done for before the next one.
+const LANES: usize = 8;
+
+/// A function, ready to be computed.
+pub(super) struct Values<'p> {
+    pub(super) program: &'p Program,
+    pub(super) arguments: &'p [Variable],
+    pub(super) scalar: Scalar,
+    pub(super) sines: Sines,
+}
+
+impl Values<'_> {
+    /// The results at each state, one state after the other; `f64`s that hold single precision as well.
+    pub(super) fn at(&self, states: &States) -> Vec<f64> {
+        let mut results = vec![0.0; states.count * self.program.results.len()];
+        if results.is_empty() {
+            return results;
+        }
+        match (self.scalar, self.sines) {
+            (Scalar::F32, Sines::Own) => self.on_all_cores::<Own<f32>>(states, &mut results),
+            (Scalar::F64, Sines::Own) => self.on_all_cores::<Own<f64>>(states, &mut results),
+            (Scalar::F32, Sines::Platform) => self.on_all_cores::<f32>(states, &mut results),
+            (Scalar::F64, Sines::Platform) => self.on_all_cores::<f64>(states, &mut results),
+        }
+        results
+    }
+
+    fn on_all_cores<T: Arithmetic + Copy + Into<f64>>(&self, states: &States, results: &mut [f64]) {
+        let cores = thread::available_parallelism().map_or(1, NonZero::get);
+        // A share that is worth a thread, in whole packs.
+        let share = states
+            .count
+            .div_ceil(cores)
+            .max(16 * LANES)
+            .next_multiple_of(LANES);
+        let shares = results.chunks_mut(share * self.program.results.len());
+        let shares = (0..).step_by(share).zip(shares);
+        thread::scope(|scope| {
+            for (first, results) in shares {
+                if states.count <= share {
+                    self.one_after_the_other::<T>(states, first, results);
+                } else {
+                    scope.spawn(move || self.one_after_the_other::<T>(states, first, results));
+                }
+            }
+        });
+    }
+
+    fn one_after_the_other<T: Arithmetic + Copy + Into<f64>>(
+        &self,
+        states: &States,
+        first: usize,
+        results: &mut [f64],
+    ) {
+        let each = self.program.results.len();
+        for (first, results) in (first..)
+            .step_by(LANES)
+            .zip(results.chunks_mut(LANES * each))
+        {
+            let last = first + results.len() / each - 1;
+            let input = |input| match input {
+                Input::Variable(wanted, k) => {
+                    let index = self
+                        .arguments
+                        .iter()
+                        .position(|&argument| argument == wanted);
+                    let index = index.expect("a program reads the arguments of its function");
+                    // Where states are fewer than lanes the others get the last one.
+                    Lanes(from_fn(|lane| {
+                        let state = states.argument(index, (first + lane).min(last));
+                        T::literal(state[usize::from(k)])
+                    }))
+                }
+                Input::Parameter(..) => unreachable!("the command line has no run-time parameters"),
+            };
+            for (k, lanes) in run(self.program, input).into_iter().enumerate() {
+                let of_states = results.iter_mut().skip(k).step_by(each);
+                for (result, number) in of_states.zip(lanes.0) {
+                    *result = number.into();
+                }
+            }
+        }
+    }
+}
+
+/// A number for each of several states.
+#[derive(Clone, Copy)]
+struct Lanes<T>([T; LANES]);
+
+impl<T: Copy> Lanes<T> {
+    fn with(self, other: Self, operation: impl Fn(T, T) -> T) -> Self {
+        Self(from_fn(|lane| operation(self.0[lane], other.0[lane])))
+    }
+}
+
+macro_rules! operator {
+    ($($name:ident $method:ident)*) => {$(
+        impl<T: $name<Output = T> + Copy> $name for Lanes<T> {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                self.with(other, $name::$method)
+            }
+        }
+    )*};
+}
+operator!(Add add Sub sub Mul mul Div div);
+
+impl<T: Neg<Output = T>> Neg for Lanes<T> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(self.0.map(Neg::neg))
+    }
+}
+
+impl<T: Arithmetic + Copy> Arithmetic for Lanes<T> {
+    fn literal(value: f64) -> Self {
+        Self([T::literal(value); LANES])
+    }
+
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        Self(from_fn(|lane| {
+            self.0[lane].mul_add(factor.0[lane], term.0[lane])
+        }))
+    }
+
+    fn sqrt(self) -> Self {
+        Self(self.0.map(Arithmetic::sqrt))
+    }
+
+    fn sign(self) -> Self {
+        Self(self.0.map(Arithmetic::sign))
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let turned = self.0.map(Arithmetic::sin_cos);
+        (
+            Self(turned.map(|(sine, _)| sine)),
+            Self(turned.map(|(_, cosine)| cosine)),
+        )
+    }
+}

@@ -1,0 +1,104 @@
+//! The options that leave numbers of a robot free at run time.
+//!
+//! In: arguments. Out: the builder with a field for each. They are in the words of attributes.
+
+use clap::Args;
+
+use homogen_codegen::builder::Builder;
+use homogen_codegen::description::Name;
+use homogen_codegen::request::Target;
+use homogen_codegen::wording::known;
+
+/// Fields of the struct.
+#[derive(Args, Clone, Debug)]
+pub(super) struct Fields {
+    /// A number that stays free at run time, as a field of the struct: payload=payload_on:hand,
+    /// m=mass_of:hand, c=com_of:hand, i=inertia_of:hand, o=origin_of:elbow, p=placement_of:elbow,
+    /// a=armature_of:elbow, d=damping_of:elbow, f=friction_of:elbow, g=gravity, b=base_position,
+    /// b=base_placement
+    #[arg(long = "field", value_name = "FIELD=WORD[:NAME]", value_parser = field)]
+    free: Vec<Said>,
+    /// What each number of a field is meant to be within, for bounds of errors: payload=0..3
+    #[arg(long = "range", value_name = "FIELD=LEAST..MOST", value_parser = range)]
+    ranges: Vec<(String, [f64; 2])>,
+    /// Compute once what depends on fields alone
+    #[arg(long)]
+    prepare: bool,
+}
+
+/// A field, and what it stands for.
+#[derive(Clone, Debug)]
+struct Said {
+    field: String,
+    word: String,
+    name: Option<String>,
+}
+
+impl Fields {
+    /// The builder with these fields; the first range without a field is told.
+    pub(super) fn of(&self, builder: Builder) -> Result<Builder, String> {
+        let has = |name: &String| self.free.iter().any(|said| said.field == *name);
+        if let Some((name, _)) = self.ranges.iter().find(|(name, _)| !has(name)) {
+            return Err(format!(
+                "--range is of a --field, and none is called `{name}`"
+            ));
+        }
+        let targets = self
+            .free
+            .iter()
+            .filter_map(|said| Some((&said.field, said.target()?)));
+        let builder = targets.fold(builder, |builder, (field, target)| {
+            let mut ranges = self.ranges.iter();
+            match ranges.find(|(name, _)| name == field) {
+                Some((_, [least, most])) => builder.parameter_within(field, target, *least..=*most),
+                None => builder.parameter(field, target),
+            }
+        });
+        Ok(if self.prepare {
+            builder.prepare()
+        } else {
+            builder
+        })
+    }
+}
+
+impl Said {
+    fn target(&self) -> Option<Target> {
+        match &self.name {
+            Some(name) => Target::of_item(&self.word).map(|of| of(Name::from(name.as_str()))),
+            None => Target::alone(&self.word),
+        }
+    }
+}
+
+fn field(text: &str) -> Result<Said, String> {
+    let (field, target) = text
+        .split_once('=')
+        .ok_or_else(|| "a field and what it stands for have = between them".to_owned())?;
+    let (word, name) = match target.split_once(':') {
+        Some((word, name)) => (word, Some(name.to_owned())),
+        None => (target, None),
+    };
+    let said = Said {
+        field: field.to_owned(),
+        word: word.to_owned(),
+        name,
+    };
+    match (said.target(), Target::of_item(word)) {
+        (Some(_), _) => Ok(said),
+        (None, Some(_)) => Err(format!("`{word}` needs a name: {field}={word}:hand")),
+        (None, None) => Err(format!(
+            "a field cannot stand for `{target}`\n  hint: {}",
+            known(word, "words", &Target::keys())
+        )),
+    }
+}
+
+fn range(text: &str) -> Result<(String, [f64; 2]), String> {
+    let ends = text.split_once('=').and_then(|(field, ends)| {
+        let (least, most) = ends.split_once("..")?;
+        let most = most.strip_prefix('=').unwrap_or(most);
+        Some((field.to_owned(), [least.parse().ok()?, most.parse().ok()?]))
+    });
+    ends.ok_or_else(|| "a range is FIELD=LEAST..MOST, such as payload=0..3".to_owned())
+}

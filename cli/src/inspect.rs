@@ -1,0 +1,55 @@
+//! `homogen inspect`: what a derive expands to.
+//!
+//! In: a description and the name of a function. Out: the method that the derive adds, formatted,
+//! with its doc comment and its price. It never shows the struct, the traits or the data beside it.
+
+use std::io::Read;
+
+use clap::Args;
+
+use super::functions::{self, Together};
+use super::options::{Robot, Scalar};
+use super::{Answer, Said, options};
+use homogen_codegen::expand::{expand, understand};
+use homogen_codegen::print::rust::{self, Item, Source, World};
+
+/// Show the code that a derive expands to, formatted, with its price
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen inspect arm.urdf --function mass_matrix")]
+pub(super) struct Inspect {
+    #[command(flatten)]
+    robot: Robot,
+    /// The function; several with + between them share their work
+    #[arg(long, value_name = "NAME", value_parser = functions::together)]
+    function: Together,
+    /// The link whose pose or Jacobian is wanted, instead of the tip's
+    #[arg(long, alias = "frames", value_name = "LINK")]
+    frame: Option<String>,
+    /// The type of number [default: any, as a type parameter]
+    #[arg(long, value_enum)]
+    scalar: Option<Scalar>,
+}
+
+impl Inspect {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        let description = self.robot.description(input)?;
+        let mut request = self
+            .robot
+            .request(&self.frame, vec![self.function.0.clone()]);
+        request.scalar = self.scalar.map(Into::into).unwrap_or_default();
+        let chain = understand(&description, &request)?;
+        let mut module = expand(&description, &request)?;
+        // A further frame comes after the tip's.
+        let last = module.functions.len().saturating_sub(1);
+        module.functions.drain(..last);
+        let item = Item::named_after(&module.about.robot);
+        let methods = rust::methods(&module, &item, &World::default());
+        Ok(Answer {
+            output: Source::new("", &methods).to_string(),
+            remarks: options::warnings(&description, &chain.report.warnings),
+            code: 0,
+        })
+    }
+}

@@ -1,0 +1,298 @@
+//! `homogen new firmware`: a crate for a microcontroller, to begin with.
+//!
+//! In: a description, a folder that is not there yet. Out: a small crate with a control loop for that robot, which
+//! runs under QEMU as it is. What a description says becomes numbers, file names of our own and escaped strings: no
+//! name in it becomes code. It never writes into a folder that is there.
+
+mod template;
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io::Read;
+use std::path::{Component, Path, PathBuf};
+
+use clap::{Args, Subcommand, ValueEnum};
+
+use super::options::{Scope, mistake};
+use super::{Answer, Said};
+use homogen_codegen::builder::Builder;
+use homogen_codegen::error::Errors;
+use homogen_codegen::function::Function;
+use homogen_codegen::module::Module;
+use homogen_codegen::processor::Processor;
+use homogen_codegen::real::Real;
+use homogen_codegen::space::{Entry, Kind};
+
+/// Write something to begin with
+#[derive(Args, Clone, Debug)]
+pub(super) struct New {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum What {
+    Firmware(Box<Firmware>),
+}
+
+/// Write a crate for a Cortex-M with a control loop for a robot
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen new firmware arm.urdf --homogen ../homogen -o arm-firmware
+  cd arm-firmware && cargo run --release")]
+struct Firmware {
+    /// A URDF file or a Denavit–Hartenberg table
+    file: PathBuf,
+    #[command(flatten)]
+    scope: Scope,
+    /// What it is compiled for
+    #[arg(long, value_enum, default_value = "thumbv7em-none-eabihf")]
+    target: Target,
+    /// The folder of a clone of homogen, seen from where you are
+    /// [default: the version of this program, from the registry]
+    #[arg(long, value_name = "FOLDER")]
+    homogen: Option<PathBuf>,
+    /// The folder to write [default: the robot's name, and -firmware]
+    #[arg(long, short, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+}
+
+/// What a firmware is compiled for, of which QEMU has a board.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Target {
+    #[value(name = "thumbv7em-none-eabihf")]
+    M4F,
+    #[value(name = "thumbv7em-none-eabi")]
+    M4,
+    #[value(name = "thumbv7m-none-eabi")]
+    M3,
+}
+
+impl Target {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::M4F => "thumbv7em-none-eabihf",
+            Self::M4 => "thumbv7em-none-eabi",
+            Self::M3 => "thumbv7m-none-eabi",
+        }
+    }
+
+    /// Its processor, QEMU's board that has it, and which operations are chosen for it.
+    const fn board(self) -> [&'static str; 3] {
+        match self {
+            Self::M4F => ["cortex-m4", "mps2-an386", "CortexM4"],
+            Self::M4 => ["cortex-m4", "mps2-an386", "Portable"],
+            Self::M3 => ["cortex-m3", "mps2-an385", "Portable"],
+        }
+    }
+
+    const fn processor(self) -> Processor {
+        match self {
+            Self::M4F => Processor::CortexM4,
+            Self::M4 | Self::M3 => Processor::Portable,
+        }
+    }
+}
+
+impl New {
+    pub(super) fn run(&self, _: &mut dyn Read) -> Said {
+        let What::Firmware(firmware) = &self.what;
+        firmware.run()
+    }
+}
+
+impl Firmware {
+    fn run(&self) -> Said {
+        let (builder, calls) = self.builder();
+        let builder = builder
+            .generate([Function::Gravity, Function::InverseDynamics])
+            .processor(self.target.processor())
+            .scalar(Real::F32);
+        let module = builder.file_listing()?;
+        let robot = package(&module.about.robot);
+        let folder = self.output.clone();
+        let folder = folder.unwrap_or_else(|| PathBuf::from(format!("{robot}-firmware")));
+        if fs::symlink_metadata(&folder).is_ok() {
+            let message = format!("{} is there already: it is left as it is", folder.display());
+            return Err(mistake(message));
+        }
+        let description = self.description();
+        let words = self.words(&module, &calls, &folder)?;
+        let mut files = template::firmware(&words);
+        let read = |reason| mistake(format!("cannot read {}: {reason}", self.file.display()));
+        let text = fs::read(&self.file).map_err(read)?;
+        files.push((".gitignore", "/target\n".to_owned()));
+        template::write_fresh(&folder, &files, (description, &text))
+            .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))?;
+        let doubts = module.about.warnings.iter();
+        Ok(Answer {
+            output: format!("cd {} && cargo run --release\n", folder.display()),
+            remarks: doubts.fold(String::new(), |mut text, doubt| {
+                // Writing to a string cannot fail.
+                let _ = writeln!(text, "warning: {doubt}");
+                text
+            }),
+            code: 0,
+        })
+    }
+
+    /// What the description is called in the crate.
+    fn description(&self) -> &'static str {
+        let is_table = self.file.extension().is_some_and(|ending| ending == "dh");
+        if is_table { "robot.dh" } else { "robot.urdf" }
+    }
+
+    /// The builder of the robot, and the calls that make it in a build script.
+    fn builder(&self) -> (Builder, String) {
+        let mut builder = Builder::from_urdf(&self.file);
+        let mut calls = String::new();
+        let mut call = |text: String| {
+            calls.push_str("\n        ");
+            calls.push_str(&text);
+        };
+        // Debug of strings is a literal of Rust.
+        if let Some(link) = &self.scope.base {
+            builder = builder.base(link);
+            call(format!(".base({link:?})"));
+        }
+        if self.scope.floating {
+            builder = builder.floating();
+            call(".floating()".to_owned());
+        }
+        if let Some(link) = &self.scope.tip {
+            builder = builder.tip(link);
+            call(format!(".tip({link:?})"));
+        }
+        if self.scope.path_only {
+            builder = builder.path_only();
+            call(".path_only()".to_owned());
+        }
+        for (joint, at) in &self.scope.lock {
+            builder = match at {
+                Some(at) => builder.lock_at(joint, *at),
+                None => builder.lock(joint),
+            };
+            call(match at {
+                Some(at) => format!(".lock_at({joint:?}, {at:?})"),
+                None => format!(".lock({joint:?})"),
+            });
+        }
+        (builder, calls)
+    }
+
+    /// What stands for the words of the template.
+    fn words(
+        &self,
+        module: &Module,
+        calls: &str,
+        folder: &Path,
+    ) -> Result<[(&'static str, String); 12], Errors> {
+        let [processor, machine, chosen] = self.target.board();
+        let spaces = &module.spaces;
+        let alike = spaces.coordinates.len() == spaces.velocities.len()
+            && (spaces.coordinates.iter().zip(&spaces.velocities)).all(|(q, qd)| q.name == qd.name);
+        let start = start(&spaces.coordinates);
+        let description = self.description();
+        let format = if description == "robot.dh" {
+            "denavit_hartenberg"
+        } else {
+            "urdf"
+        };
+        Ok([
+            (
+                "@PACKAGE@",
+                format!("{}-firmware", package(&module.about.robot)),
+            ),
+            ("@CODEGEN@", self.codegen(folder)?),
+            ("@TARGET@", self.target.name().to_owned()),
+            ("@PROCESSOR@", processor.to_owned()),
+            ("@MACHINE@", machine.to_owned()),
+            ("@CHOSEN@", chosen.to_owned()),
+            ("@DESCRIPTION@", description.to_owned()),
+            ("@FORMAT@", format.to_owned()),
+            ("@OPTIONS@", calls.to_owned()),
+            (
+                "@VELOCITIES@",
+                if alike { "JOINTS" } else { "VELOCITIES" }.to_owned(),
+            ),
+            ("@COUNT@", start.len().to_string()),
+            ("@START@", start.join(", ")),
+        ])
+    }
+
+    /// Where cargo finds the engine.
+    fn codegen(&self, folder: &Path) -> Result<String, Errors> {
+        let Some(homogen) = &self.homogen else {
+            return Ok(format!("\"={}\"", env!("CARGO_PKG_VERSION")));
+        };
+        let engine = homogen.join("codegen");
+        if !engine.join("Cargo.toml").is_file() {
+            let message = format!("{} is no clone of homogen", homogen.display());
+            return Err(mistake(message));
+        }
+        // A path of Cargo.toml begins at its folder.
+        let plain = |path: &Path| {
+            let mut parts = path.components();
+            parts.all(|part| matches!(part, Component::Normal(_)))
+        };
+        let path = if plain(folder) && engine.is_relative() {
+            let levels = folder.components().count();
+            let up: PathBuf = std::iter::repeat_n("..", levels).collect();
+            up.join(engine)
+        } else {
+            fs::canonicalize(&engine).map_err(|reason| mistake(reason.to_string()))?
+        };
+        let path = path.display().to_string();
+        Ok(format!("{{ path = {path:?} }}"))
+    }
+}
+
+/// A posture to begin with: the middle of what is described, and unturned.
+fn start(coordinates: &[Entry]) -> Vec<String> {
+    let mut quaternions = 0;
+    let start = coordinates.iter().map(|entry| {
+        if entry.kind == Kind::Quaternion {
+            quaternions += 1;
+            return if quaternions % 4 == 0 { "1.0" } else { "0.0" }.to_owned();
+        }
+        let middle = entry
+            .range
+            .map_or(0.0, |[least, most]| f64::midpoint(least, most));
+        let middle: f64 = format!("{middle:.3}").parse().unwrap_or(0.0);
+        // No −0.
+        format!("{:?}", middle + 0.0)
+    });
+    start.collect()
+}
+
+/// The name of a package: small letters, digits and dashes, a letter first.
+fn package(robot: &str) -> String {
+    let letters = robot
+        .chars()
+        .map(|letter| match letter.to_ascii_lowercase() {
+            letter if letter.is_ascii_alphanumeric() => letter,
+            _ => '-',
+        });
+    let name: String = letters.take(40).collect();
+    let name = name.trim_matches('-');
+    if name.starts_with(|letter: char| letter.is_ascii_alphabetic()) {
+        name.to_owned()
+    } else if name.is_empty() {
+        "robot".to_owned()
+    } else {
+        format!("robot-{name}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::package;
+
+    #[test]
+    fn names_of_packages_are_no_code() {
+        let robots = ["Panda", "2nd arm", "\"]\nx = 1", "機器", "../..", "a_b"];
+        let names = ["panda", "robot-2nd-arm", "x---1", "robot", "robot", "a-b"];
+        assert_eq!(robots.map(package), names);
+    }
+}

@@ -1,0 +1,62 @@
+//! `homogen python`: a package for Python that `pip` builds.
+//!
+//! In: a description, names of functions, a folder. Out: what the builder of a build script writes. It never
+//! leaves a part of a package, and never writes over what it has not written.
+
+use std::io::Read;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::fields::Fields;
+use super::functions::Functions;
+use super::options::{Robot, Scalar, is_standard_input, mistake};
+use super::{Answer, Said};
+use homogen_codegen::builder::{module_of, write_folder};
+
+/// Write a package for Python: the functions of a robot for NumPy, of one state or of many
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen python arm.urdf -o arm_py
+  pip install ./arm_py
+  python -c 'import arm_py; help(arm_py)'")]
+pub(super) struct Python {
+    #[command(flatten)]
+    robot: Robot,
+    #[command(flatten)]
+    functions: Functions,
+    #[command(flatten)]
+    fields: Fields,
+    /// The type of number
+    #[arg(long, value_enum, default_value = "f64")]
+    scalar: Scalar,
+    /// The name of the class [default: the robot's]
+    #[arg(long)]
+    name: Option<String>,
+    /// The folder to write, after which the module is called
+    #[arg(long, short, value_name = "FOLDER")]
+    output: PathBuf,
+}
+
+impl Python {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        if is_standard_input(&self.output) {
+            return Err(mistake("a package is many files: name a folder"));
+        }
+        let module = module_of(&self.output)?;
+        let name = self.name.as_deref();
+        let (builder, mut remarks) =
+            self.functions
+                .builder(&self.robot, &self.fields, (self.scalar.into(), name), input)?;
+        let listing = builder.python_listing()?;
+        remarks.push_str(&Functions::remarks(&listing));
+        let package = builder.python(&listing, &module);
+        write_folder(&self.output, &package)?;
+        Ok(Answer {
+            output: format!("from {} import {}\n", package.module, package.class),
+            remarks,
+            code: Functions::code(&listing),
+        })
+    }
+}

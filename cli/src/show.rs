@@ -1,0 +1,149 @@
+//! `homogen show`: a robot and its functions as a page for a browser.
+//!
+//! In: a description and names of functions. Out: one file of HTML that asks no network for anything:
+//! the robot as a skeleton that can be turned and whose joints can be moved, what was read and what
+//! became of it, and every function with its price, its error and its code. What is said of the robot
+//! stands in it as data, of which nothing can run. It never measures a time.
+
+mod function;
+mod names;
+mod packed;
+mod skeleton;
+#[cfg(test)]
+mod tests;
+
+use std::io::Read;
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use super::functions::Functions;
+use super::generate::write;
+use super::options::{Robot, Scalar, is_standard_input};
+use super::{Answer, Said, check, count, json, options};
+use homogen_codegen::description::freed;
+use homogen_codegen::expand::{expand, understand};
+use homogen_codegen::template::filled;
+use homogen_codegen::wording::visible;
+
+/// The page, with a mark where each of the following goes.
+const PAGE: &str = include_str!("show/page.html");
+
+/// Its only style.
+const STYLE: &str = include_str!("show/page.css");
+
+/// Its only script: a room a file, in a scope of its own.
+const SCRIPT: &str = concat!(
+    "\"use strict\";\n{\n",
+    include_str!("show/elements.js"),
+    include_str!("show/kinematics.js"),
+    include_str!("show/camera.js"),
+    include_str!("show/scene.js"),
+    include_str!("show/names.js"),
+    include_str!("show/code.js"),
+    include_str!("show/explain.js"),
+    include_str!("show/loops.js"),
+    include_str!("show/joints.js"),
+    include_str!("show/tables.js"),
+    include_str!("show/functions.js"),
+    include_str!("show/main.js"),
+    "}\n"
+);
+
+/// SHA-256 of the script and of the style, in base 64: the page says that nothing else may run or dress
+/// it. A test computes them again and tells what they should be.
+const SCRIPT_HASH: &str = "c/jeGXXGoh1T1OBGi3EZi2DtOfGcOrvuYrQvqq/WGpo=";
+const STYLE_HASH: &str = "wOxuCR3ghyg76YeukayPW6PNA+Gjulf/QfJhrLtLwsw=";
+
+/// Write a page for a browser: the robot as a skeleton to move, what was read, every function with its
+/// price, its error and its code
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen show arm.urdf -o arm.html
+
+The page is one file and needs no network. Prices are counted; no time is measured, and with --processor the
+cycles are those of its model.")]
+pub(super) struct Show {
+    #[command(flatten)]
+    robot: Robot,
+    #[command(flatten)]
+    functions: Functions,
+    /// The type of number in the code [default: any, as a type parameter]
+    #[arg(long, value_enum)]
+    scalar: Option<Scalar>,
+    /// The file to write; `-` is standard output
+    #[arg(long, short, value_name = "OUT", default_value = "-")]
+    output: PathBuf,
+}
+
+impl Show {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+        let description = self.robot.description(input)?;
+        let mut request = self.functions.request(&self.robot);
+        request.scalar = self.scalar.map(Into::into).unwrap_or_default();
+        // A page tells where each name comes from, which an array between sections would hide.
+        request.section = Some(usize::MAX);
+        let chain = understand(&description, &request)?;
+        let module = expand(&description, &request)?;
+        let remarks =
+            options::warnings(&description, &chain.report.warnings) + &Functions::remarks(&module);
+        let (description, request) = freed(&description, &request);
+        let skeleton = skeleton::skeleton(&description, &request, &chain)?;
+        let layouts = skeleton::layouts(&chain, &module);
+        let mut data = shown(json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "report": check::in_json(&description, &chain),
+            "facts": module.about.facts,
+            "formulation": module.about.formulation,
+            "left_out": count::left_out(&module),
+            "skeleton": skeleton,
+            "layouts": layouts.places,
+        }));
+        data["letters"] = names::letters();
+        data["functions"] = function::functions(&module, &layouts);
+        let output = page(&data);
+        if is_standard_input(&self.output) {
+            return Ok(Answer {
+                output,
+                remarks,
+                code: Functions::code(&module),
+            });
+        }
+        write(&self.output, &output)?;
+        Ok(Answer {
+            remarks,
+            code: Functions::code(&module),
+            ..Answer::default()
+        })
+    }
+}
+
+/// The page with its data.
+fn page(data: &Value) -> String {
+    let policy = format!(
+        "default-src 'none'; script-src 'sha256-{SCRIPT_HASH}'; style-src 'sha256-{STYLE_HASH}'; \
+         base-uri 'none'; form-action 'none'"
+    );
+    let words = [
+        ("@POLICY@", &*policy),
+        ("@STYLE@", STYLE),
+        ("@SCRIPT@", SCRIPT),
+        ("@DATA@", &json::in_markup(data)),
+    ];
+    filled(PAGE, &words)
+}
+
+/// The same with everything that is not to be seen written out, in names and in what is said of them.
+fn shown(value: Value) -> Value {
+    match value {
+        Value::String(text) => Value::String(visible(&text).into_owned()),
+        Value::Array(entries) => entries.into_iter().map(shown).collect(),
+        Value::Object(entries) => {
+            let entries = entries.into_iter();
+            entries.map(|(key, entry)| (key, shown(entry))).collect()
+        }
+        other => other,
+    }
+}

@@ -1,0 +1,51 @@
+//! Functions as a page tells them.
+//!
+//! In: a module and the layouts that its functions have. Out: of each function its name, what it
+//! costs, how exact it is, in which layout its frames stand, and its code as it is printed, packed. It
+//! never prints an operation itself.
+
+use serde_json::{Value, json};
+
+use super::packed::packed;
+use super::shown;
+use super::skeleton::Layouts;
+use crate::count::{have_signs, price};
+use homogen_codegen::module::{GeneratedFunction, Module};
+use homogen_codegen::print::rust::{Item, Source, World, each_method};
+use homogen_codegen::space::Variable;
+use homogen_codegen::wording::visible;
+
+/// The functions of a module.
+pub(super) fn functions(module: &Module, layouts: &Layouts) -> Value {
+    let item = Item::named_after(&module.about.robot);
+    let methods = each_method(module, &item, &World::default());
+    let signs = have_signs(&module.functions);
+    let functions = module.functions.iter().zip(methods).zip(&layouts.of);
+    let functions = functions.map(|((generated, method), layout)| {
+        let code = Source::new("", &method).to_string();
+        let arguments = generated.arguments(&module.spaces);
+        json!({
+            "name": visible(&generated.name()),
+            "of": generated.frame.as_deref().map(visible),
+            "sentence": sentence(module, generated),
+            "arguments": arguments.into_iter().map(Variable::name).collect::<Value>(),
+            "price": shown(price(generated, signs)),
+            "layout": layout,
+            "lines": code.lines().count(),
+            "code": packed(&code),
+        })
+    });
+    functions.collect()
+}
+
+/// What a function computes; of several together, what each of them does.
+fn sentence(module: &Module, generated: &GeneratedFunction) -> String {
+    let about = &module.about;
+    let frame = generated.frame.as_deref().unwrap_or(&about.tip);
+    let [base, frame] = [&about.base, frame].map(visible);
+    let functions = generated.functions.iter();
+    let sentences: Vec<String> = functions
+        .map(|function| function.sentence(&base, &frame))
+        .collect();
+    sentences.join(" ")
+}

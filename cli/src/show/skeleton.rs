@@ -1,0 +1,242 @@
+//! A robot as a page draws it: what moves, where links are, where frames stand.
+//!
+//! In: a description, the request, its chain and a module. Out: numbers and names. Bodies are those of the
+//! chain, in the frames that the description has; every link that is not left out is fixed to one of
+//! them. It never moves a joint: that is done where the page is looked at.
+
+use serde_json::{Value, json};
+
+use homogen_codegen::chain::{self, BodyId, Chain, Joint, Position};
+use homogen_codegen::closure::Row;
+use homogen_codegen::description::{Axis, Description, Inertial, Name, Step};
+use homogen_codegen::error::{Errors, Place};
+use homogen_codegen::expression::{Double, Expr, Graph, Term};
+use homogen_codegen::joint::{Motion, Posture};
+use homogen_codegen::layout::{Layout, arrange};
+use homogen_codegen::list::{Id, List};
+use homogen_codegen::matrix::{Pose, Rotation};
+use homogen_codegen::module::Module;
+use homogen_codegen::quaternion::normalize;
+use homogen_codegen::request::Request;
+use homogen_codegen::space::{Entry, Kind, Variable};
+
+/// The skeleton of a robot whose root is free already where that was asked for.
+pub(super) fn skeleton(
+    description: &Description,
+    request: &Request,
+    chain: &Chain,
+) -> Result<Value, Errors> {
+    let seats = seats(description, request, chain)?;
+    let bodies = chain.joints.iter().map(|joint| body(chain, joint));
+    let links = seats.frames.iter().map(|seat| {
+        let carrier = (description.joints.iter()).find(|joint| joint.child.text == seat.name);
+        let link = (description.links.iter()).find(|link| link.name.text == seat.name);
+        let inertial = link.and_then(|link| link.inertial.as_ref());
+        json!({
+            "name": seat.name,
+            "body": seat.body.map(Id::index),
+            "place": place(&seats.graph, seat.placement),
+            "parent": carrier.map(|joint| &joint.parent.text),
+            "joint": carrier.map(|joint| &joint.name.text),
+            "mass": inertial.map(|inertial| inertial.mass.value),
+            "center": inertial.map(center),
+        })
+    });
+    let loops = chain.loops.iter().map(|closed| {
+        let ends = closed.frames.iter();
+        let ends = ends
+            .map(|end| json!({ "body": end.body.map(Id::index), "place": place(&chain.graph, end.placement) }));
+        let rows = closed.rows.iter().map(|row| match *row {
+            Row::Along(k) => json!(["along", k]),
+            Row::Product(i, j) => json!(["product", i, j]),
+            Row::Inclined => json!(["inclined"]),
+            Row::Distance => json!(["distance"]),
+        });
+        json!({
+            "name": closed.name, "kind": closed.word, "ends": ends.collect::<Value>(),
+            "rows": rows.collect::<Value>(), "size": number(&chain.graph, closed.size),
+        })
+    });
+    let spaces = chain.spaces();
+    Ok(json!({
+        "base": chain.report.base,
+        "bodies": bodies.collect::<Value>(),
+        "links": links.collect::<Value>(),
+        "loops": loops.collect::<Value>(),
+        "coordinates": entries(&spaces.coordinates, Variable::Q),
+        "velocities": entries(&spaces.velocities, Variable::Qd),
+    }))
+}
+
+/// The same chain with the frames of all links that are not left out.
+fn seats(description: &Description, request: &Request, chain: &Chain) -> Result<Chain, Errors> {
+    let frames = chain.report.links.iter().map(|link| Name {
+        text: link.clone(),
+        place: Place::Unknown,
+    });
+    let request = Request {
+        frames: frames.collect(),
+        ..request.clone()
+    };
+    let mut seats = chain::build(description, &request)?;
+    let tip = usize::from(seats.has_tip);
+    seats.frames = seats.frames.into_iter().skip(tip).collect();
+    Ok(seats)
+}
+
+/// A body that moves against another, by one velocity.
+fn body(chain: &Chain, joint: &Joint) -> Value {
+    let number = |expr: Expr| number(&chain.graph, expr);
+    let by = match joint.position {
+        Position::Along { coordinate, factor } => {
+            json!({ "coordinate": coordinate.index(), "factor": number(factor) })
+        }
+        Position::Posture(posture, coordinate) => {
+            let posture = match posture {
+                Posture::Planar => "planar",
+                Posture::Spherical => "spherical",
+                Posture::Floating => "floating",
+            };
+            json!({ "coordinate": coordinate.index(), "posture": posture })
+        }
+        Position::Taken => Value::Null,
+    };
+    let (turns, slides) = match joint.motion {
+        Motion::Revolute => (1.0, 0.0),
+        Motion::Prismatic => (0.0, 1.0),
+        Motion::Screw(pitch) => (1.0, number(pitch)),
+    };
+    json!({
+        "name": joint.name,
+        "joint": joint.of,
+        "link": joint.link.as_ref().map(|(link, _)| link),
+        "parent": joint.parent.map(Id::index),
+        "place": place(&chain.graph, joint.placement),
+        "axis": joint.axis.0.map(number),
+        "turns": turns,
+        "slides": slides,
+        "by": by,
+        "velocity": joint.velocity.index(),
+    })
+}
+
+fn entries(entries: &[Entry], variable: Variable) -> Value {
+    let entries = entries.iter().map(|entry| {
+        let kind = match entry.kind {
+            Kind::Turn => "turn",
+            Kind::Slide => "slide",
+            Kind::Quaternion => "quaternion",
+            _ => "parameter",
+        };
+        json!({
+            "name": entry.name, "kind": kind, "unit": variable.unit(entry.kind),
+            "range": entry.range,
+        })
+    });
+    entries.collect()
+}
+
+/// Where the frames of some functions stand.
+pub(super) struct Layouts {
+    /// Of each function, which of the following is its.
+    pub(super) of: Vec<usize>,
+    /// Of each body the frame as seen from that which the description has.
+    pub(super) places: Vec<Value>,
+}
+
+/// The frames of the functions of a module: layouts that differ only in where mass sits are one.
+pub(super) fn layouts(chain: &Chain, module: &Module) -> Layouts {
+    let mut known: Vec<(Layout, usize)> = Vec::new();
+    let mut places: Vec<Value> = Vec::new();
+    let of = module.functions.iter().map(|generated| {
+        if let Some((_, index)) = known.iter().find(|(layout, _)| *layout == generated.layout) {
+            return *index;
+        }
+        let chosen = chosen(chain, generated.layout);
+        let same = places.iter().position(|other| *other == chosen);
+        let index = same.unwrap_or_else(|| {
+            places.push(chosen);
+            places.len() - 1
+        });
+        known.push((generated.layout, index));
+        index
+    });
+    let of = of.collect();
+    Layouts { of, places }
+}
+
+/// The frame that a layout gives each body, as seen from the body's own: both are fixed to it, so that
+/// where they are while nothing is displaced tells.
+fn chosen(chain: &Chain, layout: Layout) -> Value {
+    let graph = chain.graph.clone();
+    let bodies = arrange(&graph, chain, layout);
+    let mut own: List<BodyId, Pose<Term<'_>>> = List::new();
+    let mut laid: List<BodyId, Pose<Term<'_>>> = List::new();
+    for (joint, body) in chain.joints.iter().zip(&bodies.bodies) {
+        let turn = match body.offset {
+            Some(offset) => Pose::rotation(Rotation::about_z(offset)),
+            None => Pose::identity(&graph),
+        };
+        let [mut here, mut there] = [
+            joint.placement.map(|entry| graph.term(entry)),
+            body.placement * turn,
+        ];
+        if let Some(parent) = joint.parent {
+            (here, there) = (own[parent] * here, laid[parent] * there);
+        }
+        own.push(here);
+        laid.push(there);
+    }
+    let places = own.into_iter().zip(laid);
+    let places = places.map(|(own, laid)| place(&graph, (own.inverse() * laid).map(Term::expr)));
+    places.collect()
+}
+
+/// Rows 1 to 3 of a matrix that no field is part of.
+fn place(graph: &Graph, pose: Pose<Expr>) -> Value {
+    let entries = pose.entries().into_iter();
+    entries.map(|entry| number(graph, entry)).collect()
+}
+
+/// A number that no field is part of: the command line has none.
+fn number(graph: &Graph, expr: Expr) -> f64 {
+    graph.value(expr).map_or(0.0, Double::to_f64)
+}
+
+/// The centre of mass of a link in its frame \[m\], as it is written: good enough to draw.
+fn center(inertial: &Inertial) -> [f64; 3] {
+    let zero = Double::from(0.0);
+    let mut point = [zero; 3];
+    for step in inertial.origin.iter().rev() {
+        match step {
+            Step::Translate(offset) => {
+                for (entry, offset) in point.iter_mut().zip(offset) {
+                    *entry = *entry + Double::from(offset.value);
+                }
+            }
+            Step::Rotate(axis, angle) => {
+                let (sine, cosine) = Double::from(angle.value).sin_cos();
+                let [a, b] = match axis {
+                    Axis::X => [1, 2],
+                    Axis::Y => [2, 0],
+                    Axis::Z => [0, 1],
+                };
+                (point[a], point[b]) = (
+                    point[a] * cosine - point[b] * sine,
+                    point[a] * sine + point[b] * cosine,
+                );
+            }
+            Step::Turn(entries) => {
+                let mut entries = entries.map(|entry| Double::from(entry.value));
+                normalize(&mut entries);
+                let [x, y, z, w] = entries;
+                let cross = |[a, b, c]: [Double; 3]| [y * c - z * b, z * a - x * c, x * b - y * a];
+                let once = cross(point);
+                let twice = cross(once);
+                let two = Double::from(2.0);
+                point = std::array::from_fn(|k| point[k] + two * (w * once[k] + twice[k]));
+            }
+        }
+    }
+    point.map(Double::to_f64)
+}

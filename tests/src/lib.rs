@@ -22,6 +22,7 @@ pub mod oracle;
 pub mod robots;
 pub mod rounding;
 mod scalars;
+pub mod sources;
 pub mod states;
 pub mod subjects;
 pub mod tested;

@@ -5,8 +5,7 @@
 //! one that was written, or makes a scalar of one that is no literal; what stands in [`ALLOWED`] decides, warns or shows,
 //! or is exact.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use homogen_tests::sources::{Source, code, engine};
 
 /// The rooms through which numbers go until they are scalars of a graph.
 const ROOMS: [&str; 6] = [
@@ -63,24 +62,9 @@ const ALLOWED: [(&str, &str, &str); 22] = [
     ("matrix/vector.rs", "entries", "as they were handed in"),
 ];
 
-fn sources(path: &Path, found: &mut Vec<PathBuf>) {
-    if let Ok(entries) = fs::read_dir(path) {
-        for entry in entries {
-            let path = entry.expect("an entry").path();
-            let tests = path.file_stem().is_some_and(|name| name == "tests");
-            if !tests && (path.is_dir() || path.extension().is_some_and(|ending| ending == "rs")) {
-                sources(&path, found);
-            }
-        }
-    } else {
-        found.push(path.to_owned());
-    }
-}
-
-/// The lines of a text, comments and tests apart, in which a number may lose digits.
-fn suspicious(text: &str) -> Vec<&str> {
-    let code = text.split("#[cfg(test)]\nmod tests {").next();
-    let lines = code.unwrap_or_default().lines().map(str::trim);
+/// The lines of code in which a number may lose digits.
+fn suspicious(code: &str) -> Vec<&str> {
+    let lines = code.lines().map(str::trim);
     let is = |line: &&str| {
         let computes = line.contains(".value")
             && !line.contains(".value(")
@@ -92,32 +76,24 @@ fn suspicious(text: &str) -> Vec<&str> {
             let argument = argument.trim_start_matches("graph, [");
             !argument.starts_with(plain) && !line.contains("fn constant(")
         });
-        !line.starts_with("//") && (line.contains("to_f64") || computes || made)
+        line.contains("to_f64") || computes || made
     };
     lines.filter(is).collect()
 }
 
 #[test]
 fn nothing_that_was_written_is_computed_with_in_f64() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../codegen/src");
-    let mut files = Vec::new();
-    for room in ROOMS {
-        sources(&root.join(room), &mut files);
-        sources(&root.join(room).with_extension("rs"), &mut files);
-    }
+    let mut files = engine();
+    files.retain(|Source { name, .. }| {
+        let room = name.split('/').next().unwrap_or_default();
+        ROOMS.contains(&room.trim_end_matches(".rs")) && !name.starts_with(BASE_PARAMETERS)
+    });
     assert!(files.len() > 60, "{} files", files.len());
     let mut complaints = Vec::new();
-    for file in files.iter().filter(|file| file.is_file()) {
-        let name = file.strip_prefix(&root).expect("it lies there");
-        let name = name.to_string_lossy().replace('\\', "/");
-        let name = name.as_str();
-        if name.starts_with(BASE_PARAMETERS) {
-            continue;
-        }
-        let text = fs::read_to_string(file).expect("text");
-        for line in suspicious(&text) {
+    for Source { name, code } in &files {
+        for line in suspicious(code) {
             let mut allowed = ALLOWED.iter();
-            if !allowed.any(|(file, part, _)| *file == name && line.contains(part)) {
+            if !allowed.any(|(file, part, _)| file == name && line.contains(part)) {
                 complaints.push(format!("{name}: {line}"));
             }
         }
@@ -130,5 +106,6 @@ fn such_lines_are_found() {
     assert_eq!(suspicious("let x = a.value / length;").len(), 1);
     assert_eq!(suspicious("graph.constant(pitch.value)").len(), 1);
     assert_eq!(suspicious("let x = (a * b).to_f64();").len(), 1);
-    assert!(suspicious("// a.value / b\ngraph.constant(1.0)\nx.value() * y\n").is_empty());
+    let without = code("// a.value / b\ngraph.constant(1.0)\nx.value() * y\n");
+    assert!(suspicious(&without).is_empty());
 }

@@ -5,8 +5,7 @@
 //! in [`ALLOWED`] is called on numbers of our own, which have their own sines, or decides nothing that
 //! is printed.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use homogen_tests::sources::{Source, code, engine};
 
 /// Functions of `f64` whose precision the language leaves open. Sums, products, quotients, square
 /// roots and `mul_add` are rounded correctly everywhere.
@@ -84,32 +83,8 @@ const ALLOWED: [(&str, &str, &str); 24] = [
     ("simplify.rs", "sin_cos", "of a scalar of the graph"),
 ];
 
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        let name = path
-            .file_name()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
-        if path.is_dir() && name != "tests" {
-            sources(&path, found);
-        } else if path.extension().is_some_and(|ending| ending == "rs") && name != "tests.rs" {
-            found.push(path);
-        }
-    }
-}
-
-/// The calls of such functions in a text, comments and tests apart.
-fn calls(text: &str) -> Vec<&'static str> {
-    let code = text
-        .split("#[cfg(test)]\nmod tests {")
-        .next()
-        .unwrap_or_default();
-    let lines = code
-        .lines()
-        .filter(|line| !line.trim_start().starts_with("//"));
-    let code: String = lines.collect::<Vec<_>>().join("\n");
+/// The calls of such functions in code.
+fn calls(code: &str) -> Vec<&'static str> {
     let called = |name: &&&str| {
         let method = format!(".{name}(");
         let path = ["f64", "f32"].map(|number| format!("{number}::{name}"));
@@ -128,18 +103,13 @@ fn calls(text: &str) -> Vec<&'static str> {
 
 #[test]
 fn nothing_that_a_platform_decides_is_called() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../codegen/src");
-    let mut files = Vec::new();
-    sources(&root, &mut files);
+    let files = engine();
     assert!(files.len() > 80, "{} files", files.len());
     let mut complaints = Vec::new();
-    for file in files {
-        let name = file.strip_prefix(&root).expect("it lies there");
-        let name = name.to_string_lossy().replace('\\', "/");
-        let text = fs::read_to_string(&file).expect("text");
-        for function in calls(&text) {
+    for Source { name, code } in &files {
+        for function in calls(code) {
             let mut allowed = ALLOWED.iter();
-            if !allowed.any(|(file, other, _)| (*file, *other) == (&*name, function)) {
+            if !allowed.any(|(file, other, _)| (*file, *other) == (name, function)) {
                 complaints.push(format!("{name} calls {function}"));
             }
         }
@@ -152,5 +122,6 @@ fn such_calls_are_found() {
     assert_eq!(calls("let x = y.hypot(z);"), ["hypot"]);
     assert_eq!(calls("values.fold(0.0, f64::hypot)"), ["hypot"]);
     assert_eq!(calls("f64::exp2(x)"), ["exp2"]);
-    assert!(calls("// y.hypot(z)\nx.sqrt()\n#[cfg(test)]\nmod tests { x.sin() }").is_empty());
+    let without = code("// y.hypot(z)\nx.sqrt()\n#[cfg(test)]\nmod tests { x.sin() }");
+    assert!(calls(&without).is_empty());
 }

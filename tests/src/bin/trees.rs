@@ -111,7 +111,7 @@ fn rank(wanted: &Wanted) -> ExitCode {
     for seed in wanted.seeds() {
         match try_ranks(seed, LONGEST) {
             Ok(Ranked::Right(_)) => right += 1,
-            Ok(Ranked::Told(_)) => {
+            Ok(Ranked::RightTo106Bits(_)) => {
                 beyond += 1;
                 println!("more beyond 106 bits: seed {seed}");
             }

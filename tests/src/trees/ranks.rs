@@ -39,7 +39,7 @@ pub enum Ranked {
     /// So many, and right.
     Right(usize),
     /// So many, where more would be independent by a part of their torques that 106 bits do not tell from nothing.
-    Told(usize),
+    RightTo106Bits(usize),
     /// They cannot be told apart, as the engine says.
     Refused,
     /// 256 bits do not tell how many there are.
@@ -82,9 +82,11 @@ pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
     match rank(&rows, &states.order()) {
         Rank::Unknown => Ok(Ranked::Unknown),
         Rank::Of { all, .. } if all == groups => Ok(Ranked::Right(all)),
-        Rank::Of { all, told } if (told..all).contains(&groups) => Ok(Ranked::Told(groups)),
-        Rank::Of { all, told } => Err(format!(
-            "{groups} base parameters, and the rank of the regressor is {all}, {told} of it by more than 1e-20"
+        Rank::Of { all, visible } if (visible..all).contains(&groups) => {
+            Ok(Ranked::RightTo106Bits(groups))
+        }
+        Rank::Of { all, visible } => Err(format!(
+            "{groups} base parameters, and the rank of the regressor is {all}, {visible} of it by more than 1e-20"
         )),
     }
 }

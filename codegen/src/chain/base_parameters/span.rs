@@ -16,7 +16,7 @@ pub(super) type Combination = Vec<(ParameterId, Double)>;
 const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 
 /// So many times its rounding error is more than rounding.
-const TOLD: f64 = 1e4;
+const SIGNIFICANT: f64 = 1e4;
 
 /// A factor that is no more than so many times its rounding error is nothing: the error that is carried is more than any that
 /// was seen.
@@ -69,7 +69,7 @@ impl Left {
 
     /// Whether rounding may have decided.
     pub(super) const fn is_uncertain(self) -> bool {
-        self.most > TOLD / 100.0 || self.least < TOLD * 100.0 || self.smallest < ASKEW
+        self.most > SIGNIFICANT / 100.0 || self.least < SIGNIFICANT * 100.0 || self.smallest < ASKEW
     }
 }
 
@@ -128,7 +128,7 @@ impl Rest {
     }
 
     /// How many times its rounding error it is.
-    fn told(self) -> f64 {
+    fn significance(self) -> f64 {
         if self.value.to_f64() == 0.0 {
             return 0.0;
         }
@@ -156,23 +156,26 @@ impl Span {
     ) -> Option<Combination> {
         let column: Vec<Entry> = column.collect();
         let (rest, mut parts) = self.reduce(&column);
-        let left = rest.iter().map(|rest| rest.told()).fold(0.0, f64::max);
-        if left <= TOLD {
+        let left = rest
+            .iter()
+            .map(|rest| rest.significance())
+            .fold(0.0, f64::max);
+        if left <= SIGNIFICANT {
             self.left.most = self.left.most.max(left);
             return Some(self.combination(parts));
         }
         self.left.least = self.left.least.min(left);
-        let known = rest.iter().filter(|rest| rest.told() > TOLD);
+        let known = rest.iter().filter(|rest| rest.significance() > SIGNIFICANT);
         let parts_left = known.map(|rest| rest.value.to_f64().abs() / rest.whole);
         self.left.smallest = self.left.smallest.min(parts_left.fold(0.0, f64::max));
-        let told = |row: &usize| {
-            if rest[*row].told() > TOLD {
+        let significant = |row: &usize| {
+            if rest[*row].significance() > SIGNIFICANT {
                 rest[*row].value.to_f64().abs()
             } else {
                 0.0
             }
         };
-        let largest = (0..rest.len()).max_by(|a, b| told(a).total_cmp(&told(b)));
+        let largest = (0..rest.len()).max_by(|a, b| significant(a).total_cmp(&significant(b)));
         let pivot = largest.unwrap_or(0);
         parts.push(rest[pivot]);
         let reduced = rest.iter().map(|entry| entry.over(rest[pivot]));
@@ -211,7 +214,7 @@ impl Span {
         let mut combination = Vec::new();
         for (place, kept) in self.kept.iter().enumerate().rev() {
             let factor = parts[place].over(kept.parts[place]);
-            if factor.told() <= ROUNDED {
+            if factor.significance() <= ROUNDED {
                 continue;
             }
             for (part, of_kept) in parts.iter_mut().zip(&kept.parts[..place]) {

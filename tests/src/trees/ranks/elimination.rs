@@ -12,7 +12,7 @@ use crate::big::Big;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rank {
     /// So many; and so many of those by a part of themselves that 106 bits tell.
-    Of { all: usize, told: usize },
+    Of { all: usize, visible: usize },
     /// 256 bits do not tell.
     Unknown,
 }
@@ -22,7 +22,7 @@ const DEPENDENT: f64 = 1e-58;
 const INDEPENDENT: f64 = 1e-50;
 
 /// What is left of a column is less where 106 bits do not tell it from nothing: the square of a residue of `f64` is.
-const TOLD: f64 = 1e-20;
+const VISIBLE: f64 = 1e-20;
 
 /// So much of the largest entry that is left is enough of a pivot.
 const MUCH: f64 = 1e-3;
@@ -47,7 +47,7 @@ struct Waiting {
 
 pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
     let Some(first) = states.first() else {
-        return Rank::Of { all: 0, told: 0 };
+        return Rank::Of { all: 0, visible: 0 };
     };
     let columns = (0..first.len()).rev();
     let columns = columns.map(|k| Waiting {
@@ -56,7 +56,7 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
     });
     let mut waiting: Vec<Waiting> = columns.collect();
     let mut pivots: Vec<Pivot> = Vec::new();
-    let mut told = 0;
+    let mut visible = 0;
     for floor in FLOORS {
         let mut later = Vec::new();
         for mut next in waiting {
@@ -70,7 +70,7 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
                 later.push(next);
                 continue;
             }
-            told += usize::from(left >= TOLD);
+            visible += usize::from(left >= VISIBLE);
             let mut rows = order.iter().copied();
             let row = rows
                 .find(|&row| sizes[row] >= MUCH * left)
@@ -89,7 +89,7 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
     if left.fold(0.0, f64::max) < DEPENDENT {
         Rank::Of {
             all: pivots.len(),
-            told,
+            visible,
         }
     } else {
         Rank::Unknown

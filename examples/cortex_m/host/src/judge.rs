@@ -159,10 +159,10 @@ impl Board {
             ));
         }
         // And the branch to it.
-        let generated = image::instructions(&self.functions, function) + 1;
-        if !(generated..=generated + ARGUMENTS).contains(&most) {
+        let listed = image::instructions(&self.functions, function) + 1;
+        if !(listed..=listed + ARGUMENTS).contains(&most) {
             wrong.push(format!(
-                "{function}: {listed} instructions are generated, {most} were counted"
+                "{function}: {listed} instructions are listed, {most} were counted"
             ));
         }
     }

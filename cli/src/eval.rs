@@ -88,11 +88,7 @@ impl Eval {
         let mut request = self.robot.request(&self.frame, vec![vec![function]]);
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
-        let chain = if request.asks_for(Function::BaseRegressor) {
-            chain.identified()
-        } else {
-            chain
-        };
+        let chain = expand::identified_if_asked(chain, &request);
         let arguments = function.arguments_with(chain.spaces().actions() > 0);
         let mut states = Source::open(&self.states, &arguments, chain.spaces(), input)?;
 

@@ -32,8 +32,7 @@ use crate::joint::{Drive, Motion, Posture};
 use crate::list::{List, id};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
-use crate::space::FieldId;
-use crate::space::{CoordinateId, Entry, FrameId, Kind, Spaces, VelocityId};
+use crate::space::{CoordinateId, Entry, FieldId, FrameId, Kind, Spaces, VelocityId};
 
 id! {
     /// The number of a body among those of a [`Chain`], and of what moves it: in every list that has an entry for

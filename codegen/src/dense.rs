@@ -18,8 +18,7 @@ pub(crate) use robot::{Body, BodyId, Closed, Columns, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
 use crate::list::{Id, List, Square};
-use crate::space::FieldId;
-use crate::space::{CoordinateId, FrameId, ParameterId, Variable, VelocityId};
+use crate::space::{CoordinateId, FieldId, FrameId, ParameterId, Variable, VelocityId};
 use posture::{Posture, Rates};
 
 /// What a program reads.

@@ -15,7 +15,7 @@ mod review;
 mod understood;
 
 pub use closure::settled;
-pub use understood::{identified, understand};
+pub use understood::{identified, identified_if_asked, understand};
 
 use crate::check::Check;
 use crate::description::{Description, freed};
@@ -24,7 +24,6 @@ use crate::module::Module;
 use crate::plan::plans;
 use crate::request::Request;
 use collect::collect;
-use understood::identified_if_asked;
 
 /// Expands a robot.
 ///

@@ -115,7 +115,7 @@ pub fn plans<'c>(
 
 /// What becomes a generated function: each item of the request for the tip, or for the robot as a whole, and again for each
 /// further frame.
-pub(crate) fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, FrameId)> {
+fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, FrameId)> {
     let mut wanted = Vec::new();
     for functions in request.items(!chain.loops.is_empty()) {
         let of_a_frame = functions.iter().all(|function| function.of_a_frame());
@@ -129,7 +129,7 @@ pub(crate) fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, Fr
 ///
 /// # Errors
 /// Where the robot cannot have them.
-pub(crate) fn plan<'c>(
+fn plan<'c>(
     programs: &Rc<Programs<'c>>,
     functions: Vec<Function>,
     frame: FrameId,

@@ -8,8 +8,7 @@ use std::f64::consts::PI;
 use crate::chain::Chain;
 use crate::expression::Input;
 use crate::list::List;
-use crate::space::FieldId;
-use crate::space::{CoordinateId, Entry, Kind, Spaces, Variable, VelocityId};
+use crate::space::{CoordinateId, Entry, FieldId, Kind, Spaces, Variable, VelocityId};
 
 /// The least and the greatest that each argument of a function can be.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -283,8 +283,8 @@ const ROOMS: [(&str, &[&str]); 35] = [
     ),
 ];
 
-/// What a row of a function holds besides its data: how its entries are computed, by the model, and what they are by dense
-/// matrices. Rows are nouns to all stages before the model, so that these arrows go up, and no others.
+/// Rows of functions are nouns to all stages before the model, and hold how the model computes them: these arrows go up, and
+/// no others.
 const UP: [(&str, &str); 3] = [
     ("function", "chain"),
     ("function", "layout"),

@@ -15,8 +15,7 @@ use crate::real::{Real, Trigonometry};
 use crate::request::Request;
 use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
-use crate::space::FieldId;
-use crate::space::{Space, Variable};
+use crate::space::{FieldId, Space, Variable};
 
 /// What is promised of the results of a function.
 #[derive(Clone, Debug, PartialEq)]

@@ -25,7 +25,7 @@ use crate::space::{ParameterId, VelocityId};
 use energies::Energies;
 use links::{Links, Together};
 use numbers::{MOMENTS, Numbers};
-use span::{Combination, Left, NOTHING, Span};
+use span::{Combination, Left, Span};
 
 /// The combinations of a robot's inertial parameters that torques determine.
 #[derive(Clone, Debug, Default)]
@@ -89,6 +89,9 @@ struct Member {
 
 /// A combination, in the order of the parameters.
 type Form = Vec<Member>;
+
+/// So small a part of what a factor is a sum of is nothing: it is what 106 bits leave of one that is zero.
+const NOTHING: f64 = 1e-24;
 
 /// The order in which columns of a link are taken, where not all are needed: off the diagonal first, the mass
 /// last.

@@ -20,8 +20,7 @@ use crate::joint::{Drive, Motion, Posture, entry};
 use crate::list::List;
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::Request;
-use crate::space::FieldId;
-use crate::space::{ACTION, Entry};
+use crate::space::{ACTION, Entry, FieldId};
 
 /// Where a link ended up: in which body, and where in it.
 #[derive(Clone, Copy)]

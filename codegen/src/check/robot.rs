@@ -22,8 +22,7 @@ use crate::description::{Description, LinkId, Name};
 use crate::expression::{Arithmetic, Double};
 use crate::list::{Id, List};
 use crate::request::Request;
-use crate::space::FieldId;
-use crate::space::{CoordinateId, FrameId, Kind, Space, VelocityId};
+use crate::space::{CoordinateId, FieldId, FrameId, Kind, Space, VelocityId};
 
 type Scalar = Approximate;
 

@@ -16,8 +16,7 @@ use crate::matrix::{Inertia, Symmetric, Vector};
 use crate::module::{GeneratedFunction, Origins, Review, Sum};
 use crate::real::Real;
 use crate::request::Request;
-use crate::space::FieldId;
-use crate::space::ParameterId;
+use crate::space::{FieldId, ParameterId};
 
 /// How many inertial parameters a link has.
 const PARAMETERS: usize = 10;

@@ -111,7 +111,8 @@ pub fn identified(
 }
 
 /// The same chain, with its base parameters where a function of them is asked for.
-pub(super) fn identified_if_asked(chain: Chain, request: &Request) -> Chain {
+#[must_use]
+pub fn identified_if_asked(chain: Chain, request: &Request) -> Chain {
     if request.asks_for(Function::BaseRegressor) {
         chain.identified()
     } else {

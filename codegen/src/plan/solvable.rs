@@ -14,8 +14,7 @@ use crate::list::{Id, List};
 use crate::model;
 use crate::quaternion::normalize;
 use crate::range::Range;
-use crate::space::FieldId;
-use crate::space::{Variable, VelocityId};
+use crate::space::{FieldId, Variable, VelocityId};
 use crate::wording::{list, quoted};
 
 /// How many postures are looked at.

@@ -26,9 +26,6 @@ const ROUNDED: f64 = 10.0;
 /// but for so small an angle, some columns see the angle and others its square.
 const ASKEW: f64 = 1e-13;
 
-/// So small a part of what an entry is a sum of is nothing: it is what 106 bits leave of a factor that is zero.
-pub(super) const NOTHING: f64 = 1e-24;
-
 /// Columns that do not depend on each other.
 #[derive(Default)]
 pub(super) struct Span {

@@ -14,8 +14,7 @@ use crate::model::Way;
 use crate::plan::expressions_by;
 use crate::quaternion::normalize;
 use crate::random::Random;
-use crate::space::FieldId;
-use crate::space::{Entry, FrameId, Kind, Variable};
+use crate::space::{Entry, FieldId, FrameId, Kind, Variable};
 
 /// How many configurations are drawn.
 const CONFIGURATIONS: usize = 8;

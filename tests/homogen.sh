@@ -9,4 +9,7 @@ homogen="${HOMOGEN:-}"
 if [ -z "$homogen" ]; then
     cargo build --quiet --locked -p homogen-cli --bin homogen
     homogen="$built/debug/homogen"
+elif [ ! -x "$homogen" ]; then
+    echo "HOMOGEN is $homogen, which cannot be run" >&2
+    exit 1
 fi

@@ -183,15 +183,13 @@ impl Found<'_> {
             .flat_map(|(entry, count)| std::iter::repeat_n((Double::from(entry), entry), count));
         let mut span = Span::default();
         span.take(None, constant.chain(no_armature()));
-        for &link in outer {
-            for moment in 0..MOMENTS {
-                let column = self.energies.of_moment(link, moment, *rows);
-                span.take(
-                    Some(Links::moment(link, moment)),
-                    column.chain(no_armature()),
-                );
-            }
-        }
+        let outer = outer
+            .iter()
+            .flat_map(|&link| (0..MOMENTS).map(move |moment| (link, moment)));
+        span.take_some(outer.map(|(link, moment)| {
+            let column = self.energies.of_moment(link, moment, *rows);
+            (Links::moment(link, moment), column.chain(no_armature()))
+        }));
         let mut block = Block::default();
         // The first joint of each velocity.
         let mut movers: Vec<(VelocityId, BodyId)> = Vec::new();

@@ -5,6 +5,9 @@
 //! carried, as if errors were independent of each other: a column adds nothing where no entry is left of it that is more
 //! than that. So no row is compared with another one, and no column, whatever their units. It never knows what is in them.
 
+#[cfg(test)]
+mod tests;
+
 use super::energies::Entry;
 use crate::expression::Double;
 use crate::space::ParameterId;
@@ -144,6 +147,45 @@ struct Kept {
     parts: Vec<Rest>,
 }
 
+/// A column that is being reduced.
+struct Column {
+    name: Option<ParameterId>,
+    rest: Vec<Rest>,
+    /// How much of the reduced columns has been taken off.
+    parts: Vec<Rest>,
+}
+
+impl Column {
+    fn of(name: Option<ParameterId>, entries: impl Iterator<Item = Entry>) -> Self {
+        Self {
+            name,
+            rest: entries.map(Rest::of).collect(),
+            parts: Vec::new(),
+        }
+    }
+
+    /// Takes off what it has of a reduced column.
+    fn reduce(&mut self, kept: &Kept) {
+        let part = self.rest[kept.pivot];
+        self.parts.push(part);
+        if part.is_zero() {
+            return;
+        }
+        for (rest, entry) in self.rest.iter_mut().zip(&kept.reduced) {
+            if !entry.is_zero() {
+                *rest = rest.less(part, *entry);
+            }
+        }
+        self.rest[kept.pivot] = Rest::of((Double::ZERO, 0.0));
+    }
+
+    /// The most of an entry that is left, beside its rounding error.
+    fn significance(&self) -> f64 {
+        let left = self.rest.iter().map(|rest| rest.significance());
+        left.fold(0.0, f64::max)
+    }
+}
+
 impl Span {
     /// Adds a column; or, where it depends on those that are there, returns how much of each it is.
     pub(super) fn take(
@@ -151,16 +193,51 @@ impl Span {
         name: Option<ParameterId>,
         column: impl Iterator<Item = Entry>,
     ) -> Option<Combination> {
-        let column: Vec<Entry> = column.collect();
-        let (rest, mut parts) = self.reduce(&column);
-        let left = rest
-            .iter()
-            .map(|rest| rest.significance())
-            .fold(0.0, f64::max);
+        let mut column = Column::of(name, column);
+        for kept in &self.kept {
+            column.reduce(kept);
+        }
+        let left = column.significance();
         if left <= SIGNIFICANT {
             self.left.most = self.left.most.max(left);
-            return Some(self.combination(parts));
+            return Some(self.combination(column.parts));
         }
+        self.keep(column, left);
+        None
+    }
+
+    /// Adds those of some columns that do not depend on each other, whichever they are: by those of which most is left,
+    /// the others are combinations with small factors.
+    pub(super) fn take_some<C: Iterator<Item = Entry>>(
+        &mut self,
+        columns: impl Iterator<Item = (ParameterId, C)>,
+    ) {
+        let columns = columns.map(|(name, column)| Column::of(Some(name), column));
+        let mut columns: Vec<Column> = columns.collect();
+        for kept in &self.kept {
+            columns.iter_mut().for_each(|column| column.reduce(kept));
+        }
+        loop {
+            let left = columns.iter().map(Column::significance).enumerate();
+            let Some((most, left)) = left.max_by(|(_, a), (_, b)| a.total_cmp(b)) else {
+                return;
+            };
+            if left <= SIGNIFICANT {
+                self.left.most = self.left.most.max(left);
+                return;
+            }
+            let kept = self.keep(columns.swap_remove(most), left);
+            columns.iter_mut().for_each(|column| column.reduce(kept));
+        }
+    }
+
+    /// Adds a reduced column that has some significance.
+    fn keep(&mut self, column: Column, left: f64) -> &Kept {
+        let Column {
+            name,
+            rest,
+            mut parts,
+        } = column;
         self.left.least = self.left.least.min(left);
         let known = rest.iter().filter(|rest| rest.significance() > SIGNIFICANT);
         let parts_left = known.map(|rest| rest.value.to_f64().abs() / rest.whole);
@@ -182,27 +259,7 @@ impl Span {
             reduced: reduced.collect(),
             parts,
         });
-        None
-    }
-
-    /// What is left of a column, and how much of the reduced columns is taken off.
-    fn reduce(&self, column: &[Entry]) -> (Vec<Rest>, Vec<Rest>) {
-        let mut rest: Vec<Rest> = column.iter().copied().map(Rest::of).collect();
-        let mut parts = Vec::with_capacity(self.kept.len() + 1);
-        for kept in &self.kept {
-            let part = rest[kept.pivot];
-            parts.push(part);
-            if part.is_zero() {
-                continue;
-            }
-            for (rest, entry) in rest.iter_mut().zip(&kept.reduced) {
-                if !entry.is_zero() {
-                    *rest = rest.less(part, *entry);
-                }
-            }
-            rest[kept.pivot] = Rest::of((Double::ZERO, 0.0));
-        }
-        (rest, parts)
+        &self.kept[self.kept.len() - 1]
     }
 
     /// The columns that another one is made of, by its parts of the reduced ones; without those of which there is no more

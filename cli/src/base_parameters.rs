@@ -37,12 +37,12 @@ impl BaseParameters {
         let request = self.robot.request(&None, Vec::new());
         let chain = expand::understand(&description, &request)?;
         homogen_codegen::plan::check_size(&chain)?;
-        let chain = expand::identified(chain, &description, &request)?;
+        let chain = expand::identified(chain)?;
         let base = chain.base_parameters.clone().unwrap_or_default();
         Ok(match self.format {
             Format::Text => Answer {
                 output: in_text(&description.name.text, &chain, &base),
-                remarks: options::warnings(&description, &chain.report.warnings),
+                remarks: options::warnings(&chain),
                 code: 0,
             },
             Format::Json => Answer {

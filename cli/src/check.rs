@@ -14,7 +14,7 @@ use super::functions::Frames;
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
 use homogen_codegen::chain::{BodyId, Chain, Report};
-use homogen_codegen::description::{Description, Joint, freed};
+use homogen_codegen::description::Joint;
 use homogen_codegen::expand;
 use homogen_codegen::list::Id;
 use homogen_codegen::space::Space;
@@ -40,10 +40,9 @@ impl Check {
         let description = self.robot.description(input)?;
         let request = self.robot.request(&self.frames.frames, Vec::new());
         let chain = expand::understand(&description, &request)?;
-        let (description, _) = freed(&description, &request);
         let output = match self.format {
-            Format::Text => in_text(&description, &chain),
-            Format::Json => json::answer(in_json(&description, &chain)),
+            Format::Text => in_text(&chain),
+            Format::Json => json::answer(in_json(&chain)),
         };
         Ok(Answer {
             output,
@@ -54,17 +53,14 @@ impl Check {
 
 /// The joints that move, each with the mass of the body that it carries; those that follow another among
 /// them.
-fn described<'a>(
-    description: &'a Description,
-    chain: &'a Chain,
-) -> impl Iterator<Item = (&'a Joint, f64)> {
+fn described(chain: &Chain) -> impl Iterator<Item = (&Joint, f64)> {
     // Of a joint with several velocities, the last moves the body.
     let last = |k: BodyId| chain.joints.get(k.plus(1)).map(|next| next.of.as_str());
     let bodies = chain.joints.numbered();
     let bodies = bodies.filter(move |(k, body)| last(*k) != Some(&body.of));
     bodies.filter_map(|(_, body)| {
         let mass = chain.graph.value(body.inertia.mass)?.to_f64();
-        let mut joints = description.joints.iter();
+        let mut joints = chain.description.joints.iter();
         let joint = joints.find(|joint| joint.name.text == body.of)?;
         Some((joint, mass))
     })
@@ -75,7 +71,8 @@ fn tip(chain: &Chain) -> Option<&str> {
     tip.map(|tip| tip.name.as_str())
 }
 
-pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
+pub(super) fn in_json(chain: &Chain) -> Value {
+    let description = &chain.description;
     let report = &chain.report;
     let spaces = chain.spaces();
     let names = |space| spaces.names(space).collect::<Value>();
@@ -103,7 +100,7 @@ pub(super) fn in_json(description: &Description, chain: &Chain) -> Value {
             "written": angle.written, "quarter_turns": angle.quarters,
         })
     });
-    let details = described(description, chain).map(|(joint, mass)| {
+    let details = described(chain).map(|(joint, mass)| {
         let limits = joint.limits.as_ref();
         // JSON has no infinity: a bound that does not exist is null.
         let limits = limits.map(|limits| {
@@ -258,7 +255,8 @@ fn repaired(report: &Report, line: &mut impl FnMut(String)) {
     }
 }
 
-fn in_text(description: &Description, chain: &Chain) -> String {
+fn in_text(chain: &Chain) -> String {
+    let description = &chain.description;
     let report = &chain.report;
     let mut text = String::new();
     let mut line = |line: String| {
@@ -278,7 +276,7 @@ fn in_text(description: &Description, chain: &Chain) -> String {
     let joints = counted(report.joints.len(), "joint", "joints");
     line(format!("{joints}, in the order of q:"));
     let mut k = 0;
-    for (joint, mass) in described(description, chain) {
+    for (joint, mass) in described(chain) {
         let (parent, child) = (&joint.parent.text, &joint.child.text);
         let (name, kind) = (&joint.name.text, joint.kind.word());
         let names = joint.kind.coordinates(name).into_iter();
@@ -334,6 +332,6 @@ fn in_text(description: &Description, chain: &Chain) -> String {
     }
     repaired(report, &mut line);
     line(counted(report.warnings.len(), "warning", "warnings"));
-    let _ = write!(text, "{}", options::warnings(description, &report.warnings));
+    let _ = write!(text, "{}", options::warnings(chain));
     text
 }

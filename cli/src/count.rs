@@ -47,8 +47,7 @@ impl Count {
         Ok(match self.format {
             Format::Text => Answer {
                 output: table(&module.functions),
-                remarks: options::warnings(&description, &chain.report.warnings)
-                    + &Functions::remarks(&module),
+                remarks: options::warnings(&chain) + &Functions::remarks(&module),
                 code: Functions::code(&module),
             },
             Format::Json => Answer {

@@ -88,7 +88,7 @@ impl Eval {
         let mut request = self.robot.request(&self.frame, vec![vec![function]]);
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
-        let chain = expand::identified_if_asked(chain, &request);
+        let chain = expand::identified_if_asked(chain);
         let arguments = function.arguments_with(chain.spaces().actions() > 0);
         let mut states = Source::open(&self.states, &arguments, chain.spaces(), input)?;
 
@@ -103,12 +103,7 @@ impl Eval {
             frame,
             self.scalar.into(),
         )?;
-        Check::of(&description, &request, &chain)?.judge_program(
-            &[function],
-            frame,
-            &program,
-            request.scalar,
-        )?;
+        Check::of(&chain)?.judge_program(&[function], frame, &program, request.scalar)?;
         let values = Values {
             program: &program,
             arguments: &arguments,
@@ -126,7 +121,7 @@ impl Eval {
             piece: (NUMBERS / numbers.max(1)).max(1),
             progress,
         };
-        let remarks = options::warnings(&description, &chain.report.warnings);
+        let remarks = options::warnings(&chain);
         let mut sink = match &wanted {
             Wanted::Shown => {
                 let results = work.listed(&mut states, &layout)?;

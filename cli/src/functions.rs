@@ -89,8 +89,8 @@ impl Functions {
             None => builder,
         };
         let builder = fields.of(builder).map_err(options::mistake)?;
-        let (description, chain) = builder.understand()?;
-        let remarks = options::warnings(&description, &chain.report.warnings);
+        let chain = builder.understand()?;
+        let remarks = options::warnings(&chain);
         Ok((builder, remarks))
     }
 

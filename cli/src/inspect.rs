@@ -48,7 +48,7 @@ impl Inspect {
         let methods = rust::methods(&module, &item, &World::default());
         Ok(Answer {
             output: Source::new("", &methods).to_string(),
-            remarks: options::warnings(&description, &chain.report.warnings),
+            remarks: options::warnings(&chain),
             code: 0,
         })
     }

@@ -9,9 +9,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use homogen_codegen::chain::Chain;
 use homogen_codegen::description::urdf::LARGEST_FILE;
 use homogen_codegen::description::{self, Description, Name, Number, inline};
-use homogen_codegen::error::{Complaint, Errors, Place};
+use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::formulation::{self, Formulation};
 use homogen_codegen::function::Function;
 use homogen_codegen::joint::drive::Part;
@@ -267,13 +268,14 @@ pub(super) fn mistake(message: impl Into<String>) -> Errors {
 }
 
 /// Doubts as standard error has them.
-pub(super) fn warnings(description: &Description, doubts: &[Complaint]) -> String {
+pub(super) fn warnings(chain: &Chain) -> String {
+    let source = &chain.description.source;
     let mut errors = Errors::new();
-    if let Some(file) = &description.source.file {
+    if let Some(file) = &source.file {
         errors.set_file(file.clone(), None);
     }
     let mut text = String::new();
-    for doubt in doubts {
+    for doubt in &chain.report.warnings {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "warning: {}", errors.locate(doubt));
         if let Some(hint) = &doubt.hint {

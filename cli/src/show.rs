@@ -22,7 +22,6 @@ use super::functions::Functions;
 use super::generate::write;
 use super::options::{Robot, Scalar, is_standard_input};
 use super::{Answer, Said, check, count, json, options};
-use homogen_codegen::description::freed;
 use homogen_codegen::expand::{expand, understand};
 use homogen_codegen::template::filled;
 use homogen_codegen::wording::visible;
@@ -87,14 +86,12 @@ impl Show {
         request.section = Some(usize::MAX);
         let chain = understand(&description, &request)?;
         let module = expand(&description, &request)?;
-        let remarks =
-            options::warnings(&description, &chain.report.warnings) + &Functions::remarks(&module);
-        let (description, request) = freed(&description, &request);
-        let skeleton = skeleton::skeleton(&description, &request, &chain)?;
+        let remarks = options::warnings(&chain) + &Functions::remarks(&module);
+        let skeleton = skeleton::skeleton(&chain)?;
         let layouts = skeleton::layouts(&chain, &module);
         let mut data = shown(json!({
             "version": env!("CARGO_PKG_VERSION"),
-            "report": check::in_json(&description, &chain),
+            "report": check::in_json(&chain),
             "facts": module.about.facts,
             "formulation": module.about.formulation,
             "left_out": count::left_out(&module),

@@ -17,14 +17,17 @@ mod mimic;
 mod names;
 mod numbers;
 pub mod physical;
+mod root;
 mod shape;
 #[cfg(test)]
 pub(crate) mod tests;
 mod tree;
 mod turn;
 
+use std::rc::Rc;
+
 use crate::closure::Row;
-use crate::description::{Description, Source, freed};
+use crate::description::Description;
 use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
 use crate::joint::drive::Part;
@@ -43,6 +46,10 @@ id! {
 /// The moving joints of a robot and the bodies they carry.
 #[derive(Clone, Debug)]
 pub struct Chain {
+    /// The description that it is of, with a free root where one was asked for.
+    pub description: Rc<Description>,
+    /// What was asked for of that.
+    pub request: Rc<Request>,
     /// The scalars of all that follows: numbers, and the run-time parameters.
     pub graph: Graph,
     /// The freedoms of the joints, parents before children.
@@ -57,8 +64,6 @@ pub struct Chain {
     pub frames: List<FrameId, Frame>,
     /// The links on which something acts from outside.
     pub external: Vec<Frame>,
-    /// Whether those actions are in frame 0, and not each in its link's.
-    pub external_in_frame_0: bool,
     /// Whether the first of `frames` is the tip.
     pub has_tip: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
@@ -70,8 +75,6 @@ pub struct Chain {
     pub parameters: List<FieldId, Parameter>,
     /// What became of the description on the way.
     pub report: Report,
-    /// Where the description came from.
-    pub source: Source,
     /// Whether behind the inertial parameters of links there are those of drives: where any is modelled.
     pub identifies_drives: bool,
     /// The combinations of inertial parameters that torques determine; `None` where nobody has asked for them
@@ -393,7 +396,8 @@ fn of_drive(joint: &Joint) -> impl Iterator<Item = Entry> {
 /// # Errors
 /// All the mistakes that are found.
 pub fn build(description: &Description, request: &Request) -> Result<Chain, Errors> {
-    let (description, request) = &freed(description, request);
+    let (description, request) = root::freed(description, request);
+    let (description, request) = (&description, &request);
     let beside = |errors: Errors| errors.beside(description.warnings.iter().cloned());
     let tree = check::check(description, request).map_err(beside)?;
     let merged = merge::merge(description, request, &tree);

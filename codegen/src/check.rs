@@ -20,7 +20,7 @@ mod vectors;
 
 use crate::chain::Chain;
 use crate::dense::{Approximate, Dense, State};
-use crate::description::{Description, Source, freed};
+use crate::description::Source;
 use crate::error::{Errors, Place};
 use crate::expression::{Arithmetic, Input};
 use crate::function::{Function, Given, Truth};
@@ -28,7 +28,6 @@ use crate::list;
 use crate::module::{ChainData, Module};
 use crate::plan::Planned;
 use crate::real::Real;
-use crate::request::Request;
 use crate::schedule::{Operand, Program, run};
 use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
 use crate::wording::quoted;
@@ -78,19 +77,18 @@ impl Check {
     ///
     /// # Errors
     /// Where they do not agree on which joints move, or on what a number was taken for.
-    pub fn of(description: &Description, request: &Request, chain: &Chain) -> Result<Self, Errors> {
-        let (description, request) = &freed(description, request);
-        let place = description.name.place;
+    pub fn of(chain: &Chain) -> Result<Self, Errors> {
+        let place = chain.description.name.place;
         let count = if chain.joints.len() > SEVERAL { 1 } else { 2 };
         let at = |state: &State| {
-            let robot = robot::robot(description, request, chain, &state.fields)?;
+            let robot = robot::robot(chain, &state.fields)?;
             Ok(Dense::of(robot, state.clone()))
         };
         let states = || {
-            let mut states = states::states(chain, request, count);
+            let mut states = states::states(chain, count);
             // The equations of the loops hold in every state; where some depend on others, only in closed ones.
             if let [_, second] = &mut *states
-                && let Some(closed) = states::closed(chain, request, 1, at)?
+                && let Some(closed) = states::closed(chain, 1, at)?
             {
                 *second = closed;
             }
@@ -99,14 +97,14 @@ impl Check {
         let states: Result<Vec<Dense>, Contradiction> = states();
         match states {
             Ok(states) => Ok(Self {
-                source: chain.source.clone(),
+                source: chain.description.source.clone(),
                 place,
                 spaces: chain.spaces().clone(),
                 states,
-                base_parameters: judge_base_parameters(description, request, chain),
+                base_parameters: judge_base_parameters(chain),
             }),
             Err(Contradiction(what)) => {
-                let mut errors = chain.source.errors();
+                let mut errors = chain.description.source.errors();
                 let message = format!("chain and description disagree: {what}");
                 errors.push_with_hint(place, message, FAULT);
                 Err(errors)

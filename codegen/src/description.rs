@@ -19,7 +19,6 @@ mod names;
 mod number;
 mod position;
 mod robot;
-mod root;
 mod settings;
 mod tokens;
 mod unmodelled;
@@ -32,7 +31,6 @@ pub use self::item::Item;
 pub use self::robot::{
     Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Source, Step,
 };
-pub use self::root::freed;
 pub use self::unmodelled::{Modelled, Unmodelled};
 pub use crate::joint::JointKind;
 pub use crate::name::Name;

@@ -18,7 +18,7 @@ pub use closure::settled;
 pub use understood::{identified, identified_if_asked, understand};
 
 use crate::check::Check;
-use crate::description::{Description, freed};
+use crate::description::Description;
 use crate::error::Errors;
 use crate::module::Module;
 use crate::plan::plans;
@@ -30,12 +30,10 @@ use collect::collect;
 /// # Errors
 /// Every mistake of the description and of the request.
 pub fn expand(description: &Description, request: &Request) -> Result<Module, Errors> {
-    let (description, request) = &freed(description, request);
-    let chain = identified_if_asked(understand(description, request)?, request);
-    let plans = plans(&chain, request)?;
-    let check = Check::of(description, request, &chain)?;
-    let judged = plans.map(|planned| check.judge(planned, request.scalar));
-    let (module, mut errors) = collect(description, request, &chain, judged);
+    let chain = identified_if_asked(understand(description, request)?);
+    let check = Check::of(&chain)?;
+    let judged = plans(&chain)?.map(|planned| check.judge(planned, request.scalar));
+    let (module, mut errors) = collect(&chain, judged);
     if let Err(refusal) = check.judge_module(&module) {
         errors.append(refusal);
     }

@@ -1,6 +1,6 @@
 //! How each function is computed: the layout of the frames, the algorithm and the formulation, with the program that they give.
 //!
-//! In: a [`Chain`] and a request. Out: a [`Plan`] for each function that is asked for, made once, or why the robot cannot have
+//! In: a [`Chain`]. Out: a [`Plan`] for each function that is asked for, made once, or why the robot cannot have
 //! it. Of programs that compute the same, `choice` takes the one that costs least; where something is solved for, of those
 //! that are `accurate` enough by what has been `measured`. Bounds and checks take a plan and build no program again.
 
@@ -28,7 +28,6 @@ use crate::function::Function;
 use crate::layout::Layout;
 use crate::list;
 use crate::model::Way;
-use crate::request::Request;
 use crate::schedule::{Price, Program};
 use crate::space::FrameId;
 use choice::cheapest;
@@ -81,7 +80,7 @@ const MOST: usize = 1000;
 /// # Errors
 /// Where more joints move than anyone can want a page of code for.
 pub fn check_size(chain: &Chain) -> Result<(), Errors> {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     let moving = chain.joints.len();
     if moving > MOST {
         errors.push_with_hint(
@@ -93,31 +92,28 @@ pub fn check_size(chain: &Chain) -> Result<(), Errors> {
     errors.into_result(())
 }
 
-/// Plans what a request asks for, one function after the other.
+/// Plans what is asked for of a chain, one function after the other.
 ///
 /// # Errors
 /// Of a chain that is too long.
-pub fn plans<'c>(
-    chain: &'c Chain,
-    request: &'c Request,
-) -> Result<impl Iterator<Item = Planned<'c>>, Errors> {
+pub fn plans(chain: &Chain) -> Result<impl Iterator<Item = Planned<'_>>, Errors> {
     check_size(chain)?;
     let programs = Rc::new(Programs::of(chain));
-    let wanted = wanted(chain, request).into_iter();
+    let wanted = wanted(chain).into_iter();
     Ok(wanted.map(move |(functions, frame)| {
         let names: Vec<&str> = functions.iter().map(|function| function.name()).collect();
         Planned {
             name: names.join("_and_"),
-            plan: plan(&programs, functions, frame, request),
+            plan: plan(&programs, functions, frame),
         }
     }))
 }
 
 /// What becomes a generated function: each item of the request for the tip, or for the robot as a whole, and again for each
 /// further frame.
-fn wanted(chain: &Chain, request: &Request) -> Vec<(Vec<Function>, FrameId)> {
+fn wanted(chain: &Chain) -> Vec<(Vec<Function>, FrameId)> {
     let mut wanted = Vec::new();
-    for functions in request.items(!chain.loops.is_empty()) {
+    for functions in chain.request.items(!chain.loops.is_empty()) {
         let of_a_frame = functions.iter().all(|function| function.of_a_frame());
         let frames = list::ids(if of_a_frame { chain.frames.len() } else { 1 });
         wanted.extend(frames.map(|frame| (functions.clone(), frame)));
@@ -133,9 +129,9 @@ fn plan<'c>(
     programs: &Rc<Programs<'c>>,
     functions: Vec<Function>,
     frame: FrameId,
-    request: &Request,
 ) -> Result<Plan<'c>, Errors> {
     let chain = programs.chain();
+    let request = &chain.request;
     let found = cheapest(
         request.processor,
         request.formulation,

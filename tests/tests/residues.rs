@@ -99,7 +99,7 @@ fn hold(description: &Description, request: &Request) {
     let chain = understand(description, request)
         .unwrap_or_else(|errors| panic!("{errors}"))
         .identified();
-    let check = Check::of(description, request, &chain);
+    let check = Check::of(&chain);
     let check = check.unwrap_or_else(|errors| panic!("{errors}"));
     let robot = Robot::of(description, request);
     for function in frame_0::told() {

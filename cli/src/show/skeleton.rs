@@ -1,6 +1,6 @@
 //! A robot as a page draws it: what moves, where links are, where frames stand.
 //!
-//! In: a description, the request, its chain and a module. Out: numbers and names. Bodies are those of the
+//! In: a chain and a module. Out: numbers and names. Bodies are those of the
 //! chain, in the frames that the description has; every link that is not left out is fixed to one of
 //! them. It never moves a joint: that is done where the page is looked at.
 
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use homogen_codegen::chain::{self, BodyId, Chain, Joint, Position};
 use homogen_codegen::closure::Row;
-use homogen_codegen::description::{Axis, Description, Inertial, Name, Step};
+use homogen_codegen::description::{Axis, Inertial, Name, Step};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expression::{Double, Expr, Graph, Term};
 use homogen_codegen::joint::{Motion, Posture};
@@ -20,13 +20,10 @@ use homogen_codegen::quaternion::normalize;
 use homogen_codegen::request::Request;
 use homogen_codegen::space::{Entry, Kind, Variable};
 
-/// The skeleton of a robot whose root is free already where that was asked for.
-pub(super) fn skeleton(
-    description: &Description,
-    request: &Request,
-    chain: &Chain,
-) -> Result<Value, Errors> {
-    let seats = seats(description, request, chain)?;
+/// The skeleton of a robot.
+pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
+    let description = &chain.description;
+    let seats = seats(chain)?;
     let bodies = chain.joints.iter().map(|joint| body(chain, joint));
     let links = seats.frames.iter().map(|seat| {
         let carrier = (description.joints.iter()).find(|joint| joint.child.text == seat.name);
@@ -69,16 +66,16 @@ pub(super) fn skeleton(
 }
 
 /// The same chain with the frames of all links that are not left out.
-fn seats(description: &Description, request: &Request, chain: &Chain) -> Result<Chain, Errors> {
+fn seats(chain: &Chain) -> Result<Chain, Errors> {
     let frames = chain.report.links.iter().map(|link| Name {
         text: link.clone(),
         place: Place::Unknown,
     });
     let request = Request {
         frames: frames.collect(),
-        ..request.clone()
+        ..(*chain.request).clone()
     };
-    let mut seats = chain::build(description, &request)?;
+    let mut seats = chain::build(&chain.description, &request)?;
     let tip = usize::from(seats.has_tip);
     seats.frames = seats.frames.into_iter().skip(tip).collect();
     Ok(seats)

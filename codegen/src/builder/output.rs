@@ -74,10 +74,9 @@ impl Builder {
 
     /// The robot as it is understood, with what is doubted of it.
     #[doc(hidden)]
-    pub fn understand(&self) -> Result<(Description, Chain), Errors> {
+    pub fn understand(&self) -> Result<Chain, Errors> {
         let (description, request) = self.both()?;
-        let chain = expand::understand(&description, &request)?;
-        Ok((description, chain))
+        expand::understand(&description, &request)
     }
 
     /// What is read, and what is asked of it.

@@ -34,7 +34,7 @@ pub fn check(description: &Description, links: &Names<'_, LinkId>, errors: &mut 
 /// # Errors
 /// A mistake for each of them.
 pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors> {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     for closed in &chain.loops {
         let [from, to] = &closed.frames;
         if from.body == to.body {

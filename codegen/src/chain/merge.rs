@@ -12,6 +12,8 @@ mod listed;
 mod reader;
 mod seat;
 
+use std::rc::Rc;
+
 use super::tree::Tree;
 use super::{BodyId, Chain, Frame, Report};
 use crate::description::{Description, JointId, LinkId};
@@ -58,7 +60,7 @@ enum Moved<'g> {
 }
 
 /// Merges what does not move.
-pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain {
+pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) -> Chain {
     let graph = Graph::new();
     let mut reader = Reader {
         graph: &graph,
@@ -92,6 +94,8 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         nominal, report, ..
     } = reader;
     Chain {
+        description: Rc::clone(description),
+        request: Rc::clone(request),
         nominal,
         parameters: request.parameters.clone().into(),
         joints,
@@ -100,11 +104,9 @@ pub fn merge(description: &Description, request: &Request, tree: &Tree) -> Chain
         actuated: List::new(),
         frames,
         external,
-        external_in_frame_0: request.external_in_frame_0,
         has_tip: tree.tip.is_some(),
         gravity,
         report,
-        source: description.source.clone(),
         identifies_drives: false,
         base_parameters: None,
         graph,

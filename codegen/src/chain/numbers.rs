@@ -99,7 +99,7 @@ fn check_loops(description: &Description, errors: &mut Errors) {
 /// # Errors
 /// A mistake for each joint of which that is so.
 pub fn check_merged(chain: Chain) -> Result<Chain, Errors> {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     let is_known = |expr: &Expr| chain.graph.value(*expr).is_none_or(Double::is_known);
     for joint in &chain.joints {
         let inertia = joint.inertia.entries();

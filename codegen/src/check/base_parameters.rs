@@ -18,11 +18,9 @@ use super::{FAULT, printable};
 use crate::chain::Chain;
 use crate::chain::base_parameters::BaseParameters;
 use crate::dense::{Dense, Motion};
-use crate::description::{Description, freed};
 use crate::error::Errors;
 use crate::expression::Double;
 use crate::list::List;
-use crate::request::Request;
 use crate::space::{ParameterId, VelocityId};
 use crate::wording::quoted;
 use balance::units;
@@ -42,19 +40,18 @@ const CHECKED: usize = 2;
 /// # Errors
 /// Where one is not a number in the type that it is printed for; where 106 bits do not tell which columns depend on each
 /// other; where torques by base parameters would be others, or base parameters depend on each other.
-pub fn judge_base_parameters(
-    description: &Description,
-    request: &Request,
-    chain: &Chain,
-) -> Result<(), Errors> {
-    let (description, request) = &freed(description, request);
+pub fn judge_base_parameters(chain: &Chain) -> Result<(), Errors> {
     let Some(base) = &chain.base_parameters else {
         return Ok(());
     };
-    let place = description.name.place;
+    let place = chain.description.name.place;
     let values = base.groups.iter().map(|group| group.value);
-    printable((&chain.source, place), values, request.scalar)?;
-    let mut errors = chain.source.errors();
+    printable(
+        (&chain.description.source, place),
+        values,
+        chain.request.scalar,
+    )?;
+    let mut errors = chain.description.source.errors();
     if base.is_uncertain() {
         let message = "base parameters cannot be told apart: torques of one inertial parameter are so nearly those of \
                        others together that 106 bits do not decide";
@@ -67,7 +64,7 @@ pub fn judge_base_parameters(
     let mut seen = Vec::new();
     let mut rows: Vec<Rows> = base.blocks.iter().map(|_| Vec::new()).collect();
     for (k, state) in wide(chain, most).into_iter().enumerate() {
-        let robot = match robot(description, request, chain, &state.fields) {
+        let robot = match robot(chain, &state.fields) {
             Ok(robot) => robot,
             Err(Contradiction(what)) => {
                 let message = format!("chain and description disagree: {what}");

@@ -7,9 +7,7 @@
 use super::{robot, states};
 use crate::chain::Chain;
 use crate::dense::{Dense, State};
-use crate::description::{Description, freed};
 use crate::error::Complaint;
-use crate::request::Request;
 use crate::space::Space;
 use crate::wording::{list, quoted};
 
@@ -42,17 +40,17 @@ pub struct Redundancy {
 
 /// Compares the residuals of all loops in closed configurations.
 #[must_use]
-pub fn redundancy(description: &Description, request: &Request, chain: &Chain) -> Redundancy {
-    let (description, request) = &freed(description, request);
+pub fn redundancy(chain: &Chain) -> Redundancy {
     let at = |state: &State| {
-        let robot = robot::robot(description, request, chain, &state.fields)?;
+        let robot = robot::robot(chain, &state.fields)?;
         Ok(Dense::of(robot, state.clone()))
     };
-    let (vanishing, roundoff) = (request.scalar.vanishing(), request.scalar.roundoff());
+    let scalar = chain.request.scalar;
+    let (vanishing, roundoff) = (scalar.vanishing(), scalar.roundoff());
     let mut looks: Vec<Look> = Vec::new();
     for number in 0..LOOKS {
         // A robot that contradicts its chain is refused by the check.
-        let Ok(Some(state)) = states::closed(chain, request, number, at) else {
+        let Ok(Some(state)) = states::closed(chain, number, at) else {
             return Redundancy::default();
         };
         let Ok(dense) = at(&state) else {

@@ -1,6 +1,6 @@
 //! A robot as it was described: every link a body, every joint where it stands, nothing merged.
 //!
-//! In: a description, a request, and what was reported of both: the order of q and the numbers that
+//! In: what a chain is of, and what it reports of that: the order of q and the numbers that
 //! were taken for right angles or zero. Out: a [`Robot`] whose placements are products of the
 //! elementary motions that were written. It shares no step with [`crate::chain`], whose merging,
 //! locking and cutting are to be checked; what a report claims of a number is checked against its
@@ -32,12 +32,11 @@ pub(super) struct Contradiction(pub(super) String);
 
 /// The robot whose fields have these values.
 pub(super) fn robot(
-    description: &Description,
-    request: &Request,
     chain: &Chain,
     fields: &List<FieldId, Vec<f64>>,
 ) -> Result<Robot, Contradiction> {
-    let reader = Reader::of(description, request, chain, fields);
+    let (description, request) = (&*chain.description, &*chain.request);
+    let reader = Reader::of(chain, fields);
     let links: HashMap<&str, LinkId> =
         places(description.links.iter().map(|link| link.name.text.as_str()));
     let spaces = chain.spaces();
@@ -216,15 +215,10 @@ struct Reader<'d> {
 
 impl<'d> Reader<'d> {
     /// With what a report claims of numbers.
-    fn of(
-        description: &'d Description,
-        request: &'d Request,
-        chain: &'d Chain,
-        fields: &'d List<FieldId, Vec<f64>>,
-    ) -> Self {
+    fn of(chain: &'d Chain, fields: &'d List<FieldId, Vec<f64>>) -> Self {
         Self {
-            description,
-            request,
+            description: &chain.description,
+            request: &chain.request,
             fields,
             snapped: (chain.report.snapped.iter())
                 .map(|number| {

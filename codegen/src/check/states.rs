@@ -12,15 +12,12 @@ use crate::expression::Double;
 use crate::list::Id;
 use crate::quaternion::normalize;
 use crate::random::Random;
-use crate::request::Request;
 use crate::space::{Entry, Kind};
 
 /// So many states.
-pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<State> {
+pub(super) fn states(chain: &Chain, count: usize) -> Vec<State> {
     let mut random = seeded(chain);
-    (0..count)
-        .map(|_| state(chain, request, &mut random))
-        .collect()
+    (0..count).map(|_| state(chain, &mut random)).collect()
 }
 
 /// The state of that number whose loops are closed; none of a robot without loops.
@@ -29,7 +26,6 @@ pub(super) fn states(chain: &Chain, request: &Request, count: usize) -> Vec<Stat
 /// Those of `at`.
 pub(super) fn closed(
     chain: &Chain,
-    request: &Request,
     number: usize,
     at: impl Fn(&State) -> Result<Dense, Contradiction>,
 ) -> Result<Option<State>, Contradiction> {
@@ -38,11 +34,11 @@ pub(super) fn closed(
     if chain.loops.is_empty() {
         return Ok(None);
     }
-    let starts = states(chain, request, STARTS * (number + 1)).into_iter();
+    let starts = states(chain, STARTS * (number + 1)).into_iter();
     closing::closed(starts.skip(STARTS * number).collect(), chain, at)
 }
 
-fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
+fn state(chain: &Chain, random: &mut Random) -> State {
     let spaces = chain.spaces();
     let mut state = State::default();
     for coordinate in &spaces.coordinates {
@@ -62,7 +58,7 @@ fn state(chain: &Chain, request: &Request, random: &mut Random) -> State {
     for _ in &spaces.actions {
         state.actions.push(20.0 * random.unit() - 10.0);
     }
-    for (parameter, nominal) in request.parameters.iter().zip(&chain.nominal) {
+    for (parameter, nominal) in chain.parameters.iter().zip(&chain.nominal) {
         let fields = parameter.near(nominal, || random.unit());
         state.fields.push(fields);
     }
@@ -134,7 +130,7 @@ fn reach(coordinate: &Entry) -> [f64; 2] {
 /// From the hash of a description, and the names of its joints.
 fn seeded(chain: &Chain) -> Random {
     let names = chain.joints.iter().flat_map(|joint| joint.name.bytes());
-    Random(names.fold(chain.source.hash, |hash, byte| {
+    Random(names.fold(chain.description.source.hash, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     }))
 }

@@ -81,7 +81,7 @@ pub(super) fn all_of(
 fn prepare(description: &Description, request: &Request) -> (Chain, Check) {
     let chain = understand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
     let chain = chain.identified();
-    let check = Check::of(description, request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
+    let check = Check::of(&chain).unwrap_or_else(|errors| panic!("{errors}"));
     (chain, check)
 }
 

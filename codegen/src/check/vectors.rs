@@ -11,14 +11,12 @@ use super::{robot, states};
 use crate::accuracy::Means;
 use crate::chain::Chain;
 use crate::dense::{Approximate, Dense, State};
-use crate::description::Description;
 use crate::expression::{Double, Input};
 use crate::function::{Function, Given, Truth};
 use crate::list::Id;
 use crate::module::{GeneratedFunction, Vector};
 use crate::quaternion::{normalize, of_length_1};
 use crate::real::Real;
-use crate::request::Request;
 use crate::schedule::Program;
 use crate::schedule::bound::{self, Conditions, Found, Reason, Value};
 use crate::space::{FrameId, Kind, Variable};
@@ -43,15 +41,10 @@ const NEARER: usize = 8;
 const BY: f64 = 8.0;
 
 /// Those of all functions, one state after the other.
-pub fn vectors(
-    description: &Description,
-    request: &Request,
-    chain: &Chain,
-    (functions, means): (&[GeneratedFunction], Means),
-) -> Vec<Vector> {
+pub fn vectors(chain: &Chain, (functions, means): (&[GeneratedFunction], Means)) -> Vec<Vector> {
     let (scalar, generated) = (means.scalar, functions.iter().enumerate());
     let at = |state: State| {
-        let robot = robot::robot(description, request, chain, &state.fields)?;
+        let robot = robot::robot(chain, &state.fields)?;
         Ok(Dense::of(robot, state))
     };
     let is_constrained = |(_, generated): &(usize, &GeneratedFunction)| {
@@ -59,7 +52,7 @@ pub fn vectors(
     };
     let (constrained, free): (Vec<_>, Vec<_>) = generated.partition(is_constrained);
     let mut vectors = Vec::new();
-    for (index, drawn) in states::states(chain, request, 2).iter().enumerate() {
+    for (index, drawn) in states::states(chain, 2).iter().enumerate() {
         let is_wanted = |(_, generated): &&(usize, &GeneratedFunction)| {
             index == 0 || generated.program.results.len() <= SHORT
         };
@@ -89,7 +82,7 @@ pub fn vectors(
         if wanted.peek().is_none() {
             continue;
         }
-        let closed = states::closed(chain, request, index, |state| at(state.clone()));
+        let closed = states::closed(chain, index, |state| at(state.clone()));
         let closed = closed.ok().flatten();
         let closed = closed.and_then(|state| at(as_it_is(&state, chain, scalar)).ok());
         let Some(mut closed) = closed else { continue };

@@ -1,16 +1,15 @@
 //! What the doc comments say of a robot.
 //!
-//! In: a description, its chain, the formulation. Out: an [`About`]: names, what is modelled and
+//! In: a chain. Out: an [`About`]: names, what is modelled and
 //! what is not, every doubt with its place. It never says anything of one function: that is its
 //! price and its accuracy.
 
 use std::collections::BTreeSet;
 
 use crate::chain::Chain;
-use crate::description::Description;
 use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, Node, Term};
-use crate::formulation::{Formulation, Parameters};
+use crate::formulation::Parameters;
 use crate::function::Function;
 use crate::joint::Drive;
 use crate::layout::{Layout, arrange};
@@ -20,7 +19,8 @@ use crate::space::FrameId;
 use crate::wording::{code, list};
 
 /// What they say.
-pub(super) fn about(description: &Description, chain: &Chain, formulation: Formulation) -> About {
+pub(super) fn about(chain: &Chain) -> About {
+    let (description, formulation) = (&chain.description, chain.request.formulation);
     let source = &description.source;
     let report = &chain.report;
     About {
@@ -34,14 +34,14 @@ pub(super) fn about(description: &Description, chain: &Chain, formulation: Formu
         facts: facts(chain, formulation.parameters),
         driven: chain.is_driven(),
         formulation: formulation.words(),
-        warnings: warnings(description, chain),
+        warnings: warnings(chain),
         left_out: Vec::new(),
     }
 }
 
-fn warnings(description: &Description, chain: &Chain) -> Vec<String> {
+fn warnings(chain: &Chain) -> Vec<String> {
     let mut places = Errors::new();
-    if let Some(file) = &description.source.file {
+    if let Some(file) = &chain.description.source.file {
         places.set_file(file.clone(), None);
     }
     chain
@@ -106,7 +106,7 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
     if !chain.external.is_empty() {
         let links = chain.external.iter().map(|link| code(&link.name));
         let links: Vec<String> = links.collect();
-        let frame = if chain.external_in_frame_0 {
+        let frame = if chain.request.external_in_frame_0 {
             "in frame 0"
         } else {
             "in the link's frame"

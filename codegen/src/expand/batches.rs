@@ -8,7 +8,6 @@ use crate::chain::Chain;
 use crate::error::{Complaint, Errors, Place};
 use crate::function::Function;
 use crate::module::{About, GeneratedFunction, LeftOut};
-use crate::request::Request;
 use crate::wording::list;
 
 /// Tells of missing batches.
@@ -18,10 +17,10 @@ use crate::wording::list;
 pub(super) fn tell(
     functions: &[GeneratedFunction],
     chain: &Chain,
-    request: &Request,
     about: &mut About,
 ) -> Result<(), Errors> {
     let missing = missing(functions, chain.spaces().actions() > 0);
+    let request = &chain.request;
     if request.functions.is_empty() {
         about.left_out.extend(missing);
         return Ok(());

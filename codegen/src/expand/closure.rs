@@ -34,7 +34,7 @@ pub fn settled(mut chain: Chain, strict: bool) -> Result<Chain, Errors> {
         return Ok(chain);
     }
     let measured = measured(&chain);
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     let mut warnings = Vec::new();
     for (closed, rows) in chain.loops.iter().zip(&measured) {
         refuse(closed, rows, &mut errors);

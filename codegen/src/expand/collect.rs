@@ -12,7 +12,6 @@ use super::prepared::prepared;
 use super::review::review;
 use crate::accuracy::{Means, of_plan};
 use crate::chain::Chain;
-use crate::description::Description;
 use crate::error::Errors;
 use crate::module::{About, GeneratedFunction, LeftOut, Module, Review};
 use crate::plan::{Plan, Planned};
@@ -20,11 +19,10 @@ use crate::request::Request;
 
 /// What is generated, and every mistake that was found on the way.
 pub(super) fn collect<'c>(
-    description: &Description,
-    request: &Request,
     chain: &Chain,
     plans: impl Iterator<Item = Planned<'c>>,
 ) -> (Module, Errors) {
+    let request = &*chain.request;
     let mut errors = Errors::new();
     let mut functions = Vec::new();
     // Of all that a robot can have, what it cannot have is left out.
@@ -40,10 +38,10 @@ pub(super) fn collect<'c>(
     }
     let mut about = About {
         left_out,
-        ..about(description, chain, request.formulation)
+        ..about(chain)
     };
     if request.batch
-        && let Err(refusal) = batches::tell(&functions, chain, request, &mut about)
+        && let Err(refusal) = batches::tell(&functions, chain, &mut about)
     {
         errors.append(refusal);
     }
@@ -60,7 +58,7 @@ pub(super) fn collect<'c>(
     let module = Module {
         about,
         spaces: chain.spaces().clone(),
-        review: reviewed(description, request, chain, &functions),
+        review: reviewed(chain, &functions),
         functions,
         data: data(chain),
         base_values: base_values(chain),
@@ -76,20 +74,14 @@ pub(super) fn collect<'c>(
 
 /// What the reviewer of a file reads, where one is written.
 #[cfg(feature = "files")]
-fn reviewed(
-    description: &Description,
-    request: &Request,
-    chain: &Chain,
-    functions: &[GeneratedFunction],
-) -> Option<Review> {
-    request
-        .review
-        .then(|| review(description, request, chain, functions))
+fn reviewed(chain: &Chain, functions: &[GeneratedFunction]) -> Option<Review> {
+    let is_wanted = chain.request.review;
+    is_wanted.then(|| review(chain, functions))
 }
 
 /// Nothing, where no files are written.
 #[cfg(not(feature = "files"))]
-fn reviewed(_: &Description, _: &Request, _: &Chain, _: &[GeneratedFunction]) -> Option<Review> {
+fn reviewed(_: &Chain, _: &[GeneratedFunction]) -> Option<Review> {
     None
 }
 

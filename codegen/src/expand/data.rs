@@ -78,7 +78,7 @@ pub(super) fn data(chain: &Chain) -> ChainData {
         frames: frames()
             .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
-        external: (chain.external.len(), chain.external_in_frame_0),
+        external: (chain.external.len(), chain.request.external_in_frame_0),
         driven,
         program: schedule(&chain.graph, &results),
         loops: loops(chain, place),

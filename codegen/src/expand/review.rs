@@ -1,6 +1,6 @@
 //! What the reviewer of a file reads beside its code.
 //!
-//! In: a description, its chain, the functions. Out: a [`Review`]: efforts, what functions should return, and of
+//! In: a chain, the functions. Out: a [`Review`]: efforts, what functions should return, and of
 //! which parameters of which links each inertial number is the sum. It changes nothing of what is printed besides.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -8,14 +8,12 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::accuracy::Means;
 use crate::chain::Chain;
 use crate::check::vectors;
-use crate::description::Description;
 use crate::expression::{Arithmetic, Double, Evaluation, Expr, Input, Term};
 use crate::layout::{Layout, Sliding, arrange};
 use crate::list::Id;
 use crate::matrix::{Inertia, Symmetric, Vector};
 use crate::module::{GeneratedFunction, Origins, Review, Sum};
 use crate::real::Real;
-use crate::request::Request;
 use crate::space::{FieldId, ParameterId};
 
 /// How many inertial parameters a link has.
@@ -24,20 +22,15 @@ const PARAMETERS: usize = 10;
 /// What is less beside the largest factor of a sum is what rounding left.
 const RESIDUE: f64 = 1e-12;
 
-pub(super) fn review(
-    description: &Description,
-    request: &Request,
-    chain: &Chain,
-    functions: &[GeneratedFunction],
-) -> Review {
-    let means = Means::of(request);
+pub(super) fn review(chain: &Chain, functions: &[GeneratedFunction]) -> Review {
+    let means = Means::of(&chain.request);
     Review {
-        efforts: efforts(description, chain),
+        efforts: efforts(chain),
         // Of any type of number there are no numbers.
         vectors: if means.scalar == Real::Generic {
             Vec::new()
         } else {
-            vectors(description, request, chain, (functions, means))
+            vectors(chain, (functions, means))
         },
         origins: origins(chain, functions),
         merged: chain.report.merged.clone(),
@@ -45,10 +38,10 @@ pub(super) fn review(
 }
 
 /// What is described of the torque or force of each velocity.
-fn efforts(description: &Description, chain: &Chain) -> Vec<f64> {
+fn efforts(chain: &Chain) -> Vec<f64> {
     let efforts = chain.spaces().velocities.ids().map(|velocity| {
         let of = &chain.joints[chain.mover(velocity)].of;
-        let mut joints = description.joints.iter();
+        let mut joints = chain.description.joints.iter();
         let joint = joints.find(|joint| joint.name.text == *of && !joint.kind.has_several());
         let limits = joint.and_then(|joint| joint.limits);
         limits.map_or(f64::INFINITY, |limits| limits.effort)

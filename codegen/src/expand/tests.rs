@@ -77,7 +77,7 @@ fn share_of_the_bounds_in_the_time_of_an_expansion() {
         let whole = start.elapsed();
         let chain = understand(&description, &request).expect("a tree");
         let mut bounds = Duration::ZERO;
-        for Planned { plan, .. } in plans(&chain, &request).expect("few joints") {
+        for Planned { plan, .. } in plans(&chain).expect("few joints") {
             let Ok(plan) = plan else {
                 continue;
             };

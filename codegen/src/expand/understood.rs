@@ -32,12 +32,12 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         let Redundancy {
             dependent,
             warnings,
-        } = check::redundancy(description, request, &chain);
+        } = check::redundancy(&chain);
         chain.report.dependent = dependent;
         doubts.extend(warnings);
     }
     if request.strict && !doubts.is_empty() {
-        let mut errors = chain.source.errors();
+        let mut errors = chain.description.source.errors();
         for doubt in doubts {
             errors.push(doubt.place, format!("{} (refused: strict)", doubt.message));
         }
@@ -100,20 +100,16 @@ fn check_prepare(request: &Request) -> Result<(), Errors> {
 ///
 /// # Errors
 /// Where they cannot be told apart, or are wrong.
-pub fn identified(
-    chain: Chain,
-    description: &Description,
-    request: &Request,
-) -> Result<Chain, Errors> {
+pub fn identified(chain: Chain) -> Result<Chain, Errors> {
     let chain = chain.identified();
-    judge_base_parameters(description, request, &chain)?;
+    judge_base_parameters(&chain)?;
     Ok(chain)
 }
 
 /// The same chain, with its base parameters where a function of them is asked for.
 #[must_use]
-pub fn identified_if_asked(chain: Chain, request: &Request) -> Chain {
-    if request.asks_for(Function::BaseRegressor) {
+pub fn identified_if_asked(chain: Chain) -> Chain {
+    if chain.request.asks_for(Function::BaseRegressor) {
         chain.identified()
     } else {
         chain

@@ -179,7 +179,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
         identifies_drives: chain.identifies_drives,
         frames: chain.frames.iter().chain(of_loops).map(place).collect(),
         external: chain.external.iter().map(place).collect(),
-        external_in_frame_0: chain.external_in_frame_0,
+        external_in_frame_0: chain.request.external_in_frame_0,
         gravity: chain.gravity.map(term),
     }
 }

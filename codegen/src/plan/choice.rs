@@ -111,7 +111,7 @@ pub(super) fn cheapest(
 
 /// Refuses what is of loops where there are none.
 fn closable(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     let of_loops = functions.iter().filter(|function| function.is_of_loops());
     for function in of_loops.filter(|_| chain.loops.is_empty()) {
         let name = quoted(function.name());

@@ -112,7 +112,7 @@ pub(super) fn rounds(
 /// # Errors
 /// Articulated bodies where a joint follows another.
 pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     if asked == Forward::Articulated
         && let Some(mimic) = chain.report.mimicked.first()
     {
@@ -144,7 +144,7 @@ pub(super) fn hopeless(
     functions: &[Function],
     (scalar, frame): (Real, Frame),
 ) -> Errors {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     let cause = Cause::of(chain, worst);
     let complaint = cause.complaint(
         scalar,

@@ -16,7 +16,7 @@ use crate::wording::{code, list};
 /// # Panics
 /// Where base parameters have not been looked for ([`Chain::identified`]).
 pub(super) fn settled(chain: &Chain) -> Result<(), Errors> {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     let found = chain.base_parameters.as_ref();
     let found = found.expect("base parameters are found before their regressor is made");
     let fields = revealing(chain, found).into_iter();

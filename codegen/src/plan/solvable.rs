@@ -249,7 +249,7 @@ fn coordinate([lower, upper]: [f64; 2], k: u16, posture: u32) -> f64 {
 }
 
 fn refusal(chain: &Chain, lack: &Lack) -> Errors {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     let zeros = undescribed(chain);
     let but = if zeros.is_empty() {
         String::new()

@@ -13,7 +13,7 @@ const NOTHING: f64 = 1e-200;
 /// # Errors
 /// Where no joint moves a mass.
 pub(super) fn weighable(chain: &Chain) -> Result<(), Errors> {
-    let mut errors = chain.source.errors();
+    let mut errors = chain.description.source.errors();
     let weighs = |mass| {
         let mass = chain.graph.term(mass).value();
         mass.is_none_or(|mass| mass.to_f64().abs() > NOTHING)

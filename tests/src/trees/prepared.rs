@@ -79,7 +79,7 @@ impl<'r> Prepared<'r> {
         let understood = guarded(|| {
             let (description, request) = text::read(robot)?;
             let chain = understand(&description, &request)?.identified();
-            Check::of(&description, &request, &chain).map(|check| (chain, check))
+            Check::of(&chain).map(|check| (chain, check))
         })?;
         let (chain, check) = understood.map_err(|errors| format!("refused: {errors}"))?;
         let mut dense = Dense::of(robot);

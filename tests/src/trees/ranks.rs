@@ -61,7 +61,7 @@ pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
     let found = guarded(|| {
         let (description, request) = text::read(robot)?;
         let chain = understand(&description, &request)?;
-        identified(chain, &description, &request)
+        identified(chain)
     })?;
     let found = match found {
         Ok(chain) => chain.base_parameters.expect("it is identified"),

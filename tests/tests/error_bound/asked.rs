@@ -3,7 +3,7 @@
 //! In: a name, options. Out: descriptions with requests, and chains.
 
 use homogen_codegen::chain::{self, Chain};
-use homogen_codegen::description::{Description, Name, freed, read_file, read_text};
+use homogen_codegen::description::{Description, Name, read_file, read_text};
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::request::{Parameter, Request, Target};
@@ -53,8 +53,8 @@ pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
 /// A robot that ships, by its name, one with joints of other kinds, or one made to be hard, by its label.
 pub fn described(asked: Asked) -> (Description, Request) {
     let (description, request) = as_asked(asked);
-    let (description, request) = freed(&description, &request);
-    (description.into_owned(), request.into_owned())
+    let chain = chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
+    ((*chain.description).clone(), (*chain.request).clone())
 }
 
 fn as_asked(asked: Asked) -> (Description, Request) {

@@ -215,7 +215,9 @@ impl Span {
         let columns = columns.map(|(name, column)| Column::of(Some(name), column));
         let mut columns: Vec<Column> = columns.collect();
         for kept in &self.kept {
-            columns.iter_mut().for_each(|column| column.reduce(kept));
+            for column in &mut columns {
+                column.reduce(kept);
+            }
         }
         loop {
             let left = columns.iter().map(Column::significance).enumerate();
@@ -227,7 +229,9 @@ impl Span {
                 return;
             }
             let kept = self.keep(columns.swap_remove(most), left);
-            columns.iter_mut().for_each(|column| column.reduce(kept));
+            for column in &mut columns {
+                column.reduce(kept);
+            }
         }
     }
 

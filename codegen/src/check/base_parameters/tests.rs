@@ -80,7 +80,7 @@ const BASE_OF_FAR: usize = 19;
 fn judged(description: &Description, request: &Request) -> Result<usize, String> {
     let chain = understand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
     let chain = chain.identified();
-    let judged = judge_base_parameters(description, request, &chain);
+    let judged = judge_base_parameters(&chain);
     let found = chain.base_parameters.expect("they are found");
     judged.map_or_else(
         |errors| Err(errors.to_string()),
@@ -182,7 +182,7 @@ fn base_parameters_that_are_wrong_are_a_fault() {
     let refused = |change: &dyn Fn(&mut BaseParameters)| {
         let mut chain = chain.clone();
         change(chain.base_parameters.as_mut().expect("they are found"));
-        let judged = judge_base_parameters(&description, &request, &chain);
+        let judged = judge_base_parameters(&chain);
         judged
             .err()
             .map(|refusal| (is_fault(&refusal), refusal.to_string()))

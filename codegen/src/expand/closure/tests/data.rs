@@ -22,8 +22,7 @@ fn module() -> Module {
 fn data_that_closes_something_else_is_refused() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-    let check =
-        Check::of(&description, &request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
+    let check = Check::of(&chain).unwrap_or_else(|errors| panic!("{errors}"));
     let mut data = module().data;
     check
         .judge_data(&data)

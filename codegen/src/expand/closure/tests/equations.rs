@@ -159,7 +159,7 @@ fn every_kind_is_what_the_description_says_in_both_precisions() {
     for (kind, _) in kinds() {
         let (description, request) = described(&arms_held_by(&kind));
         let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-        let check = Check::of(&description, &request, &chain);
+        let check = Check::of(&chain);
         let check = check.unwrap_or_else(|errors| panic!("{errors}"));
         for function in Function::OF_LOOPS {
             for scalar in [Real::F32, Real::F64] {
@@ -190,8 +190,7 @@ fn more_residuals_than_passive_joints_are_held_against_the_description_as_well()
     };
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-    let check =
-        Check::of(&description, &request, &chain).unwrap_or_else(|errors| panic!("{errors}"));
+    let check = Check::of(&chain).unwrap_or_else(|errors| panic!("{errors}"));
     let function = [Function::ActuatedInverseDynamics];
     let mut program = module.functions[0].program.clone();
     check

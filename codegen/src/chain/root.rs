@@ -4,9 +4,9 @@
 //! more, and the request with that link as its base. What carried the base before carries that link, and so is
 //! left out. It changes nothing else that was described.
 
-use std::borrow::Cow;
+use std::rc::Rc;
 
-use super::{Description, Joint, Link, Name};
+use crate::description::{Description, Joint, Link, Name};
 use crate::joint::JointKind;
 use crate::joint::drive::Parts;
 use crate::number::Number;
@@ -19,19 +19,15 @@ const LINKS: [&str; 4] = ["world", "ground", "universe", "free_root_base"];
 /// Both as they are, or with a free root where one is asked for.
 ///
 /// Where there is no root, or more than one, they stay as they are: the chain stage says so.
-#[must_use]
-pub fn freed<'a>(
-    description: &'a Description,
-    request: &'a Request,
-) -> (Cow<'a, Description>, Cow<'a, Request>) {
-    let base = request
-        .floating
-        .then(|| base(description, request))
-        .flatten();
-    let Some(base) = base else {
-        return (Cow::Borrowed(description), Cow::Borrowed(request));
-    };
+pub(super) fn freed(
+    description: &Description,
+    request: &Request,
+) -> (Rc<Description>, Rc<Request>) {
     let mut description = description.clone();
+    let wanted = request.floating.then(|| base(&description, request));
+    let Some(base) = wanted.flatten() else {
+        return (Rc::new(description), Rc::new(request.clone()));
+    };
     let links: Vec<&Name> = description.links.iter().map(|link| &link.name).collect();
     let joints: Vec<&Name> = description.joints.iter().map(|joint| &joint.name).collect();
     let ground = new_name(&LINKS, &links, &base);
@@ -65,7 +61,7 @@ pub fn freed<'a>(
         floating: false,
         ..request.clone()
     };
-    (Cow::Owned(description), Cow::Owned(request))
+    (Rc::new(description), Rc::new(request))
 }
 
 /// The link that is to be free: the one named as the base, or the only one that hangs on none.

@@ -16,6 +16,7 @@ mod values;
 
 use std::ffi::OsString;
 use std::io::Read;
+use std::rc::Rc;
 
 use clap::Args;
 
@@ -31,7 +32,7 @@ use homogen_codegen::check::Check;
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
 use homogen_codegen::function::Function;
-use homogen_codegen::plan;
+use homogen_codegen::plan::{self, Programs};
 use homogen_codegen::space::FrameId;
 
 /// Compute a function at given states, without a compiler
@@ -95,14 +96,8 @@ impl Eval {
         // Further frames come after the tip's.
         let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
         plan::check_size(&chain)?;
-        let program = plan::program_for(
-            request.processor,
-            request.formulation,
-            &chain,
-            &[function],
-            frame,
-            self.scalar.into(),
-        )?;
+        let programs = Rc::new(Programs::of(&chain));
+        let program = plan::plan(&programs, vec![function], frame)?.program;
         Check::of(&chain)?.judge_program(&[function], frame, &program, request.scalar)?;
         let values = Values {
             program: &program,

@@ -125,7 +125,10 @@ fn wanted(chain: &Chain) -> Vec<(Vec<Function>, FrameId)> {
 ///
 /// # Errors
 /// Where the robot cannot have them.
-fn plan<'c>(
+///
+/// # Panics
+/// Where a function of a frame is asked for and the chain has none.
+pub fn plan<'c>(
     programs: &Rc<Programs<'c>>,
     functions: Vec<Function>,
     frame: FrameId,

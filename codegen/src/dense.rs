@@ -17,33 +17,34 @@ pub(crate) use matrix::Matrix;
 pub(crate) use robot::{Body, BodyId, Closed, Columns, Freedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
-use crate::list::{Id, List, Square};
-use crate::space::{CoordinateId, FieldId, FrameId, ParameterId, Variable, VelocityId};
+use crate::list::{self, Id, List, Square};
+use crate::space::{Arguments, FieldId, FrameId, ParameterId, Variable, VelocityId};
 use posture::{Posture, Rates};
 
 /// What a program reads.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct State {
-    pub(crate) q: List<CoordinateId, Double>,
-    pub(crate) qd: List<VelocityId, f64>,
-    pub(crate) qdd: List<VelocityId, f64>,
-    pub(crate) tau: List<VelocityId, f64>,
-    /// Of each action c and f.
-    pub(crate) actions: Vec<f64>,
+    pub(crate) arguments: Arguments<Double>,
     pub(crate) fields: List<FieldId, Vec<f64>>,
 }
 
 impl State {
     pub(crate) fn get(&self, input: Input) -> Double {
-        let (list, k) = match input {
-            Input::Variable(Variable::Q, k) => return self.q[k.into()],
-            Input::Variable(Variable::Qd, k) => (&*self.qd, k),
-            Input::Variable(Variable::Qdd, k) => (&*self.qdd, k),
-            Input::Variable(Variable::Tau, k) => (&*self.tau, k),
-            Input::Variable(Variable::Actions, k) => (&*self.actions, k),
-            Input::Parameter(field, k) => (&*self.fields[field.into()], k),
-        };
-        list[usize::from(k)].into()
+        match input {
+            Input::Variable(variable, k) => self.arguments[variable][usize::from(k)],
+            Input::Parameter(field, k) => self.fields[field.into()][usize::from(k)].into(),
+        }
+    }
+
+    /// What an argument has for each velocity.
+    pub(crate) fn of_velocities(&self, variable: Variable) -> List<VelocityId, Approximate> {
+        let entries = self.arguments[variable].iter().copied();
+        entries.map(Approximate::exact).collect()
+    }
+
+    /// How many velocities there are.
+    pub(crate) fn velocities(&self) -> usize {
+        self.arguments[Variable::Qd].len()
     }
 }
 
@@ -77,7 +78,7 @@ pub(crate) struct Dense {
 impl Dense {
     pub(crate) fn of(robot: Robot, state: State) -> Self {
         Self {
-            posture: Posture::of(robot, &state.q),
+            posture: Posture::of(robot, &state.arguments[Variable::Q]),
             disturbance: 0.0,
             state,
             mass_matrix: OnceCell::new(),
@@ -97,7 +98,7 @@ impl Dense {
         frame: FrameId,
         seen: impl Fn(&Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
-        let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
+        let mut columns = vec![Approximate::exact(0.0); 6 * self.state.velocities()];
         for (k, screw) in self.posture.moving(frame) {
             let column = &mut columns[6 * k.index()..][..6];
             for (entry, own) in column.iter_mut().zip(seen(screw).vectors()) {
@@ -113,7 +114,7 @@ impl Dense {
         frame: FrameId,
         seen: impl Fn(&Matrix<Approximate>, &Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
-        let mut columns = vec![Approximate::exact(0.0); 6 * self.state.qd.len()];
+        let mut columns = vec![Approximate::exact(0.0); 6 * self.state.velocities()];
         let rates = self.rates(Motion::Coasting);
         for (k, screw, rate) in self.posture.moving_rates(frame, &rates) {
             let column = &mut columns[6 * k.index()..][..6];
@@ -181,7 +182,7 @@ impl Dense {
 
     /// The same at a unit rate of each joint alone.
     pub(crate) fn unit_moments(&self) -> impl Iterator<Item = Matrix<Approximate>> {
-        self.state.qd.ids().map(move |k| {
+        list::ids(self.state.velocities()).map(move |k| {
             let mut rates = self.rates(Motion::Rest);
             rates.first[k] = Approximate::exact(1.0);
             self.moments_at(&rates)
@@ -245,7 +246,9 @@ impl Dense {
         &self,
         torques: List<VelocityId, Approximate>,
     ) -> List<VelocityId, Approximate> {
-        let outside = self.posture.outside(&self.state.actions);
+        let outside = self
+            .posture
+            .outside(&self.state.arguments[Variable::Actions]);
         let both = torques.into_iter().zip(outside);
         both.map(|(torque, outside)| torque - outside).collect()
     }
@@ -286,7 +289,7 @@ impl Dense {
     /// A matrix row by row, of its columns.
     fn rows_of(&self, columns: &[&List<VelocityId, Approximate>]) -> Vec<Approximate> {
         let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
-        self.state.qd.ids().flat_map(row).collect()
+        list::ids(self.state.velocities()).flat_map(row).collect()
     }
 
     /// Of those columns the ones that the base regressor has.
@@ -322,7 +325,9 @@ impl Dense {
 
     fn derivatives_at(&self, rates: &Rates) -> [Square<VelocityId, Approximate>; 2] {
         let [mut by_coordinate, by_rate] = self.posture.torque_derivatives(rates);
-        let outside = self.posture.outside_derivative(&self.state.actions);
+        let outside = self
+            .posture
+            .outside_derivative(&self.state.arguments[Variable::Actions]);
         for place in by_coordinate.places() {
             by_coordinate[place] = by_coordinate[place] - outside[place];
         }
@@ -348,9 +353,8 @@ impl Dense {
     }
 
     fn rates(&self, motion: Motion) -> Rates {
-        let nothing = || self.state.qd.map(|_| Approximate::exact(0.0));
-        let [qd, qdd] =
-            [&self.state.qd, &self.state.qdd].map(|of| of.map(|&x| Approximate::exact(x)));
+        let nothing = || List::filled(Approximate::exact(0.0), self.state.velocities());
+        let [qd, qdd] = [Variable::Qd, Variable::Qdd].map(|of| self.state.of_velocities(of));
         let (first, second) = match motion {
             Motion::Rest => (nothing(), nothing()),
             Motion::Coasting => (qd, nothing()),

@@ -7,53 +7,21 @@ use std::f64::consts::PI;
 
 use crate::chain::Chain;
 use crate::expression::Input;
-use crate::list::List;
-use crate::space::{CoordinateId, Entry, FieldId, Kind, Spaces, Variable, VelocityId};
+use crate::list::{Id, List};
+use crate::space::{Arguments, CoordinateId, Entry, FieldId, Kind, Variable, VelocityId};
 
 /// The least and the greatest that each argument of a function can be.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Range {
-    /// Of each coordinate [rad or m].
-    pub q: List<CoordinateId, [f64; 2]>,
-    /// Of each rate [rad/s or m/s].
-    pub qd: List<VelocityId, [f64; 2]>,
-    /// Of each second rate [rad/s² or m/s²].
-    pub qdd: List<VelocityId, [f64; 2]>,
-    /// Of the entries of each action from outside \[N m, N\].
-    pub actions: Vec<[f64; 2]>,
+    /// Of each entry, in its unit; none of arguments of which nothing is said.
+    pub arguments: Arguments<[f64; 2]>,
     /// Of the entries of each struct field, in the units of what it stands for.
     pub fields: List<FieldId, Vec<[f64; 2]>>,
 }
 
-/// How large an entry is of which no description tells: coordinates go π rad or 1 m to both sides, with
-/// 10 rad/s or 1 m/s, and 10 rad/s² or 10 m/s²; the surroundings act with 100 N m and 100 N. Nothing is said
-/// of forces of joints.
-const fn default(variable: Variable, kind: Kind) -> Option<f64> {
-    match (variable, kind) {
-        (Variable::Q, Kind::Turn) => Some(PI),
-        (Variable::Q, Kind::Slide | Kind::Quaternion) | (Variable::Qd, Kind::Slide) => Some(1.0),
-        (Variable::Tau, _) | (_, Kind::Moment(_) | Kind::Drive { .. }) => None,
-        (Variable::Qd | Variable::Qdd, _) => Some(10.0),
-        (Variable::Actions, _) => Some(100.0),
-    }
-}
-
-/// What the entry of a variable is described to stay in; accelerations never are.
-const fn described(variable: Variable, entry: &Entry) -> Option<[f64; 2]> {
-    match variable {
-        Variable::Q | Variable::Qd => entry.range,
-        Variable::Qdd | Variable::Tau | Variable::Actions => None,
-    }
-}
-
-/// The range of each entry of a variable; of none where nothing is said.
-fn ranges<R: FromIterator<[f64; 2]>>(spaces: &Spaces, variable: Variable) -> R {
-    let entries = spaces.entries(variable.space()).iter();
-    let ranges = entries.filter_map(|entry| {
-        let otherwise = || default(variable, entry.kind).map(|size| [-size, size]);
-        described(variable, entry).or_else(otherwise)
-    });
-    ranges.collect()
+/// What the entry of a variable is described to stay in.
+fn described(variable: Variable, entry: &Entry) -> Option<[f64; 2]> {
+    entry.range.filter(|_| variable.has_limits())
 }
 
 impl Range {
@@ -63,11 +31,16 @@ impl Range {
     #[must_use]
     pub fn of(chain: &Chain) -> Self {
         let spaces = chain.spaces();
+        let ranges = |variable: Variable| {
+            let entries = spaces.entries(variable.space()).iter();
+            let ranges = entries.filter_map(|entry| {
+                let otherwise = || variable.usual(entry.kind).map(|size| [-size, size]);
+                described(variable, entry).or_else(otherwise)
+            });
+            ranges.collect()
+        };
         Self {
-            q: ranges(spaces, Variable::Q),
-            qd: ranges(spaces, Variable::Qd),
-            qdd: ranges(spaces, Variable::Qdd),
-            actions: ranges(spaces, Variable::Actions),
+            arguments: Arguments::of(ranges),
             fields: (chain.parameters.iter().zip(&chain.nominal))
                 .map(|(field, nominal)| field.ranges(nominal))
                 .collect(),
@@ -79,23 +52,29 @@ impl Range {
     pub fn turns_with_digits(&self) -> Vec<[f64; 2]> {
         const FARTHEST: f64 = 1e6;
         let ends = |ends: &[f64; 2]| ends.map(|end| end.clamp(-FARTHEST, FARTHEST));
-        self.q.iter().map(ends).collect()
+        self.arguments[Variable::Q].iter().map(ends).collect()
+    }
+
+    /// The range of a coordinate [rad or m].
+    #[must_use]
+    pub fn coordinate(&self, k: CoordinateId) -> [f64; 2] {
+        self.arguments[Variable::Q][k.index()]
+    }
+
+    /// The range of what an argument has for a velocity.
+    #[must_use]
+    pub fn of_velocity(&self, variable: Variable, k: VelocityId) -> [f64; 2] {
+        self.arguments[variable][k.index()]
     }
 
     /// The range of one input; none where nothing is known of it.
     #[must_use]
     pub fn get(&self, input: Input) -> Option<[f64; 2]> {
-        let at = |ranges: &[[f64; 2]], k: u16| ranges.get(usize::from(k)).copied();
         match input {
-            Input::Variable(variable, k) => match variable {
-                Variable::Q => at(&self.q, k),
-                Variable::Qd => at(&self.qd, k),
-                Variable::Qdd => at(&self.qdd, k),
-                Variable::Tau => None,
-                Variable::Actions => at(&self.actions, k),
-            },
+            Input::Variable(variable, k) => self.arguments.get(variable, k).copied(),
             Input::Parameter(field, k) => {
-                self.fields.get(field.into()).and_then(|field| at(field, k))
+                let entries = self.fields.get(field.into());
+                entries.and_then(|entries| entries.get(usize::from(k)).copied())
             }
         }
     }
@@ -120,7 +99,7 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> b
         let kinds = [Kind::Turn, Kind::Slide].into_iter();
         let kinds = kinds.filter(|&kind| lacks.iter().any(|entry| entry.kind == kind));
         let kinds = kinds.filter_map(|kind| {
-            let size = number(default(argument, kind)?);
+            let size = number(argument.usual(kind)?);
             Some(format!("{size} {}", argument.unit(kind)))
         });
         let kinds: Vec<String> = kinds.collect();

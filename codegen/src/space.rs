@@ -9,7 +9,7 @@ mod quantity;
 mod variable;
 
 pub use quantity::{Entity, Outcome, Part, Quantity};
-pub use variable::Variable;
+pub use variable::{Arguments, Variable};
 
 use crate::list::{List, id};
 

@@ -114,15 +114,11 @@ impl<T: Tested> Climb<T> {
     /// The ranges of all inputs.
     fn ends(&self) -> Vec<(Input, [f64; 2])> {
         let index = |k: usize| u16::try_from(k).expect("few");
-        let all = |ranges: &[[f64; 2]], of: Variable| -> Vec<(Input, [f64; 2])> {
-            let ranges = ranges.iter().enumerate();
-            ranges
-                .map(|(k, &range)| (Input::Variable(of, index(k)), range))
-                .collect()
-        };
-        let mut ends = all(&self.range.q, Variable::Q);
-        ends.extend(all(&self.range.qd, Variable::Qd));
-        ends.extend(all(&self.range.qdd, Variable::Qdd));
+        let mut ends = Vec::new();
+        for of in Variable::ALL {
+            let ranges = self.range.arguments[of].iter().enumerate();
+            ends.extend(ranges.map(|(k, &range)| (Input::Variable(of, index(k)), range)));
+        }
         for (field, ranges) in self.range.fields.iter().enumerate() {
             for (k, &range) in ranges.iter().enumerate() {
                 ends.push((Input::Parameter(index(field), index(k)), range));

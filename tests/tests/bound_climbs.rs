@@ -65,8 +65,7 @@ fn nothing_moves_more_than_its_energy_allows() {
         let mut random = Random::new(3);
         let count = chain.joints.len();
         for _ in 0..100 {
-            let q: Vec<f64> = range
-                .q
+            let q: Vec<f64> = range.arguments[Variable::Q]
                 .iter()
                 .map(|&range| any::<F64>(range, &mut random))
                 .collect();
@@ -139,7 +138,8 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
                 .map(|&range| any::<T>(range, &mut random))
                 .collect()
         };
-        let [q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(&mut draw);
+        let [q, qd, qdd] =
+            [Variable::Q, Variable::Qd, Variable::Qdd].map(|of| draw(&range.arguments[of]));
         let torques = |qdd: &[f64]| {
             needed.at(|input| {
                 Double::from(match input {

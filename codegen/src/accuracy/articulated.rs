@@ -27,6 +27,7 @@ use crate::model::ARTICULATED_MOTION;
 use crate::range::Range;
 use crate::schedule::Program;
 use crate::schedule::bound::{self, Value};
+use crate::space::Variable;
 
 /// The least margin that is tried: a thousandth of a bound is less than another attempt is worth.
 const LEAST_MARGIN: f64 = 1e-3;
@@ -97,7 +98,7 @@ impl Steps<'_, '_> {
             let parts = [motion.action, motion.drift, motion.acceleration];
             parts.map(|[size, _]| size.largest())
         }));
-        let most = largest(range.qdd.iter().map(|[_, most]| *most));
+        let most = largest(range.arguments[Variable::Qdd].iter().map(|[_, most]| *most));
         self.inertia() * self.inertia() * moving * most * self.yielding()
     }
 
@@ -121,7 +122,7 @@ impl Steps<'_, '_> {
                 whole, children, ..
             } = outboard[k];
             let own = Pair::new(link.spread, link.mass).roots();
-            let [_, most] = range.qdd[link.velocity];
+            let [_, most] = range.of_velocity(Variable::Qdd, link.velocity);
             let opposed = whole.dot(acceleration);
             let free = opposed + most * link.share(whole);
             // |y|/√D: an armature opposes the joint's own acceleration.
@@ -134,7 +135,7 @@ impl Steps<'_, '_> {
             let roundings = if driven { 14.0 } else { 12.0 };
             let residual = roundings * roundoff * free + whole.dot(acceleration_lost);
             beside[k] = (link.share(whole) - link.along(whole)) * residual;
-            let resistance = link.resistance(range.qd[link.velocity]);
+            let resistance = link.resistance(range.of_velocity(Variable::Qd, link.velocity));
             if resistance > 0.0 {
                 let given = link.along(forces[k]) + link.armature * most;
                 beside[k] += roundoff * (3.0 * resistance + given) + vanishes;

@@ -149,10 +149,12 @@ pub(super) fn reach(body: &Body<'_>, range: &Range) -> f64 {
     let slide = match (body.position, body.motion) {
         (_, Motion::Screw(_)) => f64::INFINITY,
         (Position::Along { coordinate, .. }, Motion::Prismatic) => {
-            let [lo, hi] = range.q[coordinate];
+            let [lo, hi] = range.coordinate(coordinate);
             lo.abs().max(hi.abs())
         }
-        (Position::Posture(posture, first), _) => posture.reach(|entry| range.q[first.plus(entry)]),
+        (Position::Posture(posture, first), _) => {
+            posture.reach(|entry| range.coordinate(first.plus(entry)))
+        }
         (Position::Along { .. }, Motion::Revolute) | (Position::Taken, _) => 0.0,
     };
     let number = |entry: Term<'_>| entry.value().map_or(f64::INFINITY, Double::to_f64);

@@ -24,6 +24,7 @@ use crate::range::Range;
 use crate::real::Real;
 use crate::schedule::Program;
 use crate::schedule::bound::{Reason, Value};
+use crate::space::Variable;
 
 /// Why a solution is not bounded where rounding may spoil what it comes from.
 pub(super) const DOUBTFUL: &str = "rounding may outweigh the least inertia, as far as ranges tell";
@@ -59,11 +60,7 @@ pub fn of_refined_inverse(
         // An entry of M⁻¹ is at most the root of the product of two diagonal ones.
         let column = |of: &f64| {
             let most = joints.iter().map(|most| (most * of).sqrt());
-            let qdd = most.map(|most| [-most, most]).collect();
-            Range {
-                qdd,
-                ..range.clone()
-            }
+            with_accelerations(range, most.map(|most| [-most, most]))
         };
         let columns: Vec<Range> = joints.iter().map(column).collect();
         tried(0.0, |margin| {
@@ -173,10 +170,15 @@ const MARGINS: [f64; 4] = [1e-6, 1e-3, 0.03, 1.0];
 /// A range of accelerations that is wider by a margin.
 pub(super) fn widened(range: &Range, margin: f64) -> Range {
     let wider = |end: f64| end * (1.0 + margin);
-    Range {
-        qdd: range.qdd.iter().map(|ends| ends.map(wider)).collect(),
-        ..range.clone()
-    }
+    let accelerations = range.arguments[Variable::Qdd].iter();
+    with_accelerations(range, accelerations.map(|ends| ends.map(wider)))
+}
+
+/// A range with other accelerations.
+fn with_accelerations(range: &Range, accelerations: impl Iterator<Item = [f64; 2]>) -> Range {
+    let mut changed = range.clone();
+    changed.arguments[Variable::Qdd] = accelerations.collect();
+    changed
 }
 
 /// What is left after some refinements.
@@ -224,7 +226,9 @@ pub(super) fn tried(least: f64, attempt: impl Fn(f64) -> Worst) -> Worst {
 
 /// Whether accelerations that are off by so much are out of their range by no more than a margin.
 pub(super) fn stays(range: &Range, margin: f64, off: &[f64]) -> bool {
-    let most = range.qdd.iter().map(|[_, most]| margin * most);
+    let most = range.arguments[Variable::Qdd]
+        .iter()
+        .map(|[_, most]| margin * most);
     off.iter().zip(most).all(|(off, most)| *off <= most)
 }
 
@@ -281,7 +285,10 @@ impl Parts {
         means: Means,
         scalar: Real,
     ) -> Result<Self, &'static str> {
-        let most: Vec<f64> = range.qdd.iter().map(|[_, most]| *most).collect();
+        let most: Vec<f64> = range.arguments[Variable::Qdd]
+            .iter()
+            .map(|[_, most]| *most)
+            .collect();
         let count = most.len();
         let found = computed(program, range, means, scalar).into_iter();
         let found = found.map(|found| error(found).map(|_| found.value));
@@ -311,7 +318,10 @@ impl Parts {
     /// The same for accelerations of another range, of which nothing here is computed.
     fn over(&self, range: &Range) -> Self {
         Self {
-            most: range.qdd.iter().map(|[_, most]| *most).collect(),
+            most: range.arguments[Variable::Qdd]
+                .iter()
+                .map(|[_, most]| *most)
+                .collect(),
             ..self.clone()
         }
     }

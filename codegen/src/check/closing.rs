@@ -9,10 +9,10 @@ use crate::chain::{Chain, Position};
 use crate::dense::{Approximate, Dense, State};
 use crate::expression::Double;
 use crate::joint::Posture;
-use crate::list::{Id, List};
+use crate::list::Id;
 use crate::quaternion::normalize;
 use crate::real::Real;
-use crate::space::{CoordinateId, VelocityId};
+use crate::space::{Variable, VelocityId};
 
 /// The largest number of steps.
 const STEPS: usize = 60;
@@ -90,21 +90,19 @@ fn keep_closed(
     const TIMES: usize = 4;
     let system = System::of(&at(state)?);
     for _ in 0..TIMES {
-        let opening: Vec<f64> = system.rows.iter().map(|row| dot(row, &state.qd)).collect();
-        let step = system.step(&opening, 0.0);
-        state.qd = state
-            .qd
-            .iter()
-            .zip(step)
-            .map(|(qd, step)| qd + step)
-            .collect();
+        let velocities = &mut state.arguments[Variable::Qd];
+        let now: Vec<f64> = velocities.iter().map(|entry| entry.to_f64()).collect();
+        let opening: Vec<f64> = system.rows.iter().map(|row| dot(row, &now)).collect();
+        let steps = system.step(&opening, 0.0).into_iter();
+        let then = now.iter().zip(steps).map(|(now, step)| now + step);
+        *velocities = then.map(Double::from).collect();
     }
     Ok(())
 }
 
 fn is_within_limits(state: &State, chain: &Chain) -> bool {
     let entries = chain.spaces().coordinates.iter();
-    let mut pairs = state.q.iter().zip(entries);
+    let mut pairs = state.arguments[Variable::Q].iter().zip(entries);
     pairs.all(|(q, entry)| {
         let [least, most] = entry.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
         (least..=most).contains(&q.to_f64())
@@ -177,10 +175,12 @@ fn moved(state: &State, chain: &Chain, velocities: &[f64]) -> State {
         let joint = &chain.joints[chain.mover(velocity)];
         match joint.position {
             Position::Along { coordinate, .. } => {
-                moved.q[coordinate] = moved.q[coordinate] + by(velocity, 0);
+                let entry = &mut moved.arguments[Variable::Q][coordinate.index()];
+                *entry = *entry + by(velocity, 0);
             }
             Position::Posture(posture, first) => {
-                displace(&mut moved.q, posture, first, |k| by(velocity, k));
+                let entries = &mut moved.arguments[Variable::Q][first.index()..];
+                displace(entries, posture, |k| by(velocity, k));
             }
             Position::Taken => {}
         }
@@ -189,13 +189,7 @@ fn moved(state: &State, chain: &Chain, velocities: &[f64]) -> State {
 }
 
 /// Moves a body by velocities that are seen in its frame.
-fn displace(
-    q: &mut List<CoordinateId, Double>,
-    posture: Posture,
-    first: CoordinateId,
-    by: impl Fn(usize) -> Double,
-) {
-    let mut entries: Vec<Double> = q.iter().skip(first.index()).copied().collect();
+fn displace(entries: &mut [Double], posture: Posture, by: impl Fn(usize) -> Double) {
     match posture {
         Posture::Planar => {
             let (sine, cosine) = entries[2].sin_cos();
@@ -211,9 +205,6 @@ fn displace(
             }
             turn(&mut entries[3..7], [by(3), by(4), by(5)]);
         }
-    }
-    for (k, entry) in entries.into_iter().enumerate() {
-        q[first.plus(k)] = entry;
     }
 }
 

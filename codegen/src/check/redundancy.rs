@@ -112,7 +112,7 @@ impl Look {
         let held = dense.held();
         let accelerations = |dense: &Dense, vanishing| {
             let mut solution = dense.constrained(vanishing);
-            solution.truncate(dense.state.qd.len());
+            solution.truncate(dense.state.velocities());
             solution
         };
         Self {

@@ -8,7 +8,7 @@
 use super::{UNBOUNDED, Wrong, wrong};
 use crate::dense::{Approximate, Dense, ROUNDOFF};
 use crate::list::{Id, List, Square};
-use crate::space::VelocityId;
+use crate::space::{Variable, VelocityId};
 
 /// How many times as far a solution may be from solving its equation as roundings of the
 /// description's own numbers account for; and at most, where factors lose more than that.
@@ -19,9 +19,10 @@ const HARDLY_SOLVED: f64 = 1e6;
 pub(super) fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
     let qdd = found.iter().copied().map(Approximate::as_found);
     let torques = dense.torques_of(qdd.collect());
+    let tau = dense.state.of_velocities(Variable::Tau);
     let found: List<VelocityId, Approximate> = found.iter().copied().collect();
     torques.numbered().find_map(|(row, torque)| {
-        let tau = dense.state.tau[row];
+        let tau = tau[row].to_f64();
         let distance = (torque.to_f64() - tau).abs();
         let most = most_unsolved(dense, row, *torque, &found);
         wrong(row.index(), torque.to_f64(), tau, distance <= most)
@@ -54,10 +55,9 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
         return Some(Wrong { entry, ..wrong });
     }
     let bias = dense.coasting_torques();
-    let lacking = bias.iter().zip(&dense.state.tau);
-    let lacking: Vec<Approximate> = lacking
-        .map(|(bias, tau)| Approximate::exact(*tau) - *bias)
-        .collect();
+    let lacking = dense.state.of_velocities(Variable::Tau).into_iter();
+    let lacking = lacking.zip(bias).map(|(tau, bias)| tau - bias);
+    let lacking: Vec<Approximate> = lacking.collect();
     let inverse = Square::of_rows(inverse);
     let accelerations = inverse.rows().map(|row| {
         let terms = row.into_iter().zip(&lacking);

@@ -12,7 +12,7 @@ use crate::expression::Double;
 use crate::list::Id;
 use crate::quaternion::normalize;
 use crate::random::Random;
-use crate::space::{Entry, Kind};
+use crate::space::{Entry, Kind, Space, Spaces, Variable};
 
 /// So many states.
 pub(super) fn states(chain: &Chain, count: usize) -> Vec<State> {
@@ -44,19 +44,21 @@ fn state(chain: &Chain, random: &mut Random) -> State {
     for coordinate in &spaces.coordinates {
         let [lower, upper] = reach(coordinate);
         let q = lower + (upper - lower) * random.unit();
-        state.q.push(q.into());
+        state.arguments[Variable::Q].push(q.into());
     }
-    for quaternion in spaces.quaternions() {
-        let q: &mut [Double] = &mut state.q;
-        normalize(&mut q[quaternion.index()..][..4]);
-    }
-    for _ in &spaces.velocities {
-        state.qd.push(4.0 * random.unit() - 2.0);
-        state.qdd.push(10.0 * random.unit() - 5.0);
-        state.tau.push(20.0 * random.unit() - 10.0);
-    }
-    for _ in &spaces.actions {
-        state.actions.push(20.0 * random.unit() - 10.0);
+    of_length_1(&mut state, spaces);
+    for space in [Space::Velocities, Space::Actions] {
+        for _ in spaces.entries(space) {
+            for variable in Variable::ALL.into_iter().filter(|of| of.space() == space) {
+                let size = match variable {
+                    Variable::Qd => 2.0,
+                    Variable::Qdd => 5.0,
+                    _ => 10.0,
+                };
+                let entry = 2.0 * size * random.unit() - size;
+                state.arguments[variable].push(entry.into());
+            }
+        }
     }
     for (parameter, nominal) in chain.parameters.iter().zip(&chain.nominal) {
         let fields = parameter.near(nominal, || random.unit());
@@ -87,17 +89,23 @@ fn state_within(chain: &Chain, random: &mut Random, [length, time]: [f64; 2]) ->
         ..State::default()
     };
     for coordinate in &spaces.coordinates {
-        state.q.push(drawn(coordinate.kind).into());
+        state.arguments[Variable::Q].push(drawn(coordinate.kind).into());
     }
-    for quaternion in spaces.quaternions() {
-        let q: &mut [Double] = &mut state.q;
-        normalize(&mut q[quaternion.index()..][..4]);
-    }
+    of_length_1(&mut state, spaces);
     for velocity in &spaces.velocities {
-        state.qd.push(drawn(velocity.kind) / time);
-        state.qdd.push(drawn(velocity.kind) / (time * time));
+        for (variable, unit) in [(Variable::Qd, time), (Variable::Qdd, time * time)] {
+            let entry = drawn(velocity.kind) / unit;
+            state.arguments[variable].push(entry.into());
+        }
     }
     state
+}
+
+/// Makes quaternions of all coordinates that are some.
+fn of_length_1(state: &mut State, spaces: &Spaces) {
+    for quaternion in spaces.quaternions() {
+        normalize(&mut state.arguments[Variable::Q][quaternion.index()..][..4]);
+    }
 }
 
 /// The longest offset between joints \[m\]; 1 m where there is none.

@@ -19,7 +19,7 @@ use crate::quaternion::{normalize, of_length_1};
 use crate::real::Real;
 use crate::schedule::Program;
 use crate::schedule::bound::{self, Conditions, Found, Reason, Value};
-use crate::space::{FrameId, Kind, Variable};
+use crate::space::{Arguments, FrameId, Kind, Variable};
 
 /// Results of so many numbers are told at two states, longer ones at one.
 const SHORT: usize = 100;
@@ -132,34 +132,51 @@ fn vector(
 fn rounded(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> State {
     let short = |value: &f64| in_type(shortened(*value), scalar);
     let ranges = chain.spaces().coordinates.iter();
-    let q = state.q.iter().zip(ranges).map(|(q, entry)| {
-        let q = q.to_f64();
-        let within = |value: &f64| {
-            let [least, most] = entry.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-            (least..=most).contains(value)
-        };
-        // Limits may be closer than digits.
-        let found = Some(short(&q)).filter(within);
-        Double::from(found.unwrap_or_else(|| in_type(q, scalar)))
-    });
+    let q = state.arguments[Variable::Q]
+        .iter()
+        .zip(ranges)
+        .map(|(q, entry)| {
+            let q = q.to_f64();
+            let within = |value: &f64| {
+                let [least, most] = entry.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+                (least..=most).contains(value)
+            };
+            // Limits may be closer than digits.
+            let found = Some(short(&q)).filter(within);
+            Double::from(found.unwrap_or_else(|| in_type(q, scalar)))
+        });
     let mut q: Vec<Double> = q.collect();
     for (k, quaternion) in chain.spaces().quaternions().enumerate() {
         let entries = quaternion.index()..quaternion.index() + 4;
-        let direction = std::array::from_fn(|k| state.q[quaternion.plus(k)].to_f64());
+        let direction = std::array::from_fn(|k| {
+            state.arguments[Variable::Q][quaternion.plus(k).index()].to_f64()
+        });
         // Without its scalar a rotation would be that of its own inverse.
         let written = of_length_1(direction, (k + index) % 3, scalar);
         q[entries.clone()].copy_from_slice(&written.map(Double::from));
         // What is written is off from this by less than rounding would make it.
         normalize(&mut q[entries]);
     }
-    State {
-        q: q.into(),
-        qd: state.qd.map(short),
-        qdd: state.qdd.map(short),
-        tau: state.tau.map(short),
-        actions: state.actions.iter().map(short).collect(),
-        fields: (state.fields).map(|field| field.iter().map(short).collect()),
-    }
+    with_coordinates(state, q, |_, value| short(value))
+}
+
+/// A state with other coordinates, and with what becomes of each number of another argument or of a field, which has no
+/// variable.
+fn with_coordinates(
+    state: &State,
+    q: Vec<Double>,
+    change: impl Fn(Option<Variable>, &f64) -> f64,
+) -> State {
+    let mut changed = State {
+        arguments: Arguments::of(|variable| {
+            let entries = state.arguments[variable].iter();
+            let entries = entries.map(|entry| change(Some(variable), &entry.to_f64()));
+            entries.map(Double::from).collect()
+        }),
+        fields: (state.fields).map(|field| field.iter().map(|value| change(None, value)).collect()),
+    };
+    changed.arguments[Variable::Q] = q;
+    changed
 }
 
 /// Whether results under loops depend on which part of the whole counts as nothing, or on the rounding of a pivot.
@@ -177,36 +194,32 @@ fn is_uncertain(dense: &mut Dense, functions: &[Function], scalar: Real) -> bool
 fn as_it_is(state: &State, chain: &Chain, scalar: Real) -> State {
     let exact = |value: &f64| in_type(*value, scalar);
     let short = |value: &f64| in_type(shortened(*value), scalar);
-    let q = state.q.iter();
+    let q = state.arguments[Variable::Q].iter();
     let mut q: Vec<Double> = q.map(|q| in_type(q.to_f64(), scalar).into()).collect();
     for quaternion in chain.spaces().quaternions() {
         normalize(&mut q[quaternion.index()..][..4]);
     }
-    State {
-        q: q.into(),
-        qd: state.qd.map(exact),
-        qdd: state.qdd.map(short),
-        tau: state.tau.map(short),
-        actions: state.actions.iter().map(short).collect(),
-        fields: (state.fields).map(|field| field.iter().map(exact).collect()),
-    }
+    with_coordinates(state, q, |variable, value| match variable {
+        Some(Variable::Qd) | None => exact(value),
+        _ => short(value),
+    })
 }
 
 /// The same state with angles nearer to zero, as far as limits let them.
 fn nearer(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> State {
     let coordinates = chain.spaces().coordinates.iter();
-    let q = state.q.iter().zip(coordinates).map(|(q, entry)| {
-        let [least, most] = entry.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-        match entry.kind {
-            Kind::Turn => (q.to_f64() / BY).max(least).min(most).into(),
-            _ => *q,
-        }
-    });
-    let q: Vec<Double> = q.collect();
-    let nearer = State {
-        q: q.into(),
-        ..state.clone()
-    };
+    let q = state.arguments[Variable::Q]
+        .iter()
+        .zip(coordinates)
+        .map(|(q, entry)| {
+            let [least, most] = entry.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+            match entry.kind {
+                Kind::Turn => (q.to_f64() / BY).max(least).min(most).into(),
+                _ => *q,
+            }
+        });
+    let mut nearer = state.clone();
+    nearer.arguments[Variable::Q] = q.collect();
     rounded(&nearer, chain, (index, scalar))
 }
 
@@ -228,16 +241,10 @@ fn in_type(value: f64, scalar: Real) -> f64 {
 
 /// An argument as it is written.
 fn numbers(state: &State, (argument, scalar): (Variable, Real)) -> Vec<f64> {
-    match argument {
-        Variable::Q => {
-            let q = state.q.iter();
-            q.map(|q| in_type(q.to_f64(), scalar)).collect()
-        }
-        Variable::Qd => state.qd.to_vec(),
-        Variable::Qdd => state.qdd.to_vec(),
-        Variable::Tau => state.tau.to_vec(),
-        Variable::Actions => state.actions.clone(),
-    }
+    let entries = state.arguments[argument].iter();
+    entries
+        .map(|entry| in_type(entry.to_f64(), scalar))
+        .collect()
 }
 
 /// What the description says that a function is; none where an equation has no solution.
@@ -248,11 +255,11 @@ fn truth(
 ) -> Option<Vec<Approximate>> {
     let acceleration = || -> Option<Vec<Approximate>> {
         let bias = dense.coasting_torques();
-        let lacking = bias.iter().zip(&dense.state.tau);
-        let lacking = lacking.map(|(bias, tau)| vec![Approximate::exact(*tau) - *bias]);
+        let lacking = dense.state.of_velocities(Variable::Tau).into_iter();
+        let lacking = lacking.zip(bias).map(|(tau, bias)| vec![tau - bias]);
         Some(solved(dense, lacking.collect())?.concat())
     };
-    let count = dense.state.qd.len();
+    let count = dense.state.velocities();
     let inverse = || {
         let unit = |row: usize| (0..count).map(move |k| if k == row { 1.0 } else { 0.0 });
         let rows = (0..count).map(|row| unit(row).map(Approximate::exact).collect());

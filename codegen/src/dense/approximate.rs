@@ -35,11 +35,6 @@ impl Approximate {
         }
     }
 
-    /// Numbers that are meant as they stand.
-    pub(crate) fn exactly(values: &[f64]) -> Vec<Self> {
-        values.iter().copied().map(Self::exact).collect()
-    }
-
     /// What was found, taken as it stands.
     pub(crate) const fn as_found(self) -> Self {
         Self { error: 0.0, ..self }

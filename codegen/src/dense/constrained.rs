@@ -9,8 +9,8 @@
 use super::{Approximate, Dense, Matrix, Motion};
 use crate::closure::Row;
 use crate::expression::Arithmetic;
-use crate::list::List;
-use crate::space::VelocityId;
+use crate::list::{self, List};
+use crate::space::{Variable, VelocityId};
 
 type Scalar = Approximate;
 
@@ -48,7 +48,7 @@ impl Dense {
             let [a, b] = closed.frames.map(|frame| self.pose(frame));
             let back = a.inverse();
             let seen = back.times(&b);
-            let mut rates = vec![self.state.qd.map(|_| zero); closed.rows.len()];
+            let mut rates = vec![List::filled(zero, self.state.velocities()); closed.rows.len()];
             for (frame, sign) in [(closed.frames[0], -1.0), (closed.frames[1], 1.0)] {
                 for (k, screw) in self.moving(frame) {
                     let changed = back
@@ -100,7 +100,7 @@ impl Dense {
     pub(crate) fn constrained(&self, vanishing: f64) -> Vec<Scalar> {
         let (rows, bias) = (self.residual_rates(), self.residual_bias());
         let held = self.torques(Motion::Coasting).into_iter();
-        let forces = held.zip(Scalar::exactly(&self.state.tau));
+        let forces = held.zip(self.state.of_velocities(Variable::Tau));
         let forces: Vec<Scalar> = forces.map(|(held, tau)| tau - held).collect();
         let mut accelerations = self.free(&forces);
         let Weighed { moved, matrix } = self.by_mass_matrix(&rows);
@@ -213,7 +213,7 @@ impl Dense {
     /// The number of velocities that change a residual.
     pub(crate) fn held(&self) -> usize {
         let rows = self.residual_rates();
-        let velocities = self.state.qd.ids();
+        let velocities = list::ids(self.state.velocities());
         let changes = |k: &VelocityId| rows.iter().any(|row| row[*k].size() > row[*k].error);
         velocities.filter(changes).count()
     }

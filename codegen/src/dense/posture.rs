@@ -31,8 +31,8 @@ pub(super) struct Rates {
 }
 
 impl Posture {
-    pub(super) fn of(robot: Robot, q: &List<CoordinateId, Double>) -> Self {
-        let q = |k: CoordinateId| Scalar::exact(q[k]);
+    pub(super) fn of(robot: Robot, q: &[Double]) -> Self {
+        let q = |k: CoordinateId| Scalar::exact(q[k.index()]);
         let mut poses: List<BodyId, Matrix<Scalar>> = List::new();
         let (mut screws, mut inertias) = (List::new(), List::new());
         for body in &robot.bodies {
@@ -292,7 +292,7 @@ impl Posture {
     }
 
     /// What each joint feels of actions from outside: L of all joints inboard of where they act, along Φ.
-    pub(super) fn outside(&self, actions: &[f64]) -> List<VelocityId, Scalar> {
+    pub(super) fn outside(&self, actions: &[Double]) -> List<VelocityId, Scalar> {
         let mut forces = self.nothing();
         for (link, action) in self.outside_actions(actions) {
             for body in self.inwards(link) {
@@ -305,7 +305,10 @@ impl Posture {
     }
 
     /// Actions from outside in frame 0, each with the body on which it is.
-    fn outside_actions(&self, actions: &[f64]) -> impl Iterator<Item = (BodyId, Matrix<Scalar>)> {
+    fn outside_actions(
+        &self,
+        actions: &[Double],
+    ) -> impl Iterator<Item = (BodyId, Matrix<Scalar>)> {
         let (bodies, in_frame_0) = &self.robot.external;
         bodies
             .iter()

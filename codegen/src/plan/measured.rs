@@ -18,7 +18,7 @@ use crate::quaternion::of_length_1;
 use crate::range::Range;
 use crate::real::Real;
 use crate::schedule::{Program, run};
-use crate::space::{FrameId, Variable};
+use crate::space::{Arguments, FrameId, Variable};
 
 /// The error that must not be exceeded, beside the largest result and in a thousand states \[u\].
 pub(super) const LIMIT: f64 = 100.0;
@@ -120,17 +120,9 @@ impl Off {
 
 /// A state, with the exact results of each function that solves something.
 struct State {
-    arguments: Arguments,
+    arguments: Arguments<f64>,
     exact: Vec<Vec<Double>>,
     mass: Vec<Double>,
-}
-
-/// The arguments of all functions, exact in the type of number.
-struct Arguments {
-    q: Vec<f64>,
-    qd: Vec<f64>,
-    tau: Vec<f64>,
-    actions: Vec<f64>,
 }
 
 impl<'c> Measure<'c> {
@@ -219,8 +211,8 @@ impl<'c> Measure<'c> {
     }
 
     fn state(&self, number: u32) -> State {
-        let arguments = Arguments::new(self.chain, &self.range, number, self.scalar);
-        let input = |input| Double::from(arguments.at(self.chain, input));
+        let arguments = arguments(self.chain, &self.range, number, self.scalar);
+        let input = |input| Double::from(at(&arguments, self.chain, input));
         let exact = self.solved.iter().map(|solved| solved.exactly.at(input));
         State {
             exact: exact.collect(),
@@ -231,7 +223,7 @@ impl<'c> Measure<'c> {
 
     /// What a program finds in a state.
     fn found<T: Rounded>(&self, program: &Program, state: &State) -> Vec<f64> {
-        let at = |input| T::literal(state.arguments.at(self.chain, input));
+        let at = |input| T::literal(at(&state.arguments, self.chain, input));
         let found = run::<T>(program, at);
         found.iter().map(Rounded::to_f64).collect()
     }
@@ -287,58 +279,55 @@ impl<'c> Measure<'c> {
     }
 }
 
-impl Arguments {
-    /// Of a sequence that fills the range evenly: multiples of the golden ratio and of roots. Every eighth
-    /// state is near the posture of the description, in which axes and links are in line.
-    fn new(chain: &Chain, range: &Range, number: u32, scalar: Real) -> Self {
-        let is_near = number % 8 == 7;
-        let near = |&[lower, upper]: &[f64; 2]| {
-            let zero = 0.0_f64.clamp(lower, upper);
-            [lower, upper].map(|end| zero + NEAR * (end - zero))
-        };
-        let q = range.turns_with_digits();
-        let q: Vec<[f64; 2]> = if is_near {
-            q.iter().map(near).collect()
-        } else {
-            q
-        };
-        let step = f64::from(number + 1);
-        let mut entry = 0.0_f64;
-        let mut next = |[lower, upper]: [f64; 2]| {
-            entry += 1.0;
-            let share = 0.5 + step * 0.618_033_988_749_895 * entry.sqrt();
-            Real::F32.rounded(lower + (upper - lower) * share.fract())
-        };
-        let mut all = |ranges: &[[f64; 2]]| ranges.iter().map(|&ends| next(ends)).collect();
-        let mut arguments = Self {
-            q: all(&q),
-            qd: all(&range.qd),
-            tau: all(&vec![[-TORQUE, TORQUE]; range.qd.len()]),
-            actions: all(&vec![[-TORQUE, TORQUE]; range.actions.len()]),
-        };
-        for first in chain.spaces().quaternions() {
-            let entries = arguments.q[first.index()..].first_chunk_mut();
-            let entries: &mut [f64; 4] = entries.expect("a quaternion has four entries");
-            // x, y, z, w: all zeros but w is no rotation.
-            let small = if is_near { 0 } else { number % 4 };
-            if is_near {
-                entries[3] = 1.0;
-            }
-            *entries = of_length_1(*entries, small as usize, scalar);
+/// The arguments of all functions, exact in the type of number: of a sequence that fills the range evenly: multiples of the golden ratio and of roots. Every eighth
+/// state is near the posture of the description, in which axes and links are in line.
+fn arguments(chain: &Chain, range: &Range, number: u32, scalar: Real) -> Arguments<f64> {
+    let is_near = number % 8 == 7;
+    let near = |&[lower, upper]: &[f64; 2]| {
+        let zero = 0.0_f64.clamp(lower, upper);
+        [lower, upper].map(|end| zero + NEAR * (end - zero))
+    };
+    let q = range.turns_with_digits();
+    let q: Vec<[f64; 2]> = if is_near {
+        q.iter().map(near).collect()
+    } else {
+        q
+    };
+    let step = f64::from(number + 1);
+    let mut entry = 0.0_f64;
+    let mut next = |[lower, upper]: [f64; 2]| {
+        entry += 1.0;
+        let share = 0.5 + step * 0.618_033_988_749_895 * entry.sqrt();
+        Real::F32.rounded(lower + (upper - lower) * share.fract())
+    };
+    let mut all = |ranges: &[[f64; 2]]| ranges.iter().map(|&ends| next(ends)).collect();
+    let spaces = chain.spaces();
+    let mut arguments = Arguments::of(|variable| match variable {
+        Variable::Q => all(&q),
+        // No function that solves something reads accelerations; one beside it may.
+        Variable::Qdd => vec![1.0; spaces.len(variable.space())],
+        Variable::Tau | Variable::Actions => {
+            all(&vec![[-TORQUE, TORQUE]; spaces.len(variable.space())])
         }
-        arguments
+        Variable::Qd => all(&range.arguments[variable]),
+    });
+    for first in spaces.quaternions() {
+        let entries = arguments[Variable::Q][first.index()..].first_chunk_mut();
+        let entries: &mut [f64; 4] = entries.expect("a quaternion has four entries");
+        // x, y, z, w: all zeros but w is no rotation.
+        let small = if is_near { 0 } else { number % 4 };
+        if is_near {
+            entries[3] = 1.0;
+        }
+        *entries = of_length_1(*entries, small as usize, scalar);
     }
+    arguments
+}
 
-    fn at(&self, chain: &Chain, input: Input) -> f64 {
-        match input {
-            Input::Variable(Variable::Q, k) => self.q[usize::from(k)],
-            Input::Variable(Variable::Qd, k) => self.qd[usize::from(k)],
-            Input::Variable(Variable::Tau, k) => self.tau[usize::from(k)],
-            Input::Variable(Variable::Actions, k) => self.actions[usize::from(k)],
-            // No function that solves something reads accelerations; one beside it may.
-            Input::Variable(Variable::Qdd, _) => 1.0,
-            Input::Parameter(..) => Real::F32.rounded(field(chain, input)),
-        }
+fn at(arguments: &Arguments<f64>, chain: &Chain, input: Input) -> f64 {
+    match input {
+        Input::Variable(variable, k) => arguments[variable][usize::from(k)],
+        Input::Parameter(..) => Real::F32.rounded(field(chain, input)),
     }
 }
 

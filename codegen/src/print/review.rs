@@ -6,7 +6,7 @@
 use std::fmt::Write;
 
 use crate::module::{Module, Origins, Sum};
-use crate::space::{Entry, Variable};
+use crate::space::{Entry, Space, Variable};
 use crate::wording::{code, list};
 
 /// So many terms of a sum are written out; of longer ones it is said whose they are.
@@ -80,13 +80,17 @@ pub(super) fn names(module: &Module) -> Vec<(&'static str, String, Vec<&str>)> {
         .iter()
         .map(|of| &*of.name)
         .collect();
-    let [q, rates @ ..] = [Variable::Q, Variable::Qd, Variable::Qdd, Variable::Tau];
+    let of = |space: Space| -> Vec<Variable> {
+        let all = Variable::ALL.into_iter();
+        all.filter(|variable| variable.space() == space).collect()
+    };
+    let [q, rates] = [Space::Coordinates, Space::Velocities].map(of);
     if coordinates == velocities {
-        let all = [&[q], &rates[..]].concat();
+        let all = [&*q, &rates].concat();
         return vec![("JOINTS", letters(&all), coordinates)];
     }
     vec![
-        ("COORDINATES", letters(&[q]), coordinates),
+        ("COORDINATES", letters(&q), coordinates),
         ("VELOCITIES", letters(&rates), velocities),
     ]
 }

@@ -1,5 +1,8 @@
 //! What an argument of a generated function holds: a number for each entry of a space.
 
+use std::f64::consts::PI;
+use std::ops::{Index, IndexMut};
+
 use super::{Kind, Space};
 
 /// An argument of a generated function.
@@ -73,6 +76,26 @@ impl Variable {
         }
     }
 
+    /// Whether a description may limit it, as it does coordinates and rates.
+    #[must_use]
+    pub const fn has_limits(self) -> bool {
+        matches!(self, Self::Q | Self::Qd)
+    }
+
+    /// How large an entry is of which no description tells: coordinates go π rad or 1 m to both sides, with
+    /// 10 rad/s or 1 m/s, and 10 rad/s² or 10 m/s²; the surroundings act with 100 N m and 100 N. Nothing is said
+    /// of forces of joints.
+    #[must_use]
+    pub const fn usual(self, kind: Kind) -> Option<f64> {
+        match (self, kind) {
+            (Self::Q, Kind::Turn) => Some(PI),
+            (Self::Q, Kind::Slide | Kind::Quaternion) | (Self::Qd, Kind::Slide) => Some(1.0),
+            (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Drive { .. }) => None,
+            (Self::Qd | Self::Qdd, _) => Some(10.0),
+            (Self::Actions, _) => Some(100.0),
+        }
+    }
+
     /// All that some functions together are functions of, in the order of the parameters.
     #[must_use]
     pub fn together(each: impl IntoIterator<Item = Vec<Self>>) -> Vec<Self> {
@@ -80,5 +103,42 @@ impl Variable {
         all.sort_unstable();
         all.dedup();
         all
+    }
+}
+
+/// A list for each argument: what there is of each of its entries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arguments<T>([Vec<T>; Variable::ALL.len()]);
+
+impl<T> Default for Arguments<T> {
+    fn default() -> Self {
+        Self::of(|_| Vec::new())
+    }
+}
+
+impl<T> Arguments<T> {
+    /// The lists, made in the order of the arguments.
+    pub fn of(list: impl FnMut(Variable) -> Vec<T>) -> Self {
+        Self(Variable::ALL.map(list))
+    }
+
+    /// What there is of an entry; none beyond the end of the list.
+    #[must_use]
+    pub fn get(&self, variable: Variable, entry: u16) -> Option<&T> {
+        self[variable].get(usize::from(entry))
+    }
+}
+
+impl<T> Index<Variable> for Arguments<T> {
+    type Output = Vec<T>;
+
+    fn index(&self, variable: Variable) -> &Vec<T> {
+        &self.0[variable as usize]
+    }
+}
+
+impl<T> IndexMut<Variable> for Arguments<T> {
+    fn index_mut(&mut self, variable: Variable) -> &mut Vec<T> {
+        &mut self.0[variable as usize]
     }
 }

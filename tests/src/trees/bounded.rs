@@ -10,7 +10,7 @@ use homogen_codegen::formulation::Formulation;
 use homogen_codegen::plan::program_as;
 use homogen_codegen::range::Range;
 use homogen_codegen::schedule::run;
-use homogen_codegen::space::{FrameId, Space};
+use homogen_codegen::space::{FrameId, Space, Variable};
 
 use super::prepared::{Prepared, id};
 use crate::arguments::Arguments;
@@ -79,10 +79,9 @@ impl Prepared<'_> {
             }
             numbers
         };
-        let q = drawn(Space::Coordinates, &range.q);
-        let qd = drawn(Space::Velocities, &range.qd);
-        let qdd = drawn(Space::Velocities, &range.qdd);
-        let actions = range.actions.iter();
+        let [q, qd, qdd] = [Variable::Q, Variable::Qd, Variable::Qdd]
+            .map(|variable| drawn(variable.space(), &range.arguments[variable]));
+        let actions = range.arguments[Variable::Actions].iter();
         Arguments {
             tau: vec![0.0; qd.len()],
             actions: actions.map(|&ends| any::<T>(ends, random)).collect(),

@@ -8,7 +8,7 @@ use homogen_codegen::expression::Input;
 use homogen_codegen::joint::Posture;
 use homogen_codegen::list::Id;
 use homogen_codegen::range::Range;
-use homogen_codegen::space::Variable;
+use homogen_codegen::space::{Arguments, Variable};
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
 
@@ -45,30 +45,25 @@ pub fn state<T: Tested>(
             .map(|&range| within::<T>(any(range), range))
             .collect()
     };
-    let [mut q, qd, qdd] = [&*range.q, &range.qd, &range.qdd].map(&mut rounded);
+    let mut arguments = Arguments::of(|variable| rounded(&range.arguments[variable]));
     for joint in &chain.joints {
         let first = match joint.position {
             Position::Posture(Posture::Spherical, first) => first.index(),
             Position::Posture(Posture::Floating, first) => first.index() + 3,
             _ => continue,
         };
-        let quaternion = &mut q[first..][..4];
+        let quaternion = &mut arguments[Variable::Q][first..][..4];
         let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
         for x in quaternion {
             *x = T::literal(*x / length).to_f64();
         }
     }
-    let actions = rounded(&range.actions);
     let fields = range.fields.iter();
     let fields: Vec<Vec<f64>> = fields
         .map(|field| field.iter().map(|&range| any(range)).collect())
         .collect();
     move |input| match input {
-        Input::Variable(Variable::Q, k) => q[usize::from(k)],
-        Input::Variable(Variable::Qd, k) => qd[usize::from(k)],
-        Input::Variable(Variable::Qdd, k) => qdd[usize::from(k)],
-        Input::Variable(Variable::Actions, k) => actions[usize::from(k)],
+        Input::Variable(variable, k) => arguments[variable][usize::from(k)],
         Input::Parameter(field, k) => fields[usize::from(field)][usize::from(k)],
-        Input::Variable(..) => unreachable!("no function here reads it"),
     }
 }

@@ -7,6 +7,7 @@
 
 use super::{Posture, Rates, Scalar};
 use crate::dense::{BodyId, Matrix};
+use crate::expression::Double;
 use crate::list::{List, Square};
 use crate::space::VelocityId;
 
@@ -45,7 +46,7 @@ impl Posture {
     /// ∂(Σ Jᵗ Φ)/∂q of actions from outside: Φ of a link turns with it, Φ in frame 0 stays.
     pub(in crate::dense) fn outside_derivative(
         &self,
-        actions: &[f64],
+        actions: &[Double],
     ) -> Square<VelocityId, Scalar> {
         let turns = !self.robot.external.1;
         let actions: Vec<_> = self.outside_actions(actions).collect();

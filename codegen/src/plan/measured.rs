@@ -309,7 +309,7 @@ fn arguments(chain: &Chain, range: &Range, number: u32, scalar: Real) -> Argumen
         Variable::Tau | Variable::Actions => {
             all(&vec![[-TORQUE, TORQUE]; spaces.len(variable.space())])
         }
-        Variable::Qd => all(&range.arguments[variable]),
+        _ => all(&range.arguments[variable]),
     });
     for first in spaces.quaternions() {
         let entries = arguments[Variable::Q][first.index()..].first_chunk_mut();

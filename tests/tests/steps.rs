@@ -66,7 +66,9 @@ fn state<T: Real>(random: &mut Random, round: i32) -> ([T; 25], [T; 23]) {
             let omega = &mut v[first..first + 3];
             let length = omega.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
             let angle = PI * (1.0 + size * random.unit());
-            omega.iter_mut().for_each(|entry| *entry *= angle / length);
+            for entry in omega {
+                *entry *= angle / length;
+            }
         }
     }
     (OfRuntime.normalize(&q), v.map(T::constant))

@@ -4,9 +4,11 @@
 
 use clap::Args;
 
+use super::options::Asked;
 use homogen_codegen::builder::Builder;
 use homogen_codegen::description::Name;
-use homogen_codegen::request::Target;
+use homogen_codegen::request::setting::FIELDS;
+use homogen_codegen::request::{Request, Target};
 use homogen_codegen::wording::known;
 
 /// Fields of the struct.
@@ -21,9 +23,8 @@ pub(super) struct Fields {
     /// What each number of a field is meant to be within, for bounds of errors: payload=0..3
     #[arg(long = "range", value_name = "FIELD=LEAST..MOST", value_parser = range)]
     ranges: Vec<(String, [f64; 2])>,
-    /// Compute once what depends on fields alone
-    #[arg(long)]
-    prepare: bool,
+    #[command(flatten)]
+    asked: Asked<FIELDS>,
 }
 
 /// A field, and what it stands for.
@@ -47,18 +48,18 @@ impl Fields {
             .free
             .iter()
             .filter_map(|said| Some((&said.field, said.target()?)));
-        let builder = targets.fold(builder, |builder, (field, target)| {
+        Ok(targets.fold(builder, |builder, (field, target)| {
             let mut ranges = self.ranges.iter();
             match ranges.find(|(name, _)| name == field) {
                 Some((_, [least, most])) => builder.parameter_within(field, target, *least..=*most),
                 None => builder.parameter(field, target),
             }
-        });
-        Ok(if self.prepare {
-            builder.prepare()
-        } else {
-            builder
-        })
+        }))
+    }
+
+    /// Sets what is asked beside fields.
+    pub(super) fn in_request(&self, request: &mut Request) {
+        self.asked.in_request(request);
     }
 }
 

@@ -22,7 +22,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_source(&self) -> Result<Source, Errors> {
-        self.file_listing().map(|module| self.source(&module))
+        self.file_module().map(|module| self.source(&module))
     }
 
     /// Writes [`Builder::to_source`] to a file in `OUT_DIR`, and tells cargo which file to watch
@@ -33,7 +33,7 @@ impl Builder {
     /// that cannot be written.
     pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
         self.telling(|| {
-            let module = self.file_listing()?;
+            let module = self.file_module()?;
             doubt(&module);
             write(file.as_ref(), &self.source(&module).to_string())
         })
@@ -62,7 +62,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_c_header(&self) -> Result<String, Errors> {
-        self.file_listing().map(|module| self.c_header(&module))
+        self.file_module().map(|module| self.c_header(&module))
     }
 
     /// Writes [`Builder::to_c_header`] to a file in `OUT_DIR`.

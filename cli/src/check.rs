@@ -38,8 +38,7 @@ pub(super) struct Check {
 impl Check {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let mut request = self.robot.request();
-        self.frames.in_request(&mut request);
+        let request = self.frames.and(self.robot.request());
         let chain = expand::understand(&description, &request)?;
         let output = match self.format {
             Format::Text => in_text(&chain),

@@ -41,8 +41,7 @@ pub(super) struct Count {
 impl Count {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let mut request = self.robot.request();
-        self.functions.in_request(&mut request);
+        let request = self.functions.and(self.robot.request());
         let chain = understand(&description, &request)?;
         let module = expand(&description, &request)?;
         Ok(match self.format {

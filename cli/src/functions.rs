@@ -16,7 +16,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::function::Function;
 use homogen_codegen::module::{LeftOut, Module};
 use homogen_codegen::request::Request;
-use homogen_codegen::request::setting::{FRAMES, FUNCTIONS};
+use homogen_codegen::request::setting::{FIELDS, FRAMES, FUNCTIONS};
 use homogen_codegen::wording::{list, visible};
 
 /// Functions, and further frames that they are of.
@@ -28,7 +28,7 @@ pub(super) struct Generated {
     #[command(flatten)]
     robot: Robot,
     #[command(flatten)]
-    functions: Functions,
+    asked: Asked<{ FUNCTIONS | FRAMES | FIELDS }>,
     #[command(flatten)]
     fields: Fields,
     /// The name of the struct, of the class, or of the robot in C [default: the robot's]
@@ -57,12 +57,10 @@ impl Generated {
     /// The builder of what is asked of the robot.
     pub(super) fn builder(
         &self,
-        mut request: Request,
+        request: Request,
         input: &mut dyn Read,
     ) -> Result<Builder, Errors> {
-        self.robot.in_request(&mut request);
-        self.functions.in_request(&mut request);
-        self.fields.in_request(&mut request);
+        let request = self.asked.and(self.robot.asked.and(request));
         let builder = Builder::from_description(self.robot.written(input)?).request(request);
         let builder = match &self.name {
             Some(name) => builder.name(name),

@@ -75,11 +75,10 @@ pub(super) struct Generate {
 
 impl Generate {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
-        let mut request = Request {
+        let request = self.asked.and(Request {
             scalar: self.number(),
             ..Request::default()
-        };
-        self.asked.in_request(&mut request);
+        });
         let mut builder = self.generated.builder(request, input)?;
         if let Some(path) = &self.runtime {
             builder = builder.runtime(path);
@@ -122,22 +121,22 @@ impl Generate {
         if let Some(path) = &self.c_header {
             write(path, &builder.c_header(&module))?;
         }
+        Ok((self.put(text)?, module))
+    }
+
+    /// Writes a text, or returns it for standard output.
+    fn put(&self, text: String) -> Result<String, Errors> {
         if is_standard_input(&self.output) {
-            return Ok((text, module));
+            return Ok(text);
         }
-        write(&self.output, &text)?;
-        Ok((String::new(), module))
+        write(&self.output, &text).map(|()| String::new())
     }
 
     /// Writes a module of LLVM IR, or returns its text.
     fn llvm(&self, builder: &Builder) -> Result<(String, Module), Errors> {
         let module = builder.c_module()?;
         let text = builder.llvm(&module, self.lanes);
-        if is_standard_input(&self.output) {
-            return Ok((text, module));
-        }
-        write(&self.output, &text)?;
-        Ok((String::new(), module))
+        Ok((self.put(text)?, module))
     }
 
     /// Writes a file of C and its header, or returns both as one text.

@@ -147,8 +147,7 @@ impl Firmware {
 
     /// The builder of the robot, and the calls that make it in a build script.
     fn builder(&self) -> (Builder, String) {
-        let mut request = Request::default();
-        self.scope.in_request(&mut request);
+        let request = self.scope.and(Request::default());
         // Debug of strings is a literal of Rust.
         let mut calls = Vec::new();
         calls.extend(

@@ -23,12 +23,13 @@ use homogen_codegen::wording::visible;
 pub(super) struct Asked<const GROUPS: u8>(Vec<(&'static Setting, String)>);
 
 impl<const GROUPS: u8> Asked<GROUPS> {
-    /// Sets what the flags say.
-    pub(super) fn in_request(&self, request: &mut Request) {
+    /// A request, and what the flags say besides.
+    pub(super) fn and(&self, mut request: Request) -> Request {
         for (setting, value) in &self.0 {
             // What could be refused was refused when the arguments were read.
-            let _ = setting.take(value, request);
+            let _ = setting.take(value, &mut request);
         }
+        request
     }
 }
 
@@ -37,44 +38,46 @@ fn settings(groups: u8) -> impl Iterator<Item = &'static Setting> {
     settings.filter(move |setting| setting.group & groups != 0)
 }
 
-/// What clap knows of a setting.
+/// What clap knows of a setting. A flag without a value has an empty one.
 fn argument(setting: &'static Setting) -> Arg {
-    let argument = Arg::new(setting.key)
-        .long(setting.flag_name())
-        .help(setting.help);
-    let argument = match setting.needs {
-        Some(other) => argument.requires(other),
-        None => argument,
+    let name = setting.flag_name();
+    let take = |text: &str| {
+        let taken = setting.take(text, &mut Request::default());
+        taken.map(|()| text.to_owned())
     };
-    let argument = match setting.form {
-        SettingForm::Switch(_) => return argument.action(ArgAction::SetTrue),
+    let mut argument = Arg::new(setting.key)
+        .long(name.clone())
+        .help(setting.help)
+        .value_parser(take);
+    if let Some(other) = setting.needs {
+        argument = argument.requires(other);
+    }
+    if let SettingForm::Switch(_) = setting.form {
+        // Not true or false, which clap would take it for.
+        let argument = argument.action(ArgAction::Set);
+        return argument.num_args(0).default_missing_value("");
+    }
+    argument = argument.value_name(setting.value);
+    match setting.form {
         SettingForm::Gravity => argument.allow_hyphen_values(true),
         SettingForm::Drive(_, Some(_)) => argument
             .action(ArgAction::Append)
             .num_args(0..=1)
             .require_equals(true)
             .default_missing_value(""),
-        SettingForm::Names(_) | SettingForm::External | SettingForm::Functions
+        SettingForm::Names(_) | SettingForm::External(_) | SettingForm::Functions
             if setting.value.ends_with(",…") =>
         {
-            let name = setting.flag_name();
             let of_one = name.strip_suffix('s').map(ToOwned::to_owned);
-            argument
-                .action(ArgAction::Append)
-                .value_delimiter(',')
-                .aliases(of_one)
+            let argument = argument.action(ArgAction::Append).value_delimiter(',');
+            argument.aliases(of_one)
         }
         SettingForm::Names(_)
         | SettingForm::Positions(_)
         | SettingForm::Drive(..)
         | SettingForm::Loops => argument.action(ArgAction::Append),
         _ => argument,
-    };
-    let take = move |text: &str| {
-        let taken = setting.take(text, &mut Request::default());
-        taken.map(|()| text.to_owned())
-    };
-    argument.value_name(setting.value).value_parser(take)
+    }
 }
 
 impl<const GROUPS: u8> Args for Asked<GROUPS> {
@@ -90,15 +93,9 @@ impl<const GROUPS: u8> Args for Asked<GROUPS> {
 impl<const GROUPS: u8> FromArgMatches for Asked<GROUPS> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
         let given = settings(GROUPS).flat_map(|setting| {
-            let values: Vec<String> = match setting.form {
-                SettingForm::Switch(_) if matches.get_flag(setting.key) => vec![String::new()],
-                SettingForm::Switch(_) => Vec::new(),
-                _ => {
-                    let values = matches.get_many::<String>(setting.key);
-                    values.into_iter().flatten().cloned().collect()
-                }
-            };
-            values.into_iter().map(move |value| (setting, value))
+            let values = matches.get_many::<String>(setting.key);
+            let values = values.into_iter().flatten().cloned();
+            values.map(move |value| (setting, value))
         });
         Ok(Self(given.collect()))
     }
@@ -115,7 +112,7 @@ pub(super) struct Robot {
     /// A URDF file or a Denavit–Hartenberg table; `-` reads standard input
     pub(super) file: PathBuf,
     #[command(flatten)]
-    asked: Asked<{ SCOPE | ROBOT }>,
+    pub(super) asked: Asked<{ SCOPE | ROBOT }>,
 }
 
 /// How an answer is printed.
@@ -171,16 +168,9 @@ impl Robot {
         }
     }
 
-    /// Sets what is asked of it.
-    pub(super) fn in_request(&self, request: &mut Request) {
-        self.asked.in_request(request);
-    }
-
-    /// What is asked of it alone.
+    /// What is asked of it.
     pub(super) fn request(&self) -> Request {
-        let mut request = Request::default();
-        self.in_request(&mut request);
-        request
+        self.asked.and(Request::default())
     }
 }
 

@@ -80,8 +80,7 @@ pub(super) struct Show {
 impl Show {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let mut request = self.robot.request();
-        self.functions.in_request(&mut request);
+        let mut request = self.functions.and(self.robot.request());
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
         // A page tells where each name comes from, which an array between sections would hide.
         request.section = Some(usize::MAX);

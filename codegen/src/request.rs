@@ -8,7 +8,7 @@
 pub mod setting;
 mod target;
 
-pub use target::{Parameter, Target};
+pub use target::{Parameter, Target, TargetOf};
 
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;

@@ -90,7 +90,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             })?;
             request.drives.extend(said);
         }
-        SettingForm::External => {
+        SettingForm::External(_) => {
             tokens::list(&list()?, |input| external(input, request))?;
         }
         SettingForm::Gravity => request.gravity = Some(gravity(value()?, setting)?),

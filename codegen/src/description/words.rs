@@ -53,7 +53,7 @@ pub fn words() -> Vec<(Place, Vec<&'static str>)> {
     let kinds = joint::ALL.map(|kind| kind.word).into_iter();
     vec![
         (Place::Robot, settings::words()),
-        (Place::Field, attributes::KEYS.to_vec()),
+        (Place::Field, attributes::keys()),
         (Place::Link, body::INERTIA.to_vec()),
         (Place::Joint, joint),
         (Place::JointType, kinds.chain([composite::WORD]).collect()),

@@ -7,6 +7,8 @@
 #[cfg(feature = "files")]
 pub mod text;
 
+use std::fmt::Write;
+
 use crate::joint::drive::Part;
 use crate::name::Name;
 use crate::number::Number;
@@ -52,7 +54,7 @@ pub enum SettingForm {
     /// Joints, each with a number or one for each velocity; or the key alone, where that is a switch.
     Drive(Part, Option<Of<bool>>),
     /// Links on which external forces act, and the frame of these.
-    External,
+    External(Of<Vec<Name>>),
     /// Three numbers, or none.
     Gravity,
     /// A positive number, in these words.
@@ -87,62 +89,62 @@ pub const FILE: u8 = 1 << 5;
 /// All of them, in the order in which help, the heads of files and messages list them.
 #[rustfmt::skip]
 pub const SETTINGS: [Setting; 30] = [
-    key("urdf", SettingForm::File, r#"urdf = "arm.urdf""#),
-    key("dh", SettingForm::File, r#"dh = "arm.dh""#),
-    key("base", SettingForm::Name(|asked| &mut asked.base), r#"base = "link""#)
-        .flag(SCOPE, "LINK", "The link taken as fixed [default: the root]"),
-    key("floating", SettingForm::Switch(|asked| &mut asked.floating), "floating")
-        .flag(SCOPE, "", "Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a quaternion x, y, z, w) and six velocities in its own frame, linear first"),
-    key("tip", SettingForm::Name(|asked| &mut asked.tip), r#"tip = "link""#)
-        .flag(SCOPE, "LINK", "The link whose frame poses and Jacobians are of [default: the last link, where there is only one]"),
-    key("path_only", SettingForm::Switch(|asked| &mut asked.path_only), "path_only")
-        .flag(SCOPE, "", "Lock every joint that does not move the tip; the bodies stay as mass"),
-    key("lock", SettingForm::Positions(|asked| &mut asked.lock), "lock(joint, other = 0.3)")
-        .flag(SCOPE, "JOINT[=q]", "Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass"),
-    key("drop", SettingForm::Names(|asked| &mut asked.drop), "drop(link)")
-        .flag(ROBOT, "LINK", "Take a link off with all that it carries, and with their mass"),
-    key("loop", SettingForm::Loops, "")
-        .flag(ROBOT, "NAME: TYPE {…}", "Close a loop by a joint between two links, as attributes have it: 'pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }'"),
-    key("actuated", SettingForm::Names(|asked| &mut asked.actuated), "actuated(joint, other)")
-        .flag(ROBOT, "JOINT", "A joint that is driven, where loops move the others"),
-    key("gravity", SettingForm::Gravity, "gravity = [0.0, 0.0, -9.81], or gravity = none")
-        .flag(ROBOT, "x,y,z", "Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]"),
-    key("external", SettingForm::External, "external(gripper)")
-        .flag(ROBOT, "LINK,…", "A link on which the surroundings act: inverse and forward dynamics and their derivatives take an action for each, in its own frame"),
-    key("external_in_frame_0", SettingForm::Switch(|asked| &mut asked.external_in_frame_0), "")
-        .flag(ROBOT, "", "These actions are in frame 0").needs("external"),
-    key("friction", SettingForm::Drive(Part::Friction, Some(|asked| &mut asked.friction)), "friction(joint = 0.1)")
-        .flag(ROBOT, "JOINT=f", "Model the friction that the file has, and that of a joint where one is given (N m or N)"),
-    key("damping", SettingForm::Drive(Part::Damping, None), "damping(joint = 0.1)")
-        .flag(ROBOT, "JOINT=d", "Viscous friction of a joint (N m s/rad or N s/m), and all friction that the file has"),
-    key("rotors", SettingForm::Switch(|asked| &mut asked.rotors), "rotors")
-        .flag(ROBOT, "", "Model the rotors that the file has, with their gears"),
-    key("armature", SettingForm::Drive(Part::Armature, None), "armature(joint = 0.1)")
-        .flag(ROBOT, "JOINT=a", "Inertia that a joint feels beside that of the bodies (kg m² or kg), and all rotors that the file has"),
-    key("rotor", SettingForm::Drive(Part::Rotor, None), "rotor(joint = 0.1)")
-        .flag(ROBOT, "JOINT=j", "Inertia of a joint's rotor (kg m²), which counts times the square of the ratio"),
-    key("ratio", SettingForm::Drive(Part::Ratio, None), "ratio(joint = 0.1)")
-        .flag(ROBOT, "JOINT=n", "Turns of a rotor for each of its joint [default: what the file says, or 1]"),
-    key("exact", SettingForm::Switch(|asked| &mut asked.exact), "exact")
-        .flag(ROBOT, "", "Keep an angle such as 1.5708 as written instead of taking it for a right angle"),
-    key("strict", SettingForm::Switch(|asked| &mut asked.strict), "strict")
-        .flag(ROBOT, "", "Refuse what is doubtful, such as inertias that no body can have, instead of warning"),
-    key("processor", SettingForm::Processor, r#"processor = "cortex-m4""#)
-        .flag(ROBOT, "NAME", "The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64 [default: portable]"),
-    key("formulation", SettingForm::Formulation, "formulation(raw, refined = 1)")
-        .flag(ROBOT, "WORD,…", "How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged, unfused, platform-sines [default: what the engine chooses]"),
-    key("generate", SettingForm::Functions, "generate(inverse_dynamics)").called("functions")
-        .flag(FUNCTIONS, "NAME,…", "The functions; several with + between them share their work and count as one [default: all]"),
-    key("frames", SettingForm::Names(|asked| &mut asked.frames), "frames(link, other)")
-        .flag(FRAMES, "LINK,…", "Further links whose poses and Jacobians are wanted"),
-    key("scalar", SettingForm::Scalar, "scalar = f32"),
-    key("prepare", SettingForm::Switch(|asked| &mut asked.prepare), "prepare")
-        .flag(FIELDS, "", "Compute once what depends on fields alone"),
-    key("batch", SettingForm::Switch(|asked| &mut asked.batch), "batch")
-        .flag(FILE, "", "Functions of slices of states besides").needs("runtime"),
-    key("section", SettingForm::Count(|asked| &mut asked.section, "the most statements of one compiled function"), "section = 2000")
-        .flag(FILE, "COUNT", "The most statements of one compiled function: longer ones are cut into sections that are called one after the other [default: 2000, of functions with more than 8000]"),
-    key("crate", SettingForm::Runtime, r#"crate = "::homogen""#).called("runtime"),
+    row("urdf", SettingForm::File, r#"urdf = "arm.urdf""#, 0, "", ""),
+    row("dh", SettingForm::File, r#"dh = "arm.dh""#, 0, "", ""),
+    row("base", SettingForm::Name(|asked| &mut asked.base), r#"base = "link""#,
+        SCOPE, "LINK", "The link taken as fixed [default: the root]"),
+    row("floating", SettingForm::Switch(|asked| &mut asked.floating), "floating",
+        SCOPE, "", "Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a quaternion x, y, z, w) and six velocities in its own frame, linear first"),
+    row("tip", SettingForm::Name(|asked| &mut asked.tip), r#"tip = "link""#,
+        SCOPE, "LINK", "The link whose frame poses and Jacobians are of [default: the last link, where there is only one]"),
+    row("path_only", SettingForm::Switch(|asked| &mut asked.path_only), "path_only",
+        SCOPE, "", "Lock every joint that does not move the tip; the bodies stay as mass"),
+    row("lock", SettingForm::Positions(|asked| &mut asked.lock), "lock(joint, other = 0.3)",
+        SCOPE, "JOINT[=q]", "Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass"),
+    row("drop", SettingForm::Names(|asked| &mut asked.drop), "drop(link)",
+        ROBOT, "LINK", "Take a link off with all that it carries, and with their mass"),
+    row("loop", SettingForm::Loops, "",
+        ROBOT, "NAME: TYPE {…}", "Close a loop by a joint between two links, as attributes have it: 'pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }'"),
+    row("actuated", SettingForm::Names(|asked| &mut asked.actuated), "actuated(joint, other)",
+        ROBOT, "JOINT", "A joint that is driven, where loops move the others"),
+    row("gravity", SettingForm::Gravity, "gravity = [0.0, 0.0, -9.81], or gravity = none",
+        ROBOT, "x,y,z", "Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]"),
+    row("external", SettingForm::External(|asked| &mut asked.external), "external(gripper)",
+        ROBOT, "LINK,…", "A link on which the surroundings act: inverse and forward dynamics and their derivatives take an action for each, in its own frame"),
+    row("external_in_frame_0", SettingForm::Switch(|asked| &mut asked.external_in_frame_0), "",
+        ROBOT, "", "These actions are in frame 0").needs("external"),
+    row("friction", SettingForm::Drive(Part::Friction, Some(|asked| &mut asked.friction)), "friction(joint = 0.1)",
+        ROBOT, "JOINT=f", "Model the friction that the file has, and that of a joint where one is given (N m or N)"),
+    row("damping", SettingForm::Drive(Part::Damping, None), "damping(joint = 0.1)",
+        ROBOT, "JOINT=d", "Viscous friction of a joint (N m s/rad or N s/m), and all friction that the file has"),
+    row("rotors", SettingForm::Switch(|asked| &mut asked.rotors), "rotors",
+        ROBOT, "", "Model the rotors that the file has, with their gears"),
+    row("armature", SettingForm::Drive(Part::Armature, None), "armature(joint = 0.1)",
+        ROBOT, "JOINT=a", "Inertia that a joint feels beside that of the bodies (kg m² or kg), and all rotors that the file has"),
+    row("rotor", SettingForm::Drive(Part::Rotor, None), "rotor(joint = 0.1)",
+        ROBOT, "JOINT=j", "Inertia of a joint's rotor (kg m²), which counts times the square of the ratio"),
+    row("ratio", SettingForm::Drive(Part::Ratio, None), "ratio(joint = 0.1)",
+        ROBOT, "JOINT=n", "Turns of a rotor for each of its joint [default: what the file says, or 1]"),
+    row("exact", SettingForm::Switch(|asked| &mut asked.exact), "exact",
+        ROBOT, "", "Keep an angle such as 1.5708 as written instead of taking it for a right angle"),
+    row("strict", SettingForm::Switch(|asked| &mut asked.strict), "strict",
+        ROBOT, "", "Refuse what is doubtful, such as inertias that no body can have, instead of warning"),
+    row("processor", SettingForm::Processor, r#"processor = "cortex-m4""#,
+        ROBOT, "NAME", "The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64 [default: portable]"),
+    row("formulation", SettingForm::Formulation, "formulation(raw, refined = 1)",
+        ROBOT, "WORD,…", "How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged, unfused, platform-sines [default: what the engine chooses]"),
+    row("generate", SettingForm::Functions, "generate(inverse_dynamics)",
+        FUNCTIONS, "NAME,…", "The functions; several with + between them share their work and count as one [default: all]").called("functions"),
+    row("frames", SettingForm::Names(|asked| &mut asked.frames), "frames(link, other)",
+        FRAMES, "LINK,…", "Further links whose poses and Jacobians are wanted"),
+    row("scalar", SettingForm::Scalar, "scalar = f32", 0, "", ""),
+    row("prepare", SettingForm::Switch(|asked| &mut asked.prepare), "prepare",
+        FIELDS, "", "Compute once what depends on fields alone"),
+    row("batch", SettingForm::Switch(|asked| &mut asked.batch), "batch",
+        FILE, "", "Functions of slices of states besides").needs("runtime"),
+    row("section", SettingForm::Count(|asked| &mut asked.section, "the most statements of one compiled function"), "section = 2000",
+        FILE, "COUNT", "The most statements of one compiled function: longer ones are cut into sections that are called one after the other [default: 2000, of functions with more than 8000]"),
+    row("crate", SettingForm::Runtime, r#"crate = "::homogen""#, 0, "", "").called("runtime"),
 ];
 
 /// The keys of attributes.
@@ -152,15 +154,38 @@ pub fn of_attributes() -> impl Iterator<Item = &'static Setting> {
         .filter(|setting| !setting.example.is_empty())
 }
 
-const fn key(key: &'static str, form: SettingForm, example: &'static str) -> Setting {
+/// The table of the guide: each flag, and the key of attributes that says the same.
+#[must_use]
+pub fn page() -> String {
+    let mut page = "| option | in attributes | |\n|---|---|---|\n".to_owned();
+    for setting in SETTINGS.iter().filter(|setting| setting.group != 0) {
+        let flag = format!("--{} {}", setting.flag_name(), setting.value);
+        let examples = setting.example.split(", or ");
+        let examples = examples.filter(|example| !example.is_empty());
+        let examples: Vec<String> = examples.map(|example| format!("`{example}`")).collect();
+        let (flag, examples, help) = (flag.trim_end(), examples.join(", "), setting.help);
+        // Writing to a string cannot fail.
+        let _ = writeln!(page, "| `{flag}` | {examples} | {help} |");
+    }
+    page
+}
+
+const fn row(
+    key: &'static str,
+    form: SettingForm,
+    example: &'static str,
+    group: u8,
+    value: &'static str,
+    help: &'static str,
+) -> Setting {
     Setting {
         key,
         form,
         example,
         name: None,
-        group: 0,
-        value: "",
-        help: "",
+        group,
+        value,
+        help,
         needs: None,
     }
 }
@@ -169,15 +194,6 @@ impl Setting {
     const fn called(self, name: &'static str) -> Self {
         Self {
             name: Some(name),
-            ..self
-        }
-    }
-
-    const fn flag(self, group: u8, value: &'static str, help: &'static str) -> Self {
-        Self {
-            group,
-            value,
-            help,
             ..self
         }
     }

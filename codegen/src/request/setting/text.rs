@@ -1,14 +1,13 @@
 //! Settings on the command line.
 //!
 //! In: the value of a flag, or a request. Out: the request with what the flag says, or the values that say the same
-//! again; and the table of all flags that the guide shows. It never knows a shell.
+//! again. It never knows a shell.
 
-use std::fmt::Write;
 use std::num::NonZeroUsize;
 
 use proc_macro2::TokenStream;
 
-use super::{SETTINGS, Setting, SettingForm};
+use super::{Setting, SettingForm};
 use crate::formulation::{Formulation, Reader};
 use crate::function::Function;
 use crate::name::Name;
@@ -17,22 +16,6 @@ use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
 use crate::wording::known;
-
-/// What the guide shows of all that has a group.
-#[must_use]
-pub fn page() -> String {
-    let mut page = "| in attributes | on the command line | |\n|---|---|---|\n".to_owned();
-    for setting in SETTINGS.iter().filter(|setting| setting.group != 0) {
-        let examples = setting.example.split(", or ");
-        let examples = examples.filter(|example| !example.is_empty());
-        let examples: Vec<String> = examples.map(|example| format!("`{example}`")).collect();
-        let flag = format!("--{} {}", setting.flag_name(), setting.value);
-        let (examples, flag, help) = (examples.join(", "), flag.trim_end(), setting.help);
-        // Writing to a string cannot fail.
-        let _ = writeln!(page, "| {examples} | `{flag}` | {help} |");
-    }
-    page
-}
 
 impl Setting {
     /// Sets what a flag says, with its value, which is empty where it stands alone. A setting without a group has no
@@ -55,8 +38,7 @@ impl Setting {
                 }
             }
             SettingForm::Name(of) => *of(request) = Some(text.into()),
-            SettingForm::Names(of) => of(request).push(text.into()),
-            SettingForm::External => request.external.push(text.into()),
+            SettingForm::Names(of) | SettingForm::External(of) => of(request).push(text.into()),
             SettingForm::Positions(of) => of(request).push(match text.rsplit_once('=') {
                 Some((joint, at)) => (joint.into(), Some(number(at)?)),
                 None => (text.into(), None),
@@ -94,8 +76,7 @@ impl Setting {
                 of(request).then_some(None).into_iter().collect()
             }
             SettingForm::Name(of) => texts(of(request).as_slice()),
-            SettingForm::Names(of) => texts(of(request)),
-            SettingForm::External => texts(&request.external),
+            SettingForm::Names(of) | SettingForm::External(of) => texts(of(request)),
             SettingForm::Positions(of) => {
                 let said = of(request).iter().map(|(joint, at)| match at {
                     Some(at) => Some(format!("{}={}", joint.text, at.value)),

@@ -86,65 +86,77 @@ pub const FIELDS: u8 = 1 << 4;
 /// Flags of a file in Rust, C or LLVM IR.
 pub const FILE: u8 = 1 << 5;
 
+/// A row without what most have.
+const SETTING: Setting = Setting {
+    key: "",
+    form: SettingForm::File,
+    example: "",
+    name: None,
+    group: 0,
+    value: "",
+    help: "",
+    needs: None,
+};
+
 /// All of them, in the order in which help, the heads of files and messages list them.
 #[rustfmt::skip]
 pub const SETTINGS: [Setting; 30] = [
-    row("urdf", SettingForm::File, r#"urdf = "arm.urdf""#, 0, "", ""),
-    row("dh", SettingForm::File, r#"dh = "arm.dh""#, 0, "", ""),
-    row("base", SettingForm::Name(|asked| &mut asked.base), r#"base = "link""#,
-        SCOPE, "LINK", "The link taken as fixed [default: the root]"),
-    row("floating", SettingForm::Switch(|asked| &mut asked.floating), "floating",
-        SCOPE, "", "Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a quaternion x, y, z, w) and six velocities in its own frame, linear first"),
-    row("tip", SettingForm::Name(|asked| &mut asked.tip), r#"tip = "link""#,
-        SCOPE, "LINK", "The link whose frame poses and Jacobians are of [default: the last link, where there is only one]"),
-    row("path_only", SettingForm::Switch(|asked| &mut asked.path_only), "path_only",
-        SCOPE, "", "Lock every joint that does not move the tip; the bodies stay as mass"),
-    row("lock", SettingForm::Positions(|asked| &mut asked.lock), "lock(joint, other = 0.3)",
-        SCOPE, "JOINT[=q]", "Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass"),
-    row("drop", SettingForm::Names(|asked| &mut asked.drop), "drop(link)",
-        ROBOT, "LINK", "Take a link off with all that it carries, and with their mass"),
-    row("loop", SettingForm::Loops, "",
-        ROBOT, "NAME: TYPE {…}", "Close a loop by a joint between two links, as attributes have it: 'pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }'"),
-    row("actuated", SettingForm::Names(|asked| &mut asked.actuated), "actuated(joint, other)",
-        ROBOT, "JOINT", "A joint that is driven, where loops move the others"),
-    row("gravity", SettingForm::Gravity, "gravity = [0.0, 0.0, -9.81], or gravity = none",
-        ROBOT, "x,y,z", "Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]"),
-    row("external", SettingForm::External(|asked| &mut asked.external), "external(gripper)",
-        ROBOT, "LINK,…", "A link on which the surroundings act: inverse and forward dynamics and their derivatives take an action for each, in its own frame"),
-    row("external_in_frame_0", SettingForm::Switch(|asked| &mut asked.external_in_frame_0), "",
-        ROBOT, "", "These actions are in frame 0").needs("external"),
-    row("friction", SettingForm::Drive(Part::Friction, Some(|asked| &mut asked.friction)), "friction(joint = 0.1)",
-        ROBOT, "JOINT=f", "Model the friction that the file has, and that of a joint where one is given (N m or N)"),
-    row("damping", SettingForm::Drive(Part::Damping, None), "damping(joint = 0.1)",
-        ROBOT, "JOINT=d", "Viscous friction of a joint (N m s/rad or N s/m), and all friction that the file has"),
-    row("rotors", SettingForm::Switch(|asked| &mut asked.rotors), "rotors",
-        ROBOT, "", "Model the rotors that the file has, with their gears"),
-    row("armature", SettingForm::Drive(Part::Armature, None), "armature(joint = 0.1)",
-        ROBOT, "JOINT=a", "Inertia that a joint feels beside that of the bodies (kg m² or kg), and all rotors that the file has"),
-    row("rotor", SettingForm::Drive(Part::Rotor, None), "rotor(joint = 0.1)",
-        ROBOT, "JOINT=j", "Inertia of a joint's rotor (kg m²), which counts times the square of the ratio"),
-    row("ratio", SettingForm::Drive(Part::Ratio, None), "ratio(joint = 0.1)",
-        ROBOT, "JOINT=n", "Turns of a rotor for each of its joint [default: what the file says, or 1]"),
-    row("exact", SettingForm::Switch(|asked| &mut asked.exact), "exact",
-        ROBOT, "", "Keep an angle such as 1.5708 as written instead of taking it for a right angle"),
-    row("strict", SettingForm::Switch(|asked| &mut asked.strict), "strict",
-        ROBOT, "", "Refuse what is doubtful, such as inertias that no body can have, instead of warning"),
-    row("processor", SettingForm::Processor, r#"processor = "cortex-m4""#,
-        ROBOT, "NAME", "The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64 [default: portable]"),
-    row("formulation", SettingForm::Formulation, "formulation(raw, refined = 1)",
-        ROBOT, "WORD,…", "How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged, unfused, platform-sines [default: what the engine chooses]"),
-    row("generate", SettingForm::Functions, "generate(inverse_dynamics)",
-        FUNCTIONS, "NAME,…", "The functions; several with + between them share their work and count as one [default: all]").called("functions"),
-    row("frames", SettingForm::Names(|asked| &mut asked.frames), "frames(link, other)",
-        FRAMES, "LINK,…", "Further links whose poses and Jacobians are wanted"),
-    row("scalar", SettingForm::Scalar, "scalar = f32", 0, "", ""),
-    row("prepare", SettingForm::Switch(|asked| &mut asked.prepare), "prepare",
-        FIELDS, "", "Compute once what depends on fields alone"),
-    row("batch", SettingForm::Switch(|asked| &mut asked.batch), "batch",
-        FILE, "", "Functions of slices of states besides").needs("runtime"),
-    row("section", SettingForm::Count(|asked| &mut asked.section, "the most statements of one compiled function"), "section = 2000",
-        FILE, "COUNT", "The most statements of one compiled function: longer ones are cut into sections that are called one after the other [default: 2000, of functions with more than 8000]"),
-    row("crate", SettingForm::Runtime, r#"crate = "::homogen""#, 0, "", "").called("runtime"),
+    Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
+    Setting { key: "dh", form: SettingForm::File, example: r#"dh = "arm.dh""#, ..SETTING },
+    Setting { key: "base", form: SettingForm::Name(|asked| &mut asked.base), example: r#"base = "link""#, group: SCOPE, value: "LINK",
+        help: "The link taken as fixed [default: the root]", ..SETTING },
+    Setting { key: "floating", form: SettingForm::Switch(|asked| &mut asked.floating), example: "floating", group: SCOPE,
+        help: "Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a quaternion x, y, z, w) and six velocities in its own frame, linear first", ..SETTING },
+    Setting { key: "tip", form: SettingForm::Name(|asked| &mut asked.tip), example: r#"tip = "link""#, group: SCOPE, value: "LINK",
+        help: "The link whose frame poses and Jacobians are of [default: the last link, where there is only one]", ..SETTING },
+    Setting { key: "path_only", form: SettingForm::Switch(|asked| &mut asked.path_only), example: "path_only", group: SCOPE,
+        help: "Lock every joint that does not move the tip; the bodies stay as mass", ..SETTING },
+    Setting { key: "lock", form: SettingForm::Positions(|asked| &mut asked.lock), example: "lock(joint, other = 0.3)", group: SCOPE, value: "JOINT[=q]",
+        help: "Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass", ..SETTING },
+    Setting { key: "drop", form: SettingForm::Names(|asked| &mut asked.drop), example: "drop(link)", group: ROBOT, value: "LINK",
+        help: "Take a link off with all that it carries, and with their mass", ..SETTING },
+    Setting { key: "loop", form: SettingForm::Loops, group: ROBOT, value: "NAME: TYPE {…}",
+        help: "Close a loop by a joint between two links, as attributes have it: 'pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }'", ..SETTING },
+    Setting { key: "actuated", form: SettingForm::Names(|asked| &mut asked.actuated), example: "actuated(joint, other)", group: ROBOT, value: "JOINT",
+        help: "A joint that is driven, where loops move the others", ..SETTING },
+    Setting { key: "gravity", form: SettingForm::Gravity, example: "gravity = [0.0, 0.0, -9.81], or gravity = none", group: ROBOT, value: "x,y,z",
+        help: "Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]", ..SETTING },
+    Setting { key: "external", form: SettingForm::External(|asked| &mut asked.external), example: "external(gripper)", group: ROBOT, value: "LINK,…",
+        help: "A link on which the surroundings act: inverse and forward dynamics and their derivatives take an action for each, in its own frame", ..SETTING },
+    Setting { key: "external_in_frame_0", form: SettingForm::Switch(|asked| &mut asked.external_in_frame_0), group: ROBOT, needs: Some("external"),
+        help: "These actions are in frame 0", ..SETTING },
+    Setting { key: "friction", form: SettingForm::Drive(Part::Friction, Some(|asked| &mut asked.friction)), example: "friction(joint = 0.1)", group: ROBOT, value: "JOINT=f",
+        help: "Model the friction that the file has, and that of a joint where one is given (N m or N)", ..SETTING },
+    Setting { key: "damping", form: SettingForm::Drive(Part::Damping, None), example: "damping(joint = 0.1)", group: ROBOT, value: "JOINT=d",
+        help: "Viscous friction of a joint (N m s/rad or N s/m), and all friction that the file has", ..SETTING },
+    Setting { key: "rotors", form: SettingForm::Switch(|asked| &mut asked.rotors), example: "rotors", group: ROBOT,
+        help: "Model the rotors that the file has, with their gears", ..SETTING },
+    Setting { key: "armature", form: SettingForm::Drive(Part::Armature, None), example: "armature(joint = 0.1)", group: ROBOT, value: "JOINT=a",
+        help: "Inertia that a joint feels beside that of the bodies (kg m² or kg), and all rotors that the file has", ..SETTING },
+    Setting { key: "rotor", form: SettingForm::Drive(Part::Rotor, None), example: "rotor(joint = 0.1)", group: ROBOT, value: "JOINT=j",
+        help: "Inertia of a joint's rotor (kg m²), which counts times the square of the ratio", ..SETTING },
+    Setting { key: "ratio", form: SettingForm::Drive(Part::Ratio, None), example: "ratio(joint = 0.1)", group: ROBOT, value: "JOINT=n",
+        help: "Turns of a rotor for each of its joint [default: what the file says, or 1]", ..SETTING },
+    Setting { key: "exact", form: SettingForm::Switch(|asked| &mut asked.exact), example: "exact", group: ROBOT,
+        help: "Keep an angle such as 1.5708 as written instead of taking it for a right angle", ..SETTING },
+    Setting { key: "strict", form: SettingForm::Switch(|asked| &mut asked.strict), example: "strict", group: ROBOT,
+        help: "Refuse what is doubtful, such as inertias that no body can have, instead of warning", ..SETTING },
+    Setting { key: "processor", form: SettingForm::Processor, example: r#"processor = "cortex-m4""#, group: ROBOT, value: "NAME",
+        help: "The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64 [default: portable]", ..SETTING },
+    Setting { key: "formulation", form: SettingForm::Formulation, example: "formulation(raw, refined = 1)", group: ROBOT, value: "WORD,…",
+        help: "How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged, unfused, platform-sines [default: what the engine chooses]", ..SETTING },
+    Setting { key: "generate", form: SettingForm::Functions, example: "generate(inverse_dynamics)", name: Some("functions"), group: FUNCTIONS, value: "NAME,…",
+        help: "The functions; several with + between them share their work and count as one [default: all]", ..SETTING },
+    Setting { key: "frames", form: SettingForm::Names(|asked| &mut asked.frames), example: "frames(link, other)", group: FRAMES, value: "LINK,…",
+        help: "Further links whose poses and Jacobians are wanted", ..SETTING },
+    Setting { key: "scalar", form: SettingForm::Scalar, example: "scalar = f32", ..SETTING },
+    Setting { key: "prepare", form: SettingForm::Switch(|asked| &mut asked.prepare), example: "prepare", group: FIELDS,
+        help: "Compute once what depends on fields alone", ..SETTING },
+    Setting { key: "batch", form: SettingForm::Switch(|asked| &mut asked.batch), example: "batch", group: FILE, needs: Some("runtime"),
+        help: "Functions of slices of states besides", ..SETTING },
+    Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the most statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
+        help: "The most statements of one compiled function: longer ones are cut into sections that are called one after the other [default: 2000, of functions with more than 8000]", ..SETTING },
+    Setting { key: "crate", form: SettingForm::Runtime, example: r#"crate = "::homogen""#, name: Some("runtime"), ..SETTING },
 ];
 
 /// The keys of attributes.
@@ -170,41 +182,7 @@ pub fn page() -> String {
     page
 }
 
-const fn row(
-    key: &'static str,
-    form: SettingForm,
-    example: &'static str,
-    group: u8,
-    value: &'static str,
-    help: &'static str,
-) -> Setting {
-    Setting {
-        key,
-        form,
-        example,
-        name: None,
-        group,
-        value,
-        help,
-        needs: None,
-    }
-}
-
 impl Setting {
-    const fn called(self, name: &'static str) -> Self {
-        Self {
-            name: Some(name),
-            ..self
-        }
-    }
-
-    const fn needs(self, key: &'static str) -> Self {
-        Self {
-            needs: Some(key),
-            ..self
-        }
-    }
-
     /// The flag of the command line, without the dashes before it.
     #[must_use]
     pub fn flag_name(&self) -> String {

@@ -219,35 +219,19 @@ struct Definition {
 /// All of them, in the order of the documentation.
 #[rustfmt::skip]
 const ALL: [Definition; 12] = [
-    define("mass_of",        TargetOf::Item(Target::MassOf),                Form::Size,      "kg",                "the mass of link"),
-    define("com_of",         TargetOf::Item(Target::CenterOfMassOf),        Form::Vector,    "m",                 "the centre of mass of link"),
-    define("inertia_of",     TargetOf::Item(Target::InertiaOf),             Form::Tensor,    "kg m²",             "the inertia of link"),
-    define("payload_on",     TargetOf::Item(Target::PayloadOn),             Form::Payload,   "kg",                "a payload on link"),
-    define("gravity",        TargetOf::Robot(|| Target::Gravity),           Form::Vector,    "m/s²",              "gravity"),
-    define("origin_of",      TargetOf::Item(Target::OriginOf),              Form::Vector,    "m",                 "the origin of joint"),
-    define("placement_of",   TargetOf::Item(Target::PlacementOf),           Form::Placement, "m",                 "the placement of joint"),
-    define("base_position",  TargetOf::Robot(|| Target::BasePosition),      Form::Vector,    "m",                 "the position of the base"),
-    define("base_placement", TargetOf::Robot(|| Target::BasePlacement),     Form::Placement, "m",                 "the placement of the base"),
-    define("armature_of",    TargetOf::Item(Target::ArmatureOf),            Form::Size,      "kg m² or kg",       "the armature of joint"),
-    define("damping_of",     TargetOf::Item(Target::DampingOf),             Form::Size,      "N m s/rad or N s/m", "the damping of joint"),
-    define("friction_of",    TargetOf::Item(Target::FrictionOf),            Form::Size,      "N m or N",          "the friction of joint"),
+    Definition { key: "mass_of",        of: TargetOf::Item(Target::MassOf),            form: Form::Size,      unit: "kg",                 words: "the mass of link" },
+    Definition { key: "com_of",         of: TargetOf::Item(Target::CenterOfMassOf),    form: Form::Vector,    unit: "m",                  words: "the centre of mass of link" },
+    Definition { key: "inertia_of",     of: TargetOf::Item(Target::InertiaOf),         form: Form::Tensor,    unit: "kg m²",              words: "the inertia of link" },
+    Definition { key: "payload_on",     of: TargetOf::Item(Target::PayloadOn),         form: Form::Payload,   unit: "kg",                 words: "a payload on link" },
+    Definition { key: "gravity",        of: TargetOf::Robot(|| Target::Gravity),       form: Form::Vector,    unit: "m/s²",               words: "gravity" },
+    Definition { key: "origin_of",      of: TargetOf::Item(Target::OriginOf),          form: Form::Vector,    unit: "m",                  words: "the origin of joint" },
+    Definition { key: "placement_of",   of: TargetOf::Item(Target::PlacementOf),       form: Form::Placement, unit: "m",                  words: "the placement of joint" },
+    Definition { key: "base_position",  of: TargetOf::Robot(|| Target::BasePosition),  form: Form::Vector,    unit: "m",                  words: "the position of the base" },
+    Definition { key: "base_placement", of: TargetOf::Robot(|| Target::BasePlacement), form: Form::Placement, unit: "m",                  words: "the placement of the base" },
+    Definition { key: "armature_of",    of: TargetOf::Item(Target::ArmatureOf),        form: Form::Size,      unit: "kg m² or kg",        words: "the armature of joint" },
+    Definition { key: "damping_of",     of: TargetOf::Item(Target::DampingOf),         form: Form::Size,      unit: "N m s/rad or N s/m", words: "the damping of joint" },
+    Definition { key: "friction_of",    of: TargetOf::Item(Target::FrictionOf),        form: Form::Size,      unit: "N m or N",           words: "the friction of joint" },
 ];
-
-const fn define(
-    key: &'static str,
-    of: TargetOf,
-    form: Form,
-    unit: &'static str,
-    words: &'static str,
-) -> Definition {
-    Definition {
-        key,
-        of,
-        form,
-        unit,
-        words,
-    }
-}
 
 impl Target {
     /// All keys.

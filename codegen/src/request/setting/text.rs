@@ -183,3 +183,48 @@ fn formulation(text: &str) -> Result<Formulation, String> {
 fn dashed(words: &str) -> String {
     words.replace(" = ", "=").replace('_', "-")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{SETTINGS, SettingForm};
+    use crate::request::Request;
+
+    #[test]
+    fn what_a_flag_says_is_said_again() {
+        for (flag, value) in [
+            ("base", "a b"),
+            ("lock", "elbow"),
+            ("lock", "a=b=-0.25"),
+            ("drop", "hand"),
+            ("loop", "pin: spherical { from: a, to: b }"),
+            ("gravity", "0,-0,-1.62"),
+            ("external", "hand"),
+            ("processor", "cortex-m4"),
+            ("formulation", "frame-0,refined=1"),
+            ("functions", "gravity+bias"),
+            ("section", "12"),
+        ] {
+            let mut settings = SETTINGS.iter();
+            let setting = settings.find(|setting| setting.flag_name() == flag);
+            let (setting, mut request) = (setting.expect(flag), Request::default());
+            assert!(setting.said(&mut request).is_empty(), "{flag}");
+            assert_eq!(setting.take(value, &mut request), Ok(()), "{flag}");
+            assert_eq!(setting.said(&mut request), [Some(value.to_owned())]);
+        }
+    }
+
+    #[test]
+    fn each_switch_sets_its_own() {
+        let is_switch = |form| matches!(form, SettingForm::Switch(_));
+        let switches = || SETTINGS.iter().filter(|setting| is_switch(setting.form));
+        for setting in switches() {
+            let mut request = Request::default();
+            assert_eq!(setting.take("", &mut request), Ok(()), "{}", setting.key);
+            let set = switches().filter(|other| !other.said(&mut request).is_empty());
+            assert_eq!(
+                set.map(|other| other.key).collect::<Vec<_>>(),
+                [setting.key]
+            );
+        }
+    }
+}

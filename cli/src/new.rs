@@ -16,6 +16,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use super::options::{Asked, mistake};
 use super::{Answer, Said};
 use homogen_codegen::builder::Builder;
+use homogen_codegen::description::Name;
 use homogen_codegen::error::Errors;
 use homogen_codegen::function::Function;
 use homogen_codegen::module::Module;
@@ -149,20 +150,11 @@ impl Firmware {
     fn builder(&self) -> (Builder, String) {
         let request = self.scope.and(Request::default());
         // Debug of strings is a literal of Rust.
+        let call = |method: &'static str| move |link: &Name| format!("{method}({:?})", link.text);
         let mut calls = Vec::new();
-        calls.extend(
-            request
-                .base
-                .iter()
-                .map(|link| format!("base({:?})", link.text)),
-        );
+        calls.extend(request.base.iter().map(call("base")));
         calls.extend(request.floating.then(|| "floating()".to_owned()));
-        calls.extend(
-            request
-                .tip
-                .iter()
-                .map(|link| format!("tip({:?})", link.text)),
-        );
+        calls.extend(request.tip.iter().map(call("tip")));
         calls.extend(request.path_only.then(|| "path_only()".to_owned()));
         calls.extend(request.lock.iter().map(|(joint, at)| match at {
             Some(at) => format!("lock_at({:?}, {:?})", joint.text, at.value),

@@ -428,8 +428,5 @@ impl Builder {
 }
 
 fn named(text: impl Into<String>) -> Name {
-    Name {
-        text: text.into(),
-        place: Place::Unknown,
-    }
+    Name::from(text.into())
 }

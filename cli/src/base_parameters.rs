@@ -34,7 +34,7 @@ pub(super) struct BaseParameters {
 impl BaseParameters {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let request = self.robot.request(&None, Vec::new());
+        let request = self.robot.request();
         let chain = expand::understand(&description, &request)?;
         homogen_codegen::plan::check_size(&chain)?;
         let chain = expand::identified(chain)?;

@@ -10,13 +10,13 @@ use std::io::Read;
 use clap::Args;
 use serde_json::{Value, json};
 
-use super::functions::Frames;
-use super::options::{Format, Robot};
+use super::options::{Asked, Format, Robot};
 use super::{Answer, Said, json, options};
 use homogen_codegen::chain::{BodyId, Chain, Report};
 use homogen_codegen::description::Joint;
 use homogen_codegen::expand;
 use homogen_codegen::list::Id;
+use homogen_codegen::request::setting::FRAMES;
 use homogen_codegen::space::Space;
 use homogen_codegen::wording::visible;
 
@@ -29,7 +29,7 @@ pub(super) struct Check {
     #[command(flatten)]
     robot: Robot,
     #[command(flatten)]
-    frames: Frames,
+    frames: Asked<FRAMES>,
     /// How the answer is printed
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
@@ -38,7 +38,7 @@ pub(super) struct Check {
 impl Check {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let request = self.robot.request(&self.frames.frames, Vec::new());
+        let request = self.frames.and(self.robot.request());
         let chain = expand::understand(&description, &request)?;
         let output = match self.format {
             Format::Text => in_text(&chain),

@@ -10,7 +10,7 @@ use std::io::Read;
 use clap::Args;
 use serde_json::{Map, Value, json};
 
-use super::functions::Functions;
+use super::functions::{self, Functions};
 use super::options::{Format, Robot};
 use super::{Answer, Said, json, options};
 use homogen_codegen::accuracy::{Accuracy, Bound, Perturbed};
@@ -41,18 +41,18 @@ pub(super) struct Count {
 impl Count {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let request = self.functions.request(&self.robot);
+        let request = self.functions.and(self.robot.request());
         let chain = understand(&description, &request)?;
         let module = expand(&description, &request)?;
         Ok(match self.format {
             Format::Text => Answer {
                 output: table(&module.functions),
-                remarks: options::warnings(&chain) + &Functions::remarks(&module),
-                code: Functions::code(&module),
+                remarks: options::warnings(&chain) + &functions::remarks(&module),
+                code: functions::status(&module),
             },
             Format::Json => Answer {
                 output: json::answer(in_json(&module, &chain.report.warnings)),
-                code: Functions::code(&module),
+                code: functions::status(&module),
                 ..Answer::default()
             },
         })

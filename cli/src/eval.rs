@@ -24,15 +24,16 @@ use self::answer::Layout;
 use self::results::{Sink, Wanted, write};
 use self::states::{Source, States};
 use self::values::Values;
-use super::functions;
 use super::options::{Format, Robot, Scalar, is_standard_input, mistake};
 use super::progress::Progress;
 use super::{Answer, Said, json, options};
 use homogen_codegen::check::Check;
+use homogen_codegen::description::Name;
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
 use homogen_codegen::function::Function;
 use homogen_codegen::plan::{self, Programs};
+use homogen_codegen::request::setting::text::function;
 use homogen_codegen::space::FrameId;
 
 /// Compute a function at given states, without a compiler
@@ -51,7 +52,7 @@ pub(super) struct Eval {
     #[command(flatten)]
     robot: Robot,
     /// The function, by its name in generated code
-    #[arg(long, value_name = "NAME", value_parser = functions::function)]
+    #[arg(long, value_name = "NAME", value_parser = function)]
     function: Function,
     /// A file of states, .json or .npy; for each of several arguments NAME=FILE, in .npy; `-` reads JSON from
     /// standard input
@@ -86,7 +87,9 @@ impl Eval {
         let function = self.function;
         let wanted = Wanted::of(&self.output, function)?;
         let description = self.robot.description(input)?;
-        let mut request = self.robot.request(&self.frame, vec![vec![function]]);
+        let mut request = self.robot.request();
+        request.functions.push(vec![function]);
+        request.frames.extend(self.frame.as_deref().map(Name::from));
         request.scalar = self.scalar.into();
         let chain = expand::understand(&description, &request)?;
         let chain = expand::identified_if_asked(chain);

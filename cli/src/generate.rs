@@ -9,14 +9,15 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use super::fields::Fields;
-use super::functions::Functions;
-use super::options::{Robot, Scalar, is_standard_input, mistake};
+use super::functions::{self, Generated};
+use super::options::{Asked, Scalar, is_standard_input, mistake};
 use super::{Answer, Said};
 use homogen_codegen::builder::{Builder, header_beside};
 use homogen_codegen::error::Errors;
 use homogen_codegen::module::Module;
 use homogen_codegen::real::Real;
+use homogen_codegen::request::Request;
+use homogen_codegen::request::setting::FILE;
 
 /// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -38,11 +39,7 @@ function was left out because of a fault of homogen, which standard error and th
 are written.")]
 pub(super) struct Generate {
     #[command(flatten)]
-    robot: Robot,
-    #[command(flatten)]
-    functions: Functions,
-    #[command(flatten)]
-    fields: Fields,
+    generated: Generated,
     /// What the file is written in; c is C99, with a header beside the file (arm.h beside arm.c); llvm is LLVM IR
     #[arg(long, value_enum, default_value = "rust")]
     language: Language,
@@ -55,13 +52,8 @@ pub(super) struct Generate {
     /// Write what a derive expands to, for a crate that has the runtime at this path: ::homogen
     #[arg(long, value_name = "PATH")]
     runtime: Option<String>,
-    /// Functions of slices of states besides
-    #[arg(long, requires = "runtime")]
-    batch: bool,
-    /// The most statements of one compiled function: longer ones are cut into sections that are called one after the
-    /// other [default: 2000, of functions with more than 8000]
-    #[arg(long, value_name = "COUNT")]
-    section: Option<NonZeroUsize>,
+    #[command(flatten)]
+    asked: Asked<FILE>,
     /// Write no character beyond ASCII: θ is theta in comments
     #[arg(long)]
     ascii: bool,
@@ -76,9 +68,6 @@ pub(super) struct Generate {
     /// The file to write the header of the functions for C to
     #[arg(long, value_name = "OUT", requires = "extern_c")]
     c_header: Option<PathBuf>,
-    /// The name of the struct, or of the robot in C [default: the robot's]
-    #[arg(long)]
-    name: Option<String>,
     /// The file to write; `-` is standard output
     #[arg(long, short, value_name = "OUT", default_value = "-")]
     output: PathBuf,
@@ -86,18 +75,13 @@ pub(super) struct Generate {
 
 impl Generate {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
-        let name = self.name.as_deref();
-        let (mut builder, remarks) =
-            self.functions
-                .builder(&self.robot, &self.fields, (self.number(), name), input)?;
+        let request = self.asked.and(Request {
+            scalar: self.number(),
+            ..Request::default()
+        });
+        let mut builder = self.generated.builder(request, input)?;
         if let Some(path) = &self.runtime {
             builder = builder.runtime(path);
-        }
-        if self.batch {
-            builder = builder.batch();
-        }
-        if let Some(most) = self.section {
-            builder = builder.section(most);
         }
         if self.ascii {
             builder = builder.ascii();
@@ -108,6 +92,7 @@ impl Generate {
         if let Some(prefix) = &self.extern_c {
             builder = builder.extern_c(prefix);
         }
+        let warnings = functions::warnings(&builder)?;
         let (output, module) = match self.language {
             Language::Rust => self.rust(&builder)?,
             Language::C => self.c(&builder)?,
@@ -115,8 +100,8 @@ impl Generate {
         };
         Ok(Answer {
             output,
-            remarks: remarks + &Functions::remarks(&module),
-            code: Functions::code(&module),
+            remarks: warnings + &functions::remarks(&module),
+            code: functions::status(&module),
         })
     }
 
@@ -131,27 +116,27 @@ impl Generate {
 
     /// Writes a file of Rust, or returns its text.
     fn rust(&self, builder: &Builder) -> Result<(String, Module), Errors> {
-        let module = builder.file_listing()?;
+        let module = builder.file_module()?;
         let text = builder.source(&module).to_string();
         if let Some(path) = &self.c_header {
             write(path, &builder.c_header(&module))?;
         }
+        Ok((self.put(text)?, module))
+    }
+
+    /// Writes a text, or returns it for standard output.
+    fn put(&self, text: String) -> Result<String, Errors> {
         if is_standard_input(&self.output) {
-            return Ok((text, module));
+            return Ok(text);
         }
-        write(&self.output, &text)?;
-        Ok((String::new(), module))
+        write(&self.output, &text).map(|()| String::new())
     }
 
     /// Writes a module of LLVM IR, or returns its text.
     fn llvm(&self, builder: &Builder) -> Result<(String, Module), Errors> {
-        let module = builder.c_listing()?;
+        let module = builder.c_module()?;
         let text = builder.llvm(&module, self.lanes);
-        if is_standard_input(&self.output) {
-            return Ok((text, module));
-        }
-        write(&self.output, &text)?;
-        Ok((String::new(), module))
+        Ok((self.put(text)?, module))
     }
 
     /// Writes a file of C and its header, or returns both as one text.
@@ -159,12 +144,12 @@ impl Generate {
         if self.c_header.is_some() {
             let message = "--c-header is the header of functions that are written in Rust";
             let mut errors = mistake(message);
-            errors.append(builder.c_listing().err().unwrap_or_default());
+            errors.append(builder.c_module().err().unwrap_or_default());
             return Err(errors);
         }
         let to_file = !is_standard_input(&self.output);
         let beside = to_file.then(|| header_beside(&self.output)).transpose()?;
-        let module = builder.c_listing()?;
+        let module = builder.c_module()?;
         let Some((path, name)) = beside else {
             let source = builder.c(&module, "robot.h");
             return Ok((format!("{}\n{}", source.header, source.text), module));

@@ -7,11 +7,13 @@ use std::io::Read;
 
 use clap::Args;
 
-use super::functions::{self, Together};
 use super::options::{Robot, Scalar};
 use super::{Answer, Said, options};
+use homogen_codegen::description::Name;
 use homogen_codegen::expand::{expand, understand};
+use homogen_codegen::function::Function;
 use homogen_codegen::print::rust::{self, Item, Source, World};
+use homogen_codegen::request::setting::text::together;
 
 /// Show the code that a derive expands to, formatted, with its price
 #[derive(Args, Clone, Debug)]
@@ -22,7 +24,7 @@ pub(super) struct Inspect {
     #[command(flatten)]
     robot: Robot,
     /// The function; several with + between them share their work
-    #[arg(long, value_name = "NAME", value_parser = functions::together)]
+    #[arg(long, value_name = "NAME", value_parser = |text: &str| together(text).map(Together))]
     function: Together,
     /// The link whose pose or Jacobian is wanted, instead of the tip's
     #[arg(long, alias = "frames", value_name = "LINK")]
@@ -32,12 +34,16 @@ pub(super) struct Inspect {
     scalar: Option<Scalar>,
 }
 
+/// Functions that share their work.
+#[derive(Clone, Debug)]
+struct Together(Vec<Function>);
+
 impl Inspect {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let mut request = self
-            .robot
-            .request(&self.frame, vec![self.function.0.clone()]);
+        let mut request = self.robot.request();
+        request.functions.push(self.function.0.clone());
+        request.frames.extend(self.frame.as_deref().map(Name::from));
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
         let chain = understand(&description, &request)?;
         let mut module = expand(&description, &request)?;

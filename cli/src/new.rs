@@ -13,14 +13,17 @@ use std::path::{Component, Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::options::{Scope, mistake};
+use super::options::{Asked, mistake};
 use super::{Answer, Said};
 use homogen_codegen::builder::Builder;
+use homogen_codegen::description::Name;
 use homogen_codegen::error::Errors;
 use homogen_codegen::function::Function;
 use homogen_codegen::module::Module;
 use homogen_codegen::processor::Processor;
 use homogen_codegen::real::Real;
+use homogen_codegen::request::Request;
+use homogen_codegen::request::setting::SCOPE;
 use homogen_codegen::space::{Entry, Kind};
 
 /// Write something to begin with
@@ -45,7 +48,7 @@ struct Firmware {
     /// A URDF file or a Denavit–Hartenberg table
     file: PathBuf,
     #[command(flatten)]
-    scope: Scope,
+    scope: Asked<SCOPE>,
     /// What it is compiled for
     #[arg(long, value_enum, default_value = "thumbv7em-none-eabihf")]
     target: Target,
@@ -109,7 +112,7 @@ impl Firmware {
             .generate([Function::Gravity, Function::InverseDynamics])
             .processor(self.target.processor())
             .scalar(Real::F32);
-        let module = builder.file_listing()?;
+        let module = builder.file_module()?;
         let robot = package(&module.about.robot);
         let folder = self.output.clone();
         let folder = folder.unwrap_or_else(|| PathBuf::from(format!("{robot}-firmware")));
@@ -145,40 +148,23 @@ impl Firmware {
 
     /// The builder of the robot, and the calls that make it in a build script.
     fn builder(&self) -> (Builder, String) {
-        let mut builder = Builder::from_urdf(&self.file);
-        let mut calls = String::new();
-        let mut call = |text: String| {
-            calls.push_str("\n        ");
-            calls.push_str(&text);
-        };
+        let request = self.scope.and(Request::default());
         // Debug of strings is a literal of Rust.
-        if let Some(link) = &self.scope.base {
-            builder = builder.base(link);
-            call(format!(".base({link:?})"));
-        }
-        if self.scope.floating {
-            builder = builder.floating();
-            call(".floating()".to_owned());
-        }
-        if let Some(link) = &self.scope.tip {
-            builder = builder.tip(link);
-            call(format!(".tip({link:?})"));
-        }
-        if self.scope.path_only {
-            builder = builder.path_only();
-            call(".path_only()".to_owned());
-        }
-        for (joint, at) in &self.scope.lock {
-            builder = match at {
-                Some(at) => builder.lock_at(joint, *at),
-                None => builder.lock(joint),
-            };
-            call(match at {
-                Some(at) => format!(".lock_at({joint:?}, {at:?})"),
-                None => format!(".lock({joint:?})"),
-            });
-        }
-        (builder, calls)
+        let call = |method: &'static str| move |link: &Name| format!("{method}({:?})", link.text);
+        let mut calls = Vec::new();
+        calls.extend(request.base.iter().map(call("base")));
+        calls.extend(request.floating.then(|| "floating()".to_owned()));
+        calls.extend(request.tip.iter().map(call("tip")));
+        calls.extend(request.path_only.then(|| "path_only()".to_owned()));
+        calls.extend(request.lock.iter().map(|(joint, at)| match at {
+            Some(at) => format!("lock_at({:?}, {:?})", joint.text, at.value),
+            None => format!("lock({:?})", joint.text),
+        }));
+        let calls = calls.iter().map(|call| format!("\n        .{call}"));
+        (
+            Builder::from_urdf(&self.file).request(request),
+            calls.collect(),
+        )
     }
 
     /// What stands for the words of the template.

@@ -8,11 +8,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::fields::Fields;
-use super::functions::Functions;
-use super::options::{Robot, Scalar, is_standard_input, mistake};
+use super::functions::{self, Generated};
+use super::options::{Scalar, is_standard_input, mistake};
 use super::{Answer, Said};
 use homogen_codegen::builder::{module_of, write_folder};
+use homogen_codegen::request::Request;
 
 /// Write a package for Python: the functions of a robot for NumPy, of one state or of many
 #[derive(Args, Clone, Debug)]
@@ -23,17 +23,10 @@ Example:
   python -c 'import arm_py; help(arm_py)'")]
 pub(super) struct Python {
     #[command(flatten)]
-    robot: Robot,
-    #[command(flatten)]
-    functions: Functions,
-    #[command(flatten)]
-    fields: Fields,
+    generated: Generated,
     /// The type of number
     #[arg(long, value_enum, default_value = "f64")]
     scalar: Scalar,
-    /// The name of the class [default: the robot's]
-    #[arg(long)]
-    name: Option<String>,
     /// The folder to write, after which the module is called
     #[arg(long, short, value_name = "FOLDER")]
     output: PathBuf,
@@ -45,18 +38,19 @@ impl Python {
             return Err(mistake("a package is many files: name a folder"));
         }
         let module = module_of(&self.output)?;
-        let name = self.name.as_deref();
-        let (builder, mut remarks) =
-            self.functions
-                .builder(&self.robot, &self.fields, (self.scalar.into(), name), input)?;
-        let listing = builder.python_listing()?;
-        remarks.push_str(&Functions::remarks(&listing));
-        let package = builder.python(&listing, &module);
+        let request = Request {
+            scalar: self.scalar.into(),
+            ..Request::default()
+        };
+        let builder = self.generated.builder(request, input)?;
+        let warnings = functions::warnings(&builder)?;
+        let generated = builder.python_module()?;
+        let package = builder.python(&generated, &module);
         write_folder(&self.output, &package)?;
         Ok(Answer {
             output: format!("from {} import {}\n", package.module, package.class),
-            remarks,
-            code: Functions::code(&listing),
+            remarks: warnings + &functions::remarks(&generated),
+            code: functions::status(&generated),
         })
     }
 }

@@ -18,7 +18,7 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::{Value, json};
 
-use super::functions::Functions;
+use super::functions::{self, Functions};
 use super::generate::write;
 use super::options::{Robot, Scalar, is_standard_input};
 use super::{Answer, Said, check, count, json, options};
@@ -80,13 +80,13 @@ pub(super) struct Show {
 impl Show {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
-        let mut request = self.functions.request(&self.robot);
+        let mut request = self.functions.and(self.robot.request());
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
         // A page tells where each name comes from, which an array between sections would hide.
         request.section = Some(usize::MAX);
         let chain = understand(&description, &request)?;
         let module = expand(&description, &request)?;
-        let remarks = options::warnings(&chain) + &Functions::remarks(&module);
+        let remarks = options::warnings(&chain) + &functions::remarks(&module);
         let skeleton = skeleton::skeleton(&chain)?;
         let layouts = skeleton::layouts(&chain, &module);
         let mut data = shown(json!({
@@ -105,13 +105,13 @@ impl Show {
             return Ok(Answer {
                 output,
                 remarks,
-                code: Functions::code(&module),
+                code: functions::status(&module),
             });
         }
         write(&self.output, &output)?;
         Ok(Answer {
             remarks,
-            code: Functions::code(&module),
+            code: functions::status(&module),
             ..Answer::default()
         })
     }

@@ -90,8 +90,6 @@ pub struct Builder {
     origin: Origin,
     name: Option<Ident>,
     request: Request,
-    /// Loops, each as behind the word `loop` of attributes.
-    loops: Vec<String>,
     library: Library,
     /// Whether files are ASCII.
     ascii: bool,
@@ -131,7 +129,6 @@ impl Builder {
             origin,
             name: None,
             request: Request::default(),
-            loops: Vec::new(),
             library: Library::default(),
             ascii: false,
             mistakes: Errors::new(),
@@ -144,6 +141,11 @@ impl Builder {
         Self { request, ..self }
     }
 
+    fn with(mut self, ask: impl FnOnce(&mut Request)) -> Self {
+        ask(&mut self.request);
+        self
+    }
+
     /// The name of the struct that is written; the robot's own where none is given. One of a type that Rust has, such
     /// as `f64`, gets an underscore.
     pub fn name(mut self, name: &str) -> Self {
@@ -152,96 +154,81 @@ impl Builder {
     }
 
     /// The link taken as fixed; the root where none is named.
-    pub fn base(mut self, link: impl Into<String>) -> Self {
-        self.request.base = Some(named(link));
-        self
+    pub fn base(self, link: impl Into<String>) -> Self {
+        self.with(|asked| asked.base = Some(named(link)))
     }
 
     /// Frees the base: it moves anyhow, as the joint `root`, and is no longer taken as fixed.
-    pub fn floating(mut self) -> Self {
-        self.request.floating = true;
-        self
+    pub fn floating(self) -> Self {
+        self.with(|asked| asked.floating = true)
     }
 
     /// The link whose frame poses and Jacobians are of.
-    pub fn tip(mut self, link: impl Into<String>) -> Self {
-        self.request.tip = Some(named(link));
-        self
+    pub fn tip(self, link: impl Into<String>) -> Self {
+        self.with(|asked| asked.tip = Some(named(link)))
     }
 
     /// Locks every joint that does not move the tip.
-    pub fn path_only(mut self) -> Self {
-        self.request.path_only = true;
-        self
+    pub fn path_only(self) -> Self {
+        self.with(|asked| asked.path_only = true)
     }
 
     /// Holds a joint still at zero; the bodies it carries stay as mass.
-    pub fn lock(mut self, joint: impl Into<String>) -> Self {
-        self.request.lock.push((named(joint), None));
-        self
+    pub fn lock(self, joint: impl Into<String>) -> Self {
+        self.with(|asked| asked.lock.push((named(joint), None)))
     }
 
     /// Holds a joint still at a coordinate, in rad or m.
-    pub fn lock_at(mut self, joint: impl Into<String>, coordinate: f64) -> Self {
-        let coordinate = Some(number(coordinate));
-        self.request.lock.push((named(joint), coordinate));
-        self
+    pub fn lock_at(self, joint: impl Into<String>, coordinate: f64) -> Self {
+        let held = (named(joint), Some(coordinate.into()));
+        self.with(|asked| asked.lock.push(held))
     }
 
     /// Takes a link off with all that it carries, and with their mass.
-    pub fn drop(mut self, link: impl Into<String>) -> Self {
-        self.request.drop.push(named(link));
-        self
+    pub fn drop(self, link: impl Into<String>) -> Self {
+        self.with(|asked| asked.drop.push(named(link)))
     }
 
     /// Closes a loop by a joint between two links that hang on the base anyhow, told as behind the word
     /// `loop` of attributes: `"pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0) }"`.
-    pub fn closed(mut self, text: impl Into<String>) -> Self {
-        self.loops.push(text.into());
-        self
+    pub fn closed(self, text: impl Into<String>) -> Self {
+        self.with(|asked| asked.loops.push(text.into()))
     }
 
     /// The joints that are driven, where loops move the others.
-    pub fn actuated<J: Into<String>>(mut self, joints: impl IntoIterator<Item = J>) -> Self {
-        self.request.actuated.extend(joints.into_iter().map(named));
-        self
+    pub fn actuated<J: Into<String>>(self, joints: impl IntoIterator<Item = J>) -> Self {
+        self.with(|asked| asked.actuated.extend(joints.into_iter().map(named)))
     }
 
     /// Further links whose frames the functions of a frame are generated for.
-    pub fn frames<L: Into<String>>(mut self, links: impl IntoIterator<Item = L>) -> Self {
-        self.request.frames.extend(links.into_iter().map(named));
-        self
+    pub fn frames<L: Into<String>>(self, links: impl IntoIterator<Item = L>) -> Self {
+        self.with(|asked| asked.frames.extend(links.into_iter().map(named)))
     }
 
     /// The acceleration of gravity in the base frame, in m/s²; (0, 0, −9.81) where none is given.
-    pub fn gravity(mut self, gravity: [f64; 3]) -> Self {
-        self.request.gravity = Some(gravity.map(number));
-        self
+    pub fn gravity(self, gravity: [f64; 3]) -> Self {
+        self.with(|asked| asked.gravity = Some(gravity.map(Number::from)))
     }
 
     /// A link on which the surroundings act: inverse and forward dynamics and their derivatives take
     /// `actions`, one for each such link in the order of these calls, in the link's frame.
-    pub fn external(mut self, link: impl Into<String>) -> Self {
-        self.request.external.push(named(link));
-        self
+    pub fn external(self, link: impl Into<String>) -> Self {
+        self.with(|asked| asked.external.push(named(link)))
     }
 
     /// All these actions are in frame 0: in its axes, with the couple about its origin.
-    pub fn external_in_frame_0(mut self) -> Self {
-        self.request.external_in_frame_0 = true;
-        self
+    pub fn external_in_frame_0(self) -> Self {
+        self.with(|asked| asked.external_in_frame_0 = true)
     }
 
     /// Models the damping and the friction that the description has.
-    pub fn friction(mut self) -> Self {
-        self.request.friction = true;
-        self
+    pub fn friction(self) -> Self {
+        self.with(|asked| asked.friction = true)
     }
 
     /// Models the rotors that the description has, with their gears.
-    pub fn rotors(mut self) -> Self {
-        self.request.rotors = true;
-        self
+    pub fn rotors(self) -> Self {
+        self.with(|asked| asked.rotors = true)
     }
 
     /// Viscous friction of a joint, in N m s/rad or N s/m: one number, or one for each of its velocities.
@@ -268,48 +255,41 @@ impl Builder {
         with_inertia.drive(joint, Part::Ratio, &[ratio])
     }
 
-    fn drive(mut self, joint: &str, part: Part, numbers: &[f64]) -> Self {
-        let numbers = numbers.iter().copied().map(number).collect();
-        self.request.drives.push((named(joint), part, numbers));
-        self
+    fn drive(self, joint: &str, part: Part, numbers: &[f64]) -> Self {
+        let numbers = numbers.iter().copied().map(Number::from).collect();
+        self.with(|asked| asked.drives.push((joint.into(), part, numbers)))
     }
 
     /// Keeps `1.5708` as written instead of taking it for π/2.
-    pub fn exact(mut self) -> Self {
-        self.request.exact = true;
-        self
+    pub fn exact(self) -> Self {
+        self.with(|asked| asked.exact = true)
     }
 
     /// Refuses what is doubtful, such as inertias that no body can have, instead of warning.
-    pub fn strict(mut self) -> Self {
-        self.request.strict = true;
-        self
+    pub fn strict(self) -> Self {
+        self.with(|asked| asked.strict = true)
     }
 
     /// The type of number; without the runtime [`Real::Generic`] is taken for `f64`.
-    pub fn scalar(mut self, scalar: Real) -> Self {
-        self.request.scalar = scalar;
-        self
+    pub fn scalar(self, scalar: Real) -> Self {
+        self.with(|asked| asked.scalar = scalar)
     }
 
     /// Takes slices of states besides, `gravity_batch` beside `gravity`, on the widest vectors of the processor
     /// that runs. It takes [`runtime`](Self::runtime), with its feature `batch`.
-    pub fn batch(mut self) -> Self {
-        self.request.batch = true;
-        self
+    pub fn batch(self) -> Self {
+        self.with(|asked| asked.batch = true)
     }
 
     /// Functions, each a method of its own.
-    pub fn generate(mut self, functions: impl IntoIterator<Item = Function>) -> Self {
+    pub fn generate(self, functions: impl IntoIterator<Item = Function>) -> Self {
         let functions = functions.into_iter().map(|function| vec![function]);
-        self.request.functions.extend(functions);
-        self
+        self.with(|asked| asked.functions.extend(functions))
     }
 
     /// Functions that become one method: they share their work and are returned as a tuple.
-    pub fn all_of(mut self, functions: impl IntoIterator<Item = Function>) -> Self {
-        self.request.functions.push(functions.into_iter().collect());
-        self
+    pub fn all_of(self, functions: impl IntoIterator<Item = Function>) -> Self {
+        self.with(|asked| asked.functions.push(functions.into_iter().collect()))
     }
 
     /// How the functions are computed; what is not chosen is left to the engine.
@@ -326,32 +306,28 @@ impl Builder {
     /// # Ok(())
     /// # }
     /// ```
-    pub fn formulation(mut self, formulation: Formulation) -> Self {
-        self.request.formulation = formulation;
-        self
+    pub fn formulation(self, formulation: Formulation) -> Self {
+        self.with(|asked| asked.formulation = formulation)
     }
 
     /// The processor that the functions run on; it decides which operations are chosen, and the price
     /// tells its cycles.
-    pub fn processor(mut self, processor: Processor) -> Self {
-        self.request.processor = processor;
-        self
+    pub fn processor(self, processor: Processor) -> Self {
+        self.with(|asked| asked.processor = processor)
     }
 
     /// Computes once what depends on fields alone: `arm.prepare()` gives a value with the same functions, of
     /// which each computes the rest. In C it is `arm_prepare` and a struct for it to fill; the functions of
     /// [`Builder::extern_c`] are those of the robot itself.
-    pub fn prepare(mut self) -> Self {
-        self.request.prepare = true;
-        self
+    pub fn prepare(self) -> Self {
+        self.with(|asked| asked.prepare = true)
     }
 
     /// The most statements of one compiled function: a longer one is cut into sections that are called one after
     /// the other, with the same bits. Without this, functions of more than 8000 statements are cut into sections
     /// of at most 2000. A function that takes slices of states besides is never cut.
-    pub fn section(mut self, most: NonZeroUsize) -> Self {
-        self.request.section = Some(most.get());
-        self
+    pub fn section(self, most: NonZeroUsize) -> Self {
+        self.with(|asked| asked.section = Some(most.get()))
     }
 
     /// A public field of the struct that takes the place of a number of the description.
@@ -452,15 +428,5 @@ impl Builder {
 }
 
 fn named(text: impl Into<String>) -> Name {
-    Name {
-        text: text.into(),
-        place: Place::Unknown,
-    }
-}
-
-fn number(value: f64) -> Number {
-    Number {
-        value,
-        ..Number::default()
-    }
+    Name::from(text.into())
 }

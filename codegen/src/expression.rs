@@ -8,10 +8,12 @@ mod derivative;
 mod double;
 mod evaluate;
 mod graph;
+mod label;
 mod term;
 
 pub use derivative::{along, gradient};
 pub use double::Double;
 pub use evaluate::{Arithmetic, Evaluation, evaluate};
-pub use graph::{Expr, Graph, Input, Node, opposite};
+pub use graph::{Expr, Graph, Input, Node};
+pub use label::{Block, Component, Label, Numeral, Of, Quantity};
 pub use term::Term;

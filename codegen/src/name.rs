@@ -14,8 +14,15 @@ pub struct Name {
 impl From<&str> for Name {
     /// A name that was written nowhere: a build script's.
     fn from(text: &str) -> Self {
+        text.to_owned().into()
+    }
+}
+
+impl From<String> for Name {
+    /// The same.
+    fn from(text: String) -> Self {
         Self {
-            text: text.to_owned(),
+            text,
             place: Place::Unknown,
         }
     }

@@ -33,6 +33,16 @@ pub fn computed(number: impl Into<Double>, place: Place) -> Number {
     }
 }
 
+impl From<f64> for Number {
+    /// A number that was written nowhere: a build script's.
+    fn from(value: f64) -> Self {
+        Self {
+            value,
+            ..Self::default()
+        }
+    }
+}
+
 impl Number {
     /// The number to 106 bits: whatever is computed of it begins here, and never with its nearest `f64`.
     #[must_use]

@@ -15,6 +15,19 @@ pub enum Real {
 }
 
 impl Real {
+    /// All of them, in the order of the documentation.
+    pub const ALL: [Self; 3] = [Self::F32, Self::F64, Self::Generic];
+
+    /// The word in attributes and on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+            Self::Generic => "generic",
+        }
+    }
+
     /// Half the distance from 1 to the next larger number; of `f64` where any type is meant.
     #[must_use]
     pub const fn roundoff(self) -> f64 {

@@ -4,9 +4,11 @@
 //! In: attributes of a derive, calls of the builder, options of the command line. Out: one
 //! [`Request`], the same whichever door it came through. It never looks at the description.
 
+#[doc(hidden)]
+pub mod setting;
 mod target;
 
-pub use target::{Parameter, Target};
+pub use target::{Parameter, Target, TargetOf};
 
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
@@ -37,6 +39,8 @@ pub struct Request {
     pub lock: Vec<(Name, Option<Number>)>,
     /// Links taken off with all that they carry, and with their mass.
     pub drop: Vec<Name>,
+    /// Loops that are closed beside those of the description, each as behind the word `loop` of attributes.
+    pub loops: Vec<String>,
     /// Joints that are driven, where loops move the others.
     pub actuated: Vec<Name>,
     /// Further links whose frames are computed.

@@ -34,7 +34,7 @@ pub use sections::{Length, Sections, sections};
 use std::collections::BTreeMap;
 
 pub use crate::expression::Arithmetic;
-use crate::expression::Input;
+use crate::expression::{Input, Label};
 
 /// One generated function, ready to be printed, run or counted.
 #[derive(Clone, Debug, Default)]
@@ -55,9 +55,8 @@ pub struct Program {
 /// One operation and the name of its result.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// The entry of a matrix that the result is (`w_0_3_in_3_x`); none where it is only a part of
-    /// one. A valid Rust identifier, not necessarily unique in a program.
-    pub label: Option<String>,
+    /// The entry of a matrix that the result is; none where it is only a part of one.
+    pub label: Option<Label>,
     /// What is computed.
     pub operation: Operation,
 }

@@ -64,7 +64,7 @@ pub fn simplify(graph: &Graph, results: &[Expr]) -> (Graph, Vec<Expr>) {
         };
         let term = rules::apply(&site, plain);
         if let Some(label) = graph.label(expr) {
-            made.set_label(term.expr(), || label);
+            made.set_label(term.expr(), label);
         }
         site.note(term, uses[expr.index()]);
         terms[expr.index()] = Some(term);

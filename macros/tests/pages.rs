@@ -1,11 +1,12 @@
-//! Whether the pages of the macros explain all that the readers know, and the guide what they make of URDF.
+//! Whether the pages of the macros explain all that the readers know, and the guide what they make of URDF and which options there are.
 //!
 //! In: the pages, and the lists of the readers themselves. Out: nothing where each word is told, and where it
 //! describes a robot or asks for something stands in an example that is compiled; else the words that are
-//! missing. The guide's table is rewritten where `HOMOGEN_UPDATE` is set.
+//! missing. The guide's tables are rewritten where `HOMOGEN_UPDATE` is set.
 
 use homogen_codegen::description::urdf;
 use homogen_codegen::description::words::{Place, words};
+use homogen_codegen::request::setting;
 
 const DERIVE: &str = include_str!("../src/derive.md");
 const CHAIN: &str = include_str!("../src/chain.md");
@@ -86,23 +87,28 @@ fn every_word_is_told_and_shown() {
 }
 
 #[test]
-fn the_guide_shows_the_table_of_the_reader() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../guide/src/what-is-read.md");
-    let text = std::fs::read_to_string(path).expect("the page");
-    let mark = "<!-- table -->\n";
-    let (before, found) = text.split_once(mark).expect("a mark before the table");
-    if std::env::var_os("HOMOGEN_UPDATE").is_some() {
-        std::fs::write(path, format!("{before}{mark}\n{}", urdf::page()))
-            .expect("a page that can be written");
-        return;
+fn the_guide_shows_the_tables() {
+    for (page, table) in [
+        ("what-is-read.md", urdf::page()),
+        ("command-line.md", setting::page()),
+    ] {
+        let path = format!("{}/../guide/src/{page}", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(&path).expect("the page");
+        let mark = "<!-- table -->\n";
+        let (before, found) = text.split_once(mark).expect("a mark before the table");
+        let wanted = format!("\n{table}");
+        if std::env::var_os("HOMOGEN_UPDATE").is_some() {
+            std::fs::write(&path, format!("{before}{mark}{wanted}"))
+                .expect("a page that can be written");
+            continue;
+        }
+        let differ = found
+            .lines()
+            .zip(wanted.lines())
+            .find(|(found, wanted)| found != wanted);
+        assert!(
+            found == wanted,
+            "{page}: {differ:?}: run HOMOGEN_UPDATE=1 cargo test -p homogen-macros --test pages"
+        );
     }
-    let wanted = format!("\n{}", urdf::page());
-    let differ = found
-        .lines()
-        .zip(wanted.lines())
-        .find(|(found, wanted)| found != wanted);
-    assert!(
-        found == wanted,
-        "{differ:?}: run HOMOGEN_UPDATE=1 cargo test -p homogen-macros --test pages"
-    );
 }

@@ -305,12 +305,12 @@ mod tests {
                     .functions
                     .iter()
                     .flat_map(|generated| &generated.program.steps);
-                for label in steps.filter_map(|step| step.label.as_deref()) {
-                    let label = label.strip_prefix("minus_").unwrap_or(label);
+                for label in steps.filter_map(|step| step.label) {
+                    let label = label.quantity.entry(label.component).to_string();
                     let is = |form: &&Form| {
                         form.entries
                             .iter()
-                            .any(|(entry, _)| fits(form.name, entry, label))
+                            .any(|(entry, _)| fits(form.name, entry, &label))
                     };
                     let form = FORMS.iter().find(is);
                     let form = form.unwrap_or_else(|| panic!("nobody tells what `{label}` is"));

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use homogen_codegen::chain::{self, BodyId, Chain, Joint, Position};
 use homogen_codegen::closure::Row;
 use homogen_codegen::description::{Axis, Inertial, Name, Step};
-use homogen_codegen::error::{Errors, Place};
+use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Expr, Graph, Term};
 use homogen_codegen::joint::{Motion, Posture};
 use homogen_codegen::layout::{Layout, arrange};
@@ -67,10 +67,7 @@ pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
 
 /// The same chain with the frames of all links that are not left out.
 fn seats(chain: &Chain) -> Result<Chain, Errors> {
-    let frames = chain.report.links.iter().map(|link| Name {
-        text: link.clone(),
-        place: Place::Unknown,
-    });
+    let frames = chain.report.links.iter().cloned().map(Name::from);
     let request = Request {
         frames: frames.collect(),
         ..(*chain.request).clone()

@@ -25,7 +25,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request; options that only Rust has.
     pub fn to_c(&self, header: &str) -> Result<Source, Errors> {
-        self.c_listing().map(|module| self.c(&module, header))
+        self.c_module().map(|module| self.c(&module, header))
     }
 
     /// Writes [`Builder::to_c`] to a file in `OUT_DIR`, its header beside it (`arm.h` beside `arm.c`), and
@@ -38,7 +38,7 @@ impl Builder {
         let file = file.as_ref();
         self.telling(|| {
             let (header, name) = header_beside(file)?;
-            let module = self.c_listing()?;
+            let module = self.c_module()?;
             doubt(&module);
             let source = self.c(&module, &name);
             write(&header, &source.header)?;
@@ -48,7 +48,7 @@ impl Builder {
 
     /// What a file in C is made of.
     #[doc(hidden)]
-    pub fn c_listing(&self) -> Result<Module, Errors> {
+    pub fn c_module(&self) -> Result<Module, Errors> {
         let mut errors = Errors::new();
         if self.request.runtime.is_some() {
             errors.push(Place::Unknown, "the runtime is Rust's: C has none");
@@ -64,7 +64,7 @@ impl Builder {
         let mut without = self.clone();
         without.request.runtime = None;
         without.library.sin_cos = None;
-        match without.listing_where(true, true) {
+        match without.module_where(true, true) {
             Ok(module) => errors.into_result(module),
             Err(mistakes) => {
                 errors.append(mistakes);

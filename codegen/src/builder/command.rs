@@ -7,12 +7,13 @@ use std::fmt::Write;
 use std::num::NonZeroUsize;
 
 use super::Builder;
-use crate::description::Name;
 use crate::description::fingerprint::fingerprint;
+use crate::description::{Name, Number};
+use crate::joint::drive::Part;
 use crate::module::Module;
-use crate::processor::Processor;
-use crate::real::Real;
 use crate::request::Parameter;
+use crate::request::setting::SETTINGS;
+use crate::request::setting::text::{numbers, spelled};
 use crate::wording::code;
 
 /// The version of the format of generated files: another one where what a program reads of their heads, their names
@@ -50,27 +51,21 @@ impl Builder {
             Some("<stdin>") | None => command.word("-"),
             Some(file) => command.word(file),
         }
-        self.robot(&mut command);
-        self.functions(&mut command);
-        let request = &self.request;
-        match (request.scalar, &request.runtime) {
-            (Real::F32, _) => command.option("scalar", "f32"),
-            (Real::F64, Some(_)) => command.option("scalar", "f64"),
-            _ => {}
-        }
-        for parameter in &request.parameters {
-            command.option("field", &field(parameter));
-            if let Some([least, most]) = parameter.range {
-                command.option("range", &format!("{}={least}..{most}", parameter.field));
+        let mut request = self.request.clone();
+        for setting in &SETTINGS {
+            let name = setting.flag_name();
+            for value in setting.said(&mut request) {
+                match value {
+                    Some(value) => command.option(&name, &value),
+                    None => command.switch(&name, true),
+                }
             }
-        }
-        command.switch("prepare", request.prepare);
-        command.switch("batch", request.batch);
-        if let Some(most) = request.section {
-            command.option("section", &most.to_string());
-        }
-        if let Some(path) = &request.runtime {
-            command.option("runtime", &spelled(path));
+            match setting.key {
+                // Of two numbers for the same the first counts, whichever flags are between them.
+                "rotors" => command.drives(&request.drives),
+                "scalar" => command.fields(&request.parameters),
+                _ => {}
+            }
         }
         if let Some(path) = &self.library.sin_cos {
             command.option("sin-cos", &spelled(path));
@@ -97,72 +92,6 @@ impl Builder {
         let Command(text) = command;
         text
     }
-
-    /// Which robot, and which part of it.
-    fn robot(&self, command: &mut Command) {
-        let request = &self.request;
-        command.names("base", &request.base);
-        command.switch("floating", request.floating);
-        command.names("tip", &request.tip);
-        command.switch("path-only", request.path_only);
-        for (joint, at) in &request.lock {
-            let at = at.map_or_else(String::new, |at| format!("={}", at.value));
-            command.option("lock", &format!("{}{at}", joint.text));
-        }
-        command.names("drop", &request.drop);
-        for text in &self.loops {
-            command.option("loop", text);
-        }
-        command.names("actuated", &request.actuated);
-        if let Some(gravity) = request.gravity {
-            let [x, y, z] = gravity.map(|entry| entry.value);
-            command.option("gravity", &format!("{x},{y},{z}"));
-        }
-        command.names("external", &request.external);
-        command.switch("external-in-frame-0", request.external_in_frame_0);
-        command.switch("friction", request.friction);
-        command.switch("rotors", request.rotors);
-        for (joint, part, numbers) in &request.drives {
-            let numbers = numbers.iter().map(|number| number.value.to_string());
-            let numbers: Vec<String> = numbers.collect();
-            let said = format!("--{}={}={}", part.word(), joint.text, numbers.join(","));
-            command.word(&said);
-        }
-        command.switch("exact", request.exact);
-        command.switch("strict", request.strict);
-        if request.processor != Processor::Portable {
-            command.option("processor", request.processor.name());
-        }
-        let formulation = request.formulation.words().join(",");
-        if !formulation.is_empty() {
-            let words = formulation.replace(" = ", "=").replace('_', "-");
-            command.option("formulation", &words);
-        }
-    }
-
-    fn functions(&self, command: &mut Command) {
-        let items = self.request.functions.iter().map(|functions| {
-            let names = functions.iter().map(|function| function.name());
-            names.collect::<Vec<_>>().join("+")
-        });
-        let items: Vec<String> = items.collect();
-        if !items.is_empty() {
-            command.option("functions", &items.join(","));
-        }
-        command.names("frames", &self.request.frames);
-    }
-}
-
-/// `payload=mass_of:hand`.
-fn field(parameter: &Parameter) -> String {
-    let item = parameter.target.item();
-    let item = item.map_or_else(String::new, |name| format!(":{}", name.text));
-    format!("{}={}{item}", parameter.field, parameter.target.key())
-}
-
-/// A path without spaces.
-fn spelled(path: &proc_macro2::TokenStream) -> String {
-    path.to_string().replace(' ', "")
 }
 
 /// A line for a shell.
@@ -195,9 +124,27 @@ impl Command {
         }
     }
 
-    fn names<'n>(&mut self, option: &str, names: impl IntoIterator<Item = &'n Name>) {
-        for name in names {
-            self.option(option, &name.text);
+    fn drives(&mut self, drives: &[(Name, Part, Vec<Number>)]) {
+        for (joint, part, values) in drives {
+            let (part, values) = (part.word(), numbers(values));
+            self.word(&format!("--{part}={}={values}", joint.text));
+        }
+    }
+
+    /// `--field payload=mass_of:hand`, and its range.
+    fn fields(&mut self, parameters: &[Parameter]) {
+        for Parameter {
+            field,
+            target,
+            range,
+        } in parameters
+        {
+            let item = target.item();
+            let item = item.map_or_else(String::new, |name| format!(":{}", name.text));
+            self.option("field", &format!("{field}={}{item}", target.key()));
+            if let Some([least, most]) = range {
+                self.option("range", &format!("{field}={least}..{most}"));
+            }
         }
     }
 }

@@ -8,6 +8,7 @@ use std::{env, fs};
 
 use super::command::Language;
 use super::{Builder, Origin};
+use crate::description::Name;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::ascii::spelt;
@@ -22,7 +23,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_source(&self) -> Result<Source, Errors> {
-        self.file_listing().map(|module| self.source(&module))
+        self.file_module().map(|module| self.source(&module))
     }
 
     /// Writes [`Builder::to_source`] to a file in `OUT_DIR`, and tells cargo which file to watch
@@ -33,7 +34,7 @@ impl Builder {
     /// that cannot be written.
     pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
         self.telling(|| {
-            let module = self.file_listing()?;
+            let module = self.file_module()?;
             doubt(&module);
             write(file.as_ref(), &self.source(&module).to_string())
         })
@@ -62,7 +63,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request.
     pub fn to_c_header(&self) -> Result<String, Errors> {
-        self.file_listing().map(|module| self.c_header(&module))
+        self.file_module().map(|module| self.c_header(&module))
     }
 
     /// Writes [`Builder::to_c_header`] to a file in `OUT_DIR`.
@@ -105,37 +106,19 @@ impl Builder {
             (Real::Generic, Some(_)) => "any scalar",
             (Real::F64 | Real::Generic, _) => "f64",
         };
+        let named = |word: &'static str| move |name: &Name| format!("{word} {}", name.text);
         let mut options = vec![number.to_owned()];
-        options.extend(
-            request
-                .base
-                .iter()
-                .map(|link| format!("base {}", link.text)),
-        );
-        options.extend(request.tip.iter().map(|link| format!("tip {}", link.text)));
+        options.extend(request.base.iter().map(named("base")));
+        options.extend(request.tip.iter().map(named("tip")));
         options.extend(request.path_only.then(|| "path only".to_owned()));
         options.extend(request.lock.iter().map(|(joint, at)| {
             let at = at.map_or(0.0, |at| at.value);
             format!("lock {}={at:?}", joint.text)
         }));
-        options.extend(
-            request
-                .drop
-                .iter()
-                .map(|link| format!("drop {}", link.text)),
-        );
-        options.extend(
-            request
-                .frames
-                .iter()
-                .map(|link| format!("frame {}", link.text)),
-        );
-        options.extend(
-            request
-                .parameters
-                .iter()
-                .map(|parameter| format!("field {}", parameter.field)),
-        );
+        options.extend(request.drop.iter().map(named("drop")));
+        options.extend(request.frames.iter().map(named("frame")));
+        let fields = request.parameters.iter();
+        options.extend(fields.map(|parameter| format!("field {}", parameter.field)));
         options.extend(request.gravity.map(|gravity| {
             let gravity = gravity.map(|number| number.value);
             format!("gravity {gravity:?}")

@@ -21,7 +21,7 @@ impl Builder {
     /// # Errors
     /// All the mistakes of the description and of the request; options that only Rust has.
     pub fn to_llvm(&self, lanes: NonZeroUsize) -> Result<String, Errors> {
-        let module = self.c_listing()?;
+        let module = self.c_module()?;
         Ok(self.llvm(&module, lanes))
     }
 

@@ -63,13 +63,13 @@ impl Builder {
     #[doc(hidden)]
     pub fn module(&self) -> Result<Module, Errors> {
         // `core` has no fused product: a price that counted on it would be wrong.
-        self.listing_where(self.request.runtime.is_some(), false)
+        self.module_where(self.request.runtime.is_some(), false)
     }
 
     /// The same, with what the reviewer of a file reads.
     #[doc(hidden)]
-    pub fn file_listing(&self) -> Result<Module, Errors> {
-        self.listing_where(self.request.runtime.is_some(), true)
+    pub fn file_module(&self) -> Result<Module, Errors> {
+        self.module_where(self.request.runtime.is_some(), true)
     }
 
     /// The robot as it is understood, with what is doubted of it.
@@ -82,7 +82,7 @@ impl Builder {
     /// What is read, and what is asked of it.
     fn both(&self) -> Result<(Description, Request), Errors> {
         let mut errors = self.mistakes.clone();
-        let loops = self.loops.iter().map(String::as_str);
+        let loops = self.request.loops.iter().map(String::as_str);
         let description = match self.description(&mut errors) {
             Some(mut description) if errors.is_empty() => {
                 inline::close(&mut description, loops, &mut errors);
@@ -106,7 +106,7 @@ impl Builder {
     }
 
     /// What is printed where a product can fuse with a sum, or cannot, with what only a reviewer reads or without.
-    pub(super) fn listing_where(&self, fuses: bool, review: bool) -> Result<Module, Errors> {
+    pub(super) fn module_where(&self, fuses: bool, review: bool) -> Result<Module, Errors> {
         let (description, mut request) = self.both()?;
         let mut errors = Errors::new();
         request.review = review;

@@ -24,7 +24,7 @@ impl Builder {
     /// All the mistakes of the description and of the request; options that a package has no use for.
     pub fn to_python(&self, module: &str) -> Result<Package, Errors> {
         let module = in_python(module)?;
-        let listing = self.python_listing()?;
+        let listing = self.python_module()?;
         Ok(self.python(&listing, &module))
     }
 
@@ -40,7 +40,7 @@ impl Builder {
             let within = env::var_os("OUT_DIR")
                 .ok_or_else(|| refused("OUT_DIR is not set: this is for build scripts"))?;
             let module = module_of(folder)?;
-            let listing = self.python_listing()?;
+            let listing = self.python_module()?;
             doubt(&listing);
             let package = self.python(&listing, &module);
             write_folder(&Path::new(&within).join(folder), &package)
@@ -49,7 +49,7 @@ impl Builder {
 
     /// What a package for Python is made of.
     #[doc(hidden)]
-    pub fn python_listing(&self) -> Result<Module, Errors> {
+    pub fn python_module(&self) -> Result<Module, Errors> {
         let mut errors = Errors::new();
         let mut refuse = |refused: bool, message, hint| {
             if refused {
@@ -82,7 +82,7 @@ impl Builder {
         without.request.batch = false;
         without.request.processor = Processor::Portable;
         without.library = super::Library::default();
-        match without.listing_where(false, false) {
+        match without.module_where(false, false) {
             Ok(listing) => errors.into_result(listing),
             Err(mistakes) => {
                 errors.append(mistakes);

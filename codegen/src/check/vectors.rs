@@ -410,7 +410,7 @@ mod tests {
                 builder
                     .clone()
                     .scalar(real)
-                    .file_listing()
+                    .file_module()
                     .expect("a robot that ships")
             });
             let [double, single] = &listings;
@@ -463,7 +463,7 @@ mod tests {
                 ]);
             let builder = if is_free { builder.floating() } else { builder };
             let [double, single] = [Real::F64, Real::F32].map(|real| {
-                let module = builder.clone().scalar(real).file_listing();
+                let module = builder.clone().scalar(real).file_module();
                 let module = module.expect("a robot");
                 check_angles(&module, real);
                 module

@@ -17,25 +17,16 @@ use super::inline::{self, Contents};
 use super::item::Item;
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
 use crate::error::Errors;
-use crate::request::{Parameter, Target};
+use crate::request::{Parameter, Target, TargetOf};
 use crate::wording::{known, quoted};
 
 /// What can be said of a field: the number that it stands for, and its range.
-pub(super) const KEYS: [&str; 13] = [
-    "mass_of",
-    "com_of",
-    "inertia_of",
-    "payload_on",
-    "gravity",
-    "origin_of",
-    "placement_of",
-    "base_position",
-    "base_placement",
-    "armature_of",
-    "damping_of",
-    "friction_of",
-    "range",
-];
+pub(super) fn keys() -> Vec<&'static str> {
+    let targets = Target::keys().into_iter();
+    targets.chain([RANGE]).collect()
+}
+
+const RANGE: &str = "range";
 
 /// Reads a struct; relative paths of files begin at `folder`.
 ///
@@ -270,21 +261,21 @@ impl Range {
 fn said(input: ParseStream) -> Parsed<Said> {
     let key = tokens::word(input)?;
     let text = key.to_string();
-    if text == "range" {
+    if text == RANGE {
         return Range::read(input, &key).map(Said::Range);
     }
-    if let Some(target) = Target::alone(&text) {
-        return Ok(Said::Target(target));
-    }
-    let Some(of) = Target::of_item(&text) else {
-        return Err(complaint_with_hint(
-            key.span(),
-            format!("a field cannot stand for {}", quoted(&text)),
-            known(&text, "keys", &KEYS),
-        ));
-    };
-    tokens::separator(input, &key)?;
-    Ok(Said::Target(of(tokens::name(input)?)))
+    Ok(Said::Target(match Target::of(&text) {
+        Some(TargetOf::Robot(of)) => of(),
+        Some(TargetOf::Item(of)) => {
+            tokens::separator(input, &key)?;
+            of(tokens::name(input)?)
+        }
+        None => {
+            let message = format!("a field cannot stand for {}", quoted(&text));
+            let hint = known(&text, "keys", &keys());
+            return Err(complaint_with_hint(key.span(), message, hint));
+        }
+    }))
 }
 
 #[cfg(test)]

@@ -3,65 +3,30 @@
 //! In: `key = value` (or `key: value`), `key(…)` or `key`. Out: a [`Request`] and the file that is
 //! named, if one is. It never looks at the description, so it knows no link from a joint.
 
-mod forces;
-
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::parse::ParseStream;
+use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, LitInt, LitStr, Path, Token, token};
 
-use super::number;
 use super::tokens::{self, Parsed, complaint, complaint_with_hint};
-use crate::error::{Errors, Place};
+use super::{Name, Number, number};
+use crate::error::{Complaint, Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Request;
+use crate::request::setting::{self, Setting, SettingForm};
 use crate::wording::{known, quoted};
 
-/// What may stand in the attribute: the keys of settings, in the order of the documentation, and
-/// the words that describe a robot in place.
-pub(super) const WORDS: [&str; 32] = [
-    "urdf",
-    "dh",
-    "base",
-    "floating",
-    "tip",
-    "path_only",
-    "lock",
-    "drop",
-    "frames",
-    "actuated",
-    "gravity",
-    "friction",
-    "damping",
-    "armature",
-    "rotor",
-    "ratio",
-    "rotors",
-    "external",
-    "exact",
-    "strict",
-    "scalar",
-    "generate",
-    "formulation",
-    "processor",
-    "batch",
-    "prepare",
-    "section",
-    "crate",
-    "link",
-    "joint",
-    "loop",
-    "denavit_hartenberg",
-];
+/// The words that describe a robot in place.
+const DESCRIBE: [&str; 4] = ["link", "joint", "loop", "denavit_hartenberg"];
 
-/// The types of numbers.
-pub(super) const SCALARS: [&str; 3] = ["f32", "f64", "generic"];
-
-/// How many of the words are keys of settings.
-const KEYS: usize = 28;
+/// What may stand in the attribute: the keys of settings, and the words that describe a robot in place.
+pub(super) fn words() -> Vec<&'static str> {
+    let keys = setting::of_attributes().map(|setting| setting.key);
+    keys.chain(DESCRIBE).collect()
+}
 
 /// What was set, and where.
 #[derive(Default)]
@@ -85,112 +50,63 @@ impl Settings {
 pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Errors) -> Parsed<()> {
     let key = tokens::word(input)?;
     let text = key.to_string();
-    if !WORDS[..KEYS].contains(&text.as_str()) {
+    let mut known_keys = setting::of_attributes();
+    let Some(setting) = known_keys.find(|setting| setting.key == text) else {
         let message = format!("unknown key {}", quoted(&text));
-        // The command line's word.
-        let meant = if text == "functions" {
-            "generate"
-        } else {
-            &text
-        };
-        let hint = known(meant, "keys", &WORDS);
+        let mut flags = setting::of_attributes();
+        let meant = flags.find(|setting| setting.flag_name() == text);
+        let meant = meant.map_or(&*text, |setting| setting.key);
+        let hint = known(meant, "keys", &words());
         return Err(complaint_with_hint(key.span(), message, hint));
-    }
+    };
     if settings.span(&text).is_some() {
         let message = format!("the key {} is given twice", quoted(&text));
         return Err(complaint(key.span(), message));
     }
     settings.seen.push(key.clone());
     let request = &mut settings.request;
-    match text.as_str() {
-        "urdf" | "dh" => {
-            tokens::separator(input, &key)?;
-            if !input.peek(LitStr) {
-                let message = format!("`{key}` needs the path of a file");
-                let hint = format!("write {key} = \"arm.{key}\"");
-                return Err(complaint_with_hint(input.span(), message, hint));
-            }
-            settings.files.push(input.parse()?);
+    let list = || in_parentheses(input, &text, setting.example);
+    let value = || tokens::separator(input, &key).map(|()| input);
+    match setting.form {
+        SettingForm::File => {
+            let path = string(value()?, setting, "the path of a file")?;
+            settings.files.push(path);
         }
-        "base" => {
-            tokens::separator(input, &key)?;
-            request.base = Some(tokens::name(input)?);
+        SettingForm::Switch(of) => *of(request) = true,
+        SettingForm::Name(of) => *of(request) = Some(tokens::name(value()?)?),
+        SettingForm::Names(of) => *of(request) = tokens::list(&list()?, tokens::name)?,
+        SettingForm::Positions(of) => {
+            *of(request) = tokens::list(&list()?, |input| position(input, &key))?;
         }
-        "tip" => {
-            tokens::separator(input, &key)?;
-            request.tip = Some(tokens::name(input)?);
+        SettingForm::Drive(_, Some(alone)) if !has_value(input) && !input.peek(token::Paren) => {
+            *alone(request) = true;
         }
-        "floating" => request.floating = true,
-        "path_only" => request.path_only = true,
-        "exact" => request.exact = true,
-        "strict" => request.strict = true,
-        "batch" => request.batch = true,
-        "prepare" => request.prepare = true,
-        "lock" => {
-            let content = in_parentheses(input, &key, "lock(joint, other = 0.3)")?;
-            request.lock = tokens::list(&content, |input| {
+        SettingForm::Drive(part, _) => {
+            let said = tokens::list(&list()?, |input| {
                 let name = tokens::name(input)?;
-                let value = if input.peek(Token![=]) || input.peek(Token![:]) {
-                    tokens::separator(input, &key)?;
-                    let subject = format!("the position of joint {}", quoted(&name.text));
-                    Some(tokens::number(input, &subject)?)
-                } else {
-                    None
-                };
-                Ok((name, value))
+                tokens::separator(input, &key)?;
+                let subject = format!("the {key} of joint {}", quoted(&name.text));
+                Ok((name, part, tokens::one_or_more(input, &subject)?))
             })?;
+            request.drives.extend(said);
         }
-        "drop" => {
-            let content = in_parentheses(input, &key, "drop(link)")?;
-            request.drop = tokens::list(&content, tokens::name)?;
+        SettingForm::External(_) => {
+            tokens::list(&list()?, |input| external(input, request))?;
         }
-        "frames" => {
-            let content = in_parentheses(input, &key, "frames(link, other)")?;
-            request.frames = tokens::list(&content, tokens::name)?;
-        }
-        "actuated" => {
-            let content = in_parentheses(input, &key, "actuated(joint, other)")?;
-            request.actuated = tokens::list(&content, tokens::name)?;
-        }
-        "gravity" => {
-            tokens::separator(input, &key)?;
-            request.gravity = Some(gravity(input)?);
-        }
-        word if forces::KEYS.contains(&word) => forces::read(input, &key, request)?,
-        "scalar" => {
-            tokens::separator(input, &key)?;
-            request.scalar = scalar(input)?;
-        }
-        "generate" => {
-            let content = in_parentheses(input, &key, "generate(inverse_dynamics)")?;
-            request.functions = functions(&content, errors)?;
-        }
-        "formulation" => {
-            let content = in_parentheses(input, &key, "formulation(raw, refined = 1)")?;
-            request.formulation = formulation(&content, errors)?;
-        }
-        "processor" => {
-            tokens::separator(input, &key)?;
-            request.processor = processor(input)?;
-        }
-        "section" => {
-            tokens::separator(input, &key)?;
-            request.section = Some(section(input)?);
-        }
-        // The last of the known keys is `crate`.
-        _ => {
-            tokens::separator(input, &key)?;
-            request.runtime = Some(path(input)?);
-        }
+        SettingForm::Gravity => request.gravity = Some(gravity(value()?, setting)?),
+        SettingForm::Count(of, what) => *of(request) = Some(count(value()?, setting, what)?),
+        SettingForm::Functions => request.functions = functions(&list()?, errors)?,
+        SettingForm::Formulation => request.formulation = formulation(&list()?, errors)?,
+        SettingForm::Processor => request.processor = processor(value()?, setting)?,
+        SettingForm::Scalar => request.scalar = scalar(value()?)?,
+        SettingForm::Runtime => request.runtime = Some(path(value()?, setting)?),
+        // In attributes they stand among links and joints.
+        SettingForm::Loops => {}
     }
     Ok(())
 }
 
-fn in_parentheses<'a>(
-    input: ParseStream<'a>,
-    key: &Ident,
-    example: &str,
-) -> Parsed<syn::parse::ParseBuffer<'a>> {
+fn in_parentheses<'a>(input: ParseStream<'a>, key: &str, example: &str) -> Parsed<ParseBuffer<'a>> {
     if !input.peek(token::Paren) {
         let message = format!("`{key}` needs a list in parentheses");
         let hint = format!("write {example}");
@@ -199,69 +115,97 @@ fn in_parentheses<'a>(
     Ok(tokens::parentheses(input)?)
 }
 
+/// Whether a value stands behind a key or a name.
+fn has_value(input: ParseStream) -> bool {
+    input.peek(Token![=]) || input.peek(Token![:])
+}
+
+/// That a setting needs another value.
+fn needs(span: Span, setting: &Setting, what: &str) -> Complaint {
+    let message = format!("`{}` needs {what}", setting.key);
+    complaint_with_hint(span, message, format!("write {}", setting.example))
+}
+
+fn string(input: ParseStream, setting: &Setting, what: &str) -> Parsed<LitStr> {
+    if !input.peek(LitStr) {
+        return Err(needs(input.span(), setting, what));
+    }
+    Ok(input.parse()?)
+}
+
+/// A joint, and a coordinate where one is given.
+fn position(input: ParseStream, key: &Ident) -> Parsed<(Name, Option<Number>)> {
+    let name = tokens::name(input)?;
+    if !has_value(input) {
+        return Ok((name, None));
+    }
+    tokens::separator(input, key)?;
+    let subject = format!("the position of joint {}", quoted(&name.text));
+    let value = tokens::number(input, &subject)?;
+    Ok((name, Some(value)))
+}
+
+/// A link, or `frame = 0`.
+fn external(input: ParseStream, request: &mut Request) -> Parsed<()> {
+    let name = tokens::name(input)?;
+    if !has_value(input) {
+        request.external.push(name);
+        return Ok(());
+    }
+    let hint = "write external(gripper), or external(gripper, frame = 0)";
+    tokens::separator(input, &Ident::new("frame", Span::call_site()))?;
+    let span = input.span();
+    let zero = tokens::number(input, "the frame of the actions")?.value == 0.0;
+    if name.text == "frame" && zero {
+        request.external_in_frame_0 = true;
+        return Ok(());
+    }
+    let message = "actions are in the frames of their links, or all in frame 0";
+    Err(complaint_with_hint(span, message, hint))
+}
+
 /// A vector, or `none`.
-fn gravity(input: ParseStream) -> Parsed<[super::Number; 3]> {
+fn gravity(input: ParseStream, setting: &Setting) -> Parsed<[Number; 3]> {
     if input.peek(token::Bracket) {
-        return tokens::vector(input, "gravity");
+        return tokens::vector(input, setting.key);
     }
     let span = input.span();
     if input.peek(Ident) && tokens::word(input)? == "none" {
         return Ok([0.0; 3].map(|zero| number::computed(zero, Place::Token(span))));
     }
-    let hint = "write gravity = [0.0, 0.0, -9.81], or gravity = none";
-    Err(complaint_with_hint(
-        span,
-        "gravity is neither a vector nor none",
-        hint,
-    ))
+    let hint = format!("write {}", setting.example);
+    let message = "gravity is neither a vector nor none";
+    Err(complaint_with_hint(span, message, hint))
 }
 
 fn scalar(input: ParseStream) -> Parsed<Real> {
     let word = tokens::word(input)?;
-    match word.to_string().as_str() {
-        "f32" => Ok(Real::F32),
-        "f64" => Ok(Real::F64),
-        "generic" => Ok(Real::Generic),
-        other => Err(complaint_with_hint(
-            word.span(),
-            format!("unknown scalar {}", quoted(other)),
-            known(other, "scalars", &SCALARS),
-        )),
-    }
+    let mut scalars = Real::ALL.into_iter();
+    scalars.find(|scalar| word == scalar.name()).ok_or_else(|| {
+        let text = word.to_string();
+        let message = format!("unknown scalar {}", quoted(&text));
+        let hint = known(&text, "scalars", &Real::ALL.map(Real::name));
+        complaint_with_hint(word.span(), message, hint)
+    })
 }
 
-/// The name of a processor, as a string.
-fn processor(input: ParseStream) -> Parsed<Processor> {
-    if !input.peek(LitStr) {
-        let hint = "write processor = \"cortex-m4\"";
-        return Err(complaint_with_hint(
-            input.span(),
-            "`processor` needs the name of a processor",
-            hint,
-        ));
-    }
-    let name: LitStr = input.parse()?;
+fn processor(input: ParseStream, setting: &Setting) -> Parsed<Processor> {
+    let name = string(input, setting, "the name of a processor")?;
     Processor::from_name(&name.value()).map_err(|hint| {
         let message = format!("unknown processor {}", quoted(&name.value()));
         complaint_with_hint(name.span(), message, hint)
     })
 }
 
-/// How many statements a compiled function may have.
-fn section(input: ParseStream) -> Parsed<usize> {
+fn count(input: ParseStream, setting: &Setting, what: &str) -> Parsed<usize> {
     let span = input.span();
     let count = if input.peek(LitInt) {
         input.parse::<LitInt>()?.base10_parse().ok()
     } else {
         None
     };
-    count.filter(|&count| count > 0).ok_or_else(|| {
-        complaint_with_hint(
-            span,
-            "`section` needs the most statements of one compiled function",
-            "write section = 2000",
-        )
-    })
+    let count = count.filter(|&count| count > 0);
+    count.ok_or_else(|| needs(span, setting, what))
 }
 
 /// Functions, alone or as `all_of(…)`; complains of each unknown one.
@@ -271,7 +215,7 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
         let word = tokens::word(input)?;
         let mut item = Vec::new();
         if word == "all_of" {
-            let content = in_parentheses(input, &word, "all_of(mass_matrix, bias)")?;
+            let content = in_parentheses(input, "all_of", "all_of(mass_matrix, bias)")?;
             if content.is_empty() {
                 tokens::push(errors, complaint(word.span(), "`all_of` of no functions"));
             }
@@ -318,7 +262,7 @@ fn formulation(input: ParseStream, errors: &mut Errors) -> Parsed<Formulation> {
     let mut reader = formulation::Reader::default();
     tokens::list(input, |input| {
         let word = tokens::word(input)?;
-        let value = if input.peek(Token![=]) || input.peek(Token![:]) {
+        let value = if has_value(input) {
             tokens::separator(input, &word)?;
             Some(input.parse::<TokenTree>()?.to_string())
         } else {
@@ -334,7 +278,7 @@ fn formulation(input: ParseStream, errors: &mut Errors) -> Parsed<Formulation> {
 }
 
 /// A path to the runtime crate, as a string or as tokens.
-fn path(input: ParseStream) -> Parsed<TokenStream> {
+fn path(input: ParseStream, setting: &Setting) -> Parsed<TokenStream> {
     if !input.peek(LitStr) {
         return Ok(input.call(Path::parse_mod_style)?.into_token_stream());
     }
@@ -344,7 +288,7 @@ fn path(input: ParseStream) -> Parsed<TokenStream> {
         Err(_) => Err(complaint_with_hint(
             literal.span(),
             format!("{} is not a path", quoted(&literal.value())),
-            "write crate = \"::homogen\"",
+            format!("write {}", setting.example),
         )),
     }
 }

@@ -9,6 +9,7 @@ use crate::formulation;
 use crate::function::Function;
 use crate::joint::drive::Part;
 use crate::processor::Processor;
+use crate::real::Real;
 use crate::{closure, joint};
 
 /// Where words may stand.
@@ -51,8 +52,8 @@ pub fn words() -> Vec<(Place, Vec<&'static str>)> {
     let joint = joints::KEYS.into_iter().chain(drives).collect();
     let kinds = joint::ALL.map(|kind| kind.word).into_iter();
     vec![
-        (Place::Robot, settings::WORDS.to_vec()),
-        (Place::Field, attributes::KEYS.to_vec()),
+        (Place::Robot, settings::words()),
+        (Place::Field, attributes::keys()),
         (Place::Link, body::INERTIA.to_vec()),
         (Place::Joint, joint),
         (Place::JointType, kinds.chain([composite::WORD]).collect()),
@@ -62,7 +63,7 @@ pub fn words() -> Vec<(Place, Vec<&'static str>)> {
         (Place::Row, table::KEYS.to_vec()),
         (Place::Column, denavit_hartenberg::COLUMNS.to_vec()),
         (Place::Function, Function::names()),
-        (Place::Scalar, settings::SCALARS.to_vec()),
+        (Place::Scalar, Real::ALL.map(Real::name).to_vec()),
         (Place::Formulation, formulation::words()),
         (
             Place::Processor,

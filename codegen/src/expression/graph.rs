@@ -17,6 +17,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 
 use super::double::Double;
+use super::label::Label;
 use super::term::Term;
 use crate::space::Variable;
 
@@ -79,7 +80,7 @@ struct Inner {
     nodes: Vec<Node>,
     /// The value of each node that no input enters.
     values: Vec<Option<Double>>,
-    labels: Vec<Option<String>>,
+    labels: Vec<Option<Label>>,
     /// The nodes that an input enters.
     memo: HashMap<Node, Expr>,
     /// All others, by their value, so that 0.5 × 0.5 and 0.25 are one.
@@ -125,13 +126,13 @@ impl Graph {
 
     /// What the expression is an entry of, if anything.
     #[must_use]
-    pub fn label(&self, expr: Expr) -> Option<String> {
-        self.inner.borrow().labels[expr.index()].clone()
+    pub fn label(&self, expr: Expr) -> Option<Label> {
+        self.inner.borrow().labels[expr.index()]
     }
 
-    /// Says what the expression is an entry of. The first name stays; inputs and numbers, which
-    /// have their own, take none; what stands behind a sign is called the [`opposite`].
-    pub fn set_label(&self, expr: Expr, label: impl FnOnce() -> String) {
+    /// Says what the expression is an entry of. The first label stays; inputs and numbers, which
+    /// have their own, take none; what stands behind a sign is the [opposite](Label::opposite).
+    pub fn set_label(&self, expr: Expr, label: Label) {
         let mut inner = self.inner.borrow_mut();
         let (negative, expr) = inner.strip(expr);
         let named = matches!(
@@ -140,8 +141,7 @@ impl Graph {
         ) || inner.values[expr.index()].is_some();
         let slot = &mut inner.labels[expr.index()];
         if !named && slot.is_none() {
-            let label = label();
-            *slot = Some(if negative { opposite(&label) } else { label });
+            *slot = Some(if negative { label.opposite() } else { label });
         }
     }
 
@@ -222,14 +222,6 @@ impl Graph {
     pub(super) fn taken(&self, a: Expr, by: u16) -> Expr {
         self.inner.borrow_mut().taken(a, by)
     }
-}
-
-/// The name of the entry with the other sign.
-#[must_use]
-pub fn opposite(label: &str) -> String {
-    label
-        .strip_prefix("minus_")
-        .map_or_else(|| format!("minus_{label}"), str::to_owned)
 }
 
 impl Node {

@@ -5,6 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double::Double;
 use super::graph::{Expr, Graph};
+use super::label::Label;
 
 /// An expression together with the graph it lives in.
 #[derive(Clone, Copy)]
@@ -50,8 +51,8 @@ impl<'g> Term<'g> {
     }
 
     /// Says what it is an entry of.
-    pub fn label(self, name: impl FnOnce() -> String) {
-        self.graph.set_label(self.expr, name);
+    pub fn label(self, label: Label) {
+        self.graph.set_label(self.expr, label);
     }
 
     /// Sine and cosine.

@@ -2,7 +2,7 @@
 //! G costs a third of rotating G.
 
 use super::{Rotation, Vector};
-use crate::expression::{Graph, Term};
+use crate::expression::{Block, Graph, Numeral, Of, Term};
 
 /// An acceleration matrix H: G, a₀; 0, 0 with G = ω̲̇ + ω̲².
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +25,17 @@ impl<'g> Acceleration<Term<'g>> {
             omega_dot: zero,
             a,
         }
+    }
+
+    /// Says which body's motion as seen from frame 0 it is, in which frame.
+    pub fn label(self, body: Numeral, frame: Numeral) {
+        let of = Of::FromBase(body);
+        self.omega
+            .label(Block::AngularVelocity.of(of).seen_in(frame));
+        self.omega_dot
+            .label(Block::AngularAcceleration.of(of).seen_in(frame));
+        self.a
+            .label(Block::LinearAcceleration.of(of).seen_in(frame));
     }
 
     /// The block G = ω̲̇ + ω̲², row by row.

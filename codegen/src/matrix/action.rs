@@ -3,7 +3,7 @@
 use std::ops::{Add, Sub};
 
 use super::{Acceleration, Inertia, Pose, Screw, Vector};
-use crate::expression::Term;
+use crate::expression::{Block, Numeral, Of, Term};
 
 /// An action Φ: c̲, f; −fᵗ, 0.
 #[derive(Clone, Copy, Debug)]
@@ -93,10 +93,11 @@ impl<'g> Action<Term<'g>> {
         [cx, cy, cz, fx, fy, fz]
     }
 
-    /// Names the entries `{prefix}cx` … `{prefix}fz`.
-    pub fn label(self, prefix: impl Fn() -> String) {
-        self.c.label(|| prefix() + "c");
-        self.f.label(|| prefix() + "f");
+    /// Says which body's action it is, in which frame.
+    pub fn label(self, body: Numeral, frame: Numeral) {
+        self.c
+            .label(Block::Couple.of(Of::Body(body)).seen_in(frame));
+        self.f.label(Block::Force.of(Of::Body(body)).seen_in(frame));
     }
 }
 

@@ -3,7 +3,7 @@
 use std::ops::{Add, Sub};
 
 use super::{Pose, Rotation, Vector};
-use crate::expression::{Double, Graph, Term};
+use crate::expression::{Block, Component, Double, Graph, Numeral, Of, Term};
 
 /// A symmetric 3×3 block: xx, yy, zz, xy, xz, yz.
 #[derive(Clone, Copy, Debug)]
@@ -229,12 +229,15 @@ impl<'g> Inertia<Term<'g>> {
         (turning + self.q.cross(b), u.cross(self.q) + b * self.mass)
     }
 
-    /// Names the entries `{prefix}xx` … `{prefix}m`.
-    pub fn label(self, prefix: impl Fn() -> String) {
-        let names = ["xx", "yy", "zz", "xy", "xz", "yz", "x", "y", "z", "m"];
-        for (entry, name) in self.entries().into_iter().zip(names) {
-            entry.label(|| prefix() + name);
+    /// Says which body's inertia it is, in which frame.
+    pub fn label(self, body: Numeral, frame: Numeral) {
+        let whole = Block::Inertia.of(Of::Body(body)).seen_in(frame);
+        let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+        for (entry, (row, column)) in self.second.0.into_iter().zip(pairs) {
+            entry.label(whole.entry(Component::Second(row, column)));
         }
+        self.q.label(whole);
+        self.mass.label(whole.entry(Component::Mass));
     }
 }
 

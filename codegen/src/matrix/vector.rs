@@ -3,7 +3,7 @@
 use std::array;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::expression::{Graph, Term};
+use crate::expression::{Component, Graph, Quantity, Term};
 
 /// A vector, or the coordinates of a point: x, y, z.
 #[derive(Clone, Copy, Debug)]
@@ -80,10 +80,10 @@ impl<'g> Vector<Term<'g>> {
         self.0.iter().all(|entry| entry.is_zero())
     }
 
-    /// Names the entries `{prefix}x`, `{prefix}y`, `{prefix}z`.
-    pub fn label(self, prefix: impl Fn() -> String) {
-        for (entry, axis) in self.0.into_iter().zip(["x", "y", "z"]) {
-            entry.label(|| prefix() + axis);
+    /// Says which quantity it is.
+    pub fn label(self, quantity: Quantity) {
+        for (k, entry) in self.0.into_iter().enumerate() {
+            entry.label(quantity.entry(Component::Along(k)));
         }
     }
 }

@@ -4,7 +4,7 @@
 use std::ops::{Add, Sub};
 
 use super::{Pose, Rotation, Screw, Vector};
-use crate::expression::{Graph, Term};
+use crate::expression::{Block, Graph, Numeral, Of, Term};
 
 /// A velocity matrix W: ω̲, v₀; 0, 0.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +31,13 @@ impl<'g> Velocity<Term<'g>> {
             omega: screw.u * rate,
             v: screw.b * rate,
         }
+    }
+
+    /// Says what it is the motion of, in which frame.
+    pub fn label(self, of: Of, frame: Numeral) {
+        self.omega
+            .label(Block::AngularVelocity.of(of).seen_in(frame));
+        self.v.label(Block::LinearVelocity.of(of).seen_in(frame));
     }
 
     /// The same motion in other axes, with the same pole.

@@ -9,7 +9,7 @@ use super::carry::{Joint, Joints};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Block, Component, Numeral, Of, Term};
 use crate::joint::Motion;
 use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
@@ -354,7 +354,11 @@ impl<'g> Articulated<'g> {
     fn yielding(&self, joint: &Joint<'g>) -> Yielding<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
         let share = action.along(joint.screw) + joint.drive.armature;
-        share.label(|| format!("d_{}", joint.body.number()));
+        share.label(
+            Block::Pivot
+                .of(Of::Body(Numeral(joint.body.number())))
+                .entry(Component::Scalar),
+        );
         let inverse = share.graph().constant(1.0) / share;
         let (c, f) = (action.c, action.f);
         let (over_c, over_f) = (c * inverse, f * inverse);

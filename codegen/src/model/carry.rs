@@ -12,7 +12,7 @@ use super::state::State;
 use super::turn::{self, Turn};
 use super::way::{Congruence, Way};
 use crate::chain::{BodyId, Position};
-use crate::expression::Term;
+use crate::expression::{Block, Numeral, Of, Term};
 use crate::formulation::Frame;
 use crate::joint::{Drive, Motion};
 use crate::layout::{Bodies, Body};
@@ -117,12 +117,13 @@ impl<'g> Joint<'g> {
     fn in_frame_0(self, pose: Pose<Term<'g>>) -> Self {
         let graph = self.slide.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-        let index = self.body.number();
+        let index = Numeral(self.body.number());
         let screw = self.screw.change_frame(pose);
-        screw.u.label(|| format!("l_{index}_in_0_u"));
-        screw.b.label(|| format!("l_{index}_in_0_b"));
+        let of = Of::Body(index);
+        screw.u.label(Block::Direction.of(of).seen_in(Numeral(0)));
+        screw.b.label(Block::Moment.of(of).seen_in(Numeral(0)));
         let inertia = self.inertia.change_frame(pose);
-        inertia.label(|| format!("j_{index}_in_0_"));
+        inertia.label(index, Numeral(0));
         Self {
             frame: Frame::Base,
             placement: Pose::identity(graph),
@@ -138,13 +139,12 @@ impl<'g> Joint<'g> {
     /// M₀ of the body, where `outer` is that of the body it hangs on.
     fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
-        let index = self.body.number();
+        let of = Of::FromBase(Numeral(self.body.number()));
         if !self.from_root {
-            pose.translation.label(|| format!("m_0_{index}_t"));
+            pose.translation.label(Block::Origin.of(of));
         }
-        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-            let column = pose.rotation.column(k);
-            column.label(|| format!("m_0_{index}_{axis}"));
+        for k in 0..3 {
+            pose.rotation.column(k).label(Block::Axis(k).of(of));
         }
         pose
     }
@@ -169,18 +169,18 @@ impl<'g> Joint<'g> {
     }
 
     /// The number of the frame in which its matrices are, as names have it: that of its body, or 0.
-    pub fn frame_number(&self) -> usize {
+    pub fn frame_number(&self) -> Numeral {
         match self.frame {
-            Frame::Link => self.body.number(),
-            Frame::Base => 0,
+            Frame::Link => Numeral(self.body.number()),
+            Frame::Base => Numeral(0),
         }
     }
 
     /// The same of the body that it hangs on.
-    pub fn outer_frame_number(&self) -> usize {
+    pub fn outer_frame_number(&self) -> Numeral {
         match self.frame {
-            Frame::Link => self.parent.map_or(0, BodyId::number),
-            Frame::Base => 0,
+            Frame::Link => Numeral(self.parent.map_or(0, BodyId::number)),
+            Frame::Base => Numeral(0),
         }
     }
 

@@ -4,7 +4,7 @@
 use super::carry::Joints;
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Numeral, Term};
 use crate::list::{Id, Square};
 use crate::matrix::Action;
 
@@ -13,8 +13,8 @@ pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId,
     let mut composites = joints.map(|joint| joint.inertia);
     let mut entries = Square::filled(state.zero(), joints.len());
     for column in joints.ids().rev() {
-        let (index, frame) = (column.number(), joints[column].frame_number());
-        composites[column].label(|| format!("j_{index}_in_{frame}_"));
+        let (index, frame) = (Numeral(column.number()), joints[column].frame_number());
+        composites[column].label(index, frame);
         let mut action = Action::of_screw(joints[column].screw, composites[column]);
         let mut at = column;
         loop {
@@ -30,7 +30,7 @@ pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId,
                 .change_frame(joints[at].displacement())
                 .change_frame(joints[at].placement);
             let frame = joints[at].outer_frame_number();
-            action.label(|| format!("phi_{index}_in_{frame}_"));
+            action.label(index, frame);
             at = parent;
         }
         if let Some(parent) = joints[column].parent {

@@ -22,7 +22,7 @@ use super::carry::{Joint, Joints};
 use super::newton_euler::{Moving, motion, seen};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Numeral, Term};
 use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Flow, Inertia, Pose, Screw, Vector};
 
@@ -219,8 +219,8 @@ impl<'g> Whole<'g> {
             .map(|(joint, own)| Flow::of_turn(multiple(own.h.omega), joint.inertia))
             .collect();
         for (k, joint) in joints.numbered().rev() {
-            let (index, frame) = (k.number(), joint.frame_number());
-            inertias[k].label(|| format!("j_{index}_in_{frame}_"));
+            let (index, frame) = (Numeral(k.number()), joint.frame_number());
+            inertias[k].label(index, frame);
             if let Some(parent) = joint.parent {
                 let [displacing, placing] = gains[k];
                 let (inertia, flow) = match joint.posture {

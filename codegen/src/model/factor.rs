@@ -4,7 +4,7 @@
 //! In: the mass matrix and the tree. Out: factors that solve M x = b without filling a zero in. It
 //! never pivots: M is positive definite, or the chain has been refused.
 
-use crate::expression::Term;
+use crate::expression::{Block, Component, Numeral, Of, Term};
 use crate::list::{Id, List, Square};
 use crate::space::VelocityId;
 
@@ -32,13 +32,21 @@ pub fn factor<'g>(
     let mut rows = List::filled(Vec::new(), parents.len());
     for k in parents.ids().rev() {
         let pivot = entries[(k, k)];
-        pivot.label(|| format!("d_{}", k.number()));
+        pivot.label(
+            Block::Pivot
+                .of(Of::Body(Numeral(k.number())))
+                .entry(Component::Scalar),
+        );
         pivots[k] = pivot;
         inverse[k] = one / pivot;
         for (nearest, &i) in inboard[k].iter().enumerate() {
             let entry = entries[(k, i)];
             let l = entry * inverse[k];
-            l.label(|| format!("l_{}_{}", k.number(), i.number()));
+            l.label(
+                Block::Factor
+                    .of(Of::Pair(Numeral(k.number()), Numeral(i.number())))
+                    .entry(Component::Scalar),
+            );
             for &j in &inboard[k][nearest..] {
                 let changed = entries[(i, j)] - l * entries[(k, j)];
                 entries.set_both((i, j), changed);

@@ -4,7 +4,7 @@
 use super::carry::Joints;
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Block, Numeral, Of, Term};
 use crate::list::{Id, List, Square};
 use crate::matrix::{Screw, Vector};
 
@@ -81,8 +81,12 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
             .parent
             .map_or(-gravity, |parent| accelerations[parent]);
         let a = joint.vector_outboard(outer);
-        let (index, frame) = (joint.body.number(), joint.frame_number());
-        a.label(|| format!("h_0_{index}_in_{frame}_"));
+        let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+        a.label(
+            Block::LinearAcceleration
+                .of(Of::FromBase(index))
+                .seen_in(frame),
+        );
         accelerations.push(a);
     }
     let mut masses = joints.map(|joint| joint.inertia.mass);
@@ -90,8 +94,8 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
     let mut tau = List::filled(state.zero(), joints.len());
     for (k, joint) in joints.numbered().rev() {
         let a = accelerations[k];
-        let (index, frame) = (k.number(), joint.frame_number());
-        moments[k].label(|| format!("j_{index}_in_{frame}_"));
+        let (index, frame) = (Numeral(k.number()), joint.frame_number());
+        moments[k].label(Block::Inertia.of(Of::Body(index)).seen_in(frame));
         let (screw, mass) = (joint.screw, masses[k]);
         let couple = screw.u.dot(moments[k].cross(a));
         // A mass folds into an acceleration that is known; beside one that is not, one product is enough.

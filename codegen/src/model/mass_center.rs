@@ -8,7 +8,7 @@ use super::carry::{self, Joints};
 use super::state::State;
 use super::way::Carried;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Block, Numeral, Of, Term};
 use crate::list::{Id, List};
 use crate::matrix::{Inertia, Vector};
 
@@ -36,8 +36,8 @@ impl<'s, 'g> MassCenter<'s, 'g> {
         let (_, mut moment) = own(base);
         for (k, joint) in joints.numbered().rev() {
             let (mass, q) = carried[k];
-            let (index, frame) = (joint.body.number(), joint.frame_number());
-            q.label(|| format!("c_{index}_in_{frame}_"));
+            let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+            q.label(Block::MassCenter.of(Of::Body(index)).seen_in(frame));
             let inboard = joint.first_moment_inboard(q, mass);
             if let Some(parent) = joint.parent {
                 let (outer_mass, outer) = carried[parent];

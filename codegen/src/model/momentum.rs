@@ -7,7 +7,7 @@ use super::carry::{self, Joints};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Numeral, Term};
 use crate::list::{Id, List};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Vector};
 
@@ -34,10 +34,8 @@ pub fn bias<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
         let outer = joint.parent.map_or(rest, |parent| motions[parent]);
         let moving = beyond(outer, joint, state.qd(joint.body), state.zero());
         let h = moving.h;
-        let (index, frame) = (joint.body.number(), joint.frame_number());
-        h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
-        h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
-        h.a.label(|| format!("h_0_{index}_in_{frame}_"));
+        let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+        h.label(index, frame);
         motions.push(moving);
         each.push(Action::of(h, joint.inertia));
     }
@@ -61,8 +59,8 @@ pub fn columns<'g>(joints: &Joints<'g>, pole: Vector<Term<'g>>) -> List<BodyId, 
 fn composites<'g>(joints: &Joints<'g>) -> List<BodyId, Inertia<Term<'g>>> {
     let mut composites = joints.map(|joint| joint.inertia);
     for (k, joint) in joints.numbered().rev() {
-        let (index, frame) = (joint.body.number(), joint.frame_number());
-        composites[k].label(|| format!("j_{index}_in_{frame}_"));
+        let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+        composites[k].label(index, frame);
         if let Some(parent) = joint.parent {
             composites[parent] = composites[parent] + joint.inertia_inboard(composites[k]);
         }

@@ -2,7 +2,7 @@
 
 use super::carry::Joint;
 use super::state::State;
-use crate::expression::Term;
+use crate::expression::{Numeral, Of, Term};
 use crate::list::Id;
 use crate::matrix::Velocity;
 
@@ -13,9 +13,8 @@ pub fn beyond<'g>(
     rate: Term<'g>,
 ) -> Velocity<Term<'g>> {
     let w = joint.motion_outboard(outer) + Velocity::of_screw(joint.screw, rate);
-    let (index, frame) = (joint.body.number(), joint.frame_number());
-    w.omega.label(|| format!("w_0_{index}_in_{frame}_"));
-    w.v.label(|| format!("w_0_{index}_in_{frame}_v"));
+    let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+    w.label(Of::FromBase(index), frame);
     w
 }
 

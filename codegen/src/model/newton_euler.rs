@@ -4,7 +4,7 @@
 use super::carry::{Joint, Joints};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Numeral, Term};
 use crate::list::{Id, List};
 use crate::matrix::{Acceleration, Action, Vector};
 
@@ -45,10 +45,8 @@ pub fn motion<'g>(
         let outer = joint.parent.map_or(base, |parent| motions[parent]);
         let moving = beyond(outer, joint, state.qd(k), qdd[k]);
         let h = moving.h;
-        let (index, frame) = (k.number(), joint.frame_number());
-        h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
-        h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
-        h.a.label(|| format!("h_0_{index}_in_{frame}_"));
+        let (index, frame) = (Numeral(k.number()), joint.frame_number());
+        h.label(index, frame);
         motions.push(moving);
         actions.push(Action::of(h, joint.inertia));
     }
@@ -58,8 +56,12 @@ pub fn motion<'g>(
     let mut tau = List::filled(state.zero(), joints.len());
     for (k, joint) in joints.numbered().rev() {
         let action = actions[k];
-        let (index, frame, outer) = (k.number(), joint.frame_number(), joint.outer_frame_number());
-        action.label(|| format!("phi_{index}_in_{frame}_"));
+        let (index, frame, outer) = (
+            Numeral(k.number()),
+            joint.frame_number(),
+            joint.outer_frame_number(),
+        );
+        action.label(index, frame);
         let drive = joint.drive;
         tau[k] =
             action.along(joint.screw) + drive.armature * qdd[k] + drive.resistance(state.qd(k));
@@ -67,7 +69,7 @@ pub fn motion<'g>(
             let carried = action
                 .change_frame(joint.displacement())
                 .change_frame(joint.placement);
-            carried.label(|| format!("phi_{index}_in_{outer}_"));
+            carried.label(index, outer);
             actions[parent] = actions[parent] + carried;
         }
     }

@@ -5,7 +5,7 @@
 
 use super::carry::Path;
 use super::way::Carried;
-use crate::expression::Term;
+use crate::expression::{Block, Numeral, Of, Term};
 use crate::matrix::{Pose, Rotation, Vector};
 
 /// M of the frame at the end of a path, row by row.
@@ -40,15 +40,15 @@ fn inwards<'g>(path: &Path<'g>, by_product: Option<usize>) -> Pose<Term<'g>> {
 
 /// The entries of M from frame `index`, on which the last joint taken stands, to the frame.
 fn label(
-    index: usize,
+    index: Numeral,
     columns: [Vector<Term<'_>>; 3],
     origin: Vector<Term<'_>>,
     by_product: Option<usize>,
 ) {
-    for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+    for (k, column) in columns.into_iter().enumerate() {
         if by_product != Some(k) {
-            columns[k].label(|| format!("m_{index}_n_{axis}"));
+            column.label(Block::Axis(k).of(Of::TipFrom(index)));
         }
     }
-    origin.label(|| format!("m_{index}_n_t"));
+    origin.label(Block::Origin.of(Of::TipFrom(index)));
 }

@@ -8,7 +8,7 @@ use super::carry::Joints;
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Numeral, Term};
 use crate::list::{Id, List};
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 
@@ -32,10 +32,8 @@ pub fn regressor<'g>(
         let outer = joint.parent.map_or(base, |parent| all[parent]);
         let moving = beyond(outer, joint, state.qd(joint.body), state.qdd(joint.body));
         let h = moving.h;
-        let (index, frame) = (joint.body.number(), joint.frame_number());
-        h.omega.label(|| format!("w_0_{index}_in_{frame}_"));
-        h.omega_dot.label(|| format!("wd_0_{index}_in_{frame}_"));
-        h.a.label(|| format!("h_0_{index}_in_{frame}_"));
+        let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+        h.label(index, frame);
         all.push(moving);
 
         let inboard = joint.parent.map_or(&[][..], |parent| &motions[parent]);

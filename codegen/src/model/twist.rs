@@ -6,7 +6,7 @@ use super::carry::{Joint, Path};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::Term;
+use crate::expression::{Of, Term};
 use crate::formulation::Frame;
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 
@@ -21,8 +21,7 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
                 .change_frame(joint.displacement())
                 .change_frame(joint.placement);
             let index = joint.outer_frame_number();
-            w.omega.label(|| format!("w_{index}_n_in_{index}_"));
-            w.v.label(|| format!("w_{index}_n_in_{index}_v"));
+            w.label(Of::TipFrom(index), index);
             w
         }),
     };

@@ -195,64 +195,73 @@ impl Parameter {
 /// how far its parts from that.
 const PAYLOAD: f64 = 0.25;
 
-/// What a target is called in attributes and on command lines, where a link or a joint stands beside it.
-type Key = (&'static str, fn(Name) -> Target);
+/// What makes a target.
+#[derive(Clone, Copy, Debug)]
+pub enum TargetOf {
+    /// The name of a link or a joint.
+    Item(fn(Name) -> Target),
+    /// Nothing.
+    Robot(fn() -> Target),
+}
 
-/// Those that stand for a number of an item.
-const OF_ITEMS: [Key; 9] = [
-    ("mass_of", Target::MassOf),
-    ("com_of", Target::CenterOfMassOf),
-    ("inertia_of", Target::InertiaOf),
-    ("payload_on", Target::PayloadOn),
-    ("origin_of", Target::OriginOf),
-    ("placement_of", Target::PlacementOf),
-    ("armature_of", Target::ArmatureOf),
-    ("damping_of", Target::DampingOf),
-    ("friction_of", Target::FrictionOf),
+/// What is known of a target.
+struct Definition {
+    /// The key in attributes and on command lines.
+    key: &'static str,
+    of: TargetOf,
+    form: Form,
+    /// The unit of its numbers, or of the first of them.
+    unit: &'static str,
+    /// What it is in a sentence, before the name.
+    words: &'static str,
+}
+
+/// All of them, in the order of the documentation.
+#[rustfmt::skip]
+const ALL: [Definition; 12] = [
+    Definition { key: "mass_of",        of: TargetOf::Item(Target::MassOf),            form: Form::Size,      unit: "kg",                 words: "the mass of link" },
+    Definition { key: "com_of",         of: TargetOf::Item(Target::CenterOfMassOf),    form: Form::Vector,    unit: "m",                  words: "the centre of mass of link" },
+    Definition { key: "inertia_of",     of: TargetOf::Item(Target::InertiaOf),         form: Form::Tensor,    unit: "kg m²",              words: "the inertia of link" },
+    Definition { key: "payload_on",     of: TargetOf::Item(Target::PayloadOn),         form: Form::Payload,   unit: "kg",                 words: "a payload on link" },
+    Definition { key: "gravity",        of: TargetOf::Robot(|| Target::Gravity),       form: Form::Vector,    unit: "m/s²",               words: "gravity" },
+    Definition { key: "origin_of",      of: TargetOf::Item(Target::OriginOf),          form: Form::Vector,    unit: "m",                  words: "the origin of joint" },
+    Definition { key: "placement_of",   of: TargetOf::Item(Target::PlacementOf),       form: Form::Placement, unit: "m",                  words: "the placement of joint" },
+    Definition { key: "base_position",  of: TargetOf::Robot(|| Target::BasePosition),  form: Form::Vector,    unit: "m",                  words: "the position of the base" },
+    Definition { key: "base_placement", of: TargetOf::Robot(|| Target::BasePlacement), form: Form::Placement, unit: "m",                  words: "the placement of the base" },
+    Definition { key: "armature_of",    of: TargetOf::Item(Target::ArmatureOf),        form: Form::Size,      unit: "kg m² or kg",        words: "the armature of joint" },
+    Definition { key: "damping_of",     of: TargetOf::Item(Target::DampingOf),         form: Form::Size,      unit: "N m s/rad or N s/m", words: "the damping of joint" },
+    Definition { key: "friction_of",    of: TargetOf::Item(Target::FrictionOf),        form: Form::Size,      unit: "N m or N",           words: "the friction of joint" },
 ];
 
 impl Target {
-    /// The words for those that are of no item.
-    const ALONE: [(&'static str, Self); 3] = [
-        ("gravity", Self::Gravity),
-        ("base_position", Self::BasePosition),
-        ("base_placement", Self::BasePlacement),
-    ];
-
-    /// All words.
+    /// All keys.
     #[must_use]
     pub fn keys() -> Vec<&'static str> {
-        let of_items = OF_ITEMS.iter().map(|(word, _)| *word);
-        of_items
-            .chain(Self::ALONE.iter().map(|(word, _)| *word))
-            .collect()
+        ALL.iter().map(|row| row.key).collect()
     }
 
-    /// What makes a target of a link or a joint, by its word.
+    /// What makes the target of that key.
     #[must_use]
-    pub fn of_item(key: &str) -> Option<fn(Name) -> Self> {
-        let mut keys = OF_ITEMS.iter();
-        keys.find(|(word, _)| *word == key)
-            .map(|(_, target)| *target)
+    pub fn of(key: &str) -> Option<TargetOf> {
+        let row = ALL.iter().find(|row| row.key == key);
+        row.map(|row| row.of)
     }
 
-    /// The target of that word that is of no item.
-    #[must_use]
-    pub fn alone(key: &str) -> Option<Self> {
-        let mut keys = Self::ALONE.into_iter();
-        keys.find(|(word, _)| *word == key)
-            .map(|(_, target)| target)
+    fn definition(&self) -> &'static Definition {
+        let is = |row: &&Definition| {
+            let other = match row.of {
+                TargetOf::Item(of) => of(Name::default()),
+                TargetOf::Robot(of) => of(),
+            };
+            std::mem::discriminant(self) == std::mem::discriminant(&other)
+        };
+        ALL.iter().find(is).unwrap_or(&ALL[0])
     }
 
-    /// Its word in attributes and on command lines.
+    /// Its key in attributes and on command lines.
     #[must_use]
     pub fn key(&self) -> &'static str {
-        let is = |other: &Self| std::mem::discriminant(self) == std::mem::discriminant(other);
-        let mut of_items = OF_ITEMS.iter();
-        let of_item = of_items.find(|(_, target)| is(&target(Name::default())));
-        let mut alone = Self::ALONE.iter();
-        let alone = || alone.find(|(_, target)| is(target)).map(|(word, _)| *word);
-        of_item.map(|(word, _)| *word).or_else(alone).unwrap_or("")
+        self.definition().key
     }
 
     /// The link or the joint whose number it is.
@@ -273,36 +282,14 @@ impl Target {
     }
 
     /// How its numbers hang together.
-    const fn form(&self) -> Form {
-        match self {
-            Self::MassOf(_) | Self::ArmatureOf(_) | Self::DampingOf(_) | Self::FrictionOf(_) => {
-                Form::Size
-            }
-            Self::CenterOfMassOf(_) | Self::OriginOf(_) | Self::BasePosition | Self::Gravity => {
-                Form::Vector
-            }
-            Self::PlacementOf(_) | Self::BasePlacement => Form::Placement,
-            Self::InertiaOf(_) => Form::Tensor,
-            Self::PayloadOn(_) => Form::Payload,
-        }
+    fn form(&self) -> Form {
+        self.definition().form
     }
 
     /// The unit of its numbers, or of the first of them.
     #[must_use]
-    pub const fn unit(&self) -> &'static str {
-        match self {
-            Self::MassOf(_) | Self::PayloadOn(_) => "kg",
-            Self::InertiaOf(_) => "kg m²",
-            Self::ArmatureOf(_) => "kg m² or kg",
-            Self::DampingOf(_) => "N m s/rad or N s/m",
-            Self::FrictionOf(_) => "N m or N",
-            Self::CenterOfMassOf(_)
-            | Self::OriginOf(_)
-            | Self::PlacementOf(_)
-            | Self::BasePosition
-            | Self::BasePlacement => "m",
-            Self::Gravity => "m/s²",
-        }
+    pub fn unit(&self) -> &'static str {
+        self.definition().unit
     }
 
     /// The joint and the part of its drive, where it is of one.
@@ -329,7 +316,7 @@ impl Target {
 
     /// The range that one number stands for: from zero to it, to both sides where entries have signs.
     #[must_use]
-    pub const fn range_up_to(&self, most: f64) -> [f64; 2] {
+    pub fn range_up_to(&self, most: f64) -> [f64; 2] {
         match self.form() {
             Form::Size | Form::Tensor | Form::Payload => [0.0, most],
             Form::Vector | Form::Placement => [-most, most],
@@ -387,27 +374,15 @@ impl Target {
     /// What it is in a sentence.
     #[must_use]
     pub fn words(&self) -> String {
-        match self {
-            Self::MassOf(link) => format!("the mass of link {}", quoted(&link.text)),
-            Self::CenterOfMassOf(link) => {
-                format!("the centre of mass of link {}", quoted(&link.text))
-            }
-            Self::InertiaOf(link) => format!("the inertia of link {}", quoted(&link.text)),
-            Self::PayloadOn(link) => format!("a payload on link {}", quoted(&link.text)),
-            Self::Gravity => "gravity".to_owned(),
-            Self::PlacementOf(joint) => format!("the placement of joint {}", quoted(&joint.text)),
-            Self::BasePosition => "the position of the base".to_owned(),
-            Self::BasePlacement => "the placement of the base".to_owned(),
-            Self::OriginOf(joint) => format!("the origin of joint {}", quoted(&joint.text)),
-            Self::ArmatureOf(joint) | Self::DampingOf(joint) | Self::FrictionOf(joint) => {
-                let part = self.drives().map_or("", |(_, part)| part.word());
-                format!("the {part} of joint {}", quoted(&joint.text))
-            }
+        let words = self.definition().words;
+        match self.item() {
+            Some(item) => format!("{words} {}", quoted(&item.text)),
+            None => words.to_owned(),
         }
     }
 
     /// How many of its first numbers are of one unit.
-    const fn of_one_unit(&self) -> usize {
+    fn of_one_unit(&self) -> usize {
         match self.form() {
             Form::Placement => 3,
             _ => self.entries(),
@@ -416,7 +391,7 @@ impl Target {
 
     /// How many numbers the field holds.
     #[must_use]
-    pub const fn entries(&self) -> usize {
+    pub fn entries(&self) -> usize {
         self.form().endings().len()
     }
 

@@ -18,7 +18,7 @@ mod tests;
 mod turn;
 mod value;
 
-use self::kind::{Follows, Form, Names, is_sum};
+use self::kind::{Follows, Form, Kind, is_sum};
 pub use self::known::Conditions;
 use self::known::{Computed, Known};
 use self::length::Lengths;
@@ -48,7 +48,6 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
         conditions,
         turns: Turns::default(),
         steps: Vec::with_capacity(program.steps.len()),
-        names: Names::default(),
     };
     let mut lengths = Lengths::default();
     for (k, step) in program.steps.iter().enumerate() {
@@ -112,7 +111,7 @@ impl<'p> Known<'p> {
             reason: (!fits).then(|| self.why(operation)).flatten(),
             place,
             follows: Follows::of(taken, &form),
-            kind: (self.names).kind(Operand::Step(step), taken.label.as_deref(), &form, place),
+            kind: Kind::of(Operand::Step(step), taken.label, &form, place),
         });
         if fits && is_sum(operation) {
             let length = lengths.of(self, &[Operand::Step(step)]);

@@ -156,7 +156,7 @@ impl Once {
             } else {
                 let operation = step.operation.map(|operand| moved.left(operand, self));
                 left.steps.push(Step {
-                    label: step.label.clone(),
+                    label: step.label,
                     operation,
                 });
                 Place::Left(index(left.steps.len() - 1))
@@ -175,7 +175,7 @@ impl Once {
             let mut operands = operands.iter().copied();
             let operation = step.operation;
             self.steps.push(Step {
-                label: step.label.clone(),
+                label: step.label,
                 operation: operation.map(|read| operands.next().unwrap_or(read)),
             });
         }
@@ -205,7 +205,9 @@ impl Once {
         let mut taken = HashMap::new();
         let values = self.values.iter().map(|value| {
             let wish = match *value {
-                Operand::Step(step) => self.steps[step as usize].label.clone(),
+                Operand::Step(step) => self.steps[step as usize]
+                    .label
+                    .map(|label| label.to_string()),
                 Operand::Input(Input::Parameter(field, entry)) => {
                     Some(fields[usize::from(field)][usize::from(entry)].clone())
                 }
@@ -248,7 +250,7 @@ impl Once {
             other => other,
         };
         let steps = order.iter().map(|&step| Step {
-            label: self.steps[step].label.clone(),
+            label: self.steps[step].label,
             operation: self.steps[step].operation.map(moved),
         });
         Program {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use super::fuse::{self, Form, Fused};
 use super::signs::Signs;
 use super::{Operand, Operation, Program, Step};
-use crate::expression::{Expr, Graph, Input, Node, opposite};
+use crate::expression::{Expr, Graph, Input, Label, Node};
 
 /// The program that computes the given expressions and nothing else.
 ///
@@ -142,7 +142,7 @@ impl Placing<'_> {
         };
         let label = self.graph.label(expr);
         let label = if self.signs.turned(expr) {
-            label.as_deref().map(opposite)
+            label.map(Label::opposite)
         } else {
             label
         };
@@ -196,7 +196,7 @@ impl Placing<'_> {
         }
     }
 
-    fn push(&mut self, label: Option<String>, operation: Operation) -> Operand {
+    fn push(&mut self, label: Option<Label>, operation: Operation) -> Operand {
         self.steps.push(Step { label, operation });
         let last = u32::try_from(self.steps.len() - 1).expect("fewer than 2³² steps");
         Operand::Step(last)

@@ -308,10 +308,10 @@ impl Naming<'_> {
         });
         // What is computed for several is an entry of none of them.
         let by_itself = self.taken.is_empty();
-        let label = step.label.as_ref().filter(|_| by_itself);
+        let label = step.label.filter(|_| by_itself);
         let sum = self.sum(step.operation).filter(|_| by_itself);
         let name = match (label, &sum) {
-            (Some(label), _) => self.names.fresh(label),
+            (Some(label), _) => self.names.fresh(&label.to_string()),
             (None, Some(coordinates)) => self.names.fresh(&format!("q_{}", numbers(coordinates))),
             (None, None) => self.unnamed(),
         };

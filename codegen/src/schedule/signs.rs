@@ -84,7 +84,7 @@ fn wishes(graph: &Graph, needed: &[Expr], results: &[Expr]) -> Vec<Option<bool>>
         wishes[result.index()].get_or_insert(false);
     }
     for &expr in needed.iter().rev() {
-        let named = || graph.label(expr).map(|label| label.starts_with("minus_"));
+        let named = || graph.label(expr).map(|label| label.negative);
         let Some(wish) = wishes[expr.index()].or_else(named) else {
             continue;
         };

@@ -1,13 +1,13 @@
-//! All matrices of a robot at a state, and the entry that a name stands for.
+//! All matrices of a robot at a state, and the entry that a label says.
 //!
-//! In: a chain, where its frames stand, a state; a name such as `w_0_3_in_3_x`. Out: the number that the
-//! name says, by the products and sums of [`homogen`] in frame 0. It knows no function and no program.
+//! In: a chain, where its frames stand, a state; the label of a value. Out: the number that the
+//! label says, by the products and sums of [`homogen`] in frame 0. It knows no function and no program.
 
 use std::array::from_fn;
 
 use homogen::{Acceleration, Action, Inertia, Pose, Screw, Velocity};
 use homogen_codegen::chain::Chain;
-use homogen_codegen::expression::{Term, evaluate};
+use homogen_codegen::expression::{Block, Component, Label, Numeral, Of, Quantity, Term, evaluate};
 use homogen_codegen::joint::Motion;
 use homogen_codegen::layout::{Body, Layout, arrange};
 use homogen_codegen::list::Id;
@@ -127,155 +127,91 @@ impl Matrices {
         })
     }
 
-    /// What the entry of that name may be: of actions there are those of a motion and those of the columns
-    /// of the mass matrix, and of inertias in frame 0 those of a body and of all that it carries.
-    pub fn named(&self, name: &str) -> Option<Vec<f64>> {
-        let (name, sign) = match name.strip_prefix("minus_") {
-            Some(name) => (name, -1.0),
-            None => (name, 1.0),
+    /// What the entry may be: of actions there are those of a motion and those of the columns of the mass matrix,
+    /// and of inertias in frame 0 those of a body and of all that it carries. Nothing of what is no matrix of the paper.
+    pub fn of(&self, label: Label) -> Vec<f64> {
+        let Quantity { block, of, frame } = label.quantity;
+        let m_k_0 = frame.map_or_else(Pose::identity, |frame| self.frame(frame.0).inverse());
+        let at = |vector: [f64; 3]| match label.component {
+            Component::Along(k) => vector[k],
+            other => panic!("{other:?} of a vector"),
         };
-        let (letter, subscripts) = name.split_once('_')?;
-        let (pair, rest) = match subscripts.split_once("_in_") {
-            Some((pair, rest)) => (pair, Some(rest)),
-            None => (subscripts, None),
-        };
-        let values = match rest {
-            Some(rest) => {
-                let (frame, entry) = rest.split_once('_')?;
-                let m_k_0 = self.frame(frame.parse().ok()?).inverse();
-                self.in_frame(letter, pair, &m_k_0, entry, frame == "0")?
+        let (Of::Body(body) | Of::FromBase(body) | Of::TipFrom(body) | Of::Pair(body, _)) = of;
+        // A body is counted from 1, and frame 0 is that of none.
+        let i = || body.0.checked_sub(1).expect("a body");
+        let h = |which: usize| m_k_0.change_frame(&self.h[which][i()]);
+        let values = match block {
+            Block::Axis(axis) => {
+                let pose = self.seen(of);
+                vec![at(from_fn(|row| pose.rotation()[row][axis]))]
             }
-            None if letter == "m" => {
-                let (pair, entry) = pair.rsplit_once('_')?;
-                vec![self.relative_pose(pair, entry)?]
-            }
-            None => return None,
-        };
-        Some(values.into_iter().map(|value| sign * value).collect())
-    }
-
-    /// An entry of Mᵢⱼ: column and row.
-    fn relative_pose(&self, pair: &str, entry: &str) -> Option<f64> {
-        let (i, j) = pair.split_once('_')?;
-        let to = match j {
-            "n" => self.end.1,
-            j => self.frame(j.parse().ok()?),
-        };
-        let m = self.frame(i.parse().ok()?).inverse() * to;
-        let row = axis(entry.get(1..)?)?;
-        Some(match entry.get(..1)? {
-            "t" => m.translation()[row],
-            column => m.rotation()[row][axis(column)?],
-        })
-    }
-
-    fn in_frame(
-        &self,
-        letter: &str,
-        pair: &str,
-        m_k_0: &Pose<f64>,
-        entry: &str,
-        in_base: bool,
-    ) -> Option<Vec<f64>> {
-        let body = |i: &str| {
-            i.parse::<usize>()
-                .ok()?
-                .checked_sub(1)
-                .filter(|i| *i < self.m.len())
-        };
-        let of_base = || pair.strip_prefix("0_").and_then(body);
-        let value = match letter {
-            "w" => {
-                let w = match pair.split_once('_')? {
-                    (i, "n") => {
-                        let w = self.end.0.map_or_else(Velocity::zero, |end| self.w[end]);
-                        let i = i.parse::<usize>().ok()?.checked_sub(1);
-                        w - i.map_or_else(Velocity::zero, |i| self.w[i])
-                    }
-                    _ => self.w[of_base()?],
-                };
-                let w = m_k_0.change_frame(&w);
-                match entry.strip_prefix('v') {
-                    Some(entry) => w.v()[axis(entry)?],
-                    None => w.omega()[axis(entry)?],
-                }
-            }
-            "wd" => m_k_0.change_frame(&self.h[0][of_base()?]).omega_dot()[axis(entry)?],
+            Block::Origin => vec![at(self.seen(of).translation())],
+            Block::AngularVelocity => vec![at(m_k_0.change_frame(&self.velocity(of)).omega())],
+            Block::LinearVelocity => vec![at(m_k_0.change_frame(&self.velocity(of)).v())],
+            Block::AngularAcceleration => vec![at(h(0).omega_dot())],
             // Of dynamics, from which gravity is taken, or of momentum, from which it is not.
-            "h" => {
-                let (body, entry) = (of_base()?, axis(entry)?);
-                let known = [1, 0].map(|which| m_k_0.change_frame(&self.h[which][body]).a()[entry]);
-                return Some(known.to_vec());
-            }
-            "l" => {
-                let l = m_k_0.change_frame(&self.l[body(pair)?]);
-                let part = if entry.starts_with('u') { l.u() } else { l.b() };
-                part[axis(entry.get(1..)?)?]
-            }
-            "j" => {
+            Block::LinearAcceleration => vec![at(h(1).a()), at(h(0).a())],
+            Block::Direction => vec![at(m_k_0.change_frame(&self.l[i()]).u())],
+            Block::Moment => vec![at(m_k_0.change_frame(&self.l[i()]).b())],
+            Block::Inertia => {
                 // With what it carries, of which the mass matrix is made; in frame 0 also by itself.
-                let i = body(pair)?;
-                let whole = self
-                    .outboard(i)
-                    .fold(Inertia::zero(), |sum, k| sum + self.j[k]);
-                let known = [Some(whole), in_base.then_some(self.j[i])];
-                let known = known.into_iter().flatten();
-                return known
-                    .map(|j| inertia_entry(&m_k_0.change_frame(&j), entry))
-                    .collect();
+                let own = (frame == Some(Numeral(0))).then_some(self.j[i()]);
+                let known = [Some(self.carried(i())), own].into_iter().flatten();
+                let entry = |j: Inertia<f64>| match (m_k_0.change_frame(&j), label.component) {
+                    (j, Component::Second(row, column)) => j.second_moments()[row][column],
+                    (j, Component::Mass) => j.mass(),
+                    (j, _) => at(j.q()),
+                };
+                known.map(entry).collect()
             }
             // The first moment in J, by the mass of the robot.
-            "c" => {
-                let carried = self.outboard(body(pair)?);
-                let whole = carried.fold(Inertia::zero(), |sum, k| sum + self.j[k]);
-                m_k_0.change_frame(&whole).q()[axis(entry)?] / self.mass
-            }
-            "phi" => return self.actions(body(pair)?, m_k_0, entry),
-            _ => return None,
+            Block::MassCenter => vec![at(m_k_0.change_frame(&self.carried(i())).q()) / self.mass],
+            Block::Couple => self
+                .actions(i())
+                .map(|phi| at(m_k_0.change_frame(&phi).c()))
+                .into(),
+            Block::Force => self
+                .actions(i())
+                .map(|phi| at(m_k_0.change_frame(&phi).f()))
+                .into(),
+            Block::Pivot | Block::Factor => Vec::new(),
         };
-        Some(vec![value])
+        let sign = if label.negative { -1.0 } else { 1.0 };
+        values.into_iter().map(|value| sign * value).collect()
     }
 
-    /// Φ through a joint: of the motion, and of its own column of the mass matrix.
-    fn actions(&self, i: usize, m_k_0: &Pose<f64>, entry: &str) -> Option<Vec<f64>> {
+    /// M of what a label is of.
+    fn seen(&self, of: Of) -> Pose<f64> {
+        match of {
+            Of::TipFrom(i) => self.frame(i.0).inverse() * self.end.1,
+            Of::FromBase(i) => self.frame(i.0),
+            Of::Body(_) | Of::Pair(..) => panic!("{of:?} of a pose"),
+        }
+    }
+
+    /// W of what a label is of, in frame 0.
+    fn velocity(&self, of: Of) -> Velocity<f64> {
+        let at = |body: Option<usize>| body.map_or_else(Velocity::zero, |body| self.w[body]);
+        match of {
+            Of::TipFrom(i) => at(self.end.0) - at(i.0.checked_sub(1)),
+            Of::FromBase(i) => at(i.0.checked_sub(1)),
+            Of::Body(_) | Of::Pair(..) => panic!("{of:?} of a velocity"),
+        }
+    }
+
+    /// J of a body with all that it carries, in frame 0.
+    fn carried(&self, i: usize) -> Inertia<f64> {
+        self.outboard(i)
+            .fold(Inertia::zero(), |sum, k| sum + self.j[k])
+    }
+
+    /// Φ through a joint, in frame 0: of the motion, and of its own column of the mass matrix.
+    fn actions(&self, i: usize) -> [Action<f64>; 2] {
         let of_motion = self.outboard(i).fold(Action::zero(), |sum, k| {
             sum + self.j[k].action(&self.h[1][k])
         });
-        let whole = self
-            .outboard(i)
-            .fold(Inertia::zero(), |sum, k| sum + self.j[k]);
         let second =
             Acceleration::from_velocity_derivative(&Velocity::zero(), &self.l[i].velocity(1.0));
-        let at = axis(entry.get(1..)?)?;
-        let part = |phi: Action<f64>| {
-            let phi = m_k_0.change_frame(&phi);
-            if entry.starts_with('c') {
-                phi.c()[at]
-            } else {
-                phi.f()[at]
-            }
-        };
-        Some(vec![part(of_motion), part(whole.action(&second))])
+        [of_motion, self.carried(i).action(&second)]
     }
-}
-
-fn inertia_entry(j: &Inertia<f64>, entry: &str) -> Option<f64> {
-    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = j.second_moments();
-    let known = [
-        ("xx", xx),
-        ("yy", yy),
-        ("zz", zz),
-        ("xy", xy),
-        ("xz", xz),
-        ("yz", yz),
-    ];
-    match known.iter().find(|(name, _)| *name == entry) {
-        Some((_, value)) => Some(*value),
-        None if entry == "m" => Some(j.mass()),
-        None => Some(j.q()[axis(entry)?]),
-    }
-}
-
-fn axis(name: &str) -> Option<usize> {
-    ["x", "y", "z"].iter().position(|axis| *axis == name)
 }

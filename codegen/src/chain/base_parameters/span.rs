@@ -156,14 +156,6 @@ struct Column {
 }
 
 impl Column {
-    fn of(name: Option<ParameterId>, entries: impl Iterator<Item = Entry>) -> Self {
-        Self {
-            name,
-            rest: entries.map(Rest::of).collect(),
-            parts: Vec::new(),
-        }
-    }
-
     /// Takes off what it has of a reduced column.
     fn reduce(&mut self, kept: &Kept) {
         let part = self.rest[kept.pivot];
@@ -193,10 +185,7 @@ impl Span {
         name: Option<ParameterId>,
         column: impl Iterator<Item = Entry>,
     ) -> Option<Combination> {
-        let mut column = Column::of(name, column);
-        for kept in &self.kept {
-            column.reduce(kept);
-        }
+        let column = self.reduced(name, column);
         let left = column.significance();
         if left <= SIGNIFICANT {
             self.left.most = self.left.most.max(left);
@@ -212,13 +201,8 @@ impl Span {
         &mut self,
         columns: impl Iterator<Item = (ParameterId, C)>,
     ) {
-        let columns = columns.map(|(name, column)| Column::of(Some(name), column));
+        let columns = columns.map(|(name, column)| self.reduced(Some(name), column));
         let mut columns: Vec<Column> = columns.collect();
-        for kept in &self.kept {
-            for column in &mut columns {
-                column.reduce(kept);
-            }
-        }
         loop {
             let left = columns.iter().map(Column::significance).enumerate();
             let Some((most, left)) = left.max_by(|(_, a), (_, b)| a.total_cmp(b)) else {
@@ -233,6 +217,19 @@ impl Span {
                 column.reduce(kept);
             }
         }
+    }
+
+    /// A column, less all that it has of those that are there.
+    fn reduced(&self, name: Option<ParameterId>, entries: impl Iterator<Item = Entry>) -> Column {
+        let mut column = Column {
+            name,
+            rest: entries.map(Rest::of).collect(),
+            parts: Vec::new(),
+        };
+        for kept in &self.kept {
+            column.reduce(kept);
+        }
+        column
     }
 
     /// Adds a reduced column that has some significance.

@@ -32,7 +32,7 @@ fn steps(real: Real, operations: &[Operation]) -> Module {
     let program = Program {
         angles: Vec::new(),
         before_angles: 0,
-        steps: operations.iter().map(|&of| step("", of)).collect(),
+        steps: operations.iter().map(|&of| step(None, of)).collect(),
         results: vec![Operand::Step(last), literal(-0.5)],
         ..Program::default()
     };
@@ -125,10 +125,10 @@ HOMOGEN_FN void pendulum_gravity(const pendulum_robot *robot, const float q[2], 
     const pendulum_turn turn_1_2 = pendulum_sin_cos(q_1_2);
     const float c_1_2 = turn_1_2.cosine;
     const float t_1 = payload * 2.4525f;
-    const float phi_2 = t_1 * c_1_2;
-    const float phi_1 = 9.81f * c_1 + phi_2;
-    gravity[0] = phi_1;
-    gravity[1] = phi_2;
+    const float d_2 = t_1 * c_1_2;
+    const float d_1 = 9.81f * c_1 + d_2;
+    gravity[0] = d_1;
+    gravity[1] = d_2;
 }
 ";
     assert!(text.ends_with(function), "{text}");
@@ -137,14 +137,14 @@ HOMOGEN_FN void pendulum_gravity(const pendulum_robot *robot, const float q[2], 
 #[test]
 fn products_fuse_where_the_processor_has_the_instruction() {
     let plain = written(&module(Real::F64));
-    assert!(plain.text.contains("= 9.81 * c_1 + phi_2;"));
+    assert!(plain.text.contains("= 9.81 * c_1 + d_2;"));
     assert!(!plain.text.contains("__builtin_fma") && !plain.text.contains("HOMOGEN_FMA"));
     for (real, call, letter) in [
-        (Real::F32, "PENDULUM_MUL_ADD(9.81f, c_1, phi_2)", "F"),
-        (Real::F64, "PENDULUM_MUL_ADD(9.81, c_1, phi_2)", ""),
+        (Real::F32, "PENDULUM_MUL_ADD(9.81f, c_1, d_2)", "F"),
+        (Real::F64, "PENDULUM_MUL_ADD(9.81, c_1, d_2)", ""),
     ] {
         let Source { header, text } = print(&module(real), &FUSED);
-        assert!(text.contains(&format!("phi_1 = {call};")), "{text}");
+        assert!(text.contains(&format!("d_1 = {call};")), "{text}");
         let macros = format!("#if defined(HOMOGEN_FMA{letter})\n");
         assert!(text.contains(&macros), "{text}");
         assert!(header.contains("as HOMOGEN_FMA does"), "{header}");
@@ -279,8 +279,8 @@ fn entries_of_large_matrices_are_stored_as_they_are_found() {
         angles: Vec::new(),
         before_angles: 0,
         steps: vec![
-            step("", Operation::Mul(two, q)),
-            step("", Operation::Add(Operand::Step(0), q)),
+            step(None, Operation::Mul(two, q)),
+            step(None, Operation::Add(Operand::Step(0), q)),
         ],
         results,
         ..Program::default()

@@ -34,7 +34,7 @@ fn steps(real: Real, operations: &[Operation]) -> Module {
     let program = Program {
         angles: Vec::new(),
         before_angles: 0,
-        steps: operations.iter().map(|&of| step("", of)).collect(),
+        steps: operations.iter().map(|&of| step(None, of)).collect(),
         results: vec![Operand::Step(last), literal(-0.5)],
         open: BTreeMap::new(),
     };

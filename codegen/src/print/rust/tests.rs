@@ -6,7 +6,7 @@ use quote::format_ident;
 use super::{Declaration, Item, Source, World, print, stub};
 use crate::accuracy::{Accuracy, Bound, Promise};
 use crate::description::Name;
-use crate::expression::Input;
+use crate::expression::{Block, Component, Input, Numeral, Of};
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::layout::Layout;
@@ -25,8 +25,13 @@ const Q: [Operand; 2] = [
     Operand::Input(Input::Variable(Variable::Q, 1)),
 ];
 
-pub(crate) fn step(label: &str, operation: Operation) -> Step {
-    let label = (!label.is_empty()).then(|| label.to_owned());
+/// A step, called as the pivot of that number if there is one.
+pub(crate) fn step(pivot: Option<usize>, operation: Operation) -> Step {
+    let label = pivot.map(|k| {
+        Block::Pivot
+            .of(Of::Body(Numeral(k)))
+            .entry(Component::Scalar)
+    });
     Step { label, operation }
 }
 
@@ -47,11 +52,11 @@ fn gravity(mass: Operand) -> Program {
         angles: vec![Q[0], Operand::Step(0)],
         before_angles: 1,
         steps: vec![
-            step("", Operation::Add(Q[0], Q[1])),
-            step("", Operation::Mul(mass, literal(2.4525))),
-            step("phi_2", Operation::Mul(Operand::Step(1), Operand::Cos(1))),
+            step(None, Operation::Add(Q[0], Q[1])),
+            step(None, Operation::Mul(mass, literal(2.4525))),
+            step(Some(2), Operation::Mul(Operand::Step(1), Operand::Cos(1))),
             step(
-                "phi_1",
+                Some(1),
                 Operation::MulAdd(literal(9.81), Operand::Cos(0), Operand::Step(2)),
             ),
         ],
@@ -234,9 +239,9 @@ impl Pendulum {
         let q_1_2 = q_1 + q_2;
         let ([_, _], [c_1, c_1_2]) = ::homogen::Scalar::sin_cos_all([q_1, q_1_2]);
         let t_1 = k(0.5) * k(2.4525);
-        let phi_2 = t_1 * c_1_2;
-        let phi_1 = mul_add(k(9.81), c_1, phi_2);
-        [phi_1, phi_2]
+        let d_2 = t_1 * c_1_2;
+        let d_1 = mul_add(k(9.81), c_1, d_2);
+        [d_1, d_2]
     }
 "#;
     assert!(text.starts_with(start), "{text}");

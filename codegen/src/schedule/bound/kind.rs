@@ -1,12 +1,11 @@
 //! How the value of a step came about, and what it has in common with others.
 //!
-//! In: a step, and the names of matrices that its label tells. Out: what is to be taken together, and
+//! In: a step, and its label. Out: what is to be taken together, and
 //! what is put in the place of what came from it. It never looks at how large a value is.
-
-use std::collections::HashMap;
 
 use super::turn::{Place, Turn};
 use super::value::Value;
+use crate::expression::{Component, Label, Quantity};
 use crate::schedule::{Operand, Operation, Step};
 
 /// How a value came about, as far as turns are concerned.
@@ -31,12 +30,14 @@ pub enum Of {
     Product(Operand, Operand),
 }
 
-/// What columns have in common whose values are entries of one vector, as far as names and factors
+/// What columns have in common whose values are entries of one vector, as far as labels and factors
 /// tell. A wrong guess costs sharpness, not truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// Entries of a matrix of the name with this number.
-    Named(u32),
+    /// Entries of one vector; of an inertia, of first moments and mass.
+    Entries(Quantity),
+    /// Second moments of one row.
+    Row(Quantity, usize),
     /// Entries of a turned vector, or sine and cosine themselves.
     Turned(u32),
     /// Products with this.
@@ -73,31 +74,27 @@ impl Follows {
     }
 }
 
-/// The names of matrices, as far as labels of entries tell.
-#[derive(Default)]
-pub struct Names<'p>(HashMap<&'p str, u32>);
-
-impl<'p> Names<'p> {
+impl Kind {
     /// What a step has in common with others.
-    pub fn kind(
-        &mut self,
-        operand: Operand,
-        label: Option<&'p str>,
-        form: &Form,
-        place: Option<Place>,
-    ) -> Kind {
-        if let Some(label) = label {
-            let label = label.strip_prefix("minus_").unwrap_or(label);
-            // The last letter tells the entry.
-            let end = label.char_indices().next_back().map_or(0, |(at, _)| at);
-            let next = u32::try_from(self.0.len()).expect("fewer than steps");
-            return Kind::Named(*self.0.entry(&label[..end]).or_insert(next));
+    pub fn of(operand: Operand, label: Option<Label>, form: &Form, place: Option<Place>) -> Self {
+        if let Some(Label {
+            quantity,
+            component,
+            ..
+        }) = label
+        {
+            return match component {
+                Component::Second(row, _) => Self::Row(quantity, row),
+                Component::Scalar | Component::Along(_) | Component::Mass => {
+                    Self::Entries(quantity)
+                }
+            };
         }
         match (place, form) {
             (Some(Place { angle, .. }), _) | (None, &Form::Turned(Turn { angle, .. })) => {
-                Kind::Turned(angle)
+                Self::Turned(angle)
             }
-            _ => Kind::Alone(operand),
+            _ => Self::Alone(operand),
         }
     }
 }

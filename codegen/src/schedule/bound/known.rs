@@ -2,7 +2,7 @@
 //!
 //! In: what a program runs under, and its first steps. Out: range and error of whatever a step may read.
 
-use super::kind::{Follows, Form, Kind, Names, Of};
+use super::kind::{Follows, Form, Kind, Of};
 use super::reason::Reason;
 use super::turn::{Place, Turns};
 use super::value::Value;
@@ -28,7 +28,6 @@ pub struct Known<'p> {
     /// Sines and cosines.
     pub turns: Turns,
     pub steps: Vec<Computed>,
-    pub names: Names<'p>,
 }
 
 /// What a step computes, and how that came about.

@@ -1,7 +1,7 @@
 //! That parting programs changes nothing but who computes what.
 
 use super::{Parts, part};
-use crate::expression::Input;
+use crate::expression::{Block, Component, Input, Numeral, Of};
 use crate::schedule::{Operand, Operation, Program, Step, run};
 use crate::space::Variable;
 
@@ -16,7 +16,11 @@ fn program(
     results: &[Operand],
 ) -> Program {
     let steps = steps.iter().map(|&operation| Step {
-        label: Some("w".to_owned()),
+        label: Some(
+            Block::Pivot
+                .of(Of::Body(Numeral(1)))
+                .entry(Component::Scalar),
+        ),
         operation,
     });
     Program {
@@ -106,7 +110,7 @@ fn what_programs_share_is_computed_once_and_nothing_of_it_is_left() {
     assert_eq!(left, [(2, 1), (1, 0)]);
     assert_eq!((each[0].before_angles, each[1].before_angles), (1, 0));
     // 2 t, m² s(2 t), m; m² + m, c(m²).
-    assert_eq!(names, ["w", "w_2", "mass", "w_3", "cosine"]);
+    assert_eq!(names, ["d_1", "d_1_2", "mass", "d_1_3", "cosine"]);
     assert_eq!(once.results.len(), names.len());
     assert_eq!(each[1].results[2], Operand::Literal(3.0));
 }

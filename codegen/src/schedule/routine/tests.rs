@@ -1,7 +1,7 @@
 //! What a routine is called and made of.
 
 use super::{Angle, Names, Readable, Routine, Statement, Stored, Value};
-use crate::expression::Input;
+use crate::expression::{Block, Component, Input, Numeral, Of};
 use crate::schedule::{Length, Operand, Operation, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
 
@@ -13,10 +13,7 @@ fn name(name: &str) -> Value {
 fn program() -> Program {
     let q = [0, 1].map(|joint| Operand::Input(Input::Variable(Variable::Q, joint)));
     let mass = Operand::Input(Input::Parameter(1, 1));
-    let step = |label: Option<&str>, operation| Step {
-        label: label.map(str::to_owned),
-        operation,
-    };
+    let step = |label, operation| Step { label, operation };
     Program {
         angles: vec![q[0], Operand::Step(0)],
         before_angles: 1,
@@ -27,7 +24,11 @@ fn program() -> Program {
                 Operation::MulAdd(Operand::Literal(0.5), Operand::Sin(0), mass),
             ),
             step(
-                Some("phi"),
+                Some(
+                    Block::Pivot
+                        .of(Of::Body(Numeral(2)))
+                        .entry(Component::Scalar),
+                ),
                 Operation::Mul(Operand::Cos(1), Operand::Step(1)),
             ),
         ],
@@ -61,7 +62,7 @@ fn routine(names: Names, stored: Stored) -> Routine {
 
 #[test]
 fn what_is_read_has_a_name_and_nothing_else() {
-    let routine = routine(Names::beside(&["q_2", "phi"]), Stored::AtTheEnd);
+    let routine = routine(Names::beside(&["q_2", "d_2"]), Stored::AtTheEnd);
     let some = |name: &str| Some(name.to_owned());
     let arguments = [
         (Variable::Q, vec![some("q_1"), some("q_2_"), None]),
@@ -84,10 +85,10 @@ fn what_is_read_has_a_name_and_nothing_else() {
             angle(name("q_1_2"), None, some("c_1_2")),
         ]),
         operation("t_1", Operation::MulAdd(half, name("s_1"), name("qd_"))),
-        operation("phi_", Operation::Mul(name("c_1_2"), name("t_1"))),
+        operation("d_2_", Operation::Mul(name("c_1_2"), name("t_1"))),
     ];
     assert_eq!(routine.statements, statements);
-    assert_eq!(routine.results, [name("phi_"), Value::Literal(0.0)]);
+    assert_eq!(routine.results, [name("d_2_"), Value::Literal(0.0)]);
     assert!(routine.has_literals && routine.is_fused);
     // What a language binds besides has a name of its own.
     let mut names = routine.names;
@@ -107,7 +108,7 @@ fn results_are_stored_behind_what_computes_them_where_that_is_asked_for() {
     // A number that is known at generation is there from the start.
     assert_eq!(as_found.stored, [0].into());
     let last = as_found.statements.pop();
-    assert_eq!(last, Some(Statement::Found(0, name("phi"))));
+    assert_eq!(last, Some(Statement::Found(0, name("d_2"))));
     assert_eq!(as_found.statements, at_the_end.statements);
 }
 

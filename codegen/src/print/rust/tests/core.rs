@@ -35,9 +35,9 @@ pub struct Pendulum {
         let (_, c_1) = Self::sin_cos(q_1);
         let (_, c_1_2) = Self::sin_cos(q_1_2);
         let t_1 = payload * 2.4525_f32;
-        let phi_2 = t_1 * c_1_2;
-        let phi_1 = 9.81_f32 * c_1 + phi_2;
-        [phi_1, phi_2]";
+        let d_2 = t_1 * c_1_2;
+        let d_1 = 9.81_f32 * c_1 + d_2;
+        [d_1, d_2]";
     assert_eq!(function(&text, "gravity"), gravity);
     assert!(
         text.contains("    fn sin_cos(angle: f32) -> (f32, f32) {\n"),
@@ -99,7 +99,7 @@ fn several_quantities_are_a_struct_and_for_c_an_array_each() {
     let text = pretty(&print(&module, &made(), &World::Core(library.clone())));
     for part in [
         "    ) -> PendulumInverseDynamicsDerivatives {\n",
-        "        PendulumInverseDynamicsDerivatives {\n            dq: [[phi_1, phi_2], [phi_1, phi_2]],\n",
+        "        PendulumInverseDynamicsDerivatives {\n            dq: [[d_1, d_2], [d_1, d_2]],\n",
         "#[derive(Clone, Copy, Debug, PartialEq)]\npub struct PendulumInverseDynamicsDerivatives {\n",
         "    pub dqd: [[f32; 2]; 2],\n",
         "    inverse_dynamics_derivatives_dq.write(inverse_dynamics_derivatives_.dq);\n",

@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use homogen_random::Random;
 
 use super::{A, B, Conditions, Value, program, results, step};
-use crate::expression::{Arithmetic, Double, Input};
+use crate::expression::{Arithmetic, Block, Component, Double, Input, Numeral, Of};
 use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program, run};
 use crate::space::Variable;
@@ -110,12 +110,15 @@ fn drawn(seed: u64) -> Program {
     for _ in 0..14 {
         draft.grow();
     }
-    let labels = ["w_0_1_in_1_x", "w_0_1_in_1_y", "minus_w_0_1_in_1_z"];
+    let omega = Block::AngularVelocity
+        .of(Of::FromBase(Numeral(1)))
+        .seen_in(Numeral(1));
+    let labels = [0, 1, 2].map(|k| omega.entry(Component::Along(k)));
     let mut program = program(&[A], &draft.operations);
     let mut random = draft.random;
     for step in &mut program.steps {
         // Names that mean nothing may cost sharpness only.
-        step.label = (random.below(3) == 0).then(|| labels[random.below(3)].to_owned());
+        step.label = (random.below(3) == 0).then(|| labels[random.below(3)]);
     }
     let count = u32::try_from(program.steps.len()).expect("few");
     program.results = (0..count).map(step).collect();

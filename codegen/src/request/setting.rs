@@ -1,0 +1,191 @@
+//! Settings: each key with which something is asked for, one row a key.
+//!
+//! In: nothing; a shared noun. A row has the part of a [`Request`] that it sets, the key in attributes, whose values the
+//! description reads, the flag of the command line, whose values [`text`] reads and says again, and the words of help
+//! and guide.
+
+#[cfg(feature = "files")]
+pub mod text;
+
+use std::fmt::Write;
+
+use crate::joint::drive::Part;
+use crate::name::Name;
+use crate::number::Number;
+use crate::request::Request;
+
+/// A key, and all that follows from it.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The key in attributes.
+    pub key: &'static str,
+    /// What it sets, and how values are written.
+    pub form: SettingForm,
+    /// How it is written in attributes; nothing where they have no such key.
+    pub example: &'static str,
+    /// The name on the command line, where that is not the key.
+    name: Option<&'static str>,
+    /// The group of flags, one of the bits below; none where a command reads the flag by itself, or has none.
+    pub group: u8,
+    /// What stands for the value in help; it ends with … where a flag takes several, with commas between them.
+    pub value: &'static str,
+    /// What help says.
+    pub help: &'static str,
+    /// The key of the flag that has to stand beside it.
+    pub needs: Option<&'static str>,
+}
+
+/// The part of a request that a setting sets.
+type Of<T> = fn(&mut Request) -> &mut T;
+
+/// What a setting sets, and how values are written.
+#[derive(Clone, Copy, Debug)]
+pub enum SettingForm {
+    /// The file that describes the robot.
+    File,
+    /// The key alone.
+    Switch(Of<bool>),
+    /// A link.
+    Name(Of<Option<Name>>),
+    /// Links or joints.
+    Names(Of<Vec<Name>>),
+    /// Joints, each with or without a coordinate.
+    Positions(Of<Vec<(Name, Option<Number>)>>),
+    /// Joints, each with a number or one for each velocity; or the key alone, where that is a switch.
+    Drive(Part, Option<Of<bool>>),
+    /// Links on which external forces act, and the frame of these.
+    External(Of<Vec<Name>>),
+    /// Three numbers, or none.
+    Gravity,
+    /// A positive number, in these words.
+    Count(Of<Option<usize>>, &'static str),
+    /// Functions, alone or together.
+    Functions,
+    /// Words of a formulation.
+    Formulation,
+    /// The name of a processor.
+    Processor,
+    /// A type of number.
+    Scalar,
+    /// The path of the runtime.
+    Runtime,
+    /// Loops, each as attributes have it behind the word `loop`.
+    Loops,
+}
+
+/// Flags that say which part of a robot moves.
+pub const SCOPE: u8 = 1;
+/// Flags that say which robot it is and how it is computed.
+pub const ROBOT: u8 = 1 << 1;
+/// Flags that name functions.
+pub const FUNCTIONS: u8 = 1 << 2;
+/// Flags that name further frames.
+pub const FRAMES: u8 = 1 << 3;
+/// Flags beside the fields of a struct.
+pub const FIELDS: u8 = 1 << 4;
+/// Flags of a file in Rust, C or LLVM IR.
+pub const FILE: u8 = 1 << 5;
+
+/// A row without what most have.
+const SETTING: Setting = Setting {
+    key: "",
+    form: SettingForm::File,
+    example: "",
+    name: None,
+    group: 0,
+    value: "",
+    help: "",
+    needs: None,
+};
+
+/// All of them, in the order in which help, the heads of files and messages list them.
+#[rustfmt::skip]
+pub const SETTINGS: [Setting; 30] = [
+    Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
+    Setting { key: "dh", form: SettingForm::File, example: r#"dh = "arm.dh""#, ..SETTING },
+    Setting { key: "base", form: SettingForm::Name(|asked| &mut asked.base), example: r#"base = "link""#, group: SCOPE, value: "LINK",
+        help: "The link taken as fixed [default: the root]", ..SETTING },
+    Setting { key: "floating", form: SettingForm::Switch(|asked| &mut asked.floating), example: "floating", group: SCOPE,
+        help: "Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a quaternion x, y, z, w) and six velocities in its own frame, linear first", ..SETTING },
+    Setting { key: "tip", form: SettingForm::Name(|asked| &mut asked.tip), example: r#"tip = "link""#, group: SCOPE, value: "LINK",
+        help: "The link whose frame poses and Jacobians are of [default: the last link, where there is only one]", ..SETTING },
+    Setting { key: "path_only", form: SettingForm::Switch(|asked| &mut asked.path_only), example: "path_only", group: SCOPE,
+        help: "Lock every joint that does not move the tip; the bodies stay as mass", ..SETTING },
+    Setting { key: "lock", form: SettingForm::Positions(|asked| &mut asked.lock), example: "lock(joint, other = 0.3)", group: SCOPE, value: "JOINT[=q]",
+        help: "Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass", ..SETTING },
+    Setting { key: "drop", form: SettingForm::Names(|asked| &mut asked.drop), example: "drop(link)", group: ROBOT, value: "LINK",
+        help: "Take a link off with all that it carries, and with their mass", ..SETTING },
+    Setting { key: "loop", form: SettingForm::Loops, group: ROBOT, value: "NAME: TYPE {…}",
+        help: "Close a loop by a joint between two links, as attributes have it: 'pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }'", ..SETTING },
+    Setting { key: "actuated", form: SettingForm::Names(|asked| &mut asked.actuated), example: "actuated(joint, other)", group: ROBOT, value: "JOINT",
+        help: "A joint that is driven, where loops move the others", ..SETTING },
+    Setting { key: "gravity", form: SettingForm::Gravity, example: "gravity = [0.0, 0.0, -9.81], or gravity = none", group: ROBOT, value: "x,y,z",
+        help: "Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]", ..SETTING },
+    Setting { key: "external", form: SettingForm::External(|asked| &mut asked.external), example: "external(gripper)", group: ROBOT, value: "LINK,…",
+        help: "A link on which the surroundings act: inverse and forward dynamics and their derivatives take an action for each, in its own frame", ..SETTING },
+    Setting { key: "external_in_frame_0", form: SettingForm::Switch(|asked| &mut asked.external_in_frame_0), group: ROBOT, needs: Some("external"),
+        help: "These actions are in frame 0", ..SETTING },
+    Setting { key: "friction", form: SettingForm::Drive(Part::Friction, Some(|asked| &mut asked.friction)), example: "friction(joint = 0.1)", group: ROBOT, value: "JOINT=f",
+        help: "Model the friction that the file has, and that of a joint where one is given (N m or N)", ..SETTING },
+    Setting { key: "damping", form: SettingForm::Drive(Part::Damping, None), example: "damping(joint = 0.1)", group: ROBOT, value: "JOINT=d",
+        help: "Viscous friction of a joint (N m s/rad or N s/m), and all friction that the file has", ..SETTING },
+    Setting { key: "rotors", form: SettingForm::Switch(|asked| &mut asked.rotors), example: "rotors", group: ROBOT,
+        help: "Model the rotors that the file has, with their gears", ..SETTING },
+    Setting { key: "armature", form: SettingForm::Drive(Part::Armature, None), example: "armature(joint = 0.1)", group: ROBOT, value: "JOINT=a",
+        help: "Inertia that a joint feels beside that of the bodies (kg m² or kg), and all rotors that the file has", ..SETTING },
+    Setting { key: "rotor", form: SettingForm::Drive(Part::Rotor, None), example: "rotor(joint = 0.1)", group: ROBOT, value: "JOINT=j",
+        help: "Inertia of a joint's rotor (kg m²), which counts times the square of the ratio", ..SETTING },
+    Setting { key: "ratio", form: SettingForm::Drive(Part::Ratio, None), example: "ratio(joint = 0.1)", group: ROBOT, value: "JOINT=n",
+        help: "Turns of a rotor for each of its joint [default: what the file says, or 1]", ..SETTING },
+    Setting { key: "exact", form: SettingForm::Switch(|asked| &mut asked.exact), example: "exact", group: ROBOT,
+        help: "Keep an angle such as 1.5708 as written instead of taking it for a right angle", ..SETTING },
+    Setting { key: "strict", form: SettingForm::Switch(|asked| &mut asked.strict), example: "strict", group: ROBOT,
+        help: "Refuse what is doubtful, such as inertias that no body can have, instead of warning", ..SETTING },
+    Setting { key: "processor", form: SettingForm::Processor, example: r#"processor = "cortex-m4""#, group: ROBOT, value: "NAME",
+        help: "The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64 [default: portable]", ..SETTING },
+    Setting { key: "formulation", form: SettingForm::Formulation, example: "formulation(raw, refined = 1)", group: ROBOT, value: "WORD,…",
+        help: "How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged, unfused, platform-sines [default: what the engine chooses]", ..SETTING },
+    Setting { key: "generate", form: SettingForm::Functions, example: "generate(inverse_dynamics)", name: Some("functions"), group: FUNCTIONS, value: "NAME,…",
+        help: "The functions; several with + between them share their work and count as one [default: all]", ..SETTING },
+    Setting { key: "frames", form: SettingForm::Names(|asked| &mut asked.frames), example: "frames(link, other)", group: FRAMES, value: "LINK,…",
+        help: "Further links whose poses and Jacobians are wanted", ..SETTING },
+    Setting { key: "scalar", form: SettingForm::Scalar, example: "scalar = f32", ..SETTING },
+    Setting { key: "prepare", form: SettingForm::Switch(|asked| &mut asked.prepare), example: "prepare", group: FIELDS,
+        help: "Compute once what depends on fields alone", ..SETTING },
+    Setting { key: "batch", form: SettingForm::Switch(|asked| &mut asked.batch), example: "batch", group: FILE, needs: Some("runtime"),
+        help: "Functions of slices of states besides", ..SETTING },
+    Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the most statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
+        help: "The most statements of one compiled function: longer ones are cut into sections that are called one after the other [default: 2000, of functions with more than 8000]", ..SETTING },
+    Setting { key: "crate", form: SettingForm::Runtime, example: r#"crate = "::homogen""#, name: Some("runtime"), ..SETTING },
+];
+
+/// The keys of attributes.
+pub fn of_attributes() -> impl Iterator<Item = &'static Setting> {
+    SETTINGS
+        .iter()
+        .filter(|setting| !setting.example.is_empty())
+}
+
+/// The table of the guide: each flag, and the key of attributes that says the same.
+#[must_use]
+pub fn page() -> String {
+    let mut page = "| option | in attributes | |\n|---|---|---|\n".to_owned();
+    for setting in SETTINGS.iter().filter(|setting| setting.group != 0) {
+        let flag = format!("--{} {}", setting.flag_name(), setting.value);
+        let examples = setting.example.split(", or ");
+        let examples = examples.filter(|example| !example.is_empty());
+        let examples: Vec<String> = examples.map(|example| format!("`{example}`")).collect();
+        let (flag, examples, help) = (flag.trim_end(), examples.join(", "), setting.help);
+        // Writing to a string cannot fail.
+        let _ = writeln!(page, "| `{flag}` | {examples} | {help} |");
+    }
+    page
+}
+
+impl Setting {
+    /// The flag of the command line, without the dashes before it.
+    #[must_use]
+    pub fn flag_name(&self) -> String {
+        self.name.unwrap_or(self.key).replace('_', "-")
+    }
+}

@@ -1,0 +1,230 @@
+//! Settings on the command line.
+//!
+//! In: the value of a flag, or a request. Out: the request with what the flag says, or the values that say the same
+//! again. It never knows a shell.
+
+use std::num::NonZeroUsize;
+
+use proc_macro2::TokenStream;
+
+use super::{Setting, SettingForm};
+use crate::formulation::{Formulation, Reader};
+use crate::function::Function;
+use crate::name::Name;
+use crate::number::Number;
+use crate::processor::Processor;
+use crate::real::Real;
+use crate::request::Request;
+use crate::wording::known;
+
+impl Setting {
+    /// Sets what a flag says, with its value, which is empty where it stands alone. A setting without a group has no
+    /// such value, and sets nothing.
+    ///
+    /// # Errors
+    /// What is wrong with the value.
+    pub fn take(&self, text: &str, request: &mut Request) -> Result<(), String> {
+        match self.form {
+            SettingForm::Switch(of) => *of(request) = true,
+            SettingForm::Drive(_, Some(alone)) if text.is_empty() => *alone(request) = true,
+            SettingForm::Drive(part, alone) => {
+                let (joint, numbers) = text
+                    .rsplit_once('=')
+                    .ok_or("a joint and its number have = between them")?;
+                let numbers = numbers.split(',').map(number).collect::<Result<_, _>>()?;
+                request.drives.push((joint.into(), part, numbers));
+                if let Some(alone) = alone {
+                    *alone(request) = true;
+                }
+            }
+            SettingForm::Name(of) => *of(request) = Some(text.into()),
+            SettingForm::Names(of) | SettingForm::External(of) => of(request).push(text.into()),
+            SettingForm::Positions(of) => of(request).push(match text.rsplit_once('=') {
+                Some((joint, at)) => (joint.into(), Some(number(at)?)),
+                None => (text.into(), None),
+            }),
+            SettingForm::Gravity if text == "none" => request.gravity = Some(Default::default()),
+            SettingForm::Gravity => {
+                let entries: Vec<Number> = text.split(',').map(number).collect::<Result<_, _>>()?;
+                let refusal = "gravity is three numbers with commas between them, or none";
+                request.gravity = Some(entries.try_into().map_err(|_| refusal)?);
+            }
+            SettingForm::Count(of, _) => {
+                let count = text.parse::<NonZeroUsize>();
+                *of(request) = Some(count.map_err(|reason| reason.to_string())?.get());
+            }
+            SettingForm::Functions => request.functions.push(together(text)?),
+            SettingForm::Formulation => request.formulation = formulation(text)?,
+            SettingForm::Processor => {
+                let refusal = |hint| format!("there is no such processor\n  hint: {hint}");
+                request.processor = Processor::from_name(text).map_err(refusal)?;
+            }
+            SettingForm::Loops => request.loops.push(text.to_owned()),
+            SettingForm::File | SettingForm::Scalar | SettingForm::Runtime => {}
+        }
+        Ok(())
+    }
+
+    /// The values with which its flag says the same of a request; none of a flag that stands alone. What is said of
+    /// drives stands in the order of the request, and is none of this.
+    #[must_use]
+    pub fn said(&self, request: &mut Request) -> Vec<Option<String>> {
+        let texts = |names: &[Name]| names.iter().map(|name| Some(name.text.clone())).collect();
+        let one = |value: Option<String>| value.into_iter().map(Some).collect();
+        match self.form {
+            SettingForm::Switch(of) | SettingForm::Drive(_, Some(of)) => {
+                of(request).then_some(None).into_iter().collect()
+            }
+            SettingForm::Name(of) => texts(of(request).as_slice()),
+            SettingForm::Names(of) | SettingForm::External(of) => texts(of(request)),
+            SettingForm::Positions(of) => {
+                let said = of(request).iter().map(|(joint, at)| match at {
+                    Some(at) => Some(format!("{}={}", joint.text, at.value)),
+                    None => Some(joint.text.clone()),
+                });
+                said.collect()
+            }
+            SettingForm::Gravity => one(request.gravity.map(|gravity| numbers(&gravity))),
+            SettingForm::Count(of, _) => one(of(request).map(|count| count.to_string())),
+            SettingForm::Functions => {
+                let items = request.functions.iter().map(|functions| {
+                    let names: Vec<&str> =
+                        functions.iter().map(|function| function.name()).collect();
+                    names.join("+")
+                });
+                let items = items.collect::<Vec<_>>().join(",");
+                one(Some(items).filter(|items| !items.is_empty()))
+            }
+            SettingForm::Formulation => {
+                let words = dashed(&request.formulation.words().join(","));
+                one(Some(words).filter(|words| !words.is_empty()))
+            }
+            SettingForm::Processor => {
+                let chosen =
+                    (request.processor != Processor::Portable).then_some(request.processor);
+                one(chosen.map(|processor| processor.name().to_owned()))
+            }
+            // By default it is what code for `core` alone, or with the runtime, is of.
+            SettingForm::Scalar => match (request.scalar, &request.runtime) {
+                (Real::Generic, _) | (Real::F64, None) => Vec::new(),
+                (scalar, _) => one(Some(scalar.name().to_owned())),
+            },
+            SettingForm::Runtime => {
+                let path = request.runtime.as_ref();
+                one(path.map(spelled))
+            }
+            SettingForm::Loops => request.loops.iter().cloned().map(Some).collect(),
+            SettingForm::File | SettingForm::Drive(_, None) => Vec::new(),
+        }
+    }
+}
+
+/// Numbers with commas between them.
+pub(crate) fn numbers(numbers: &[Number]) -> String {
+    let numbers = numbers.iter().map(|number| number.value.to_string());
+    numbers.collect::<Vec<_>>().join(",")
+}
+
+/// A path without spaces.
+pub(crate) fn spelled(path: &TokenStream) -> String {
+    path.to_string().replace(' ', "")
+}
+
+fn number(text: &str) -> Result<Number, String> {
+    let number = text.trim().parse::<f64>();
+    let number = number.map_err(|_| format!("`{text}` is not a number"))?;
+    let finite = number.is_finite().then(|| number.into());
+    finite.ok_or_else(|| format!("`{text}` is not a finite number"))
+}
+
+/// The function of that name.
+///
+/// # Errors
+/// Where there is none: the names that there are.
+pub fn function(text: &str) -> Result<Function, String> {
+    Function::from_name(text).ok_or_else(|| {
+        let hint = known(text, "functions", &Function::names());
+        format!("there is no such function\n  hint: {hint}")
+    })
+}
+
+/// `mass_matrix`, or `mass_matrix+bias`.
+///
+/// # Errors
+/// Of a function that there is not, or that is there twice.
+pub fn together(text: &str) -> Result<Vec<Function>, String> {
+    let mut functions = Vec::new();
+    for name in text.split('+') {
+        let function = function(name)?;
+        if functions.contains(&function) {
+            return Err(format!("{name} is asked for twice"));
+        }
+        functions.push(function);
+    }
+    Ok(functions)
+}
+
+/// The words of attributes, with dashes.
+fn formulation(text: &str) -> Result<Formulation, String> {
+    let mut reader = Reader::default();
+    for item in text.split(',') {
+        let (word, value) = match item.split_once('=') {
+            Some((word, value)) => (word, Some(value.trim())),
+            None => (item, None),
+        };
+        let word = word.trim().replace('-', "_");
+        let refused = reader.take(&word, value);
+        refused
+            .map_err(|refusal| dashed(&format!("{}\n  hint: {}", refusal.message, refusal.hint)))?;
+    }
+    Ok(reader.formulation())
+}
+
+fn dashed(words: &str) -> String {
+    words.replace(" = ", "=").replace('_', "-")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{SETTINGS, SettingForm};
+    use crate::request::Request;
+
+    #[test]
+    fn what_a_flag_says_is_said_again() {
+        for (flag, value) in [
+            ("base", "a b"),
+            ("lock", "elbow"),
+            ("lock", "a=b=-0.25"),
+            ("drop", "hand"),
+            ("loop", "pin: spherical { from: a, to: b }"),
+            ("gravity", "0,-0,-1.62"),
+            ("external", "hand"),
+            ("processor", "cortex-m4"),
+            ("formulation", "frame-0,refined=1"),
+            ("functions", "gravity+bias"),
+            ("section", "12"),
+        ] {
+            let mut settings = SETTINGS.iter();
+            let setting = settings.find(|setting| setting.flag_name() == flag);
+            let (setting, mut request) = (setting.expect(flag), Request::default());
+            assert!(setting.said(&mut request).is_empty(), "{flag}");
+            assert_eq!(setting.take(value, &mut request), Ok(()), "{flag}");
+            assert_eq!(setting.said(&mut request), [Some(value.to_owned())]);
+        }
+    }
+
+    #[test]
+    fn each_switch_sets_its_own() {
+        let is_switch = |form| matches!(form, SettingForm::Switch(_));
+        let switches = || SETTINGS.iter().filter(|setting| is_switch(setting.form));
+        for setting in switches() {
+            let mut request = Request::default();
+            assert_eq!(setting.take("", &mut request), Ok(()), "{}", setting.key);
+            let set = switches().filter(|other| !other.said(&mut request).is_empty());
+            assert_eq!(
+                set.map(|other| other.key).collect::<Vec<_>>(),
+                [setting.key]
+            );
+        }
+    }
+}

@@ -8,6 +8,7 @@ mod error;
 
 use std::fmt::Write;
 
+use super::steps::Step;
 use crate::function::Function;
 use crate::module::{About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
@@ -68,7 +69,11 @@ pub(super) fn of_function(
         let results = results.flat_map(|function| function.result().parts());
         let layouts = results.filter_map(|(_, result)| result.entity.layout());
         lines.extend(layouts.map(str::to_owned));
-        lines.push(range(angles, generated));
+        lines.push(if generated.program.angles.is_empty() {
+            format!("{HUGE}.")
+        } else {
+            range(angles)
+        });
     }
     lines.push(origin(module));
     lines.extend(facts(about));
@@ -91,6 +96,15 @@ pub(super) fn of_function(
         let list = said.len() > 1;
         lines.extend(list.then(String::new));
         lines.extend(said);
+    }
+    lines
+}
+
+/// What is said of a function of configurations; `angles` where its result is a plain array.
+pub(super) fn of_step(module: &Module, step: Step, angles: Option<&Angles>) -> Vec<String> {
+    let mut lines = step.about().map(str::to_owned).to_vec();
+    if let Some(angles) = angles.filter(|_| step.turns(module)) {
+        lines.extend([String::new(), range(angles)]);
     }
     lines
 }
@@ -280,15 +294,16 @@ pub(super) fn price(generated: &GeneratedFunction, name: &str) -> Vec<String> {
     lines
 }
 
-/// For which arguments a result is precise, and what it is for others.
-fn range(angles: &Angles, generated: &GeneratedFunction) -> String {
-    let rest = "NaN, infinite and huge arguments give what IEEE arithmetic makes of them";
+/// Results of arguments that are no numbers or have no digits left.
+const HUGE: &str = "NaN, infinite and huge arguments give what IEEE arithmetic makes of them";
+
+/// For which angles a result is precise, and what it is for others.
+fn range(angles: &Angles) -> String {
     match angles {
-        _ if generated.program.angles.is_empty() => format!("{rest}."),
-        Angles::UpTo(range) => format!("Precise for angles up to {range}; {rest}."),
+        Angles::UpTo(range) => format!("Precise for angles up to {range}; {HUGE}."),
         Angles::As(path) => {
             let path = code(path);
-            format!("Precise for angles that {path} is precise for; {rest}.")
+            format!("Precise for angles that {path} is precise for; {HUGE}.")
         }
     }
 }

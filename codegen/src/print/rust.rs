@@ -28,6 +28,7 @@ mod pretty;
 mod results;
 #[cfg(feature = "files")]
 mod review;
+mod roots;
 mod sections;
 pub(super) mod sines;
 mod steps;
@@ -96,7 +97,7 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     methods.extend(steps::steps(module, item, &dialect));
     let (prepare, prepared) = prepared::prepared(module, item, &dialect);
     methods.extend(prepare);
-    methods.extend(dialect.own_sines(module));
+    methods.extend(dialect.own_functions(module));
     beside.extend(results::own_structures(module, item, &dialect));
     let declaration = declaration::declaration(module, item, &dialect);
     let [constants, for_c] = of_files(module, item, &dialect);

@@ -44,12 +44,6 @@ pub(super) fn class(class: &Class<'_>) -> TokenStream {
     let methods = methods.map(|each| method(class, each));
     let whole = whole(class);
     let attributes = attributes(class);
-    let posture = class.has_steps().then(|| {
-        quote! {
-            #[allow(dead_code, reason = "not every robot has every joint")]
-            mod posture;
-        }
-    });
     quote! {
         #![doc = " The robot as a class of Python."]
         #![allow(clippy::approx_constant, reason = "limits are what a description says")]
@@ -59,7 +53,6 @@ pub(super) fn class(class: &Class<'_>) -> TokenStream {
         mod functions;
         mod number;
         mod pack;
-        #posture
         mod processor;
         mod real;
         #[allow(clippy::all, reason = "generated code has one form for every robot")]

@@ -77,7 +77,10 @@ impl<'l> Class<'l> {
         let name = names.alone(&item.ident.unraw().to_string());
         let of_methods = of_methods(listing);
         let methods = listing.functions.iter().zip(&of_methods);
-        let steps = Step::of(listing).iter();
+        // The neutral configuration is an attribute.
+        let steps = Step::of(listing)
+            .iter()
+            .filter(|step| **step != Step::Neutral);
         let steps = steps.map(|&step| Method::of_step(step, &listing.spaces));
         let methods: Vec<_> = methods
             .map(|(generated, name)| {
@@ -112,11 +115,6 @@ impl<'l> Class<'l> {
                 .collect(),
             methods,
         }
-    }
-
-    /// Whether some of its coordinates are no angles and shifts.
-    pub fn has_steps(&self) -> bool {
-        !Step::of(self.listing).is_empty()
     }
 
     /// What NumPy calls its type of number.

@@ -15,7 +15,11 @@ use super::early::Filling;
 use super::literals::Numerals;
 use super::names::ident;
 use super::world::World;
+#[cfg(feature = "files")]
+use crate::module::Module;
 use crate::print::Fields;
+#[cfg(feature = "files")]
+use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
@@ -155,6 +159,44 @@ pub(super) fn body(
         statements,
         results,
     }
+}
+
+/// The statements of a function of configurations, and the entries of its result.
+#[cfg(feature = "files")]
+pub(super) fn of_step(
+    step: Step,
+    module: &Module,
+    dialect: &Dialect,
+) -> (TokenStream, Vec<TokenStream>) {
+    let mut names = dialect.names.clone();
+    let arguments = step.arguments().iter();
+    let arguments: Vec<Ident> = arguments.map(|(name, _)| dialect.local(name)).collect();
+    for argument in &arguments {
+        names.take(&argument.to_string());
+    }
+    let (numerals, constant) = dialect.numerals(arguments.first(), &mut names);
+    let routine = step.routine(module, names);
+    let mut statements = TokenStream::new();
+    if routine.has_literals {
+        statements.extend(constant);
+    }
+    for (argument, entries) in arguments.iter().zip(&routine.fields) {
+        let entries = entries.iter().map(Option::as_ref).map(pattern);
+        statements.extend(quote! { let [#(#entries),*] = *#argument; });
+    }
+    let mut writer = Writer {
+        dialect,
+        numerals,
+        fused: None,
+        names: routine.names,
+        work: None,
+        filling: None,
+        text: TokenStream::new(),
+        outside: Vec::new(),
+    };
+    statements.extend(writer.statements(&routine.statements));
+    let results = routine.results.iter().map(|result| writer.read(result));
+    (statements, results.collect())
 }
 
 impl Results {

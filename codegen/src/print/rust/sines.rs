@@ -15,8 +15,13 @@ use crate::schedule::Names;
 
 /// The function, which binds nothing that is called as the struct.
 pub(super) fn function(real: Real, robot: &Ident) -> TokenStream {
-    // The text is Rust: it is compiled below.
-    let function = TokenStream::from_str(text(real)).unwrap_or_default();
+    beside(text(real), robot)
+}
+
+/// A function of a file of its own, which binds nothing that is called as the struct.
+pub(super) fn beside(text: &str, robot: &Ident) -> TokenStream {
+    // The text is Rust: it is compiled in tests.
+    let function = TokenStream::from_str(text).unwrap_or_default();
     let mut names = Names::default();
     take(&function, &mut names);
     let other = names.alone(&robot.to_string());

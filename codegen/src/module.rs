@@ -29,6 +29,8 @@ pub struct Module {
     pub functions: Vec<GeneratedFunction>,
     /// The robot as data.
     pub data: ChainData,
+    /// Largest torque or force of each velocity \[N m, N\]; infinite where the description has none.
+    pub efforts: Vec<f64>,
     /// What base parameters are described as \[kg, kg m, kg m²\].
     pub base_values: Vec<f64>,
     /// Whether functions take slices of states besides.

@@ -23,6 +23,7 @@ pub(crate) mod chain;
 mod check;
 pub(crate) mod constrained;
 pub(crate) mod derivatives;
+pub(crate) mod described;
 pub(crate) mod drive;
 pub(crate) mod jacobian;
 pub(crate) mod joint;

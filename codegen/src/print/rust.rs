@@ -10,6 +10,7 @@ mod body;
 mod chain;
 mod comments;
 mod declaration;
+mod described;
 mod dialect;
 mod early;
 #[cfg(feature = "files")]
@@ -100,24 +101,22 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     methods.extend(dialect.own_functions(module));
     beside.extend(results::own_structures(module, item, &dialect));
     let declaration = declaration::declaration(module, item, &dialect);
-    let [constants, for_c] = of_files(module, item, &dialect);
+    let described = described::described(module, item, &dialect);
+    let for_c = for_c(module, item, &dialect);
     let methods = declaration::block(item, &methods, &dialect);
-    quote! { #declaration #constants #methods #beside #for_c #prepared }
+    quote! { #declaration #described #methods #beside #for_c #prepared }
 }
 
-/// What files have besides: constants for their reviewers, and functions for C.
+/// Functions for C, which files have.
 #[cfg(feature = "files")]
-fn of_files(module: &Module, item: &Item, dialect: &Dialect) -> [TokenStream; 2] {
-    [
-        review::constants(module, item, dialect),
-        extern_c::functions(module, item, dialect),
-    ]
+fn for_c(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
+    extern_c::functions(module, item, dialect)
 }
 
 /// Nothing, where no files are written.
 #[cfg(not(feature = "files"))]
-fn of_files(_: &Module, _: &Item, _: &Dialect) -> [TokenStream; 2] {
-    Default::default()
+fn for_c(_: &Module, _: &Item, _: &Dialect) -> TokenStream {
+    TokenStream::new()
 }
 
 /// A method of the robot, under what there is to say of it.

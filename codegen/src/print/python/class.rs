@@ -7,6 +7,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::described::{Class, Method};
+use crate::print::described::neutral;
 use crate::print::documentation;
 use crate::space::Space;
 use crate::wording::visible;
@@ -293,7 +294,7 @@ pub(super) fn vectors(class: &Class<'_>) -> Vec<(&'static str, &'static str, Vec
     let neutral = (
         "neutral",
         "Coordinates at which no joint is turned or shifted: zeros, and quaternions 0, 0, 0, 1.",
-        class.neutral(),
+        neutral(class.listing).numbers,
     );
     let base = class.listing.base_parameters().map(|values| {
         let about = "The base parameters that the base regressor is multiplied by, as described; kg, kg m, kg m².";

@@ -7,7 +7,6 @@ use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
 use super::names::{in_module, unscoped};
-use crate::list::Id;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::documentation;
 use crate::print::rust::names::{self as rust, ident, of_methods, type_name};
@@ -129,16 +128,6 @@ impl<'l> Class<'l> {
         entries
             .map(|entry| entry.range.unwrap_or(unknown))
             .collect()
-    }
-
-    /// The coordinates at which nothing is turned or shifted.
-    pub fn neutral(&self) -> Vec<f64> {
-        let spaces = &self.listing.spaces;
-        let mut q = spaces.coordinates.map(|_| 0.0);
-        for first in spaces.quaternions() {
-            q[first.plus(3)] = 1.0;
-        }
-        q.into()
     }
 }
 

@@ -142,6 +142,7 @@ pub(crate) fn module(scalar: Real) -> Module {
             ..About::default()
         },
         functions: vec![generated(&[Function::Gravity], gravity(literal(0.5)))],
+        efforts: vec![f64::INFINITY; 2],
         data: ChainData {
             names: vec!["shoulder".to_owned(), "elbow".to_owned()],
             parents: vec![None, Some(0)],
@@ -244,7 +245,7 @@ impl Pendulum {
         [d_1, d_2]
     }
 "#;
-    assert!(text.starts_with(start), "{text}");
+    assert!(text.contains(start), "{text}");
     let end = r"
 #[automatically_derived]
 impl<T: ::homogen::Scalar> ::homogen::robot::Gravity<2, T> for Pendulum {

@@ -1,0 +1,114 @@
+//! A robot's description of itself: names, limits and the neutral configuration, as lists that every language prints.
+//!
+//! In: a [`Module`]. Out: lists with their names and documentation. It formats no number.
+
+use crate::list::Id;
+use crate::module::Module;
+use crate::space::{Entry, Space};
+
+/// A list of names.
+pub(super) struct Names<'m> {
+    /// The name of the list, in small letters.
+    pub name: &'static str,
+    /// Its documentation.
+    pub about: &'static str,
+    /// The names, in the order of the entries.
+    pub names: Vec<&'m str>,
+}
+
+/// A list of numbers, one for each coordinate or velocity.
+pub(super) struct Numbers {
+    /// The name of the list, in small letters.
+    pub name: &'static str,
+    /// Its documentation.
+    pub about: &'static str,
+    /// The space of its entries.
+    pub space: Space,
+    /// The numbers; infinite where the description has none.
+    pub numbers: Vec<f64>,
+}
+
+/// Names of joints, coordinates, velocities and frames.
+pub(super) fn names(module: &Module) -> [Names<'_>; 4] {
+    let (spaces, data) = (&module.spaces, &module.data);
+    let list = |name, about, names| Names { name, about, names };
+    [
+        list(
+            "joints",
+            "Names of the joints that move, parents before children.",
+            data.names.iter().map(|name| &**name).collect(),
+        ),
+        list(
+            "coordinates",
+            "Names of the entries of q.",
+            spaces.names(Space::Coordinates).collect(),
+        ),
+        list(
+            "velocities",
+            "Names of the entries of q̇, q̈ and τ.",
+            spaces.names(Space::Velocities).collect(),
+        ),
+        list(
+            "frames",
+            "Names of the frames that have poses and Jacobians, the end effector first.",
+            data.frames.iter().map(|(name, _)| &**name).collect(),
+        ),
+    ]
+}
+
+/// Limits of q, q̇ and τ.
+pub(super) fn limits(module: &Module) -> [Numbers; 4] {
+    let ends = |entries: &[Entry], end: usize| -> Vec<f64> {
+        let unlimited = [f64::NEG_INFINITY, f64::INFINITY];
+        let ranges = entries.iter().map(|entry| entry.range.unwrap_or(unlimited));
+        ranges.map(|range| range[end]).collect()
+    };
+    let (coordinates, velocities) = (&module.spaces.coordinates, &module.spaces.velocities);
+    let list = |name, about, space, numbers| Numbers {
+        name,
+        about,
+        space,
+        numbers,
+    };
+    [
+        list(
+            "lower",
+            "Lower limits of q [rad or m].",
+            Space::Coordinates,
+            ends(coordinates, 0),
+        ),
+        list(
+            "upper",
+            "Upper limits of q [rad or m].",
+            Space::Coordinates,
+            ends(coordinates, 1),
+        ),
+        list(
+            "max_velocity",
+            "Limits of |q̇| [rad/s or m/s].",
+            Space::Velocities,
+            ends(velocities, 1),
+        ),
+        list(
+            "max_effort",
+            "Limits of |τ| [N m or N].",
+            Space::Velocities,
+            module.efforts.clone(),
+        ),
+    ]
+}
+
+/// The configuration at which every joint is at its placement: zeros, and 0, 0, 0, 1 of quaternions.
+pub(super) fn neutral(module: &Module) -> Numbers {
+    let mut q = module.spaces.coordinates.map(|_| 0.0);
+    for first in module.spaces.quaternions() {
+        q[first.plus(3)] = 1.0;
+    }
+    Numbers {
+        name: "neutral",
+        about: "The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions (x, y, \
+                z, w).",
+        space: Space::Coordinates,
+        numbers: q.into(),
+    }
+}

@@ -31,6 +31,7 @@ pub use self::item::Item;
 pub use self::robot::{
     Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Source, Step,
 };
+pub(crate) use self::settings::HOW_TO_ASK;
 pub use self::unmodelled::{Modelled, Unmodelled};
 pub use crate::joint::JointKind;
 pub use crate::name::Name;

@@ -35,7 +35,7 @@ stanford!(InFrame0, (formulation(frame_0, raw)));
 
 /// One of the numbers that struct fields stand for.
 #[derive(Robot)]
-#[robot(urdf = "../robots/stanford_general.urdf", tip = "tool")]
+#[robot(urdf = "../robots/stanford_general.urdf", tip = "tool", generate(all))]
 #[robot(armature(
     joint_1 = 0.95,
     joint_3 = 0.78,

@@ -27,7 +27,7 @@ macro_rules! robot {
     ($(#[$about:meta])* $name:ident, $urdf:literal, $tip:literal: $($words:tt)*) => {
         $(#[$about])*
         #[derive(Robot)]
-        #[robot(urdf = $urdf, tip = $tip)]
+        #[robot(urdf = $urdf, tip = $tip, generate(all))]
         #[robot(formulation($($words)*))]
         struct $name;
     };

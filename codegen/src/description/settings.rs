@@ -44,6 +44,11 @@ impl Settings {
         let found = self.seen.iter().find(|seen| *seen == key);
         found.map(Ident::span)
     }
+
+    /// Whether `generate` was given.
+    pub(super) fn generates(&self) -> bool {
+        self.seen.iter().any(|seen| seen == "generate")
+    }
 }
 
 /// Reads one setting.
@@ -208,12 +213,21 @@ fn count(input: ParseStream, setting: &Setting, what: &str) -> Parsed<usize> {
     count.ok_or_else(|| needs(span, setting, what))
 }
 
-/// Functions, alone or as `all_of(…)`; complains of each unknown one.
+/// The word that asks for every function that a robot can have.
+const ALL: &str = "all";
+
+/// Functions, alone or as `all_of(…)`, or none where `all` are meant; complains of each unknown one.
 fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function>>> {
     let mut items: Vec<Vec<Function>> = Vec::new();
+    let mut all: Option<Ident> = None;
+    let span = input.span();
     tokens::list(input, |input| {
         let word = tokens::word(input)?;
         let mut item = Vec::new();
+        if word == ALL {
+            all = Some(word);
+            return Ok(());
+        }
         if word == "all_of" {
             let content = in_parentheses(input, "all_of", "all_of(mass_matrix, bias)")?;
             if content.is_empty() {
@@ -235,8 +249,24 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
         }
         Ok(())
     })?;
+    match all {
+        Some(word) if !items.is_empty() => {
+            let message = "`all` is every function";
+            let hint = "name functions, or write generate(all)";
+            tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+        }
+        None if items.is_empty() && errors.is_empty() => {
+            let problem = complaint_with_hint(span, "`generate` names no function", HOW_TO_ASK);
+            tokens::push(errors, problem);
+        }
+        _ => {}
+    }
     Ok(items)
 }
+
+/// How functions are asked for.
+pub(crate) const HOW_TO_ASK: &str = "write generate(inverse_dynamics, mass_matrix), or generate(all) for every function \
+                                     that the robot can have";
 
 fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
     let text = word.to_string();

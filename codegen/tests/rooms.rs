@@ -16,7 +16,7 @@ const ROOMS: [(&str, &[&str]); 35] = [
     ("real", &[]),
     ("error", &["wording"]),
     ("space", &["list"]),
-    ("expression", &["space"]),
+    ("expression", &["list", "space"]),
     ("number", &["error", "expression"]),
     ("name", &["error"]),
     ("matrix", &["expression"]),

@@ -153,7 +153,7 @@ fn of_tip(of: Quantity) -> bool {
 }
 
 fn in_base(of: Quantity) -> bool {
-    of.frame == Some(Numeral(0))
+    of.frame == Some(Numeral::BASE)
 }
 
 fn in_its_own(of: Quantity) -> bool {

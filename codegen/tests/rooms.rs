@@ -169,6 +169,7 @@ const ROOMS: [(&str, &[&str]); 35] = [
         "module",
         &[
             "real",
+            "error",
             "space",
             "joint",
             "closure",

@@ -14,7 +14,7 @@ use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::Angles;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
-use homogen_codegen::plan::{program, program_by};
+use homogen_codegen::plan::program_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::FrameId;
@@ -23,6 +23,7 @@ use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
 use homogen_tests::oracle::frame_0;
 use homogen_tests::oracle::robot::Robot;
+use homogen_tests::programs::program;
 use homogen_tests::states::Random;
 
 /// What is smaller in any unit is a residue of residues, and zero will do.

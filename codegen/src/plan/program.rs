@@ -42,11 +42,11 @@ enum Key {
 impl<'c> Programs<'c> {
     /// None yet.
     #[must_use]
-    pub const fn of(chain: &'c Chain) -> Self {
-        Self {
+    pub fn of(chain: &'c Chain) -> Rc<Self> {
+        Rc::new(Self {
             chain,
             made: RefCell::new(Vec::new()),
-        }
+        })
     }
 
     /// The robot.

@@ -4,10 +4,10 @@
 //! result takes in states of the range that bounds are for. What is lost while a file is read is an error here like
 //! any other.
 
+use crate::programs::program_as;
 use homogen_codegen::Function;
 use homogen_codegen::accuracy::{self, Accuracy, Means};
 use homogen_codegen::formulation::Formulation;
-use homogen_codegen::plan::program_as;
 use homogen_codegen::range::Range;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::{FrameId, Space, Variable};

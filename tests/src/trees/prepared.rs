@@ -6,6 +6,7 @@
 use std::cell::OnceCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use crate::programs::{program, program_as};
 use homogen_codegen::chain::Chain;
 use homogen_codegen::check::Check;
 use homogen_codegen::error::Errors;
@@ -13,7 +14,7 @@ use homogen_codegen::expand::understand;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::list::Id;
-use homogen_codegen::plan::{program, program_as, program_by};
+use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Space, Variable};
 use homogen_codegen::{Function, Real};

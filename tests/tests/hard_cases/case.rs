@@ -8,7 +8,7 @@ use homogen_codegen::expression::Evaluation;
 use homogen_codegen::formulation::Forward;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
-use homogen_codegen::plan::{program, program_by};
+use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::FrameId;
 use homogen_codegen::{Function, Real};
@@ -17,6 +17,7 @@ use homogen_tests::big::Big;
 use homogen_tests::metrics::{self, Distribution};
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::oracle::{frame_0, link_frames};
+use homogen_tests::programs::program;
 use homogen_tests::subjects::subject;
 use homogen_tests::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 

@@ -7,9 +7,9 @@
 use homogen_codegen::Function::{ForwardDynamics, InverseDynamics, MassMatrixInverse};
 use homogen_codegen::Real;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::plan::program;
 use homogen_codegen::space::FrameId;
 use homogen_tests::arguments::Arguments;
+use homogen_tests::programs::program;
 use homogen_tests::subjects::subject;
 
 use crate::case::{Case, Form, Metric, judge};

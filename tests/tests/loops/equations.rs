@@ -8,16 +8,16 @@ use homogen_codegen::description::{Description, inline};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::understand;
 use homogen_codegen::list::Id;
-use homogen_codegen::plan::program_for;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::{FrameId, Space};
-use homogen_codegen::{Formulation, Function, Processor, Real};
+use homogen_codegen::{Function, Real};
 use homogen_random::Random;
 use homogen_tests::arguments::Arguments;
 use homogen_tests::big::Big;
 use homogen_tests::oracle::frame_0;
 use homogen_tests::oracle::robot::Robot;
+use homogen_tests::programs::program;
 
 use super::leg::{FREE, STANDING};
 
@@ -62,8 +62,7 @@ fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2]
         })
         .collect();
     let function = Function::ConstrainedForwardDynamics;
-    let (processor, way) = (Processor::Portable, Formulation::default());
-    let program = program_for(processor, way, &chain, &[function], FrameId::FIRST, scalar);
+    let program = program(&chain, &[function], FrameId::FIRST, scalar);
     let program = program.unwrap_or_else(|errors| panic!("{errors}"));
     let mut random = Random::new(7);
     let mut worst = [0.0_f64; 2];

@@ -19,7 +19,7 @@ use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::FrameId;
 use homogen_codegen::{Function, Real};
-use homogen_tests::arguments::Arguments;
+use homogen_tests::arguments;
 use homogen_tests::big::Big;
 use homogen_tests::oracle::frame_0;
 use homogen_tests::oracle::robot::Robot;
@@ -136,8 +136,8 @@ fn hold(description: &Description, request: &Request) {
 fn compare(robot: &Robot, function: Function, program: &Program) {
     let mut random = Random::new(1);
     for _ in 0..STATES {
-        let arguments = Arguments::random(robot.velocities(), &mut random);
-        let found = run::<f64>(program, |input| arguments.at(input));
+        let arguments = arguments::random(robot.velocities(), &mut random);
+        let found = run::<f64>(program, |input| arguments::at(&arguments, input));
         let expected = frame_0::evaluate(robot, function, 0, &arguments);
         let expected: Vec<f64> = expected.iter().map(Big::to_f64).collect();
         let size = expected

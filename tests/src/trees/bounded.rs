@@ -79,15 +79,13 @@ impl Prepared<'_> {
             }
             numbers
         };
-        let [q, qd, qdd] = [Variable::Q, Variable::Qd, Variable::Qdd]
-            .map(|variable| drawn(variable.space(), &range.arguments[variable]));
-        let actions = range.arguments[Variable::Actions].iter();
-        Arguments {
-            tau: vec![0.0; qd.len()],
-            actions: actions.map(|&ends| any::<T>(ends, random)).collect(),
-            q,
-            qd,
-            qdd,
+        let mut arguments = Arguments::default();
+        for variable in [Variable::Q, Variable::Qd, Variable::Qdd] {
+            arguments[variable] = drawn(variable.space(), &range.arguments[variable]);
         }
+        arguments[Variable::Tau] = vec![0.0; arguments[Variable::Qd].len()];
+        let actions = range.arguments[Variable::Actions].iter();
+        arguments[Variable::Actions] = actions.map(|&ends| any::<T>(ends, random)).collect();
+        arguments
     }
 }

@@ -17,7 +17,7 @@ mod weighable;
 pub(crate) use forward::doubts;
 pub use forward::keeps_half;
 pub use measured::Off;
-pub use program::{Programs, expressions_by, program_by};
+pub use program::{Programs, Recursion, expressions_by, program_by};
 
 use std::rc::Rc;
 

@@ -154,7 +154,6 @@ const ROOMS: [(&str, &[&str]); 35] = [
             "expression",
             "joint",
             "formulation",
-            "simplify",
             "schedule",
             "function",
             "request",

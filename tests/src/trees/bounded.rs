@@ -4,7 +4,6 @@
 //! result takes in states of the range that bounds are for. What is lost while a file is read is an error here like
 //! any other.
 
-use crate::programs::program_as;
 use homogen_codegen::Function;
 use homogen_codegen::accuracy::{self, Accuracy, Means};
 use homogen_codegen::formulation::Formulation;
@@ -17,6 +16,7 @@ use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::climb::{any, of_results};
 use crate::oracle::frame_0;
+use crate::programs::program_as;
 use crate::states::Random;
 use crate::tested::Tested;
 

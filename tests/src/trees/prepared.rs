@@ -6,7 +6,6 @@
 use std::cell::OnceCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::programs::{program, program_as};
 use homogen_codegen::chain::Chain;
 use homogen_codegen::check::Check;
 use homogen_codegen::error::Errors;
@@ -21,6 +20,7 @@ use homogen_codegen::{Function, Real};
 
 use crate::arguments::{Arguments, line};
 use crate::oracle::frame_0;
+use crate::programs::{program, program_as};
 use crate::states::Random;
 
 use super::cases::{Case, Choice};

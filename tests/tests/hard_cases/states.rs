@@ -1,7 +1,6 @@
 //! States for the hard cases: the ordinary ones, and those that stand still or creep.
 
 use homogen_codegen::space::Variable;
-
 use homogen_tests::arguments::{self, Arguments};
 use homogen_tests::states::Random;
 

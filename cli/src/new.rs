@@ -6,7 +6,6 @@
 
 mod template;
 
-use std::fmt::Write as _;
 use std::fs;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
@@ -14,7 +13,7 @@ use std::path::{Component, Path, PathBuf};
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::options::{Asked, mistake};
-use super::{Answer, Said};
+use super::{Answer, Said, functions};
 use homogen_codegen::builder::Builder;
 use homogen_codegen::description::Name;
 use homogen_codegen::error::Errors;
@@ -128,14 +127,9 @@ impl Firmware {
         files.push((".gitignore", "/target\n".to_owned()));
         template::write_fresh(&folder, &files, (description, &text))
             .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))?;
-        let doubts = module.about.warnings.iter();
         Ok(Answer {
             output: format!("cd {} && cargo run --release\n", folder.display()),
-            remarks: doubts.fold(String::new(), |mut text, doubt| {
-                // Writing to a string cannot fail.
-                let _ = writeln!(text, "warning: {doubt}");
-                text
-            }),
+            remarks: functions::warnings(&module.about),
             code: 0,
         })
     }

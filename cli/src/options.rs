@@ -12,7 +12,7 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueEnum}
 use homogen_codegen::chain::Chain;
 use homogen_codegen::description::urdf::LARGEST_FILE;
 use homogen_codegen::description::{self, Description, inline};
-use homogen_codegen::error::{Errors, Place};
+use homogen_codegen::error::{Complaint, Errors, Place};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, Setting, SettingForm};
@@ -221,15 +221,20 @@ pub(super) fn mistake(message: impl Into<String>) -> Errors {
     errors
 }
 
-/// Doubts as standard error has them.
+/// Warnings about a robot as standard error has them.
 pub(super) fn warnings(chain: &Chain) -> String {
-    let source = &chain.description.source;
+    let file = chain.description.source.file.as_deref();
+    warnings_in(file, &chain.report.warnings)
+}
+
+/// Warnings about a description in a file, as standard error has them.
+pub(super) fn warnings_in(file: Option<&str>, warnings: &[Complaint]) -> String {
     let mut errors = Errors::new();
-    if let Some(file) = &source.file {
-        errors.set_file(file.clone(), None);
+    if let Some(file) = file {
+        errors.set_file(file, None);
     }
     let mut text = String::new();
-    for doubt in &chain.report.warnings {
+    for doubt in warnings {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "warning: {}", errors.locate(doubt));
         if let Some(hint) = &doubt.hint {

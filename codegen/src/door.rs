@@ -67,8 +67,8 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
             Ok(module) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
                 let watch = file.map(|path| watch(&path));
-                let doubts = module.about.warnings.iter();
-                let doubts = doubts.map(|doubt| warning(doubt, item.ident.span()));
+                let doubts = module.about.located_warnings().into_iter();
+                let doubts = doubts.map(|doubt| warning(&doubt, item.ident.span()));
                 let doubts: TokenStream = doubts.collect();
                 let world = World::runtime(item.request.runtime.as_ref());
                 let robot = rust::print(&module, &target, &world);

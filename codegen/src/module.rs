@@ -10,6 +10,7 @@ pub use data::{ChainData, DataMotion, LoopData, LoopsData};
 pub use review::{Origins, Review, Sum, Vector};
 
 use crate::accuracy::Accuracy;
+use crate::error::{Complaint, Errors};
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::layout::Layout;
@@ -95,10 +96,23 @@ pub struct About {
     pub driven: bool,
     /// The words of the formulation that was asked for, where it is not the default.
     pub formulation: Vec<String>,
-    /// Doubts about the description, each a sentence with its place.
-    pub warnings: Vec<String>,
+    /// Warnings about the description and the request.
+    pub warnings: Vec<Complaint>,
     /// Functions that the robot cannot have, where all that it can have were asked for.
     pub left_out: Vec<LeftOut>,
+}
+
+impl About {
+    /// The warnings without their hints, each a line with its place.
+    #[must_use]
+    pub fn located_warnings(&self) -> Vec<String> {
+        let mut places = Errors::new();
+        if let Some((file, _)) = &self.source {
+            places.set_file(file.clone(), None);
+        }
+        let warnings = self.warnings.iter();
+        warnings.map(|warning| places.locate(warning)).collect()
+    }
 }
 
 /// Functions that a robot cannot have, for one reason.

@@ -41,7 +41,7 @@ impl Range {
         };
         Self {
             arguments: Arguments::of(ranges),
-            fields: (chain.parameters.iter().zip(&chain.nominal))
+            fields: (chain.request.parameters.iter().zip(&chain.nominal))
                 .map(|(field, nominal)| field.ranges(nominal))
                 .collect(),
         }
@@ -113,8 +113,8 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> b
         [one] => Some(format!("{one} within its limits")),
         several => Some(format!("{} within their limits", several.join(" and "))),
     };
-    let fields = chain.parameters.numbered().filter(|(k, _)| reads(*k));
-    let fields = fields.map(|(k, field)| field.range_words(&chain.nominal[k]));
+    let fields = chain.nominal.numbered().filter(|(k, _)| reads(*k));
+    let fields = fields.map(|(k, nominal)| chain.field(k).range_words(nominal));
     let words = within_limits.into_iter().chain(sizes);
     let words: Vec<String> = words.chain(fields).collect();
     words.join(", ")

@@ -10,13 +10,13 @@ use homogen_codegen::description::{Description, Name, read_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
 use homogen_codegen::formulation::{Formulation, Forward, Parameters, Products, Sines};
-use homogen_codegen::plan::program;
 use homogen_codegen::print::rust::{self, Item, Source, World};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Price;
 use homogen_codegen::space::FrameId;
 use homogen_codegen::{Builder, Function, Real, door};
 use homogen_tests::for_every_robot;
+use homogen_tests::programs::program;
 use quote::{format_ident, quote};
 
 /// Of a snapshot, in lines: what can be read in a review.

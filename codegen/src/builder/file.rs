@@ -138,7 +138,7 @@ impl Builder {
 
 /// Tells cargo every doubt.
 pub(super) fn doubt(module: &Module) {
-    for warning in &module.about.warnings {
+    for warning in module.about.located_warnings() {
         println!("cargo::warning={warning}");
     }
 }

@@ -7,7 +7,6 @@
 use std::collections::BTreeSet;
 
 use crate::chain::Chain;
-use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, Node, Term};
 use crate::formulation::Parameters;
 use crate::function::Function;
@@ -34,22 +33,9 @@ pub(super) fn about(chain: &Chain) -> About {
         facts: facts(chain, formulation.parameters),
         driven: chain.is_driven(),
         formulation: formulation.words(),
-        warnings: warnings(chain),
+        warnings: report.warnings.clone(),
         left_out: Vec::new(),
     }
-}
-
-fn warnings(chain: &Chain) -> Vec<String> {
-    let mut places = Errors::new();
-    if let Some(file) = &chain.description.source.file {
-        places.set_file(file.clone(), None);
-    }
-    chain
-        .report
-        .warnings
-        .iter()
-        .map(|warning| places.locate(warning))
-        .collect()
 }
 
 fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {

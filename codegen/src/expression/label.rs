@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use crate::list::Id;
+
 /// A block of a matrix, or another quantity whose entries have names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Block {
@@ -41,6 +43,17 @@ pub enum Block {
 /// The number of a body or a velocity in names, from 1, or 0 for what carries the first body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Numeral(pub usize);
+
+impl Numeral {
+    /// That of what carries the first body.
+    pub const BASE: Self = Self(0);
+}
+
+impl<I: Id> From<I> for Numeral {
+    fn from(id: I) -> Self {
+        Self(id.number())
+    }
+}
 
 impl fmt::Display for Numeral {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -397,10 +397,11 @@ fn origin(module: &Module) -> String {
 
 /// What is modelled, how it is computed where that was asked for, and what is doubted, a line each.
 fn facts(about: &About) -> Vec<String> {
+    let warnings = about.located_warnings();
     let lines = [
         ("Modelled", &about.facts, "; "),
         ("Formulation", &about.formulation, ", "),
-        ("Doubts", &about.warnings, "; "),
+        ("Doubts", &warnings, "; "),
     ];
     let lines = lines.into_iter().filter(|(_, items, _)| !items.is_empty());
     lines

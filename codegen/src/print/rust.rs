@@ -53,6 +53,7 @@ pub use item::{Declaration, Item};
 pub use lanes::lanes;
 #[cfg(feature = "files")]
 pub(super) use lanes::under;
+pub use method::Explained;
 #[cfg(feature = "files")]
 pub(crate) use names::in_every_edition;
 #[cfg(feature = "files")]
@@ -140,19 +141,23 @@ fn method(
 /// The methods that [`print()`] writes for functions, alone, to be read.
 #[must_use]
 pub fn methods(module: &Module, item: &Item, world: &World) -> TokenStream {
-    each_method(module, item, world).into_iter().collect()
+    let each = each_method(module, item, world).into_iter();
+    each.map(|method| method.text).collect()
 }
 
-/// The same one by one, in the order of the module.
+/// The same one by one, in the order of the module, each with what the names in it stand for.
 #[must_use]
-pub fn each_method(module: &Module, item: &Item, world: &World) -> Vec<TokenStream> {
+pub fn each_method(module: &Module, item: &Item, world: &World) -> Vec<Explained> {
     let dialect = Dialect::of(module.scalar, module.sines, item, world);
     let methods = module.functions.iter().zip(names::of_methods(module));
     methods
         .map(|(generated, name)| {
             let fields = Fields::Own(&module.parameters);
-            let body = method::computation((generated, fields), module, &dialect);
-            method(module, item, generated, &name, (&body, &dialect))
+            let body = method::explained((generated, fields), module, &dialect);
+            Explained {
+                text: method(module, item, generated, &name, (&body.text, &dialect)),
+                meanings: body.meanings,
+            }
         })
         .collect()
 }

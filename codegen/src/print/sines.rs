@@ -222,17 +222,17 @@ fn single(value: f32) -> Value {
 }
 
 #[cfg(test)]
-mod tests {
+pub(in crate::print) mod tests {
     use std::collections::BTreeMap;
 
     use super::{ANGLE, COSINE, SHIFTED, SINE, statements};
     use crate::real::Real;
     use crate::schedule::{Operation, Statement, Value};
 
-    /// The sine and the cosine of an angle by the statements, in double precision.
-    fn found(angle: f64) -> [f64; 2] {
+    /// Sine, cosine and the shifted number by the statements for a type of number, each operation rounded to it.
+    pub(in crate::print) fn computed(real: Real, angle: f64, round: fn(f64) -> f64) -> [f64; 3] {
         let mut bound = BTreeMap::from([(ANGLE.to_owned(), angle)]);
-        for statement in statements(Real::F64) {
+        for statement in statements(real) {
             let Statement::Operation(name, operation) = statement else {
                 unreachable!("nothing else is written");
             };
@@ -245,26 +245,31 @@ mod tests {
                 Operation::Add(a, b) => a + b,
                 Operation::Sub(a, b) => a - b,
                 Operation::Mul(a, b) => a * b,
-                Operation::MulAdd(a, b, c) => a * b + c,
-                Operation::MulSub(a, b, c) => a * b - c,
-                Operation::NegMulAdd(a, b, c) => c - a * b,
+                Operation::MulAdd(a, b, c) => round(a * b) + c,
+                Operation::MulSub(a, b, c) => round(a * b) - c,
+                Operation::NegMulAdd(a, b, c) => c - round(a * b),
                 other => unreachable!("{other:?}"),
             };
-            bound.insert(name, value);
+            bound.insert(name, round(value));
         }
-        let (sine, cosine) = (bound[SINE], bound[COSINE]);
-        match bound[SHIFTED].to_bits() & 3 {
-            0 => [sine, cosine],
-            1 => [cosine, -sine],
-            2 => [-sine, -cosine],
-            _ => [-cosine, sine],
+        [SINE, COSINE, SHIFTED].map(|name| bound[name])
+    }
+
+    /// The last step: the sine and the cosine of the angle, from those of what is left of it in a quadrant.
+    pub(in crate::print) fn turned(sine: f64, cosine: f64, quadrant: u64) -> (f64, f64) {
+        match quadrant & 3 {
+            0 => (sine, cosine),
+            1 => (cosine, -sine),
+            2 => (-sine, -cosine),
+            _ => (-cosine, sine),
         }
     }
 
     #[test]
     fn they_are_those_of_the_platform() {
         for angle in (-4000..4000).map(|i| f64::from(i) * 0.37) {
-            let [sine, cosine] = found(angle);
+            let [sine, cosine, shifted] = computed(Real::F64, angle, |value| value);
+            let (sine, cosine) = turned(sine, cosine, shifted.to_bits());
             let off = (sine - angle.sin()).abs().max((cosine - angle.cos()).abs());
             assert!(off <= f64::EPSILON, "{angle}: {off}");
         }

@@ -11,7 +11,7 @@ pub mod functions;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::Arithmetic;
 use homogen_codegen::formulation::Formulation;
-use homogen_codegen::plan::program_as;
+use homogen_tests::programs::program_as;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Space};
 use homogen_codegen::{Function, Real};

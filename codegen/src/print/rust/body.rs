@@ -23,8 +23,8 @@ use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Rounds, Routine,
-    Statement, Stored, Value,
+    Angle, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable, Rounds,
+    Routine, Statement, Stored, Value,
 };
 use crate::space::{Spaces, Variable};
 
@@ -34,6 +34,8 @@ pub(super) struct Body {
     pub statements: TokenStream,
     /// The numbers of the result; of a matrix that is filled, the matrix.
     pub results: Results,
+    /// The names of values with what they stand for.
+    pub meanings: Vec<(String, Meaning)>,
 }
 
 /// What a function returns.
@@ -158,6 +160,7 @@ pub(super) fn body(
     Body {
         statements,
         results,
+        meanings: routine.meanings,
     }
 }
 

@@ -35,6 +35,7 @@ pub(super) fn chain(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
     let Body {
         statements,
         results,
+        ..
     } = body(
         (&data.program, Length::UNBOUNDED),
         (&[], Returns::Arrays),

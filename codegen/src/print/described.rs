@@ -7,7 +7,7 @@ use crate::module::Module;
 use crate::space::{Entry, Space};
 
 /// A list of names.
-pub(super) struct Names<'m> {
+pub(super) struct NameList<'m> {
     /// The name of the list, in small letters.
     pub name: &'static str,
     /// Its documentation.
@@ -17,7 +17,7 @@ pub(super) struct Names<'m> {
 }
 
 /// A list of numbers, one for each coordinate or velocity.
-pub(super) struct Numbers {
+pub(super) struct NumberList {
     /// The name of the list, in small letters.
     pub name: &'static str,
     /// Its documentation.
@@ -29,9 +29,9 @@ pub(super) struct Numbers {
 }
 
 /// Names of joints, coordinates, velocities and frames.
-pub(super) fn names(module: &Module) -> [Names<'_>; 4] {
+pub(super) fn names(module: &Module) -> [NameList<'_>; 4] {
     let (spaces, data) = (&module.spaces, &module.data);
-    let list = |name, about, names| Names { name, about, names };
+    let list = |name, about, names| NameList { name, about, names };
     [
         list(
             "joints",
@@ -57,14 +57,14 @@ pub(super) fn names(module: &Module) -> [Names<'_>; 4] {
 }
 
 /// Limits of q, q̇ and τ.
-pub(super) fn limits(module: &Module) -> [Numbers; 4] {
+pub(super) fn limits(module: &Module) -> [NumberList; 4] {
     let ends = |entries: &[Entry], end: usize| -> Vec<f64> {
         let unlimited = [f64::NEG_INFINITY, f64::INFINITY];
         let ranges = entries.iter().map(|entry| entry.range.unwrap_or(unlimited));
         ranges.map(|range| range[end]).collect()
     };
     let (coordinates, velocities) = (&module.spaces.coordinates, &module.spaces.velocities);
-    let list = |name, about, space, numbers| Numbers {
+    let list = |name, about, space, numbers| NumberList {
         name,
         about,
         space,
@@ -99,12 +99,12 @@ pub(super) fn limits(module: &Module) -> [Numbers; 4] {
 }
 
 /// The configuration at which every joint is at its placement: zeros, and 0, 0, 0, 1 of quaternions.
-pub(super) fn neutral(module: &Module) -> Numbers {
+pub(super) fn neutral(module: &Module) -> NumberList {
     let mut q = module.spaces.coordinates.map(|_| 0.0);
     for first in module.spaces.quaternions() {
         q[first.plus(3)] = 1.0;
     }
-    Numbers {
+    NumberList {
         name: "neutral",
         about: "The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions (x, y, \
                 z, w).",

@@ -11,7 +11,7 @@ use super::declarations::{argument_lengths, lengths, number, results};
 use super::literals::literal;
 use super::names::{constant, own, symbols, unscoped};
 use crate::module::{Module, Vector};
-use crate::print::described::{self, Numbers};
+use crate::print::described::{self, NumberList};
 use crate::print::review;
 use crate::schedule::Names;
 use crate::space::Space;
@@ -23,9 +23,9 @@ const SWITCH: &str = "HOMOGEN_SELF_TEST";
 /// The limits, as what stands behind the `=` of an array.
 pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
     let limits = described::limits(module).into_iter();
-    let is_described = |list: &Numbers| list.numbers.iter().any(|limit| limit.is_finite());
-    let limits: Vec<Numbers> = limits.filter(is_described).collect();
-    let infinite = |list: &Numbers| list.numbers.iter().any(|limit| limit.is_infinite());
+    let is_described = |list: &NumberList| list.numbers.iter().any(|limit| limit.is_finite());
+    let limits: Vec<NumberList> = limits.filter(is_described).collect();
+    let infinite = |list: &NumberList| list.numbers.iter().any(|limit| limit.is_infinite());
     if limits.is_empty() {
         return;
     }
@@ -39,7 +39,7 @@ pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
         about.push("The largest number that there is stands where none is described.".to_owned());
     }
     text.push_str(&comment(&about));
-    for Numbers {
+    for NumberList {
         name,
         about,
         numbers,

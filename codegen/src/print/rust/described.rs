@@ -16,7 +16,7 @@ use super::literals::Numerals;
 use super::names::ident;
 use super::world::World;
 use crate::module::Module;
-use crate::print::described::{Numbers, limits, names, neutral};
+use crate::print::described::{NumberList, limits, names, neutral};
 use crate::real::Real;
 use crate::space::Space;
 
@@ -66,7 +66,7 @@ pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> Toke
 }
 
 /// All lists of numbers.
-fn numbers(module: &Module) -> [Numbers; 5] {
+fn numbers(module: &Module) -> [NumberList; 5] {
     let [lower, upper, velocity, effort] = limits(module);
     [lower, upper, velocity, effort, neutral(module)]
 }
@@ -114,7 +114,7 @@ fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
 }
 
 /// A list of numbers of a type.
-fn written(list: &Numbers, real: Real, number: &TokenStream) -> TokenStream {
+fn written(list: &NumberList, real: Real, number: &TokenStream) -> TokenStream {
     let numbers = list.numbers.iter().map(|&limit| {
         if limit == f64::INFINITY {
             quote! { #number::INFINITY }

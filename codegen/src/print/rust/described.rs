@@ -101,8 +101,10 @@ fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     );
     let of = quote! { #runtime::Robot<#velocities, #coordinates> };
     let head = implementation(item, &of, &[]);
+    // Only then numbers are written here once more.
+    let allowed = (dialect.real == Real::F32).then(|| declaration::allowed(dialect));
     quote! {
-        #head {
+        #allowed #head {
             type Chain = #chain;
             const JOINTS: &'static [#text] = &Self::JOINTS;
             const COORDINATES: [#text; #coordinates] = Self::COORDINATES;

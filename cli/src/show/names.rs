@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 
 use homogen_codegen::expression::{Block, Component, Label, Numeral, Of, Quantity};
 use homogen_codegen::schedule::{Meaning, Turn};
-use homogen_codegen::space::{ACTION, Variable};
+use homogen_codegen::space::{Variable, action_entry};
 
 /// A matrix of the paper.
 struct Matrix {
@@ -209,8 +209,7 @@ pub(super) fn meanings(named: &[(String, Meaning)]) -> Value {
 fn data(meaning: &Meaning) -> Value {
     match meaning {
         Meaning::Argument(Variable::Actions, entry) => {
-            let entry = usize::from(*entry);
-            let (action, entry) = (entry / ACTION.len(), ACTION[entry % ACTION.len()].0);
+            let (action, entry) = action_entry(usize::from(*entry));
             json!({ "kind": "action", "index": action + 1, "entry": entry })
         }
         Meaning::Argument(argument, entry) => {

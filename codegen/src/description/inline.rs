@@ -226,7 +226,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
         generics: Generics::default(),
         file,
         description,
-        names_functions: settings.generates(),
+        names_functions: settings.span("generate").is_some(),
         request: settings.request,
     }
 }

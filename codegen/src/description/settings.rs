@@ -44,11 +44,6 @@ impl Settings {
         let found = self.seen.iter().find(|seen| *seen == key);
         found.map(Ident::span)
     }
-
-    /// Whether `generate` was given.
-    pub(super) fn generates(&self) -> bool {
-        self.seen.iter().any(|seen| seen == "generate")
-    }
 }
 
 /// Reads one setting.

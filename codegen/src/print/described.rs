@@ -2,7 +2,7 @@
 //!
 //! In: a [`Module`]. Out: lists with their names and documentation. It formats no number.
 
-use crate::list::Id;
+use super::steps;
 use crate::module::Module;
 use crate::space::{Entry, Space};
 
@@ -22,8 +22,6 @@ pub(super) struct NumberList {
     pub name: &'static str,
     /// Its documentation.
     pub about: &'static str,
-    /// The space of its entries.
-    pub space: Space,
     /// The numbers; infinite where the description has none.
     pub numbers: Vec<f64>,
 }
@@ -64,51 +62,41 @@ pub(super) fn limits(module: &Module) -> [NumberList; 4] {
         ranges.map(|range| range[end]).collect()
     };
     let (coordinates, velocities) = (&module.spaces.coordinates, &module.spaces.velocities);
-    let list = |name, about, space, numbers| NumberList {
+    let list = |name, about, numbers| NumberList {
         name,
         about,
-        space,
         numbers,
     };
     [
         list(
             "lower",
             "Lower limits of q [rad or m].",
-            Space::Coordinates,
             ends(coordinates, 0),
         ),
         list(
             "upper",
             "Upper limits of q [rad or m].",
-            Space::Coordinates,
             ends(coordinates, 1),
         ),
         list(
             "max_velocity",
             "Limits of |q̇| [rad/s or m/s].",
-            Space::Velocities,
             ends(velocities, 1),
         ),
         list(
             "max_effort",
             "Limits of |τ| [N m or N].",
-            Space::Velocities,
             module.efforts.clone(),
         ),
     ]
 }
 
-/// The configuration at which every joint is at its placement: zeros, and 0, 0, 0, 1 of quaternions.
+/// The configuration at which every joint is where it was placed.
 pub(super) fn neutral(module: &Module) -> NumberList {
-    let mut q = module.spaces.coordinates.map(|_| 0.0);
-    for first in module.spaces.quaternions() {
-        q[first.plus(3)] = 1.0;
-    }
     NumberList {
         name: "neutral",
         about: "The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions (x, y, \
                 z, w).",
-        space: Space::Coordinates,
-        numbers: q.into(),
+        numbers: steps::neutral(module),
     }
 }

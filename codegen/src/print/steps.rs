@@ -87,11 +87,19 @@ impl Own {
         }
     }
 
-    /// Whether a coordinate is 1 where the joint has not moved.
-    pub fn is_one(&self, coordinate: usize) -> bool {
-        self.quaternion()
-            .is_some_and(|first| coordinate == first + 3)
+    /// Its coordinates where it is as it was placed: zeros, and 0, 0, 0, 1 of a quaternion.
+    fn neutral(&self) -> Vec<f64> {
+        let mut q = vec![0.0; self.coordinates.len()];
+        if let Some(first) = self.quaternion() {
+            q[first + 3] = 1.0;
+        }
+        q
     }
+}
+
+/// The configuration at which every joint is where it was placed.
+pub(super) fn neutral(module: &Module) -> Vec<f64> {
+    joints(module).flat_map(|own| own.neutral()).collect()
 }
 
 impl Step {
@@ -195,8 +203,8 @@ impl Step {
         let end = |k: usize| entry(1, coordinates.start + k);
         let v = |k: usize| entry(1, own.velocities.start + k);
         match (self, own.motion) {
-            (Self::Neutral, _) => (0..coordinates.len())
-                .map(|k| graph.constant(f64::from(u8::from(own.is_one(k)))))
+            (Self::Neutral, _) => (own.neutral().into_iter())
+                .map(|value| graph.constant(value))
                 .collect(),
             (Self::Integrate, DataMotion::Posture(posture)) => posture.integrate(first, v, real),
             (Self::Difference, DataMotion::Posture(posture)) => posture.difference(first, end),

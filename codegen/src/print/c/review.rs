@@ -43,7 +43,6 @@ pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
         name,
         about,
         numbers,
-        ..
     } in limits
     {
         let numbers = numbers.iter().map(|limit| limit.clamp(-largest, largest));

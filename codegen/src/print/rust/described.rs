@@ -23,15 +23,14 @@ use crate::space::Space;
 /// The constants, and the trait where there is the runtime.
 pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let visibility = &item.visibility;
-    let text = match &dialect.world {
-        World::Runtime(_) => quote! { ::core::primitive::str },
-        World::Core(_) => quote! { str },
+    let (text, whole) = match &dialect.world {
+        World::Runtime(_) => (
+            quote! { ::core::primitive::str },
+            quote! { ::core::primitive::usize },
+        ),
+        World::Core(_) => (quote! { str }, quote! { usize }),
         // The package's class has them.
         World::Lanes(_) => return TokenStream::new(),
-    };
-    let whole = match &dialect.world {
-        World::Runtime(_) => quote! { ::core::primitive::usize },
-        World::Core(_) | World::Lanes(_) => quote! { usize },
     };
     let counts = [
         ("NQ", "Number of coordinates.", Space::Coordinates),
@@ -80,13 +79,9 @@ fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let number = quote! { ::core::primitive::f64 };
     let [coordinates, velocities] =
         [Space::Coordinates, Space::Velocities].map(|space| literal(module.spaces.len(space)));
-    let length = |space| match space {
-        Space::Coordinates => &coordinates,
-        _ => &velocities,
-    };
     let numbers = numbers(module).map(|list| {
         let name = constant(list.name);
-        let of = array(&number, length(list.space));
+        let of = array(&number, &literal(list.numbers.len()));
         let value = match dialect.real {
             Real::F32 => written(&list, Real::F64, &number),
             Real::F64 | Real::Generic => quote! { Self::#name },

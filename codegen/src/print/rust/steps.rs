@@ -14,12 +14,13 @@ use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{array, literal};
+use super::literals::Numerals;
 use super::names::ident;
 use super::world::World;
 use crate::joint::Posture;
 use crate::module::{DataMotion, Module};
 use crate::print::documentation;
-use crate::print::steps::{Step, joints};
+use crate::print::steps::{Step, joints, neutral};
 
 /// The methods, where the robot needs them.
 pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
@@ -96,17 +97,9 @@ impl Steps<'_> {
 
     fn neutral(&self) -> Vec<TokenStream> {
         let (number, runtime) = (&self.dialect.number, self.runtime);
-        let entries = joints(self.module).flat_map(|own| {
-            let ones = (0..own.coordinates.len()).map(move |k| own.is_one(k));
-            ones.map(|is_one| {
-                if is_one {
-                    quote! { 1.0 }
-                } else {
-                    quote! { 0.0 }
-                }
-            })
-        });
+        let entries = neutral(self.module).into_iter();
         entries
+            .map(|entry| Numerals::Bare.write(entry))
             .map(|entry| quote! { <#number as #runtime::Scalar>::constant(#entry) })
             .collect()
     }

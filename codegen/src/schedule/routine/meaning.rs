@@ -5,7 +5,7 @@
 use std::fmt;
 
 use crate::expression::Label;
-use crate::space::{ACTION, Variable};
+use crate::space::{Variable, action_entry};
 
 /// What a name in a routine stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,9 +42,8 @@ impl fmt::Display for Meaning {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Argument(Variable::Actions, entry) => {
-                let entry = usize::from(*entry);
-                let (action, entry) = (entry / ACTION.len(), entry % ACTION.len());
-                write!(out, "action_{}_{}", action + 1, ACTION[entry].0)
+                let (action, entry) = action_entry(usize::from(*entry));
+                write!(out, "action_{}_{entry}", action + 1)
             }
             Self::Argument(argument, entry) => write!(out, "{}_{}", argument.name(), entry + 1),
             Self::Entry(label) => label.fmt(out),

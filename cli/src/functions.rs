@@ -22,7 +22,7 @@ use homogen_codegen::wording::{list, visible};
 /// Functions, and further frames that they are of.
 pub(super) type Functions = Asked<{ FUNCTIONS | FRAMES }>;
 
-/// What is generated of which robot.
+/// A generated module and the robot that it is of.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Generated {
     #[command(flatten)]
@@ -86,7 +86,7 @@ pub(super) fn status(module: &Module) -> u8 {
     }
 }
 
-/// What a person should know about the answer: warnings, and what the robot cannot have.
+/// Remarks on the answer: warnings, and functions that the robot cannot have.
 pub(super) fn remarks(module: &Module) -> String {
     let about = &module.about;
     let mut text = warnings(about);

@@ -38,7 +38,7 @@ fn settings(groups: u8) -> impl Iterator<Item = &'static Setting> {
     settings.filter(move |setting| setting.group & groups != 0)
 }
 
-/// What clap knows of a setting. A flag without a value has an empty one.
+/// Clap's argument of a setting. A flag without a value has an empty one.
 fn argument(setting: &'static Setting) -> Arg {
     let name = setting.flag_name();
     let take = |text: &str| {
@@ -168,7 +168,7 @@ impl Robot {
         }
     }
 
-    /// What is asked of it.
+    /// The request.
     pub(super) fn request(&self) -> Request {
         self.asked.and(Request::default())
     }

@@ -29,7 +29,7 @@ pub fn of_lists(coordinates: usize, velocities: usize, random: &mut Random) -> A
     })
 }
 
-/// What a program reads under a name.
+/// The argument that a program reads under a name.
 ///
 /// # Panics
 /// For a struct field, and for an entry that is not there.
@@ -59,7 +59,7 @@ pub fn line(arguments: &Arguments) -> String {
 /// The arguments of a line.
 ///
 /// # Errors
-/// Where a word is neither the name of an argument nor a number of one.
+/// A word that is neither the name of an argument nor a number.
 pub fn parse(line: &str) -> Result<Arguments, String> {
     let mut arguments = Arguments::default();
     let mut read = None;

@@ -23,13 +23,13 @@ struct Matrix {
 
 /// A kind of quantity: `{i}` and `{k}` stand for its two numbers.
 struct Form {
-    /// Whether a quantity is of this kind.
+    /// True of a quantity of this kind.
     fits: fn(Quantity) -> bool,
     /// The letter of its matrix; empty where the paper has none.
     letter: &'static str,
     /// Its subscripts, as the paper writes them.
     subscript: &'static str,
-    /// What it is; `{i}` is the body of the first number, `{k}` the frame of the second, `{0}` and `{n}` those at the
+    /// Its sentence; `{i}` is the body of the first number, `{k}` the frame of the second, `{0}` and `{n}` those at the
     /// ends; `{row}` and `{column}` are the numbers themselves.
     tells: &'static str,
 }
@@ -205,7 +205,7 @@ pub(super) fn meanings(named: &[(String, Meaning)]) -> Value {
     Value::Object(named.collect())
 }
 
-/// What a name stands for; bodies, coordinates and entries of arguments count from 1.
+/// The meaning of a name; bodies, coordinates and entries of arguments count from 1.
 fn data(meaning: &Meaning) -> Value {
     match meaning {
         Meaning::Argument(Variable::Actions, entry) => {

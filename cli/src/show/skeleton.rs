@@ -143,7 +143,7 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
     })
 }
 
-/// What is said of entries of a space, as those of a variable.
+/// Descriptions of the entries of a space, as those of a variable.
 fn entries(entries: &[Entry], variable: Variable) -> impl Iterator<Item = Value> {
     entries.iter().map(move |entry| {
         let kind = match entry.kind {

@@ -22,7 +22,7 @@ use crate::wording::{known, quoted};
 /// The words that describe a robot in place.
 const DESCRIBE: [&str; 4] = ["link", "joint", "loop", "denavit_hartenberg"];
 
-/// What may stand in the attribute: the keys of settings, and the words that describe a robot in place.
+/// Words of the attribute: the keys of settings, and the words of an inline description.
 pub(super) fn words() -> Vec<&'static str> {
     let keys = setting::of_attributes().map(|setting| setting.key);
     keys.chain(DESCRIBE).collect()
@@ -115,7 +115,7 @@ fn in_parentheses<'a>(input: ParseStream<'a>, key: &str, example: &str) -> Parse
     Ok(tokens::parentheses(input)?)
 }
 
-/// Whether a value stands behind a key or a name.
+/// True if a value follows a key or a name.
 fn has_value(input: ParseStream) -> bool {
     input.peek(Token![=]) || input.peek(Token![:])
 }
@@ -259,7 +259,7 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
     Ok(items)
 }
 
-/// How functions are asked for.
+/// The hint that shows how functions are asked for.
 pub(crate) const HOW_TO_ASK: &str = "write generate(inverse_dynamics, mass_matrix), or generate(all) for every function \
                                      that the robot can have";
 

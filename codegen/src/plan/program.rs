@@ -44,9 +44,9 @@ enum Key {
 
 /// The programs of the recursion over articulated bodies, one step inwards at a time.
 pub struct Recursion {
-    /// What velocities and given accelerations make of the bodies.
+    /// Motion of the bodies at given velocities and accelerations.
     pub motion: Program,
-    /// What becomes of an inertia on the way from each body to the one that carries it.
+    /// Change of frame of an inertia, from each body to the one that carries it.
     pub inertias: List<BodyId, Program>,
     /// The same of an action.
     pub actions: List<BodyId, Program>,

@@ -373,7 +373,7 @@ impl Naming<'_> {
         some.then(|| Statement::SinesAndCosines(self.angles.clone()))
     }
 
-    /// What an angle is of.
+    /// An angle with its name and coordinates.
     fn turn(&self, angle: Operand, value: &Value) -> Turn {
         let name = match value {
             Value::Name(name) => name.clone(),

@@ -128,7 +128,7 @@ impl Matrices {
         })
     }
 
-    /// What the entry may be: of actions there are those of a motion and those of the columns of the mass matrix,
+    /// Values that the entry may have: of actions there are those of a motion and those of the columns of the mass matrix,
     /// and of inertias in frame 0 those of a body and of all that it carries. Nothing of what is no matrix of the paper.
     pub fn of(&self, label: Label) -> Vec<f64> {
         let Quantity { block, of, frame } = label.quantity;

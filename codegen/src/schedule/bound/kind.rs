@@ -30,8 +30,8 @@ pub enum Of {
     Product(Operand, Operand),
 }
 
-/// What columns have in common whose values are entries of one vector, as far as labels and factors
-/// tell. A wrong guess costs sharpness, not truth.
+/// The vector that columns belong to, as far as labels and factors show.
+/// A wrong guess costs sharpness, not truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Entries of one vector; of an inertia, of first moments and mass.

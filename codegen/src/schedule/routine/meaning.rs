@@ -7,7 +7,7 @@ use std::fmt;
 use crate::expression::Label;
 use crate::space::{Variable, action_entry};
 
-/// What a name in a routine stands for.
+/// Meaning of a name in a routine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Meaning {
     /// An entry of an argument, by its index.

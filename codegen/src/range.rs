@@ -17,6 +17,8 @@ pub struct Range {
     pub arguments: Arguments<[f64; 2]>,
     /// Of the entries of each struct field, in the units of what it stands for.
     pub fields: List<FieldId, Vec<[f64; 2]>>,
+    /// Where the quaternions of q begin.
+    pub quaternions: Vec<CoordinateId>,
 }
 
 /// What the entry of a variable is described to stay in.
@@ -44,6 +46,7 @@ impl Range {
             fields: (chain.parameters.iter().zip(&chain.nominal))
                 .map(|(field, nominal)| field.ranges(nominal))
                 .collect(),
+            quaternions: spaces.quaternions().collect(),
         }
     }
 

@@ -11,7 +11,9 @@ mod kind;
 mod known;
 mod length;
 mod norm;
+mod quaternion;
 mod reason;
+mod rotated;
 mod term;
 #[cfg(test)]
 mod tests;
@@ -23,6 +25,7 @@ pub use self::known::Conditions;
 use self::known::{Computed, Known};
 use self::length::Lengths;
 pub(crate) use self::norm::root;
+use self::quaternion::Rotations;
 pub use self::reason::Reason;
 use self::term::Term;
 use self::turn::{Turn, Turns};
@@ -47,6 +50,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
         program,
         conditions,
         turns: Turns::default(),
+        rotations: Rotations::default(),
         steps: Vec::with_capacity(program.steps.len()),
     };
     let mut lengths = Lengths::default();
@@ -98,7 +102,13 @@ impl<'p> Known<'p> {
     fn take(&mut self, taken: &'p Step, lengths: &mut Lengths) {
         let operation = taken.operation;
         let step = u32::try_from(self.steps.len()).expect("fewer than 2³² steps");
-        let (value, form) = self.step(operation, lengths);
+        let Conditions {
+            quaternions,
+            scalar,
+            ..
+        } = *self.conditions;
+        let range = (self.rotations).take(step, operation, quaternions, scalar);
+        let (value, form) = self.step(operation, range, lengths);
         let place = match form {
             Form::Turned(turn) => self.turns.place(step, &turn),
             _ => None,
@@ -110,7 +120,10 @@ impl<'p> Known<'p> {
             form,
             reason: (!fits).then(|| self.why(operation)).flatten(),
             place,
-            follows: Follows::of(taken, &form),
+            follows: match self.rotations.entry(Operand::Step(step)) {
+                None => Follows::of(taken, &form),
+                Some(_) => Follows::Never,
+            },
             kind: Kind::of(Operand::Step(step), taken.label, &form, place),
         });
         if fits && is_sum(operation) {
@@ -132,10 +145,16 @@ impl<'p> Known<'p> {
         })
     }
 
-    /// Range and error of what is computed; none where something on the way may overflow.
-    fn step(&self, operation: Operation, lengths: &mut Lengths) -> (Option<Value>, Form) {
+    /// Range and error of what is computed, within a range where one is known; none where something on the way may
+    /// overflow.
+    fn step(
+        &self,
+        operation: Operation,
+        range: Option<[f64; 2]>,
+        lengths: &mut Lengths,
+    ) -> (Option<Value>, Form) {
         if let Some(terms) = self.terms(operation) {
-            return self.sum(terms, lengths);
+            return self.sum(terms, range, lengths);
         }
         let exact = match operation {
             Operation::Mul(a, b) => self.product([a, b]),
@@ -147,10 +166,16 @@ impl<'p> Known<'p> {
             Operation::Neg(a) => return (Some(self.value(a).opposite()), Form::Plain),
             _ => unreachable!("a sum has terms"),
         };
+        let exact = exact.kept(range);
         (Some(exact.rounded(self.scalar())), Form::Plain)
     }
 
-    fn sum(&self, terms: [Term; 2], lengths: &mut Lengths) -> (Option<Value>, Form) {
+    fn sum(
+        &self,
+        terms: [Term; 2],
+        range: Option<[f64; 2]>,
+        lengths: &mut Lengths,
+    ) -> (Option<Value>, Form) {
         // A product is rounded before it is added, or else the error is smaller.
         let [a, b] = terms.map(|term| match (term.whole, term.factors) {
             (Some(whole), _) => self.value(whole),
@@ -162,8 +187,15 @@ impl<'p> Known<'p> {
         }
         let signed = |value: Value, minus| if minus { value.opposite() } else { value };
         let sum = signed(a, terms[0].minus).plus(signed(b, terms[1].minus));
-        let sum = sum.rounded(self.scalar());
+        let sum = sum.kept(range);
         let wholes = (terms[0].whole, terms[1].whole);
+        let doubles = wholes.0.is_some() && wholes.0 == wholes.1;
+        let sum = if doubles {
+            // 2 a has the digits of a, unless it is subnormal; a − a is 0.
+            sum.read(self.scalar())
+        } else {
+            sum.rounded(self.scalar())
+        };
         let form = match wholes {
             (Some(a), Some(b)) => Form::Sum(a, b),
             (None, Some(rest)) => Form::More(rest, a),

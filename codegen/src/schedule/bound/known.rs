@@ -3,12 +3,14 @@
 //! In: what a program runs under, and its first steps. Out: range and error of whatever a step may read.
 
 use super::kind::{Follows, Form, Kind, Of};
+use super::quaternion::Rotations;
 use super::reason::Reason;
 use super::turn::{Place, Turns};
 use super::value::Value;
 use crate::expression::Input;
 use crate::real::Real;
 use crate::schedule::{Operand, Program};
+use crate::space::CoordinateId;
 
 /// What a program runs under.
 pub struct Conditions<'c> {
@@ -19,6 +21,8 @@ pub struct Conditions<'c> {
     pub angles: f64,
     /// What each input can be.
     pub range: &'c dyn Fn(Input) -> Value,
+    /// The first coordinates of quaternions, of length 1 but for their rounding.
+    pub quaternions: &'c [CoordinateId],
 }
 
 /// The values of a program so far.
@@ -27,6 +31,8 @@ pub struct Known<'p> {
     pub conditions: &'p Conditions<'p>,
     /// Sines and cosines.
     pub turns: Turns,
+    /// Entries of rotation matrices of quaternions.
+    pub rotations: Rotations,
     pub steps: Vec<Computed>,
 }
 

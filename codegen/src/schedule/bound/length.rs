@@ -7,10 +7,12 @@
 use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 
-use super::combination::{Combination, ROWS};
+use super::combination::{Column, Combination, ROWS};
 use super::kind::{Form, Kind, Of};
 use super::known::Known;
 use super::norm::{both, norm, root};
+use super::quaternion::stretch;
+use super::rotated::{self, Rotated};
 use super::value::Value;
 use crate::real::Real;
 use crate::schedule::Operand;
@@ -154,6 +156,10 @@ impl Lengths {
             return length.beside(leaves);
         }
         let steps = &set[..count];
+        if known.rotations.are_in_line(steps) {
+            length.size = length.size.min(stretch(known.scalar()));
+            return length.beside(leaves);
+        }
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
         if !twice && self.0.len() < MOST * known.steps.len() {
             let turned = |step: &u32| matches!(known.steps[*step as usize].form, Form::Turned(_));
@@ -174,8 +180,28 @@ impl Lengths {
         let Some(combination) = Combination::of(known, steps) else {
             return Length::UNKNOWN;
         };
+        let mut length = self.of_columns(known, &combination.columns, &[], depth);
+        let mut others = combination.columns;
+        let rotated = rotated::take(known, &mut others);
+        if !rotated.is_empty() {
+            length = length.least(self.of_columns(known, &others, &rotated, depth));
+        }
+        Length {
+            size: length.size,
+            error: length.error + root(combination.lost),
+        }
+    }
+
+    /// The length of what columns give, some of which have been found to be rotated vectors.
+    fn of_columns(
+        &mut self,
+        known: &Known<'_>,
+        columns: &[Column],
+        rotated: &[Rotated],
+        depth: usize,
+    ) -> Length {
         let mut groups: Vec<Group> = Vec::new();
-        for column in &combination.columns {
+        for column in columns {
             let kind = known.kind_of(column.of);
             let found = groups.iter_mut().find(|group| group.kind == kind);
             match found {
@@ -187,7 +213,7 @@ impl Lengths {
                 }),
             }
         }
-        let mut length = self.of_groups(known, &groups, depth);
+        let mut length = self.of_groups(known, &groups, rotated, depth);
         // The third entry of a vector that is turned about an axis has another name than the others.
         let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]);
         let turned =
@@ -201,25 +227,34 @@ impl Lengths {
                     } = groups[third].clone();
                     others[at].take(members[0], matrix[0]);
                     others.remove(third);
-                    length = length.least(self.of_groups(known, &others, depth));
+                    length = length.least(self.of_groups(known, &others, rotated, depth));
                 }
             }
         }
-        Length {
-            size: length.size,
-            error: length.error + root(combination.lost),
-        }
+        length
     }
 
     /// The sum of what groups of columns give, as a whole or row by row.
-    fn of_groups(&mut self, known: &Known<'_>, groups: &[Group], depth: usize) -> Length {
-        let mut whole = Length::default();
-        let mut rows = [Length::default(); ROWS];
+    fn of_groups(
+        &mut self,
+        known: &Known<'_>,
+        groups: &[Group],
+        rotated: &[Rotated],
+        depth: usize,
+    ) -> Length {
+        let mut parts: Vec<(Length, &[[f64; ROWS]])> = Vec::new();
         for Group {
             members, matrix, ..
         } in groups
         {
-            let length = self.of_group(known, members, depth);
+            parts.push((self.of_group(known, members, depth), matrix));
+        }
+        for part in rotated {
+            parts.push((self.of_rotated(known, part, depth), &part.matrix));
+        }
+        let mut whole = Length::default();
+        let mut rows = [Length::default(); ROWS];
+        for (length, matrix) in parts {
             whole = whole.plus(length.times(norm(matrix)));
             for (row, sum) in rows.iter_mut().enumerate() {
                 let entries = matrix.iter().map(|column| column[row]);
@@ -227,6 +262,26 @@ impl Lengths {
             }
         }
         whole.least(rows.into_iter().fold(Length::default(), Length::beside))
+    }
+
+    /// The length of R v.
+    fn of_rotated(&mut self, known: &Known<'_>, rotated: &Rotated, depth: usize) -> Length {
+        let of_rotation = Length {
+            size: stretch(known.scalar()),
+            error: rotated.error,
+        };
+        let of_vector = if rotated.values.is_empty() {
+            Length {
+                size: rotated.numbers,
+                error: 0.0,
+            }
+        } else {
+            self.follow(known, &rotated.values, true, depth)
+        };
+        Length {
+            size: of_rotation.size * of_vector.size,
+            error: of_rotation.across(of_vector),
+        }
     }
 
     /// How long some values are together; products by the factor that they share.

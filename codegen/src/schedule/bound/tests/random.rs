@@ -185,6 +185,7 @@ fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl
         scalar,
         angles: 1e3,
         range: &range,
+        quaternions: &[],
     };
     let found = results(program, &conditions);
     let mut random = Random::new(seed);
@@ -245,6 +246,7 @@ fn a_bound_in_single_precision_tells_one_in_double() {
                 scalar,
                 angles: f64::INFINITY,
                 range: &range,
+                quaternions: &[],
             };
             results(&program, &conditions)
         });

@@ -7,13 +7,13 @@
 //! overflow has none. It never runs the program.
 
 mod combination;
+mod group;
 mod kind;
 mod known;
 mod length;
 mod norm;
 mod quaternion;
 mod reason;
-mod rotated;
 mod term;
 #[cfg(test)]
 mod tests;
@@ -102,18 +102,21 @@ impl<'p> Known<'p> {
     fn take(&mut self, taken: &'p Step, lengths: &mut Lengths) {
         let operation = taken.operation;
         let step = u32::try_from(self.steps.len()).expect("fewer than 2³² steps");
+        let (value, form) = self.step(operation, lengths);
+        let place = match form {
+            Form::Turned(turn) => self.turns.place(step, &turn),
+            _ => None,
+        };
+        let mut value = value.unwrap_or(Value::UNKNOWN);
         let Conditions {
             quaternions,
             scalar,
             ..
         } = *self.conditions;
         let range = (self.rotations).take(step, operation, quaternions, scalar);
-        let (value, form) = self.step(operation, range, lengths);
-        let place = match form {
-            Form::Turned(turn) => self.turns.place(step, &turn),
-            _ => None,
-        };
-        let value = value.unwrap_or(Value::UNKNOWN);
+        if let Some([lo, hi]) = range {
+            (value.lo, value.hi) = (value.lo.max(lo), value.hi.min(hi));
+        }
         let fits = value.fits(self.scalar());
         self.steps.push(Computed {
             value: if fits { value } else { Value::UNKNOWN },
@@ -145,16 +148,10 @@ impl<'p> Known<'p> {
         })
     }
 
-    /// Range and error of what is computed, within a range where one is known; none where something on the way may
-    /// overflow.
-    fn step(
-        &self,
-        operation: Operation,
-        range: Option<[f64; 2]>,
-        lengths: &mut Lengths,
-    ) -> (Option<Value>, Form) {
+    /// Range and error of what is computed; none where something on the way may overflow.
+    fn step(&self, operation: Operation, lengths: &mut Lengths) -> (Option<Value>, Form) {
         if let Some(terms) = self.terms(operation) {
-            return self.sum(terms, range, lengths);
+            return self.sum(terms, lengths);
         }
         let exact = match operation {
             Operation::Mul(a, b) => self.product([a, b]),
@@ -166,16 +163,10 @@ impl<'p> Known<'p> {
             Operation::Neg(a) => return (Some(self.value(a).opposite()), Form::Plain),
             _ => unreachable!("a sum has terms"),
         };
-        let exact = exact.kept(range);
         (Some(exact.rounded(self.scalar())), Form::Plain)
     }
 
-    fn sum(
-        &self,
-        terms: [Term; 2],
-        range: Option<[f64; 2]>,
-        lengths: &mut Lengths,
-    ) -> (Option<Value>, Form) {
+    fn sum(&self, terms: [Term; 2], lengths: &mut Lengths) -> (Option<Value>, Form) {
         // A product is rounded before it is added, or else the error is smaller.
         let [a, b] = terms.map(|term| match (term.whole, term.factors) {
             (Some(whole), _) => self.value(whole),
@@ -187,11 +178,9 @@ impl<'p> Known<'p> {
         }
         let signed = |value: Value, minus| if minus { value.opposite() } else { value };
         let sum = signed(a, terms[0].minus).plus(signed(b, terms[1].minus));
-        let sum = sum.kept(range);
         let wholes = (terms[0].whole, terms[1].whole);
-        let doubles = wholes.0.is_some() && wholes.0 == wholes.1;
-        let sum = if doubles {
-            // 2 a has the digits of a, unless it is subnormal; a − a is 0.
+        let sum = if wholes.0.is_some() && wholes.0 == wholes.1 {
+            // 2 a has the digits of a, where they are not subnormal; a − a is 0.
             sum.read(self.scalar())
         } else {
             sum.rounded(self.scalar())

@@ -8,11 +8,11 @@ use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 
 use super::combination::{Column, Combination, ROWS};
+use super::group::{self, Group};
 use super::kind::{Form, Kind, Of};
 use super::known::Known;
 use super::norm::{both, norm, root};
 use super::quaternion::stretch;
-use super::rotated::{self, Rotated};
 use super::value::Value;
 use crate::real::Real;
 use crate::schedule::Operand;
@@ -95,21 +95,6 @@ const DEPTH: usize = 64;
 /// How many lengths are remembered for each step; beyond, none is followed any further.
 const MOST: usize = 8;
 
-/// Columns that multiply the entries of one vector.
-#[derive(Clone)]
-struct Group {
-    kind: Kind,
-    members: Vec<Of>,
-    matrix: Vec<[f64; ROWS]>,
-}
-
-impl Group {
-    fn take(&mut self, member: Of, entries: [f64; ROWS]) {
-        self.members.push(member);
-        self.matrix.push(entries);
-    }
-}
-
 /// The lengths that were asked for, by the steps that are the entries.
 #[derive(Default)]
 pub struct Lengths(HashMap<[u32; ENTRIES], Length>);
@@ -158,7 +143,6 @@ impl Lengths {
         let steps = &set[..count];
         if known.rotations.are_in_line(steps) {
             length.size = length.size.min(stretch(known.scalar()));
-            return length.beside(leaves);
         }
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
         if !twice && self.0.len() < MOST * known.steps.len() {
@@ -180,11 +164,12 @@ impl Lengths {
         let Some(combination) = Combination::of(known, steps) else {
             return Length::UNKNOWN;
         };
-        let mut length = self.of_columns(known, &combination.columns, &[], depth);
-        let mut others = combination.columns;
-        let rotated = rotated::take(known, &mut others);
-        if !rotated.is_empty() {
-            length = length.least(self.of_columns(known, &others, &rotated, depth));
+        let mut others = combination.columns.clone();
+        let rotated = group::rotated(known, &mut others);
+        let is_rotated = !rotated.is_empty();
+        let mut length = self.of_columns(known, Vec::new(), &combination.columns, depth);
+        if is_rotated {
+            length = length.least(self.of_columns(known, rotated, &others, depth));
         }
         Length {
             size: length.size,
@@ -192,30 +177,19 @@ impl Lengths {
         }
     }
 
-    /// The length of what columns give, some of which have been found to be rotated vectors.
+    /// The length of what some groups and other columns give.
     fn of_columns(
         &mut self,
         known: &Known<'_>,
+        mut groups: Vec<Group>,
         columns: &[Column],
-        rotated: &[Rotated],
         depth: usize,
     ) -> Length {
-        let mut groups: Vec<Group> = Vec::new();
-        for column in columns {
-            let kind = known.kind_of(column.of);
-            let found = groups.iter_mut().find(|group| group.kind == kind);
-            match found {
-                Some(group) => group.take(column.of, column.entries),
-                None => groups.push(Group {
-                    kind,
-                    members: vec![column.of],
-                    matrix: vec![column.entries],
-                }),
-            }
-        }
-        let mut length = self.of_groups(known, &groups, rotated, depth);
+        group::by_kind(known, columns, &mut groups);
+        let mut length = self.of_groups(known, &groups, depth);
         // The third entry of a vector that is turned about an axis has another name than the others.
-        let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]);
+        let rotated = |group: &Group| matches!(group.kind, Kind::Rotated(_));
+        let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]) && !rotated(group);
         let turned =
             |group: &Group| matches!((group.kind, &group.members[..]), (Kind::Turned(_), [_, _]));
         if let Some(at) = groups.iter().position(turned) {
@@ -227,7 +201,7 @@ impl Lengths {
                     } = groups[third].clone();
                     others[at].take(members[0], matrix[0]);
                     others.remove(third);
-                    length = length.least(self.of_groups(known, &others, rotated, depth));
+                    length = length.least(self.of_groups(known, &others, depth));
                 }
             }
         }
@@ -235,26 +209,26 @@ impl Lengths {
     }
 
     /// The sum of what groups of columns give, as a whole or row by row.
-    fn of_groups(
-        &mut self,
-        known: &Known<'_>,
-        groups: &[Group],
-        rotated: &[Rotated],
-        depth: usize,
-    ) -> Length {
-        let mut parts: Vec<(Length, &[[f64; ROWS]])> = Vec::new();
-        for Group {
-            members, matrix, ..
-        } in groups
-        {
-            parts.push((self.of_group(known, members, depth), matrix));
-        }
-        for part in rotated {
-            parts.push((self.of_rotated(known, part, depth), &part.matrix));
-        }
+    fn of_groups(&mut self, known: &Known<'_>, groups: &[Group], depth: usize) -> Length {
         let mut whole = Length::default();
         let mut rows = [Length::default(); ROWS];
-        for (length, matrix) in parts {
+        for Group {
+            kind,
+            members,
+            matrix,
+        } in groups
+        {
+            let mut length = self.of_group(known, members, depth);
+            if let &Kind::Rotated(error) = kind {
+                let by = Length {
+                    size: stretch(known.scalar()),
+                    error,
+                };
+                length = Length {
+                    size: by.size * length.size,
+                    error: by.across(length),
+                };
+            }
             whole = whole.plus(length.times(norm(matrix)));
             for (row, sum) in rows.iter_mut().enumerate() {
                 let entries = matrix.iter().map(|column| column[row]);
@@ -262,26 +236,6 @@ impl Lengths {
             }
         }
         whole.least(rows.into_iter().fold(Length::default(), Length::beside))
-    }
-
-    /// The length of R v.
-    fn of_rotated(&mut self, known: &Known<'_>, rotated: &Rotated, depth: usize) -> Length {
-        let of_rotation = Length {
-            size: stretch(known.scalar()),
-            error: rotated.error,
-        };
-        let of_vector = if rotated.values.is_empty() {
-            Length {
-                size: rotated.numbers,
-                error: 0.0,
-            }
-        } else {
-            self.follow(known, &rotated.values, true, depth)
-        };
-        Length {
-            size: of_rotation.size * of_vector.size,
-            error: of_rotation.across(of_vector),
-        }
     }
 
     /// How long some values are together; products by the factor that they share.

@@ -81,18 +81,6 @@ impl Value {
         }
     }
 
-    /// With a range that the exact value is known to keep, if one is.
-    pub(super) fn kept(self, range: Option<[f64; 2]>) -> Self {
-        let Some([lo, hi]) = range else {
-            return self;
-        };
-        Self {
-            lo: self.lo.max(lo),
-            hi: self.hi.min(hi),
-            ..self
-        }
-    }
-
     /// a + b, not yet rounded.
     pub(super) fn plus(self, other: Self) -> Self {
         Self {

@@ -235,3 +235,42 @@ fn climbs_on_arms() {
         }
     }
 }
+
+/// The same within 500 with a floating base, of each function whose results are turned by its quaternion.
+#[test]
+fn climbs_with_a_floating_base() {
+    for (name, description, tip) in [
+        ("panda_class", subject("panda_class/0").description, "link8"),
+        ("humanoid", humanoid(29), "link21"),
+    ] {
+        let floating = Request {
+            floating: true,
+            tip: Some(tip.into()),
+            ..Request::default()
+        };
+        for function in [
+            Function::SpatialJacobianRate,
+            Function::Acceleration,
+            Function::Gravity,
+            Function::CentroidalMomentumMatrix,
+            Function::CentroidalMomentumBias,
+        ] {
+            let name = format!("floating {name} {function:?}");
+            climb_within_500::<F64>(&description, &floating, function, &name);
+            climb_within_500::<F32>(&description, &floating, function, &name);
+        }
+    }
+}
+
+fn climb_within_500<T: Tested>(
+    description: &Description,
+    request: &Request,
+    function: Function,
+    name: &str,
+) {
+    let subject = Climb::<T>::new(description, request, function);
+    for (unit, worst) in subject.by_unit(name, 100, 400) {
+        let is_near = worst >= 2e-3 || worst == 0.0;
+        assert!(is_near, "{worst:e} of the bound of {name} in {unit}");
+    }
+}

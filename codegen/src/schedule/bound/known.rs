@@ -3,7 +3,7 @@
 //! In: what a program runs under, and its first steps. Out: range and error of whatever a step may read.
 
 use super::kind::{Follows, Form, Kind, Of};
-use super::quaternion::Rotations;
+use super::quaternion::{Rotations, beyond};
 use super::reason::Reason;
 use super::turn::{Place, Turns};
 use super::value::Value;
@@ -77,7 +77,12 @@ impl Known<'_> {
                 let open = self.program.open.get(&number.abs().to_bits());
                 literal(number, open.copied().unwrap_or(0.0), self.scalar())
             }
-            Operand::Input(input) => (self.conditions.range)(input).read(self.scalar()),
+            Operand::Input(input) => {
+                let range = (self.conditions.range)(input);
+                let beyond = beyond(input, self.conditions.quaternions, self.scalar());
+                let (lo, hi) = (beyond * range.lo, beyond * range.hi);
+                Value { lo, hi, ..range }.read(self.scalar())
+            }
             _ => Value::UNKNOWN,
         }
     }

@@ -37,6 +37,25 @@ pub struct Rotations(HashMap<u32, (CoordinateId, Polynomial)>);
 /// Far more than what numbers stand for is beside them, which are taken here as they are printed.
 const MARGIN: f64 = 1e-9;
 
+/// Which entry of a quaternion an input is, if it is one.
+fn place(input: Input, first: CoordinateId) -> Option<usize> {
+    let Input::Variable(Variable::Q, k) = input else {
+        return None;
+    };
+    let place = usize::from(k).checked_sub(first.index());
+    place.filter(|place| *place < 4)
+}
+
+/// How far an input goes beyond its range: as far as quaternions are longer than 1.
+pub fn beyond(input: Input, quaternions: &[CoordinateId], scalar: Real) -> f64 {
+    let is_entry = |&first: &CoordinateId| place(input, first).is_some();
+    if quaternions.iter().any(is_entry) {
+        longest(scalar).sqrt()
+    } else {
+        1.0
+    }
+}
+
 /// The greatest n. Entries are rounded, and were divided by a length that was rounded: 10 units of roundoff, and more.
 fn longest(scalar: Real) -> f64 {
     1.0 + 16.0 * scalar.roundoff() + MARGIN
@@ -82,11 +101,8 @@ impl Rotations {
                 return found.map(|found| found.1);
             }
             Operand::Literal(number) => polynomial[4][4] = number,
-            Operand::Input(Input::Variable(Variable::Q, k)) => {
-                let entry = usize::from(k).checked_sub(first.index());
-                polynomial[entry.filter(|entry| *entry < 4)?][4] = 1.0;
-            }
-            _ => return None,
+            Operand::Input(input) => polynomial[place(input, first)?][4] = 1.0,
+            Operand::Sin(_) | Operand::Cos(_) => return None,
         }
         exact(polynomial)
     }

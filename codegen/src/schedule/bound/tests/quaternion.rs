@@ -1,0 +1,185 @@
+//! Programs that rotate vectors by quaternions, and programs that only look like it.
+//!
+//! In: programs written by hand. Out: that R v and Rᵗ v are as long as v, that no other matrix of the same entries is
+//! taken for R, and that ranges are those of polynomials in numbers whose squares add up to 1.
+
+use super::{A, B, Conditions, U, Value, program, results, step};
+use crate::expression::Input;
+use crate::list::Id;
+use crate::real::Real;
+use crate::schedule::{Operand, Operation};
+use crate::space::{CoordinateId, Variable};
+
+/// The first coordinate of the quaternion: behind those of `A` and `B`.
+const FIRST: u16 = 2;
+
+/// An entry of the quaternion.
+pub fn entry(k: usize) -> Operand {
+    let k = u16::try_from(k).expect("there are four");
+    Operand::Input(Input::Variable(Variable::Q, FIRST + k))
+}
+
+/// Where quaternions begin.
+pub fn quaternions() -> [CoordinateId; 1] {
+    [CoordinateId::new(usize::from(FIRST))]
+}
+
+/// Adds an operation.
+pub fn add(operations: &mut Vec<Operation>, operation: Operation) -> Operand {
+    operations.push(operation);
+    step(u32::try_from(operations.len() - 1).expect("few"))
+}
+
+/// Adds the steps of R = 1 + 2 w v̲ + 2 v̲² as the engine has them.
+pub fn rotation(operations: &mut Vec<Operation>) -> [[Operand; 3]; 3] {
+    let mut add = |operation| add(operations, operation);
+    let [x, y, z, w] = [0, 1, 2, 3].map(entry);
+    let twice = [x, y, z].map(|a| add(Operation::Add(a, a)));
+    let [xx, yy, zz] = [(0, x), (1, y), (2, z)].map(|(k, a)| add(Operation::Mul(a, twice[k])));
+    let [xy, xz, yz] = [(1, x), (2, x), (2, y)].map(|(k, a)| add(Operation::Mul(a, twice[k])));
+    let [wx, wy, wz] = [0, 1, 2].map(|k| add(Operation::Mul(w, twice[k])));
+    let one = Operand::Literal(1.0);
+    let diagonal = [(yy, zz), (xx, zz), (xx, yy)].map(|(a, b)| {
+        let both = add(Operation::Add(a, b));
+        add(Operation::Sub(one, both))
+    });
+    [
+        [
+            diagonal[0],
+            add(Operation::Sub(xy, wz)),
+            add(Operation::Add(xz, wy)),
+        ],
+        [
+            add(Operation::Add(xy, wz)),
+            diagonal[1],
+            add(Operation::Sub(yz, wx)),
+        ],
+        [
+            add(Operation::Sub(xz, wy)),
+            add(Operation::Add(yz, wx)),
+            diagonal[2],
+        ],
+    ]
+}
+
+/// Adds a matrix times a vector.
+pub fn times(
+    operations: &mut Vec<Operation>,
+    matrix: [[Operand; 3]; 3],
+    [x, y, z]: [Operand; 3],
+) -> [Operand; 3] {
+    matrix.map(|[a, b, c]| {
+        let first = add(operations, Operation::Mul(a, x));
+        let second = add(operations, Operation::MulAdd(b, y, first));
+        add(operations, Operation::MulAdd(c, z, second))
+    })
+}
+
+const fn transposed([a, b, c]: [[Operand; 3]; 3]) -> [[Operand; 3]; 3] {
+    [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]]
+}
+
+/// The last value, for a quaternion and what is left in [−2, 3] and [1, 2].
+fn last(operations: &[Operation]) -> Value {
+    let range = |input| match input {
+        Input::Variable(Variable::Q, 0) => Value::between(-2.0, 3.0),
+        Input::Variable(Variable::Q, 1) => Value::between(1.0, 2.0),
+        _ => Value::between(-1.0, 1.0),
+    };
+    let conditions = Conditions {
+        scalar: Real::F64,
+        angles: 1e5,
+        range: &range,
+        quaternions: &quaternions(),
+    };
+    results(&program(&[], operations), &conditions)[0].value
+}
+
+/// What is left of (a, b, a) after so many products with matrices that are made of R.
+fn after(times_: u32, of: impl Fn([[Operand; 3]; 3], u32) -> [[Operand; 3]; 3]) -> Value {
+    let mut operations = Vec::new();
+    let rotation = rotation(&mut operations);
+    let mut vector = [A, B, A];
+    for k in 0..times_ {
+        vector = times(&mut operations, of(rotation, k), vector);
+    }
+    last(&operations)
+}
+
+#[test]
+fn a_quaternion_does_not_lengthen_a_vector() {
+    let length = 22.0_f64.sqrt();
+    for times in [1, 2, 10, 40] {
+        let there = after(times, |rotation, _| rotation);
+        let back = after(times, |rotation, k| {
+            if k % 2 == 0 {
+                rotation
+            } else {
+                transposed(rotation)
+            }
+        });
+        for found in [there, back] {
+            assert!(found.hi <= length * (1.0 + 1e-6), "{times}: {found:?}");
+            // Of R: 10 u on its diagonal and 6 u beside it; of products and sums: 9 u in each of three entries.
+            let expected = (516.0_f64.sqrt() + 9.0 * 3.0_f64.sqrt()) * length * f64::from(times);
+            assert!(found.error <= expected * U, "{times}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_made_of_a_rotation_and_is_none_may_lengthen() {
+    // About z by π/4 the first two rows of both are (√½, ±√½) and (±√½, √½): singular, of norm √2.
+    let mirrored = |[a, b, c]: [[Operand; 3]; 3], _| [a, [a[1], b[1], b[2]], c];
+    let repeated = |[a, _, c]: [[Operand; 3]; 3], _| [a, a, c];
+    for found in [after(20, mirrored), after(20, repeated)] {
+        assert!(found.hi >= 2.0_f64.powi(10), "{found:?}");
+    }
+}
+
+#[test]
+fn a_quaternion_of_which_nothing_is_said_may_lengthen() {
+    let mut operations = Vec::new();
+    let rotation = rotation(&mut operations);
+    times(&mut operations, rotation, [A, B, A]);
+    let conditions = Conditions {
+        scalar: Real::F64,
+        angles: 1e5,
+        range: &|_| Value::between(-1.0, 1.0),
+        quaternions: &[],
+    };
+    let found = results(&program(&[], &operations), &conditions)[0].value;
+    // (1, 1, 1, −1) makes 6 of (−1, 1, −1).
+    assert!(found.hi >= 6.0 || found.lo <= -6.0, "{found:?}");
+}
+
+#[test]
+fn polynomials_of_numbers_whose_squares_add_up_to_1_have_their_ranges() {
+    let of = |operations: &dyn Fn(&mut Vec<Operation>)| {
+        let mut all = Vec::new();
+        operations(&mut all);
+        let Value { lo, hi, .. } = last(&all);
+        [lo, hi].map(|end| (end * 1e6).round() / 1e6)
+    };
+    let product = of(&|all| {
+        add(all, Operation::Mul(entry(0), entry(3)));
+    });
+    assert_eq!(product, [-0.5, 0.5]);
+    let square = of(&|all| {
+        add(all, Operation::Mul(entry(1), entry(1)));
+    });
+    assert_eq!(square, [0.0, 1.0]);
+    let of_three = of(&|all| {
+        let one = Operation::Mul(entry(0), entry(0));
+        let one = add(all, one);
+        let two = add(all, Operation::MulAdd(entry(1), entry(1), one));
+        let three = add(all, Operation::MulAdd(entry(2), entry(2), two));
+        add(all, Operation::Sub(three, Operand::Literal(3.0)));
+    });
+    assert_eq!(of_three, [-3.0, -2.0]);
+    // x − w, which is √2 at most; ranges alone have 2.
+    let linear = of(&|all| {
+        add(all, Operation::Sub(entry(0), entry(3)));
+    });
+    assert_eq!(linear, [-1.414_214, 1.414_214]);
+}

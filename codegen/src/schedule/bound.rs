@@ -102,21 +102,18 @@ impl<'p> Known<'p> {
     fn take(&mut self, taken: &'p Step, lengths: &mut Lengths) {
         let operation = taken.operation;
         let step = u32::try_from(self.steps.len()).expect("fewer than 2³² steps");
-        let (value, form) = self.step(operation, lengths);
-        let place = match form {
-            Form::Turned(turn) => self.turns.place(step, &turn),
-            _ => None,
-        };
-        let mut value = value.unwrap_or(Value::UNKNOWN);
         let Conditions {
             quaternions,
             scalar,
             ..
         } = *self.conditions;
         let range = (self.rotations).take(step, operation, quaternions, scalar);
-        if let Some([lo, hi]) = range {
-            (value.lo, value.hi) = (value.lo.max(lo), value.hi.min(hi));
-        }
+        let (value, form) = self.step(operation, range, lengths);
+        let place = match form {
+            Form::Turned(turn) => self.turns.place(step, &turn),
+            _ => None,
+        };
+        let value = value.unwrap_or(Value::UNKNOWN);
         let fits = value.fits(self.scalar());
         self.steps.push(Computed {
             value: if fits { value } else { Value::UNKNOWN },
@@ -148,10 +145,16 @@ impl<'p> Known<'p> {
         })
     }
 
-    /// Range and error of what is computed; none where something on the way may overflow.
-    fn step(&self, operation: Operation, lengths: &mut Lengths) -> (Option<Value>, Form) {
+    /// Range and error of what is computed, within a range where one is known; none where something on the way may
+    /// overflow.
+    fn step(
+        &self,
+        operation: Operation,
+        range: Option<[f64; 2]>,
+        lengths: &mut Lengths,
+    ) -> (Option<Value>, Form) {
         if let Some(terms) = self.terms(operation) {
-            return self.sum(terms, lengths);
+            return self.sum(terms, range, lengths);
         }
         let exact = match operation {
             Operation::Mul(a, b) => self.product([a, b]),
@@ -163,10 +166,15 @@ impl<'p> Known<'p> {
             Operation::Neg(a) => return (Some(self.value(a).opposite()), Form::Plain),
             _ => unreachable!("a sum has terms"),
         };
-        (Some(exact.rounded(self.scalar())), Form::Plain)
+        (Some(exact.kept(range).rounded(self.scalar())), Form::Plain)
     }
 
-    fn sum(&self, terms: [Term; 2], lengths: &mut Lengths) -> (Option<Value>, Form) {
+    fn sum(
+        &self,
+        terms: [Term; 2],
+        range: Option<[f64; 2]>,
+        lengths: &mut Lengths,
+    ) -> (Option<Value>, Form) {
         // A product is rounded before it is added, or else the error is smaller.
         let [a, b] = terms.map(|term| match (term.whole, term.factors) {
             (Some(whole), _) => self.value(whole),
@@ -178,6 +186,7 @@ impl<'p> Known<'p> {
         }
         let signed = |value: Value, minus| if minus { value.opposite() } else { value };
         let sum = signed(a, terms[0].minus).plus(signed(b, terms[1].minus));
+        let sum = sum.kept(range);
         let wholes = (terms[0].whole, terms[1].whole);
         let sum = if wholes.0.is_some() && wholes.0 == wholes.1 {
             // 2 a has the digits of a, where they are not subnormal; a − a is 0.

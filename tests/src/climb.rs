@@ -13,7 +13,6 @@ use homogen_codegen::description::Description;
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::list::Id;
 use homogen_codegen::model::Way;
 use homogen_codegen::module::GeneratedFunction;
 use homogen_codegen::range::Range;
@@ -132,9 +131,7 @@ impl<T: Tested> Climb<T> {
     /// much as a computed length may be off.
     fn settle(&self, ends: &[(Input, [f64; 2])], state: &mut [f64], random: &mut Random) {
         for first in &self.range.quaternions {
-            let first = u16::try_from(first.index()).expect("few");
-            let of = Input::Variable(Variable::Q, first);
-            let at = ends.iter().position(|(input, _)| *input == of);
+            let at = ends.iter().position(|(input, _)| input == first);
             let at = at.expect("every input has a range");
             let quaternion = &mut state[at..][..4];
             let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();

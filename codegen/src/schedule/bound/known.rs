@@ -10,7 +10,6 @@ use super::value::Value;
 use crate::expression::Input;
 use crate::real::Real;
 use crate::schedule::{Operand, Program};
-use crate::space::CoordinateId;
 
 /// What a program runs under.
 pub struct Conditions<'c> {
@@ -21,8 +20,8 @@ pub struct Conditions<'c> {
     pub angles: f64,
     /// What each input can be.
     pub range: &'c dyn Fn(Input) -> Value,
-    /// The first coordinates of quaternions, of length 1 but for their rounding.
-    pub quaternions: &'c [CoordinateId],
+    /// The first entries x of quaternions x, y, z, w, of length 1 but for their rounding.
+    pub quaternions: &'c [Input],
 }
 
 /// The values of a program so far.

@@ -11,10 +11,8 @@ use std::collections::HashMap;
 use std::mem::replace;
 
 use crate::expression::Input;
-use crate::list::Id;
 use crate::real::Real;
 use crate::schedule::{Operand, Operation};
-use crate::space::{CoordinateId, Variable};
 
 /// Σ aᵢⱼ qᵢ qⱼ over i ≤ j, with q₄ = 1.
 type Polynomial = [[f64; 5]; 5];
@@ -22,33 +20,35 @@ type Polynomial = [[f64; 5]; 5];
 /// An entry of the rotation matrix of a quaternion, or the opposite of it.
 #[derive(Clone, Copy)]
 pub struct Entry {
-    /// The first coordinate of the quaternion.
-    pub quaternion: CoordinateId,
+    /// The first entry of the quaternion.
+    pub quaternion: Input,
     /// Row and column.
     pub place: [usize; 2],
     /// 1, or −1 where it is the opposite.
     pub sign: f64,
 }
 
-/// The steps so far that are polynomials in a quaternion, by its first coordinate.
+/// The steps so far that are polynomials in a quaternion, by its first entry.
 #[derive(Default)]
-pub struct Rotations(HashMap<u32, (CoordinateId, Polynomial)>);
+pub struct Rotations(HashMap<u32, (Input, Polynomial)>);
 
 /// Far more than what numbers stand for is beside them, which are taken here as they are printed.
 const MARGIN: f64 = 1e-9;
 
 /// Which entry of a quaternion an input is, if it is one.
-fn place(input: Input, first: CoordinateId) -> Option<usize> {
-    let Input::Variable(Variable::Q, k) = input else {
-        return None;
-    };
-    let place = usize::from(k).checked_sub(first.index());
-    place.filter(|place| *place < 4)
+fn place(input: Input, first: Input) -> Option<usize> {
+    match (input, first) {
+        (Input::Variable(of, k), Input::Variable(same, first)) if of == same => k
+            .checked_sub(first)
+            .map(usize::from)
+            .filter(|place| *place < 4),
+        _ => None,
+    }
 }
 
 /// How far an input goes beyond its range: as far as quaternions are longer than 1.
-pub fn beyond(input: Input, quaternions: &[CoordinateId], scalar: Real) -> f64 {
-    let is_entry = |&first: &CoordinateId| place(input, first).is_some();
+pub fn beyond(input: Input, quaternions: &[Input], scalar: Real) -> f64 {
+    let is_entry = |&first: &Input| place(input, first).is_some();
     if quaternions.iter().any(is_entry) {
         longest(scalar).sqrt()
     } else {
@@ -72,7 +72,7 @@ impl Rotations {
         &mut self,
         step: u32,
         operation: Operation,
-        quaternions: &[CoordinateId],
+        quaternions: &[Input],
         scalar: Real,
     ) -> Option<[f64; 2]> {
         let (first, polynomial) = quaternions.iter().find_map(|&first| {
@@ -93,7 +93,7 @@ impl Rotations {
     }
 
     /// What an operand is in the entries of a quaternion.
-    fn polynomial(&self, operand: Operand, first: CoordinateId) -> Option<Polynomial> {
+    fn polynomial(&self, operand: Operand, first: Input) -> Option<Polynomial> {
         let mut polynomial = Polynomial::default();
         match operand {
             Operand::Step(step) => {

@@ -5,10 +5,9 @@
 
 use super::{A, B, Conditions, U, Value, program, results, step};
 use crate::expression::Input;
-use crate::list::Id;
 use crate::real::Real;
 use crate::schedule::{Operand, Operation};
-use crate::space::{CoordinateId, Variable};
+use crate::space::Variable;
 
 /// The first coordinate of the quaternion: behind those of `A` and `B`.
 const FIRST: u16 = 2;
@@ -20,9 +19,7 @@ pub fn entry(k: usize) -> Operand {
 }
 
 /// Where quaternions begin.
-pub fn quaternions() -> [CoordinateId; 1] {
-    [CoordinateId::new(usize::from(FIRST))]
-}
+pub const QUATERNIONS: [Input; 1] = [Input::Variable(Variable::Q, FIRST)];
 
 /// Adds an operation.
 pub fn add(operations: &mut Vec<Operation>, operation: Operation) -> Operand {
@@ -90,7 +87,7 @@ fn last(operations: &[Operation]) -> Value {
         scalar: Real::F64,
         angles: 1e5,
         range: &range,
-        quaternions: &quaternions(),
+        quaternions: &QUATERNIONS,
     };
     results(&program(&[], operations), &conditions)[0].value
 }

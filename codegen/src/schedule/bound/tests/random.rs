@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use homogen_random::Random;
 
-use super::quaternion::{entry, quaternions, rotation, times};
+use super::quaternion::{QUATERNIONS, entry, rotation, times};
 use super::{A, B, Conditions, Value, program, results, step};
 use crate::expression::{Arithmetic, Block, Component, Double, Input, Numeral, Of};
 use crate::real::Real;
@@ -246,7 +246,7 @@ fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl
         scalar,
         angles: 1e3,
         range: &range,
-        quaternions: &quaternions(),
+        quaternions: &QUATERNIONS,
     };
     let found = results(program, &conditions);
     let mut random = Random::new(seed);
@@ -309,7 +309,7 @@ fn a_bound_in_single_precision_tells_one_in_double() {
                 scalar,
                 angles: f64::INFINITY,
                 range: &range,
-                quaternions: &quaternions(),
+                quaternions: &QUATERNIONS,
             };
             results(&program, &conditions)
         });

@@ -3,6 +3,8 @@
 //! In: programs written by hand. Out: that R v and Rᵗ v are as long as v, that no other matrix of the same entries is
 //! taken for R, and that ranges are those of polynomials in numbers whose squares add up to 1.
 
+use std::f64::consts::SQRT_2;
+
 use super::{A, B, Conditions, U, Value, program, results, step};
 use crate::expression::Input;
 use crate::real::Real;
@@ -93,32 +95,39 @@ fn last(operations: &[Operation]) -> Value {
 }
 
 /// What is left of (a, b, a) after so many products with matrices that are made of R.
-fn after(times_: u32, of: impl Fn([[Operand; 3]; 3], u32) -> [[Operand; 3]; 3]) -> Value {
+fn after(
+    count: u32,
+    of: impl Fn(&mut Vec<Operation>, [[Operand; 3]; 3]) -> [[Operand; 3]; 3],
+) -> Value {
     let mut operations = Vec::new();
     let rotation = rotation(&mut operations);
+    let matrix = of(&mut operations, rotation);
     let mut vector = [A, B, A];
-    for k in 0..times_ {
-        vector = times(&mut operations, of(rotation, k), vector);
+    for _ in 0..count {
+        vector = times(&mut operations, matrix, vector);
     }
     last(&operations)
+}
+
+/// −a, as a step of its own.
+fn opposite(operations: &mut Vec<Operation>, a: Operand) -> Operand {
+    add(operations, Operation::Sub(Operand::Literal(0.0), a))
 }
 
 #[test]
 fn a_quaternion_does_not_lengthen_a_vector() {
     let length = 22.0_f64.sqrt();
     for times in [1, 2, 10, 40] {
-        let there = after(times, |rotation, _| rotation);
-        let back = after(times, |rotation, k| {
-            if k % 2 == 0 {
-                rotation
-            } else {
-                transposed(rotation)
-            }
+        let there = after(times, |_, rotation| rotation);
+        let back = after(times, |_, rotation| transposed(rotation));
+        // By its third column with the other sign it mirrors as well.
+        let mirrored = after(times, |operations, rotation| {
+            rotation.map(|[a, b, c]| [a, b, opposite(operations, c)])
         });
-        for found in [there, back] {
+        for found in [there, back, mirrored] {
             assert!(found.hi <= length * (1.0 + 1e-6), "{times}: {found:?}");
-            // Of R: 10 u on its diagonal and 6 u beside it; of products and sums: 9 u in each of three entries.
-            let expected = (516.0_f64.sqrt() + 9.0 * 3.0_f64.sqrt()) * length * f64::from(times);
+            // Of R at most 8 u on its diagonal, 4 u beside it; of products and sums 9 u in each of three entries.
+            let expected = (288.0_f64.sqrt() + 9.0 * 3.0_f64.sqrt()) * length * f64::from(times);
             assert!(found.error <= expected * U, "{times}: {found:?}");
         }
     }
@@ -126,12 +135,28 @@ fn a_quaternion_does_not_lengthen_a_vector() {
 
 #[test]
 fn what_is_made_of_a_rotation_and_is_none_may_lengthen() {
-    // About z by π/4 the first two rows of both are (√½, ±√½) and (±√½, √½): singular, of norm √2.
-    let mirrored = |[a, b, c]: [[Operand; 3]; 3], _| [a, [a[1], b[1], b[2]], c];
-    let repeated = |[a, _, c]: [[Operand; 3]; 3], _| [a, a, c];
-    for found in [after(20, mirrored), after(20, repeated)] {
+    // About z by π/4 the first two rows of R are (√½, −√½) and (√½, √½), and those of all of these of norm √2.
+    let mixed = after(20, |_, [a, b, c]| [a, [a[1], b[1], b[2]], c]);
+    let repeated = after(20, |_, [a, _, c]| [a, a, c]);
+    let opposed = after(20, |operations, [a, b, c]| {
+        [[a[0], opposite(operations, a[1]), a[2]], b, c]
+    });
+    for found in [mixed, repeated, opposed] {
         assert!(found.hi >= 2.0_f64.powi(10), "{found:?}");
     }
+}
+
+/// A vector that is rotated, and one of its entries once more, by the same entries of R in steps of their own.
+#[test]
+fn what_is_rotated_twice_counts_twice() {
+    let mut operations = Vec::new();
+    let rotation = rotation(&mut operations);
+    let rotated = times(&mut operations, rotation, [A, B, A]);
+    let again = opposite(&mut operations, rotation[2][1]);
+    let again = opposite(&mut operations, again);
+    add(&mut operations, Operation::MulAdd(again, B, rotated[2]));
+    // Of (3, 2 + 2, 3).
+    assert!(last(&operations).hi >= 34.0_f64.sqrt());
 }
 
 #[test]
@@ -152,31 +177,30 @@ fn a_quaternion_of_which_nothing_is_said_may_lengthen() {
 
 #[test]
 fn polynomials_of_numbers_whose_squares_add_up_to_1_have_their_ranges() {
-    let of = |operations: &dyn Fn(&mut Vec<Operation>)| {
+    let keeps = |operations: &dyn Fn(&mut Vec<Operation>), [lo, hi]: [f64; 2]| {
         let mut all = Vec::new();
         operations(&mut all);
-        let Value { lo, hi, .. } = last(&all);
-        [lo, hi].map(|end| (end * 1e6).round() / 1e6)
+        let found = last(&all);
+        let is_near = (found.lo - lo).abs() < 1e-6 && (found.hi - hi).abs() < 1e-6;
+        assert!(is_near, "{found:?}, not {lo} to {hi}");
     };
-    let product = of(&|all| {
+    let product = |all: &mut Vec<Operation>| {
         add(all, Operation::Mul(entry(0), entry(3)));
-    });
-    assert_eq!(product, [-0.5, 0.5]);
-    let square = of(&|all| {
+    };
+    keeps(&product, [-0.5, 0.5]);
+    let square = |all: &mut Vec<Operation>| {
         add(all, Operation::Mul(entry(1), entry(1)));
-    });
-    assert_eq!(square, [0.0, 1.0]);
-    let of_three = of(&|all| {
-        let one = Operation::Mul(entry(0), entry(0));
-        let one = add(all, one);
+    };
+    keeps(&square, [0.0, 1.0]);
+    let of_three = |all: &mut Vec<Operation>| {
+        let one = add(all, Operation::Mul(entry(0), entry(0)));
         let two = add(all, Operation::MulAdd(entry(1), entry(1), one));
         let three = add(all, Operation::MulAdd(entry(2), entry(2), two));
         add(all, Operation::Sub(three, Operand::Literal(3.0)));
-    });
-    assert_eq!(of_three, [-3.0, -2.0]);
-    // x − w, which is √2 at most; ranges alone have 2.
-    let linear = of(&|all| {
+    };
+    keeps(&of_three, [-3.0, -2.0]);
+    let linear = |all: &mut Vec<Operation>| {
         add(all, Operation::Sub(entry(0), entry(3)));
-    });
-    assert_eq!(linear, [-1.414_214, 1.414_214]);
+    };
+    keeps(&linear, [-SQRT_2, SQRT_2]);
 }

@@ -68,8 +68,9 @@ impl Draft {
         }
         if self.random.below(3) == 0 {
             let [i, j, k, l] = [(); 4].map(|()| self.random.below(3));
-            matrix[i][j] = match self.random.below(3) {
+            matrix[i][j] = match self.random.below(4) {
                 0 => self.any(),
+                1 => self.add(Operation::Sub(Operand::Literal(0.0), matrix[i][j])),
                 _ => matrix[k][l],
             };
         }
@@ -264,7 +265,7 @@ fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl
                 near(x)
             }
         });
-        let quaternion = of_length_1(&mut random, &near, scalar);
+        let quaternion = of_length_1(&mut random, near, scalar);
         let at = |input| match input {
             Input::Variable(Variable::Q, 0) => q,
             Input::Variable(Variable::Q, k @ 2..) => quaternion[usize::from(k) - 2],

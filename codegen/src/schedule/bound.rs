@@ -25,7 +25,7 @@ pub use self::known::Conditions;
 use self::known::{Computed, Known};
 use self::length::Lengths;
 pub(crate) use self::norm::root;
-use self::quaternion::Rotations;
+use self::quaternion::Polynomials;
 pub use self::reason::Reason;
 use self::term::Term;
 use self::turn::{Turn, Turns};
@@ -50,7 +50,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
         program,
         conditions,
         turns: Turns::default(),
-        rotations: Rotations::default(),
+        polynomials: Polynomials::default(),
         steps: Vec::with_capacity(program.steps.len()),
     };
     let mut lengths = Lengths::default();
@@ -107,7 +107,8 @@ impl<'p> Known<'p> {
             scalar,
             ..
         } = *self.conditions;
-        let range = (self.rotations).take(step, operation, quaternions, scalar);
+        let polynomial = (self.polynomials).take(step, operation, quaternions, scalar);
+        let (range, entry) = polynomial.map_or((None, None), |(range, entry)| (Some(range), entry));
         let (value, form) = self.step(operation, range, lengths);
         let place = match form {
             Form::Turned(turn) => self.turns.place(step, &turn),
@@ -120,11 +121,12 @@ impl<'p> Known<'p> {
             form,
             reason: (!fits).then(|| self.why(operation)).flatten(),
             place,
-            follows: match self.rotations.entry(Operand::Step(step)) {
+            follows: match entry {
                 None => Follows::of(taken, &form),
                 Some(_) => Follows::Never,
             },
             kind: Kind::of(Operand::Step(step), taken.label, &form, place),
+            entry,
         });
         if fits && is_sum(operation) {
             let length = lengths.of(self, &[Operand::Step(step)]);

@@ -82,7 +82,7 @@ fn with_first(known: &Known<'_>, columns: &[Column], first: usize) -> Option<(Gr
         };
         // The first factor that will do, so that a column is taken once where both are entries of matrices.
         factors.into_iter().find_map(|(a, by)| {
-            let entry = known.rotations.entry(a)?;
+            let entry = known.entry(a)?;
             let is_same = quaternion.is_none_or(|quaternion| quaternion == entry.quaternion);
             let is_alike = kind.is_none_or(|kind| kind == known.kind_of(Of::Whole(by)));
             (is_same && is_alike).then(|| {

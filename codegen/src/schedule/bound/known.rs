@@ -3,7 +3,7 @@
 //! In: what a program runs under, and its first steps. Out: range and error of whatever a step may read.
 
 use super::kind::{Follows, Form, Kind, Of};
-use super::quaternion::{Rotations, beyond};
+use super::quaternion::{Entry, Polynomials, beyond};
 use super::reason::Reason;
 use super::turn::{Place, Turns};
 use super::value::Value;
@@ -30,8 +30,8 @@ pub struct Known<'p> {
     pub conditions: &'p Conditions<'p>,
     /// Sines and cosines.
     pub turns: Turns,
-    /// Entries of rotation matrices of quaternions.
-    pub rotations: Rotations,
+    /// Polynomials in the entries of quaternions.
+    pub polynomials: Polynomials,
     pub steps: Vec<Computed>,
 }
 
@@ -45,6 +45,8 @@ pub struct Computed {
     pub place: Option<Place>,
     pub follows: Follows,
     pub kind: Kind,
+    /// The entry of the rotation matrix of a quaternion that it is.
+    pub entry: Option<Entry>,
 }
 
 impl Known<'_> {
@@ -113,6 +115,14 @@ impl Known<'_> {
             Operand::Cos(angle) => Some(Place { angle, sine: false }),
             Operand::Step(k) => self.steps[k as usize].place,
             Operand::Literal(_) | Operand::Input(_) => None,
+        }
+    }
+
+    /// The entry of a rotation matrix that an operand is.
+    pub fn entry(&self, operand: Operand) -> Option<Entry> {
+        match operand {
+            Operand::Step(k) => self.steps[k as usize].entry,
+            _ => None,
         }
     }
 

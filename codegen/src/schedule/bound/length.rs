@@ -12,7 +12,7 @@ use super::group::{self, Group};
 use super::kind::{Form, Kind, Of};
 use super::known::Known;
 use super::norm::{both, norm, root};
-use super::quaternion::stretch;
+use super::quaternion::{Entry, stretch};
 use super::value::Value;
 use crate::real::Real;
 use crate::schedule::Operand;
@@ -141,7 +141,10 @@ impl Lengths {
             return length.beside(leaves);
         }
         let steps = &set[..count];
-        if known.rotations.are_in_line(steps) {
+        let entries = steps.iter().map(|&k| known.steps[k as usize].entry);
+        if let Some(entries) = entries.collect::<Option<Vec<Entry>>>()
+            && Entry::are_in_line(&entries)
+        {
             length.size = length.size.min(stretch(known.scalar()));
         }
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
@@ -164,11 +167,10 @@ impl Lengths {
         let Some(combination) = Combination::of(known, steps) else {
             return Length::UNKNOWN;
         };
-        let mut others = combination.columns.clone();
-        let rotated = group::rotated(known, &mut others);
-        let is_rotated = !rotated.is_empty();
         let mut length = self.of_columns(known, Vec::new(), &combination.columns, depth);
-        if is_rotated {
+        let mut others = combination.columns;
+        let rotated = group::rotated(known, &mut others);
+        if !rotated.is_empty() {
             length = length.least(self.of_columns(known, rotated, &others, depth));
         }
         Length {

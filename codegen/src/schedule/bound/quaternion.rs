@@ -30,7 +30,7 @@ pub struct Entry {
 
 /// The steps so far that are polynomials in a quaternion, by its first entry.
 #[derive(Default)]
-pub struct Rotations(HashMap<u32, (Input, Polynomial)>);
+pub struct Polynomials(HashMap<u32, (Input, Polynomial)>);
 
 /// Far more than what numbers stand for is beside them, which are taken here as they are printed.
 const MARGIN: f64 = 1e-9;
@@ -66,15 +66,15 @@ pub fn stretch(scalar: Real) -> f64 {
     2.0 * longest(scalar) - 1.0
 }
 
-impl Rotations {
-    /// Takes in a step: the range of its exact value, where it is a polynomial.
+impl Polynomials {
+    /// Takes in a step: the range of its exact value and the entry that it is, where it is a polynomial.
     pub fn take(
         &mut self,
         step: u32,
         operation: Operation,
         quaternions: &[Input],
         scalar: Real,
-    ) -> Option<[f64; 2]> {
+    ) -> Option<([f64; 2], Option<Entry>)> {
         let (first, polynomial) = quaternions.iter().find_map(|&first| {
             let of = |operand| self.polynomial(operand, first);
             let polynomial = match operation {
@@ -89,7 +89,8 @@ impl Rotations {
             Some((first, polynomial?))
         })?;
         self.0.insert(step, (first, polynomial));
-        Some(range(&polynomial, longest(scalar)))
+        let entry = Entry::of(first, &polynomial);
+        Some((range(&polynomial, longest(scalar)), entry))
     }
 
     /// What an operand is in the entries of a quaternion.
@@ -106,30 +107,24 @@ impl Rotations {
         }
         exact(polynomial)
     }
+}
 
-    /// The entry of a rotation matrix that an operand is.
-    pub fn entry(&self, operand: Operand) -> Option<Entry> {
-        let Operand::Step(step) = operand else {
-            return None;
-        };
-        let (quaternion, polynomial) = self.0.get(&step)?;
+impl Entry {
+    /// The entry of the rotation matrix of a quaternion that a polynomial is.
+    fn of(quaternion: Input, polynomial: &Polynomial) -> Option<Self> {
         (0..18).find_map(|k| {
             let (place, sign) = ([k / 3 % 3, k % 3], if k < 9 { 1.0 } else { -1.0 });
             let entry = rotation(place).map(|row| row.map(|term| sign * term));
-            (entry == *polynomial).then_some(Entry {
-                quaternion: *quaternion,
+            (entry == *polynomial).then_some(Self {
+                quaternion,
                 place,
                 sign,
             })
         })
     }
 
-    /// Whether steps are different entries in one row, or in one column, of a rotation matrix.
-    pub fn are_in_line(&self, steps: &[u32]) -> bool {
-        let entries = steps.iter().map(|&step| self.entry(Operand::Step(step)));
-        let Some(entries) = entries.collect::<Option<Vec<Entry>>>() else {
-            return false;
-        };
+    /// Whether some are different entries in one row, or in one column, of a rotation matrix.
+    pub fn are_in_line(entries: &[Self]) -> bool {
         (0..2).any(|axis| {
             let mut others = [false; 3];
             entries.iter().all(|entry| {

@@ -190,8 +190,8 @@ impl<'p> Known<'p> {
         let sum = signed(a, terms[0].minus).plus(signed(b, terms[1].minus));
         let sum = sum.kept(range);
         let wholes = (terms[0].whole, terms[1].whole);
-        let sum = if wholes.0.is_some() && wholes.0 == wholes.1 {
-            // 2 a has the digits of a, where they are not subnormal; a − a is 0.
+        let sum = if range.is_some() && wholes.0.is_some() && wholes.0 == wholes.1 {
+            // 2 a of an entry a of a quaternion has its digits, where they are not subnormal; a − a is 0.
             sum.read(self.scalar())
         } else {
             sum.rounded(self.scalar())

@@ -204,3 +204,13 @@ fn polynomials_of_numbers_whose_squares_add_up_to_1_have_their_ranges() {
     };
     keeps(&linear, [-SQRT_2, SQRT_2]);
 }
+
+#[test]
+fn an_entry_is_doubled_without_an_error() {
+    let mut operations = Vec::new();
+    let twice = add(&mut operations, Operation::Add(entry(0), entry(0)));
+    assert!(last(&operations).error < 1e-300);
+    add(&mut operations, Operation::Mul(entry(0), twice));
+    let error = last(&operations).error / U;
+    assert!((2.0..2.0 + 1e-8).contains(&error), "{error} u");
+}

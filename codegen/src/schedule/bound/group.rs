@@ -54,7 +54,7 @@ struct Part {
     entries: [f64; ROWS],
 }
 
-/// Takes out of columns what a rotation matrix carries: the groups of v.
+/// Takes the columns of rotated vectors out of all: for each vector v a group, whose matrix is A.
 pub fn rotated(known: &Known<'_>, columns: &mut Vec<Column>) -> Vec<Group> {
     let mut found = Vec::new();
     let mut first = 0;
@@ -107,7 +107,8 @@ fn with_first(known: &Known<'_>, columns: &[Column], first: usize) -> Option<(Gr
     })
 }
 
-/// Columns as those of A R v, where v goes by the columns of R (axis 1), or by its rows.
+/// The group of columns that are A R v, if `axis` is 1, or A Rᵗ v, if it is 0. They are, where the columns of each vₖ are
+/// λₖ A: then y = A R (λ v), and v is no shorter than λ v with λ ≤ 1.
 fn together(parts: &[Part], axis: usize) -> Option<Group> {
     /// More than rounding makes of numbers that are equal.
     const NEARLY: f64 = 1e-13;

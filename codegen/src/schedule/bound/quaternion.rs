@@ -32,10 +32,11 @@ pub struct Entry {
 #[derive(Default)]
 pub struct Polynomials(HashMap<u32, (Input, Polynomial)>);
 
-/// Far more than what numbers stand for is beside them, which are taken here as they are printed.
+/// Margin of what is derived from polynomials, whose numbers are taken as they are printed: each stands for one within
+/// its roundoff.
 const MARGIN: f64 = 1e-9;
 
-/// Which entry of a quaternion an input is, if it is one.
+/// The place of an input among the entries of a quaternion.
 fn place(input: Input, first: Input) -> Option<usize> {
     match (input, first) {
         (Input::Variable(of, k), Input::Variable(same, first)) if of == same => k
@@ -46,7 +47,7 @@ fn place(input: Input, first: Input) -> Option<usize> {
     }
 }
 
-/// How far an input goes beyond its range: as far as quaternions are longer than 1.
+/// The factor on the range of an input: above 1 for an entry of a quaternion, which may be longer than 1.
 pub fn beyond(input: Input, quaternions: &[Input], scalar: Real) -> f64 {
     let is_entry = |&first: &Input| place(input, first).is_some();
     if quaternions.iter().any(is_entry) {
@@ -56,7 +57,7 @@ pub fn beyond(input: Input, quaternions: &[Input], scalar: Real) -> f64 {
     }
 }
 
-/// The greatest n. Entries are rounded, and were divided by a length that was rounded: 10 units of roundoff, and more.
+/// The greatest n. Entries that were divided by a computed length leave n within 10 units of roundoff of 1.
 fn longest(scalar: Real) -> f64 {
     1.0 + 16.0 * scalar.roundoff() + MARGIN
 }
@@ -67,7 +68,7 @@ pub fn stretch(scalar: Real) -> f64 {
 }
 
 impl Polynomials {
-    /// Takes in a step: the range of its exact value and the entry that it is, where it is a polynomial.
+    /// Takes in a step. If it is a polynomial: the range of its exact value, and the entry of R that it is.
     pub fn take(
         &mut self,
         step: u32,
@@ -93,7 +94,7 @@ impl Polynomials {
         Some((range(&polynomial, longest(scalar)), entry))
     }
 
-    /// What an operand is in the entries of a quaternion.
+    /// An operand as a polynomial in the entries of a quaternion.
     fn polynomial(&self, operand: Operand, first: Input) -> Option<Polynomial> {
         let mut polynomial = Polynomial::default();
         match operand {
@@ -110,7 +111,7 @@ impl Polynomials {
 }
 
 impl Entry {
-    /// The entry of the rotation matrix of a quaternion that a polynomial is.
+    /// The entry of R that equals a polynomial, or its opposite.
     fn of(quaternion: Input, polynomial: &Polynomial) -> Option<Self> {
         (0..18).find_map(|k| {
             let (place, sign) = ([k / 3 % 3, k % 3], if k < 9 { 1.0 } else { -1.0 });
@@ -123,7 +124,8 @@ impl Entry {
         })
     }
 
-    /// Whether some are different entries in one row, or in one column, of a rotation matrix.
+    /// True of different entries in one row, or in one column, of the same R: together they are no longer than a unit
+    /// vector that R carries.
     pub fn are_in_line(entries: &[Self]) -> bool {
         (0..2).any(|axis| {
             let mut others = [false; 3];
@@ -136,7 +138,7 @@ impl Entry {
     }
 }
 
-/// A polynomial of such terms that no digit is lost in sums and products of them.
+/// A polynomial, if its terms have so few digits that sums and products of them are exact.
 fn exact(polynomial: Polynomial) -> Option<Polynomial> {
     const PARTS: f64 = 64.0;
     let few = |term: &f64| term.abs() <= PARTS && (PARTS * term).fract() == 0.0;
@@ -151,7 +153,7 @@ fn sum(a: &Polynomial, sign: f64, b: &Polynomial) -> Option<Polynomial> {
     exact(sum)
 }
 
-/// The product, where it is of second degree.
+/// The product of two polynomials of first degree.
 fn product(a: &Polynomial, b: &Polynomial) -> Option<Polynomial> {
     let is_linear = |of: &Polynomial| of.iter().flat_map(|row| &row[..4]).all(|term| *term == 0.0);
     let mut product = Polynomial::default();

@@ -17,6 +17,8 @@ pub struct Range {
     pub arguments: Arguments<[f64; 2]>,
     /// Of the entries of each struct field, in the units of what it stands for.
     pub fields: List<FieldId, Vec<[f64; 2]>>,
+    /// The first of the four entries of each quaternion of q, which is of length 1 but for its rounding.
+    pub quaternions: Vec<Input>,
 }
 
 /// What the entry of a variable is described to stay in.
@@ -43,6 +45,12 @@ impl Range {
             arguments: Arguments::of(ranges),
             fields: (chain.request.parameters.iter().zip(&chain.nominal))
                 .map(|(field, nominal)| field.ranges(nominal))
+                .collect(),
+            quaternions: (spaces.quaternions())
+                .map(|first| {
+                    let first = u16::try_from(first.index()).expect("as many as coordinates");
+                    Input::Variable(Variable::Q, first)
+                })
                 .collect(),
         }
     }

@@ -329,6 +329,7 @@ fn rounding(state: &State, program: &Program, means: Means) -> Vec<Found> {
         scalar,
         angles: means.trigonometry.reach(scalar),
         range: &range,
+        quaternions: &[],
     };
     bound::results(program, &conditions)
 }

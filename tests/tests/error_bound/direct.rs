@@ -37,6 +37,7 @@ fn farthest(asked: Asked, function: Function) -> f64 {
     match function {
         ForwardKinematics | SpatialJacobian | BodyJacobian | GeometricJacobian | Velocity
         | Acceleration | InverseDynamics | Gravity | Bias | MassMatrix => asked.farthest,
+        _ if asked.floating => 500.0,
         _ => 6.0 * asked.farthest,
     }
 }

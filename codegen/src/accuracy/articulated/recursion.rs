@@ -147,6 +147,7 @@ fn follow(
         scalar,
         angles: means.trigonometry.reach(scalar),
         range: &input,
+        quaternions: &bodies.range.quaternions,
     };
     values(bound::results(step, &conditions))
 }

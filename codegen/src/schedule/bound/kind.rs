@@ -40,6 +40,8 @@ pub enum Kind {
     Row(Quantity, usize),
     /// Entries of a turned vector, or sine and cosine themselves.
     Turned(u32),
+    /// Entries of a vector that a rotation matrix multiplies, with √(δ² + …) of the errors of its entries.
+    Rotated(f64),
     /// Products with this.
     Times(Operand),
     /// By itself.

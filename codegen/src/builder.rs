@@ -141,6 +141,13 @@ impl Builder {
         Self { request, ..self }
     }
 
+    /// The request that the calls have made, and the mistakes in them.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn into_request(self) -> (Request, Errors) {
+        (self.request, self.mistakes)
+    }
+
     fn with(mut self, ask: impl FnOnce(&mut Request)) -> Self {
         ask(&mut self.request);
         self

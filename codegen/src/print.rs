@@ -5,10 +5,12 @@
 //! computes a number, changes an operation or chooses an order.
 
 #[cfg(feature = "files")]
+pub mod arrays;
+#[cfg(feature = "files")]
 pub(crate) mod ascii;
 #[cfg(feature = "files")]
 pub mod c;
-mod described;
+pub mod described;
 mod documentation;
 mod large;
 #[cfg(feature = "files")]

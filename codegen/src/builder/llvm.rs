@@ -8,7 +8,7 @@ use super::Builder;
 use super::command::Language;
 use crate::error::Errors;
 use crate::module::Module;
-use crate::print::llvm::{self, Writing};
+use crate::print::llvm::{self, Steps, Writing};
 
 impl Builder {
     /// The same functions as LLVM IR, for LLVM 19 or later: `NAME` of one state, with the parameters that it has in
@@ -16,6 +16,8 @@ impl Builder {
     ///
     /// `NAME_batch` takes the count of states, the fields where the robot has any, and for each argument and each
     /// result a pointer, the distance between states and the distance between entries of one state, both in numbers.
+    /// `NAME_arrays` takes the count, a pointer to the fields, which nothing reads where there are none, and a pointer to
+    /// those triples (`ptr`, `i64`, `i64`), one after the other.
     /// The bits are those of the file in C. [`Real::Generic`](crate::Real::Generic) is taken for `double`.
     ///
     /// # Errors
@@ -31,7 +33,8 @@ impl Builder {
     pub fn llvm(&self, module: &Module, lanes: NonZeroUsize) -> String {
         let writing = Writing {
             prefix: &self.prefix(module),
-            asked: &self.asked(module, Language::Llvm(lanes)),
+            asked: Some(&self.asked(module, Language::Llvm(lanes))),
+            steps: Steps::OfQuaternions,
             lanes: lanes.get(),
             fused: self.fuses(module),
         };

@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 use super::steps::Step;
 use crate::function::Function;
-use crate::module::{About, GeneratedFunction, LeftOut, Module};
+use crate::module::{self, About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
 use crate::request::Target;
 use crate::schedule::{Price, sections};
@@ -44,26 +44,8 @@ pub(super) fn of_function(
     once: Option<&Price>,
 ) -> Vec<String> {
     let about = &module.about;
-    let base = frame_0(module);
     let frame = generated.frame.as_deref().unwrap_or(&about.tip);
-    let mut lines = Vec::new();
-    match &*generated.functions {
-        [function] => lines.push(function.sentence(&base, &code(frame))),
-        several => {
-            lines.push("Several functions that share their work, in this order:".to_owned());
-            lines.push(String::new());
-            let sentences = several.iter().zip(1..);
-            lines.extend(sentences.map(|(function, number)| {
-                format!("{number}. {}", function.sentence(&base, &code(frame)))
-            }));
-        }
-    }
-    lines.push(String::new());
-    let of = generated.arguments(&module.spaces);
-    lines.push(arguments(&of));
-    lines.extend(postures(&module.spaces, &of));
-    lines.extend(residuals(&module.spaces, generated));
-    lines.extend(left_open(&module.spaces, generated));
+    let mut lines = meaning(module, &generated.functions, frame);
     if let Some(angles) = angles {
         let results = generated.functions.iter();
         let results = results.flat_map(|function| function.result().parts());
@@ -97,6 +79,31 @@ pub(super) fn of_function(
         lines.extend(list.then(String::new));
         lines.extend(said);
     }
+    lines
+}
+
+/// Meaning of functions of a frame: what they compute, the units of arguments, and how quaternions and loops enter.
+pub(super) fn meaning(module: &Module, functions: &[Function], frame: &str) -> Vec<String> {
+    let spaces = &module.spaces;
+    let base = frame_0(module);
+    let mut lines = Vec::new();
+    match functions {
+        [function] => lines.push(function.sentence(&base, &code(frame))),
+        several => {
+            lines.push("Several functions that share their work, in this order:".to_owned());
+            lines.push(String::new());
+            let sentences = several.iter().zip(1..);
+            lines.extend(sentences.map(|(function, number)| {
+                format!("{number}. {}", function.sentence(&base, &code(frame)))
+            }));
+        }
+    }
+    lines.push(String::new());
+    let of = module::arguments(functions, spaces.actions() > 0);
+    lines.push(arguments(&of));
+    lines.extend(postures(spaces, &of));
+    lines.extend(residuals(spaces, functions));
+    lines.extend(left_open(spaces, functions));
     lines
 }
 
@@ -344,8 +351,8 @@ fn postures(spaces: &Spaces, arguments: &[Variable]) -> Vec<String> {
 }
 
 /// The residuals of loops in their order, where a result is over them.
-fn residuals(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
-    let results = generated.functions.iter().map(|function| function.result());
+fn residuals(spaces: &Spaces, functions: &[Function]) -> Option<String> {
+    let results = functions.iter().map(|function| function.result());
     let mut parts = results.flat_map(Outcome::parts);
     let over = parts.any(|(_, part)| part.over.contains(&Space::Constraints));
     let names: Vec<String> = spaces.names(Space::Constraints).map(code).collect();
@@ -353,13 +360,13 @@ fn residuals(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
 }
 
 /// Which functions know nothing of the loops of a robot that has some.
-fn left_open(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
-    let open = generated.functions.iter();
+fn left_open(spaces: &Spaces, functions: &[Function]) -> Option<String> {
+    let open = functions.iter();
     let open: Vec<_> = open.filter(|function| !function.is_of_loops()).collect();
     if spaces.len(Space::Constraints) == 0 || open.is_empty() {
         return None;
     }
-    let by = if generated.functions.len() > 1 {
+    let by = if functions.len() > 1 {
         let names: Vec<String> = open.iter().map(|function| code(function.name())).collect();
         format!(" by {}", list(names.iter().map(String::as_str)))
     } else {

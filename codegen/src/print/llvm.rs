@@ -1,9 +1,10 @@
 //! LLVM IR: functions of one state, and of states in the lanes of vectors.
 //!
 //! In: a [`Module`], how names begin, and how many lanes a vector has. Out: a module as text, for LLVM 19 or later,
-//! without a target: whoever compiles it chooses the processor. Each function is there twice: `NAME` takes one state,
-//! as the file in C has it; `NAME_batch` takes any number of states, at any stride. Results are bit for bit those of
-//! the file in C: no operation carries a flag that lets LLVM change it.
+//! without a target: whoever compiles it chooses the processor. Each function is there three times: `NAME` takes one
+//! state, as the file in C has it; `NAME_batch` takes any number of states, at any stride; `NAME_arrays` takes the same
+//! behind a pointer, so that all functions have one signature. Results are bit for bit those of the file in C: no
+//! operation carries a flag that lets LLVM change it.
 
 mod batch;
 mod body;
@@ -20,7 +21,7 @@ use crate::print::documentation::{self, Angles};
 use crate::print::steps::{Step, has_angles};
 use crate::real::Real;
 use crate::wording::visible;
-use batch::{batch, moves};
+use batch::{arrays, batch, moves};
 use function::{Function, Of, define};
 use lanes::Lanes;
 
@@ -29,12 +30,25 @@ use lanes::Lanes;
 pub struct Writing<'a> {
     /// How all names begin.
     pub prefix: &'a str,
-    /// What was asked for.
-    pub asked: &'a str,
+    /// What was asked for, at the head; without it there are no comments, and equal programs are equal texts.
+    pub asked: Option<&'a str>,
+    /// Which functions of configurations there are.
+    pub steps: Steps,
     /// The lanes of a vector of states.
     pub lanes: usize,
     /// Whether products fuse with sums, by `llvm.fma`.
     pub fused: bool,
+}
+
+/// Which of the functions `neutral`, `integrate`, `difference` and `normalize` are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// All of them, of a robot some of whose coordinates are no angles and shifts; none of another.
+    OfQuaternions,
+    /// All of them.
+    All,
+    /// None.
+    None,
 }
 
 /// The module; [`Real::Generic`] is taken for `double`.
@@ -51,11 +65,15 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         vec![one]
     };
     let symbols = symbols(module, writing.prefix);
-    let mut head = documentation::head(module, writing.asked);
-    for (generated, name) in module.functions.iter().zip(&symbols) {
-        head.extend(documentation::price(generated, name));
+    let mut text = String::new();
+    if let Some(asked) = writing.asked {
+        let mut head = documentation::head(module, asked);
+        for (generated, name) in module.functions.iter().zip(&symbols) {
+            head.extend(documentation::price(generated, name));
+        }
+        text.push_str(&comment(&head));
+        text.push('\n');
     }
-    let mut text = comment(&head) + "\n";
     let own_sines = module.sines == Sines::Own && has_angles(module);
     for &lanes in widths.iter().filter(|_| own_sines) {
         text.push_str(&sines::define(lanes, writing.fused));
@@ -71,21 +89,29 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         .functions
         .iter()
         .zip(symbols)
-        .map(|(generated, symbol)| {
-            let about = documentation::of_function(module, generated, Some(&angles), None);
-            (about, Of::State(generated), symbol)
-        });
-    let steps = Step::of(module).iter().map(|&step| {
-        let about = documentation::of_step(module, step, Some(&angles));
-        (about, Of::Step(step), own(writing.prefix, step.name()))
-    });
-    for (about, of, symbol) in functions.chain(steps) {
-        text.push_str(&comment(&about));
+        .map(|(generated, symbol)| (Of::State(generated), symbol));
+    let steps = match writing.steps {
+        Steps::OfQuaternions => Step::of(module),
+        Steps::All => &Step::ALL,
+        Steps::None => &[],
+    };
+    let steps = steps.iter();
+    let steps = steps.map(|&step| (Of::Step(step), own(writing.prefix, step.name())));
+    for (of, symbol) in functions.chain(steps) {
+        if writing.asked.is_some() {
+            text.push_str(&comment(&match of {
+                Of::State(generated) => {
+                    documentation::of_function(module, generated, Some(&angles), None)
+                }
+                Of::Step(step) => documentation::of_step(module, step, Some(&angles)),
+            }));
+        }
         let function = Function::new(module, of, &symbol, writing.fused);
         for &lanes in &widths {
             text.push_str(&define(&function, lanes));
         }
         text.push_str(&batch(&function, &widths));
+        text.push_str(&arrays(&function));
     }
     for lanes in widths {
         text.push_str(&lanes.declarations());

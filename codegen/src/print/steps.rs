@@ -104,7 +104,7 @@ pub(super) fn neutral(module: &Module) -> Vec<f64> {
 
 impl Step {
     /// All of them.
-    const ALL: [Self; 4] = [
+    pub const ALL: [Self; 4] = [
         Self::Neutral,
         Self::Integrate,
         Self::Difference,

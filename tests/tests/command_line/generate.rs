@@ -138,7 +138,7 @@ fn fields_that_cannot_be_are_told() {
     for (options, part) in [
         (
             "--field m=mass_of",
-            "`mass_of` needs a name: m=mass_of:hand",
+            "`mass_of` needs a name: mass_of:hand",
         ),
         ("--field m=mas_of:hand", "did you mean \"mass_of\"?"),
         ("--field m", "have = between them"),

@@ -14,7 +14,7 @@ use crate::name::Name;
 use crate::number::Number;
 use crate::processor::Processor;
 use crate::real::Real;
-use crate::request::Request;
+use crate::request::{Request, Target, TargetOf};
 use crate::wording::known;
 
 impl Setting {
@@ -162,6 +162,26 @@ pub fn together(text: &str) -> Result<Vec<Function>, String> {
         functions.push(function);
     }
     Ok(functions)
+}
+
+/// The number of the description that a field takes the place of: `mass_of:hand`, `gravity`.
+///
+/// # Errors
+/// An unknown word: a hint that lists the known ones. A word without its name.
+pub fn target(text: &str) -> Result<Target, String> {
+    let (word, name) = match text.split_once(':') {
+        Some((word, name)) => (word, Some(name)),
+        None => (text, None),
+    };
+    match (Target::of(word), name) {
+        (Some(TargetOf::Item(of)), Some(name)) => Ok(of(name.into())),
+        (Some(TargetOf::Robot(of)), None) => Ok(of()),
+        (Some(TargetOf::Item(_)), None) => Err(format!("`{word}` needs a name: {word}:hand")),
+        _ => Err(format!(
+            "a field cannot stand for `{text}`\n  hint: {}",
+            known(word, "words", &Target::keys())
+        )),
+    }
 }
 
 /// The words of attributes, with dashes.

@@ -1,0 +1,354 @@
+//! A function of a robot, as Python calls it.
+//!
+//! In: a recipe, a name, and how code is compiled. Out: a callable object, which asks for code when it is called with other
+//! options or another type of number than before, and keeps it. It never knows LLVM.
+
+use std::collections::HashMap;
+use std::sync::{Arc, PoisonError, RwLock};
+
+use homogen_codegen::print::arrays::{Array, Order, Signature};
+use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use super::recipe::{Recipe, order_name, order_of, refused};
+use super::states::{States, Type, Work, argument, is_direct, out};
+
+/// A function of a robot, compiled when it is first called.
+#[pyclass(frozen, module = "homogen._engine")]
+pub struct Function {
+    recipe: Py<Recipe>,
+    /// Compiles: recipe, name, frame, order, whether numbers are single, whether states are many; an address, and what
+    /// keeps the code alive.
+    compile: Py<PyAny>,
+    /// The type of several results.
+    tuple: Option<Py<PyAny>>,
+    signature: Signature,
+    kernels: RwLock<HashMap<Variant, Arc<Kernel>>>,
+}
+
+/// Which code of a function.
+#[derive(Clone, PartialEq, Eq, Hash)]
+struct Variant {
+    frame: Option<String>,
+    order: Order,
+    single: bool,
+    many: bool,
+}
+
+/// Compiled code.
+struct Kernel {
+    address: usize,
+    /// What keeps the code alive.
+    _code: Py<PyAny>,
+}
+
+/// From how many states on they stand in the lanes of vectors.
+const MANY: usize = 16;
+
+/// What a call says beside its arguments.
+#[derive(Default)]
+struct Options<'py> {
+    frame: Option<String>,
+    order: Option<Order>,
+    out: Option<Bound<'py, PyAny>>,
+}
+
+#[pymethods]
+impl Function {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        recipe: Py<Recipe>,
+        name: &str,
+        compile: Py<PyAny>,
+        tuple: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let of = recipe.get();
+        let signature = py.detach(|| of.signature(name).map_err(refused))?;
+        let signature = signature.ok_or_else(|| {
+            PyAttributeError::new_err(format!("a robot has no function {name:?}"))
+        })?;
+        Ok(Self {
+            recipe,
+            compile,
+            tuple,
+            signature,
+            kernels: RwLock::default(),
+        })
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyTuple>> {
+        let (py, of) = (slf.py(), slf.get());
+        let given = (
+            of.recipe.clone_ref(py),
+            of.signature.name,
+            of.compile.clone_ref(py),
+            of.tuple.as_ref().map(|tuple| tuple.clone_ref(py)),
+        );
+        (slf.get_type(), given).into_pyobject(py)
+    }
+
+    fn __repr__(&self) -> String {
+        let shown = |arrays: &[Array]| {
+            let shown = arrays.iter().map(|of| format!("{} {}", of.name, shape(of)));
+            shown.collect::<Vec<_>>().join(", ")
+        };
+        let of = &self.signature;
+        let results = match &*of.results {
+            [one] => shape(one),
+            several => shown(several),
+        };
+        format!("<{}: {} -> {results}>", of.name, shown(&of.arguments))
+    }
+
+    #[getter]
+    #[pyo3(name = "__name__")]
+    fn name(&self) -> &'static str {
+        self.signature.name
+    }
+
+    #[getter]
+    #[pyo3(name = "__doc__")]
+    fn doc(&self) -> String {
+        let of = &self.signature;
+        let mut lines = of.about.clone();
+        lines.push(String::new());
+        let line = |array: &Array| {
+            let units = match &*array.units {
+                [] => String::new(),
+                units => format!(", in {}", units.join(", ")),
+            };
+            format!("{}: {}{units}", array.name, shape(array))
+        };
+        lines.extend(of.arguments.iter().map(line));
+        lines.push(match &*of.results {
+            [_] => "Returns:".to_owned(),
+            _ => "Returns a tuple:".to_owned(),
+        });
+        lines.extend(of.results.iter().map(|result| format!("    {}", line(result))));
+        if of.has_order {
+            let order = order_name(self.recipe.get().default_order());
+            lines.push(format!(
+                "order: \"linear_first\" or \"angular_first\", the order of six numbers [default: {order:?}]"
+            ));
+        }
+        if of.of_a_frame {
+            lines.push("frame: the link whose frame it is about [default: the tip]".to_owned());
+        }
+        lines.push("out: the array, or the tuple of arrays, that results are written to".to_owned());
+        lines.join("\n")
+    }
+
+    /// The names of arguments, and of the keywords besides.
+    fn parameters(&self) -> (Vec<String>, Vec<&'static str>) {
+        let of = &self.signature;
+        let names = of.arguments.iter().map(|of| of.name.clone());
+        let keywords = [(of.of_a_frame, "frame"), (of.has_order, "order"), (true, "out")];
+        let keywords = keywords.into_iter().filter(|(has, _)| *has);
+        (names.collect(), keywords.map(|(_, name)| name).collect())
+    }
+
+    #[getter]
+    #[pyo3(name = "__signature__")]
+    fn signature<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let made = py.import("homogen._arrays")?.getattr("signature")?;
+        let (names, keywords) = self.parameters();
+        made.call1((names, keywords))
+    }
+
+    /// Compiles what a call with these options and so many states would wait for.
+    #[pyo3(signature = (*, frame = None, order = None, single = false, many = false))]
+    fn compile(
+        &self,
+        py: Python<'_>,
+        frame: Option<String>,
+        order: Option<&str>,
+        single: bool,
+        many: bool,
+    ) -> PyResult<()> {
+        let order = order.map(order_of).transpose()?;
+        let options = Options {
+            frame,
+            order,
+            out: None,
+        };
+        self.kernel(py, &options, single, many).map(|_| ())
+    }
+
+    #[pyo3(signature = (*arguments, **options))]
+    fn __call__<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (values, options) = self.read(arguments, options)?;
+        let of = &self.signature;
+        let single = values.iter().all(|value| Type::of(value) == Type::Single);
+        let given = values.iter().zip(&of.arguments);
+        let given: Vec<Bound<'py, PyUntypedArray>> = given
+            .map(|(value, of)| argument(value, of, single))
+            .collect::<PyResult<_>>()?;
+        let states = States::of(&given, &of.arguments)?;
+        let kernel = self.kernel(py, &options, single, states.count >= MANY)?;
+        let wanted = self.wanted(&options, &states, single)?;
+        let rooms = of.results.iter().enumerate().map(|(k, result)| {
+            let direct = wanted.get(k).filter(|array| is_direct(array, &given));
+            direct.map_or_else(|| states.room(py, result, single), Clone::clone)
+        });
+        let rooms: Vec<Bound<'py, PyUntypedArray>> = rooms.collect();
+        let recipe = self.recipe.get();
+        let work = Work {
+            address: kernel.address,
+            fields: &recipe.field_values(single),
+            size: if single { 4 } else { 8 },
+            threads: recipe.threads(),
+        };
+        states.run(py, &work, (&given, &of.arguments), (&rooms, &of.results));
+        for (array, room) in wanted.iter().zip(&rooms) {
+            if !array.is(room) {
+                array.set_item(py.Ellipsis(), room)?;
+            }
+        }
+        self.returned(py, if wanted.is_empty() { rooms } else { wanted })
+    }
+}
+
+impl Function {
+    /// The values of the arguments in their order, and the options.
+    fn read<'py>(
+        &self,
+        arguments: &Bound<'py, PyTuple>,
+        keywords: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<(Vec<Bound<'py, PyAny>>, Options<'py>)> {
+        let of = &self.signature;
+        let mut values: Vec<Option<Bound<'py, PyAny>>> = arguments.iter().map(Some).collect();
+        if values.len() > of.arguments.len() {
+            return Err(self.misused(format!("{} were given", values.len())));
+        }
+        values.resize(of.arguments.len(), None);
+        let mut options = Options::default();
+        for (key, value) in keywords.into_iter().flatten() {
+            let key: String = key.extract()?;
+            let place = of.arguments.iter().position(|of| of.name == key);
+            match (&*key, place) {
+                (_, Some(place)) if values[place].is_none() => values[place] = Some(value),
+                (_, Some(_)) => return Err(self.misused(format!("{key} was given twice"))),
+                (_, None) if value.is_none() => {}
+                ("frame", _) if of.of_a_frame => options.frame = Some(value.extract()?),
+                ("order", _) if of.has_order => {
+                    options.order = Some(order_of(&value.extract::<String>()?)?);
+                }
+                ("out", _) => options.out = Some(value),
+                _ => return Err(self.misused(format!("it has no keyword {key}"))),
+            }
+        }
+        let missing = values.iter().position(Option::is_none);
+        if let Some(missing) = missing {
+            let name = &of.arguments[missing].name;
+            return Err(self.misused(format!("{name} is missing")));
+        }
+        Ok((values.into_iter().flatten().collect(), options))
+    }
+
+    fn misused(&self, problem: String) -> PyErr {
+        let (names, keywords) = self.parameters();
+        let (name, names, keywords) = (self.signature.name, names.join(", "), keywords.join(", "));
+        PyTypeError::new_err(format!("{name}({names}, *, {keywords}): {problem}"))
+    }
+
+    /// The code of a call.
+    fn kernel(
+        &self,
+        py: Python<'_>,
+        options: &Options<'_>,
+        single: bool,
+        many: bool,
+    ) -> PyResult<Arc<Kernel>> {
+        let order = options.order.unwrap_or(self.recipe.get().default_order());
+        let variant = Variant {
+            frame: options.frame.clone(),
+            order,
+            single,
+            many,
+        };
+        let found = self.kernels.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some(kernel) = found.get(&variant) {
+            return Ok(Arc::clone(kernel));
+        }
+        drop(found);
+        let (recipe, name) = (self.recipe.clone_ref(py), self.signature.name);
+        let asked = (recipe, name, &options.frame, order_name(order), single, many);
+        // No lock is held meanwhile: who waited for it could hold Python's.
+        let (address, code) = self.compile.call1(py, asked)?.extract(py)?;
+        let kernel = Arc::new(Kernel {
+            address,
+            _code: code,
+        });
+        let mut kernels = self.kernels.write().unwrap_or_else(PoisonError::into_inner);
+        kernels.insert(variant, Arc::clone(&kernel));
+        Ok(kernel)
+    }
+
+    /// The arrays that results are to be written to; none where nobody wants any.
+    fn wanted<'py>(
+        &self,
+        options: &Options<'py>,
+        states: &States,
+        single: bool,
+    ) -> PyResult<Vec<Bound<'py, PyUntypedArray>>> {
+        let Some(value) = &options.out else {
+            return Ok(Vec::new());
+        };
+        let results = &self.signature.results;
+        let values: Vec<Bound<'py, PyAny>> = match &**results {
+            [_] => vec![value.clone()],
+            several => {
+                let values: Vec<_> = value.try_iter()?.collect::<PyResult<_>>()?;
+                if values.len() != several.len() {
+                    let count = several.len();
+                    let message = format!("out must be {count} arrays, one a result");
+                    return Err(PyValueError::new_err(message));
+                }
+                values
+            }
+        };
+        let values = values.iter().zip(results);
+        let arrays = values.map(|(value, result)| {
+            let shape = [states.shape.as_slice(), &result.shape].concat();
+            out(value, (&result.name, &shape), single)
+        });
+        arrays.collect()
+    }
+
+    fn returned<'py>(
+        &self,
+        py: Python<'py>,
+        arrays: Vec<Bound<'py, PyUntypedArray>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let mut results = arrays.into_iter().map(number_or_array);
+        match &self.tuple {
+            Some(tuple) => {
+                let results = results.collect::<PyResult<Vec<_>>>()?;
+                tuple.bind(py).call1(PyTuple::new(py, results)?)
+            }
+            None => results.next().unwrap_or_else(|| Ok(py.None().into_bound(py))),
+        }
+    }
+}
+
+/// A number where an array has no axis.
+fn number_or_array(array: Bound<'_, PyUntypedArray>) -> PyResult<Bound<'_, PyAny>> {
+    if array.ndim() == 0 {
+        return array.get_item(PyTuple::empty(array.py()));
+    }
+    Ok(array.into_any())
+}
+
+/// `(..., 7)`.
+fn shape(of: &Array) -> String {
+    let lengths = of.shape.iter().map(|length| format!(", {length}"));
+    format!("(...{})", lengths.collect::<String>())
+}

@@ -1,0 +1,57 @@
+//! The engine as a native module: what the Python package `homogen` is built on.
+//!
+//! In: descriptions, options, arrays of NumPy. Out: names, limits, documentation and LLVM IR; and results, computed by code
+//! that LLVM has made of that and whose address is known here. The module compiles nothing itself.
+
+mod function;
+mod recipe;
+mod states;
+
+use pyo3::prelude::*;
+
+/// What Python imports as `homogen._engine`.
+#[pymodule]
+mod _engine {
+    use homogen_codegen::function::Function as Name;
+    use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS};
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use super::function::Function;
+    #[pymodule_export]
+    use super::recipe::Recipe;
+
+    /// The version of the engine.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+    /// The options of a robot: each keyword, and a sentence about it.
+    #[pyfunction]
+    fn options() -> Vec<(&'static str, &'static str)> {
+        let rows = SETTINGS.iter();
+        let rows = rows.filter(|setting| setting.group & (SCOPE | ROBOT) != 0);
+        rows.map(|setting| (setting.key, setting.help)).collect()
+    }
+
+    /// The functions: name, sentence, the names of several results, whether it is of a frame, whether of loops alone.
+    #[pyfunction]
+    fn functions() -> Vec<(&'static str, String, Vec<&'static str>, bool, bool)> {
+        let all = Name::ALL.into_iter().chain(Name::OF_LOOPS);
+        let rows = all.map(|name| {
+            let parts = name.result().parts().filter_map(|(part, _)| part);
+            let sentence = name.sentence("the base", "the frame");
+            let (parts, of_frame) = (parts.collect(), name.of_a_frame());
+            (name.name(), sentence, parts, of_frame, name.is_of_loops())
+        });
+        rows.collect()
+    }
+
+    /// The command line: standard output, standard error, and the status.
+    #[pyfunction]
+    fn answer(py: Python<'_>, arguments: Vec<String>) -> (String, String, u8) {
+        let words = ["homogen".to_owned()].into_iter().chain(arguments);
+        let words = words.map(Into::into);
+        let answer = py.detach(|| homogen_cli::answer(words, &mut std::io::empty()));
+        (answer.output, answer.remarks, answer.code)
+    }
+}

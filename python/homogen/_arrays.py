@@ -1,6 +1,4 @@
-"""Arguments that compiled code cannot read as they are, and signatures of functions."""
-
-import inspect
+"""Arguments that compiled code cannot read as they are."""
 
 import numpy as np
 
@@ -22,10 +20,3 @@ def converted(name, value, single):
         raise TypeError(f"{name} is of {array.dtype}, which cannot safely be cast to {wanted}")
     return np.require(array, wanted, ["C", "A"])
 
-
-def signature(names, keywords):
-    """The signature of a function with these arguments and keywords."""
-    kind = inspect.Parameter
-    parameters = [kind(name, kind.POSITIONAL_OR_KEYWORD) for name in names]
-    parameters += [kind(name, kind.KEYWORD_ONLY, default=None) for name in keywords]
-    return inspect.Signature(parameters)

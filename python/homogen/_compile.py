@@ -43,12 +43,12 @@ _loaded = weakref.WeakValueDictionary()
 
 
 def compiled(recipe, name, frame, order, single, many):
-    """The address of a function's code, and the object that keeps it alive."""
+    """The address of a function's code, about how many operations a state takes, and the object that keeps the code alive."""
     fused = FUSES and not recipe.reproducible
     lanes = _VECTOR // (4 if single else 8) if many else 1
-    entry, ir = recipe.code(name, frame, order, single, lanes, fused)
+    entry, ir, operations = recipe.code(name, frame, order, single, lanes, fused)
     code = _code(entry, ir)
-    return code.address, code
+    return code.address, operations, code
 
 
 class _Code:

@@ -1,7 +1,6 @@
 """`homogen.load`: from a description and options to a robot."""
 
 import numbers
-import os
 import warnings
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -49,7 +48,7 @@ def load(
     if threads is not None and threads < 1:
         raise ValueError(f"threads is a number from 1 on, and not {threads}")
     name, text = _text(source)
-    recipe = Recipe(name, text, given, described, bool(reproducible), order, threads or os.cpu_count() or 1, None)
+    recipe = Recipe(name, text, given, described, bool(reproducible), order, threads, None)
     robot = Robot(recipe)
     for warning in robot.warnings:
         warnings.warn(warning, DescriptionWarning, stacklevel=2)

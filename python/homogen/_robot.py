@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _engine, results
 from ._compile import compiled
+from ._function import Function
 
 _FUNCTIONS = {name: (sentence, of_frame, of_loops) for name, sentence, _, of_frame, of_loops in _engine.functions()}
 _STEPS = ("integrate", "difference", "normalize")
@@ -56,7 +57,7 @@ class Robot:
         # Before it has a recipe it has nothing: copies are made so.
         if "_functions" in own:
             if name in self._functions:
-                function = _engine.Function(self._recipe, name, compiled, results.of(name))
+                function = Function(self._recipe, name, compiled, results.of(name))
                 own[name] = function
                 return function
             if name in self._fields:
@@ -114,6 +115,13 @@ class Robot:
     def fields(self):
         """The fields and their values."""
         return {name: getattr(self, name) for name in self._fields}
+
+    @property
+    def base_parameters(self):
+        """The base parameters as described, which the base regressor is multiplied by: a dict of the parameter that leads each
+        and its value, in kg, kg m, kg m²."""
+        names, values = self._recipe.base_parameters()
+        return dict(zip(names, values))
 
     def neutral(self):
         """The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions."""

@@ -4,7 +4,7 @@
 //! options or another type of number than before, and keeps it. It never knows LLVM.
 
 use std::collections::HashMap;
-use std::sync::{Arc, PoisonError, RwLock};
+use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
 use homogen_codegen::print::arrays::{Array, Order, Signature};
 use numpy::{PyUntypedArray, PyUntypedArrayMethods};
@@ -13,19 +13,21 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 use super::recipe::{Recipe, order_name, order_of, refused};
-use super::states::{States, Type, Work, argument, is_direct, out};
+use super::states::{Fields, One, States, Type, Work, argument, is_direct, out};
 
 /// A function of a robot, compiled when it is first called.
-#[pyclass(frozen, module = "homogen._engine")]
+#[pyclass(frozen, subclass, module = "homogen._engine")]
 pub struct Function {
     recipe: Py<Recipe>,
-    /// Compiles: recipe, name, frame, order, whether numbers are single, whether states are many; an address, and what
-    /// keeps the code alive.
+    /// Compiles: recipe, name, frame, order, whether numbers are single, whether states are many; an address, how many
+    /// operations a state takes, and what keeps the code alive.
     compile: Py<PyAny>,
     /// The type of several results.
     tuple: Option<Py<PyAny>>,
     signature: Signature,
     kernels: RwLock<HashMap<Variant, Arc<Kernel>>>,
+    /// The code for one state of a call without options, in double and in single precision.
+    usual: [OnceLock<Arc<Kernel>>; 2],
 }
 
 /// Which code of a function.
@@ -40,6 +42,8 @@ struct Variant {
 /// Compiled code.
 struct Kernel {
     address: usize,
+    /// How many operations a state takes.
+    operations: usize,
     /// What keeps the code alive.
     _code: Py<PyAny>,
 }
@@ -76,6 +80,7 @@ impl Function {
             tuple,
             signature,
             kernels: RwLock::default(),
+            usual: Default::default(),
         })
     }
 
@@ -103,15 +108,14 @@ impl Function {
         format!("<{}: {} -> {results}>", of.name, shown(&of.arguments))
     }
 
+    /// Its name.
     #[getter]
-    #[pyo3(name = "__name__")]
     fn name(&self) -> &'static str {
         self.signature.name
     }
 
-    #[getter]
-    #[pyo3(name = "__doc__")]
-    fn doc(&self) -> String {
+    /// Its documentation: meaning, shapes, units.
+    fn about(&self) -> String {
         let of = &self.signature;
         let mut lines = of.about.clone();
         lines.push(String::new());
@@ -127,11 +131,12 @@ impl Function {
             [_] => "Returns:".to_owned(),
             _ => "Returns a tuple:".to_owned(),
         });
-        lines.extend(of.results.iter().map(|result| format!("    {}", line(result))));
+        let results = of.results.iter().map(|of| format!("    {}", line(of)));
+        lines.extend(results);
         if of.has_order {
             let order = order_name(self.recipe.get().default_order());
             lines.push(format!(
-                "order: \"linear_first\" or \"angular_first\", the order of six numbers [default: {order:?}]"
+                "order: \"linear_first\" (v, ω; f, c; ρ, γ) or \"angular_first\", the order of six numbers [default: {order:?}]"
             ));
         }
         if of.of_a_frame {
@@ -148,14 +153,6 @@ impl Function {
         let keywords = [(of.of_a_frame, "frame"), (of.has_order, "order"), (true, "out")];
         let keywords = keywords.into_iter().filter(|(has, _)| *has);
         (names.collect(), keywords.map(|(_, name)| name).collect())
-    }
-
-    #[getter]
-    #[pyo3(name = "__signature__")]
-    fn signature<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let made = py.import("homogen._arrays")?.getattr("signature")?;
-        let (names, keywords) = self.parameters();
-        made.call1((names, keywords))
     }
 
     /// Compiles what a call with these options and so many states would wait for.
@@ -184,6 +181,9 @@ impl Function {
         arguments: &Bound<'py, PyTuple>,
         options: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        if let (None, Some(done)) = (options, self.one(py, arguments)) {
+            return done;
+        }
         let (values, options) = self.read(arguments, options)?;
         let of = &self.signature;
         let single = values.iter().all(|value| Type::of(value) == Type::Single);
@@ -199,13 +199,8 @@ impl Function {
             direct.map_or_else(|| states.room(py, result, single), Clone::clone)
         });
         let rooms: Vec<Bound<'py, PyUntypedArray>> = rooms.collect();
-        let recipe = self.recipe.get();
-        let work = Work {
-            address: kernel.address,
-            fields: &recipe.field_values(single),
-            size: if single { 4 } else { 8 },
-            threads: recipe.threads(),
-        };
+        let fields = self.recipe.get().field_values(single);
+        let work = self.work(&kernel, &fields);
         states.run(py, &work, (&given, &of.arguments), (&rooms, &of.results));
         for (array, room) in wanted.iter().zip(&rooms) {
             if !array.is(room) {
@@ -217,6 +212,33 @@ impl Function {
 }
 
 impl Function {
+    /// The usual call: of one state, whose code is there and whose arguments can be read as they are. `None` of any other.
+    fn one<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+    ) -> Option<PyResult<Bound<'py, PyAny>>> {
+        let of = &self.signature;
+        let one = One::read(arguments, &of.arguments)?;
+        let kernel = self.usual[usize::from(one.single)].get()?;
+        let fields = self.recipe.get().field_values(one.single);
+        let results = one.run(py, &self.work(kernel, &fields), &of.results);
+        Some(self.returned(py, results))
+    }
+
+    fn work<'f>(&self, kernel: &Kernel, fields: &'f Fields) -> Work<'f> {
+        Work {
+            address: kernel.address,
+            operations: kernel.operations,
+            fields,
+            size: match fields {
+                Fields::Single(_) => 4,
+                Fields::Double(_) => 8,
+            },
+            threads: self.recipe.get().threads(),
+        }
+    }
+
     /// The values of the arguments in their order, and the options.
     fn read<'py>(
         &self,
@@ -282,11 +304,16 @@ impl Function {
         let (recipe, name) = (self.recipe.clone_ref(py), self.signature.name);
         let asked = (recipe, name, &options.frame, order_name(order), single, many);
         // No lock is held meanwhile: who waited for it could hold Python's.
-        let (address, code) = self.compile.call1(py, asked)?.extract(py)?;
+        let (address, operations, code) = self.compile.call1(py, asked)?.extract(py)?;
         let kernel = Arc::new(Kernel {
             address,
+            operations,
             _code: code,
         });
+        if !many && options.frame.is_none() && order == self.recipe.get().default_order() {
+            let usual = &self.usual[usize::from(single)];
+            usual.get_or_init(|| Arc::clone(&kernel));
+        }
         let mut kernels = self.kernels.write().unwrap_or_else(PoisonError::into_inner);
         kernels.insert(variant, Arc::clone(&kernel));
         Ok(kernel)

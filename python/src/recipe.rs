@@ -3,6 +3,7 @@
 //! In: what `homogen.load` was called with. Out: facts about the robot, the signatures of its functions, and LLVM IR. It is
 //! read again for each of them, so that it can be shared between threads and processes.
 
+use std::num::NonZero;
 use std::sync::{PoisonError, RwLock};
 
 use homogen_codegen::builder::Builder;
@@ -20,6 +21,7 @@ use homogen_codegen::print::llvm::{self, Steps, Writing};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::setting::{SETTINGS, text};
 use homogen_codegen::request::Request;
+use homogen_codegen::schedule::Program;
 use homogen_codegen::space::{Kind, Space};
 use super::states::Fields;
 use pyo3::exceptions::PyValueError;
@@ -40,12 +42,15 @@ pub struct Recipe {
     #[pyo3(get)]
     reproducible: bool,
     order: Order,
-    /// How many threads share the states of one call, at most.
+    /// How many threads share the states of one call, at most; as many as there are cores where nobody says.
     #[pyo3(get)]
-    threads: usize,
+    threads: Option<NonZero<usize>>,
     /// The numbers of the fields, one field after the other.
     values: RwLock<Vec<f64>>,
 }
+
+/// How many operations a sine and a cosine take together, and about as many as a coordinate takes in integration.
+const TURN: usize = 40;
 
 /// How the names of compiled functions begin.
 const PREFIX: &str = "robot_";
@@ -61,7 +66,7 @@ impl Recipe {
         fields: Vec<Field>,
         reproducible: bool,
         order: &str,
-        threads: usize,
+        threads: Option<NonZero<usize>>,
         values: Option<Vec<f64>>,
     ) -> PyResult<Self> {
         let recipe = Self {
@@ -207,7 +212,16 @@ impl Recipe {
         Ok(facts)
     }
 
-    /// The LLVM IR of a function, and the name of its entry in there. `lanes` is how many states a vector holds; `fused`
+    /// The base parameters as described: the name of the parameter that leads each, and its value.
+    fn base_parameters(&self) -> PyResult<(Vec<String>, Vec<f64>)> {
+        let chain = self.chain(vec![vec![Function::BaseRegressor]]);
+        let chain = chain.and_then(expand::identified).map_err(refused)?;
+        let module = expand::without_functions(&chain);
+        let names = module.spaces.names(Space::BaseParameters);
+        Ok((names.map(str::to_owned).collect(), module.base_values))
+    }
+
+    /// The LLVM IR of a function, the name of its entry in there, and about how many operations a state takes. `lanes` is how many states a vector holds; `fused`
     /// is whether products fuse with sums.
     #[expect(clippy::too_many_arguments, reason = "each decides which code it is")]
     fn code(
@@ -219,7 +233,7 @@ impl Recipe {
         single: bool,
         lanes: usize,
         fused: bool,
-    ) -> PyResult<(String, String)> {
+    ) -> PyResult<(String, String, usize)> {
         let order = order_of(order)?;
         let scalar = if single { Real::F32 } else { Real::F64 };
         py.detach(|| {
@@ -256,7 +270,7 @@ impl Recipe {
     }
 
     /// How many threads share the states of one call, at most.
-    pub const fn threads(&self) -> usize {
+    pub const fn threads(&self) -> Option<NonZero<usize>> {
         self.threads
     }
 
@@ -280,7 +294,7 @@ impl Recipe {
         scalar: Real,
         lanes: usize,
         fused: bool,
-    ) -> Result<(String, String), Errors> {
+    ) -> Result<(String, String, usize), Errors> {
         let (module, steps) = match Function::from_name(name) {
             Some(function) => (self.module(function, frame, order, scalar)?, Steps::None),
             None => {
@@ -298,7 +312,14 @@ impl Recipe {
             fused,
         };
         let entry = own(PREFIX, &format!("{name}_arrays"));
-        Ok((entry, llvm::print(&module, &writing)))
+        let operations = match module.functions.first() {
+            Some(generated) => {
+                let Program { steps, angles, .. } = &generated.program;
+                steps.len() + TURN * angles.len()
+            }
+            None => TURN * module.spaces.len(Space::Coordinates),
+        };
+        Ok((entry, llvm::print(&module, &writing), operations))
     }
 
     /// The robot with one function.
@@ -369,6 +390,12 @@ impl Recipe {
         }
         let (mut request, mistakes) = builder.into_request();
         errors.append(mistakes);
+        // Without a function that takes them there are none.
+        let mut named = functions.iter().flatten();
+        if !functions.is_empty() && !named.any(|function| function.takes_actions()) {
+            request.external.clear();
+            request.external_in_frame_0 = false;
+        }
         request.functions = functions;
         errors.into_result(request)
     }

@@ -4,15 +4,18 @@
 //! at any stride; states are a loop of the compiled function. It never computes a number.
 
 use std::num::NonZero;
+use std::ops::Range;
 use std::thread;
 
 use homogen_codegen::print::arrays::Array;
 use numpy::{
-    Element, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods, npyffi,
+    Element, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods,
+    npyffi::{self, NPY_TYPES},
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
+use pyo3::types::PyTuple;
 
 /// An array as compiled code takes it: where it starts, and how far states and entries of one state are apart, in numbers.
 #[repr(C)]
@@ -51,8 +54,10 @@ pub struct Work<'a> {
     pub fields: &'a Fields,
     /// How many bytes a number has.
     pub size: usize,
-    /// How many threads share it, at most.
-    pub threads: usize,
+    /// How many operations a state takes.
+    pub operations: usize,
+    /// How many threads share it, at most; as many as there are cores where nobody says.
+    pub threads: Option<NonZero<usize>>,
 }
 
 /// The type of an argument.
@@ -67,14 +72,26 @@ pub enum Type {
 }
 
 impl Type {
-    /// That of a value.
+    /// That of a value: an array itself, and none of a class made of it, whose numbers are aligned and in the order of bytes
+    /// of the processor.
+    #[expect(unsafe_code, reason = "NumPy hands out flags and type in structs")]
     pub fn of(value: &Bound<'_, PyAny>) -> Self {
-        if value.cast::<PyArrayDyn<f64>>().is_ok() {
-            Self::Double
-        } else if value.cast::<PyArrayDyn<f32>>().is_ok() {
-            Self::Single
-        } else {
-            Self::Other
+        // SAFETY: the object is alive, and its structs are read only where it is an array.
+        unsafe {
+            if npyffi::PyArray_CheckExact(value.py(), value.as_ptr()) == 0 {
+                return Self::Other;
+            }
+            let array = &(*value.as_ptr().cast::<npyffi::PyArrayObject>()).fields;
+            let of = &(*array.descr).fields;
+            let is_native = of.byteorder.cast_unsigned() == b'=';
+            if !is_native || array.flags & npyffi::NPY_ARRAY_ALIGNED == 0 {
+                return Self::Other;
+            }
+            match NPY_TYPES::NPY_DOUBLE as i32 - of.type_num {
+                0 => Self::Double,
+                1 => Self::Single,
+                _ => Self::Other,
+            }
         }
     }
 }
@@ -86,7 +103,7 @@ pub fn argument<'py>(
     single: bool,
 ) -> PyResult<Bound<'py, PyUntypedArray>> {
     let wanted = if single { Type::Single } else { Type::Double };
-    if Type::of(value) == wanted && is_plain(value) {
+    if Type::of(value) == wanted {
         let array = value.cast::<PyUntypedArray>()?;
         if entry(array, of.shape.len()).is_some() {
             return check(array.clone(), of);
@@ -97,13 +114,6 @@ pub fn argument<'py>(
     let converted = CONVERTED.import(py, "homogen._arrays", "converted")?;
     let array = converted.call1((of.name.as_str(), value, single))?;
     check(array.cast_into::<PyUntypedArray>()?, of)
-}
-
-/// Whether a value is an array, and none of a class made of it.
-#[expect(unsafe_code, reason = "NumPy's own test of the type")]
-fn is_plain(value: &Bound<'_, PyAny>) -> bool {
-    // SAFETY: the object is alive, and the test looks at its type alone.
-    unsafe { npyffi::PyArray_CheckExact(value.py(), value.as_ptr()) != 0 }
 }
 
 /// Refuses an array whose last axes are not those of an argument.
@@ -151,6 +161,72 @@ fn entry(array: &Bound<'_, PyUntypedArray>, own: usize) -> Option<i64> {
 fn data(array: &Bound<'_, PyUntypedArray>) -> *mut u8 {
     // SAFETY: the array is alive, and its struct holds the address.
     unsafe { (*array.as_array_ptr()).fields.data.cast() }
+}
+
+/// One state whose arguments are arrays that can be read as they are: the usual call, without broadcasting.
+pub struct One {
+    arrays: [Strided; MOST],
+    count: usize,
+    /// Whether its numbers are single.
+    pub single: bool,
+}
+
+/// The most arguments and results of a function.
+const MOST: usize = 8;
+
+impl One {
+    /// The arguments of a call; `None` where they are anything else.
+    pub fn read(arguments: &Bound<'_, PyTuple>, of: &[Array]) -> Option<Self> {
+        let nothing = Strided {
+            start: std::ptr::null_mut(),
+            state: 0,
+            entry: 0,
+        };
+        let kind = Type::of(arguments.get_borrowed_item(0).ok()?.as_any());
+        if arguments.len() != of.len() || kind == Type::Other {
+            return None;
+        }
+        let mut one = Self {
+            arrays: [nothing; MOST],
+            count: of.len(),
+            single: kind == Type::Single,
+        };
+        let places = one.arrays.iter_mut().zip(arguments.iter_borrowed());
+        for ((place, value), of) in places.zip(of) {
+            let array = value.cast::<PyUntypedArray>().ok()?;
+            if Type::of(&value) != kind || array.shape() != of.shape {
+                return None;
+            }
+            place.start = data(&array);
+            place.entry = entry(&array, of.shape.len())?;
+        }
+        Some(one)
+    }
+
+    /// Computes it into new arrays.
+    pub fn run<'py>(
+        mut self,
+        py: Python<'py>,
+        work: &Work<'_>,
+        results: &[Array],
+    ) -> Vec<Bound<'py, PyUntypedArray>> {
+        let first = self.count;
+        let rooms = results.iter().zip(&mut self.arrays[first..]);
+        let rooms = rooms.map(|(result, place)| {
+            let array = room(py, &result.shape, self.single);
+            place.start = data(&array);
+            place.entry = 1;
+            array
+        });
+        let rooms = rooms.collect();
+        work.call(1, &self.arrays);
+        for (array, of) in self.arrays[first..].iter().zip(results) {
+            if let Some(row) = of.below {
+                work.write_below(array, of, row, 0..1);
+            }
+        }
+        rooms
+    }
 }
 
 /// The states that arguments are of, whatever their leading axes.
@@ -218,12 +294,7 @@ impl States {
         of: &Array,
         single: bool,
     ) -> Bound<'py, PyUntypedArray> {
-        let shape = [self.shape.as_slice(), &of.shape].concat();
-        if single {
-            room::<f32>(py, &shape)
-        } else {
-            room::<f64>(py, &shape)
-        }
+        room(py, &[self.shape.as_slice(), &of.shape].concat(), single)
     }
 
     /// Computes all states.
@@ -234,8 +305,10 @@ impl States {
         arguments: (&[Bound<'_, PyUntypedArray>], &[Array]),
         results: (&[Bound<'_, PyUntypedArray>], &[Array]),
     ) {
-        /// About as many numbers as a core moves in the time that a thread takes to begin.
-        const SHARE: usize = 1 << 14;
+        /// So many operations take about as long as a thread that begins.
+        const SHARE: usize = 1 << 21;
+        /// So many take less than a microsecond or a few.
+        const SHORT: usize = 1 << 14;
         if self.count == 0 {
             return;
         }
@@ -257,13 +330,15 @@ impl States {
             arrays: read.chain(write).collect(),
             results: results.1,
         };
-        let numbers = arguments.1.iter().chain(results.1).map(|of| of.len);
-        let most = self.count * numbers.sum::<usize>() / SHARE;
-        let threads = work.threads.min(most);
+        let operations = self.count.saturating_mul(work.operations);
+        let threads = match operations / SHARE {
+            few @ 0..2 => few,
+            most => work.threads.map_or_else(cores, NonZero::get).min(most),
+        };
         match threads {
-            // Too little for anybody to wait for.
-            0 => job.compute(0, self.count),
-            1 => py.detach(|| job.compute(0, self.count)),
+            // Other threads of Python wait no longer for that than for the lock itself.
+            _ if operations < SHORT => job.compute(0, self.count),
+            0 | 1 => py.detach(|| job.compute(0, self.count)),
             _ => py.detach(|| {
                 let share = self.count.div_ceil(threads);
                 let job = &job;
@@ -280,7 +355,7 @@ impl States {
 }
 
 /// How many threads a call is shared by where nobody says.
-pub fn cores() -> usize {
+fn cores() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
@@ -290,8 +365,17 @@ fn at<T>(values: &[T], own: usize, axes: usize, axis: usize) -> Option<&T> {
     (axis + leading).checked_sub(axes).map(|axis| &values[axis])
 }
 
+/// A new array.
+fn room<'py>(py: Python<'py>, shape: &[usize], single: bool) -> Bound<'py, PyUntypedArray> {
+    if single {
+        unwritten::<f32>(py, shape)
+    } else {
+        unwritten::<f64>(py, shape)
+    }
+}
+
 #[expect(unsafe_code, reason = "what is in it is written before it is read")]
-fn room<'py, T: Element>(py: Python<'py>, shape: &[usize]) -> Bound<'py, PyUntypedArray> {
+fn unwritten<'py, T: Element>(py: Python<'py>, shape: &[usize]) -> Bound<'py, PyUntypedArray> {
     // SAFETY: numbers of any bits are numbers, and all of them are written.
     let array = unsafe { PyArrayDyn::<T>::new(py, shape, false) };
     array.as_untyped().clone()
@@ -338,36 +422,39 @@ impl Job<'_> {
                 };
                 array.start = begin.start.wrapping_offset(bytes);
             }
-            self.call(count, &arrays);
+            self.work.call(count, &arrays);
             state += count;
         }
         for (array, of) in self.arrays[arguments..].iter().zip(self.results) {
             if let Some(row) = of.below {
-                self.write_below(array, of.len, row, first..end);
+                self.work.write_below(array, of, row, first..end);
             }
         }
     }
+}
 
+impl Work<'_> {
     #[expect(unsafe_code, reason = "compiled code is called by its address")]
     fn call(&self, count: usize, arrays: &[Strided]) {
         // SAFETY: the address is that of a function of this signature, whose code is kept by whoever holds the address; it
         // reads and writes these states of the arrays, whose shapes have been checked.
         unsafe {
-            let entry: Entry = std::mem::transmute(self.work.address);
-            entry(count as i64, self.work.fields.start(), arrays.as_ptr());
+            let entry: Entry = std::mem::transmute(self.address);
+            entry(count as i64, self.fields.start(), arrays.as_ptr());
         }
     }
 
-    /// Writes the constant last row of matrices of some states.
+    /// Writes the constant last row of matrices of some states, which stand one behind the other.
     #[expect(unsafe_code, reason = "results are known by their addresses")]
-    fn write_below(&self, array: &Strided, len: usize, row: [f64; 4], states: std::ops::Range<usize>) {
-        let each = array.state as usize;
+    fn write_below(&self, array: &Strided, of: &Array, row: [f64; 4], states: Range<usize>) {
+        let each: usize = of.shape.iter().product();
         for state in states {
             for (k, value) in row.into_iter().enumerate() {
-                let place = array.start.wrapping_add((state * each + len + k) * self.work.size);
-                // SAFETY: the result has `each` numbers of each state, of which these are the last; it is aligned, being new.
+                let place = (state * each + of.len + k) * self.size;
+                let place = array.start.wrapping_add(place);
+                // SAFETY: the result has `each` numbers of each state, of which these are the last, and is aligned.
                 unsafe {
-                    if self.work.size == size_of::<f32>() {
+                    if self.size == size_of::<f32>() {
                         #[expect(clippy::cast_possible_truncation, reason = "it is 0 or 1")]
                         place.cast::<f32>().write(value as f32);
                     } else {

@@ -43,7 +43,7 @@ pub struct Array {
 pub struct Signature {
     /// Its name.
     pub name: &'static str,
-    /// Its documentation, without shapes.
+    /// Its documentation, without arguments and results.
     pub about: Vec<String>,
     /// Its arguments, in their order.
     pub arguments: Vec<Array>,
@@ -71,10 +71,14 @@ pub fn signature(module: &Module, function: Function, frame: &str) -> Signature 
             units: distinct(quantity.units(spaces)),
         }
     });
+    let mut about = documentation::sentences(module, &[function], frame);
+    let remarks = documentation::remarks(spaces, &[function]);
+    about.extend((!remarks.is_empty()).then(String::new));
+    about.extend(remarks);
     let six = |(_, quantity): (_, Quantity)| is_six(quantity.entity);
     Signature {
         name: function.name(),
-        about: documentation::meaning(module, &[function], frame),
+        about,
         arguments: taken.iter().map(|&of| argument(of, spaces)).collect(),
         results: results.collect(),
         of_a_frame: function.of_a_frame(),

@@ -45,7 +45,10 @@ pub(super) fn of_function(
 ) -> Vec<String> {
     let about = &module.about;
     let frame = generated.frame.as_deref().unwrap_or(&about.tip);
-    let mut lines = meaning(module, &generated.functions, frame);
+    let mut lines = sentences(module, &generated.functions, frame);
+    lines.push(String::new());
+    lines.push(arguments(&generated.arguments(&module.spaces)));
+    lines.extend(remarks(&module.spaces, &generated.functions));
     if let Some(angles) = angles {
         let results = generated.functions.iter();
         let results = results.flat_map(|function| function.result().parts());
@@ -82,9 +85,8 @@ pub(super) fn of_function(
     lines
 }
 
-/// Meaning of functions of a frame: what they compute, the units of arguments, and how quaternions and loops enter.
-pub(super) fn meaning(module: &Module, functions: &[Function], frame: &str) -> Vec<String> {
-    let spaces = &module.spaces;
+/// Meaning of functions of a frame, a sentence each.
+pub(super) fn sentences(module: &Module, functions: &[Function], frame: &str) -> Vec<String> {
     let base = frame_0(module);
     let mut lines = Vec::new();
     match functions {
@@ -98,10 +100,13 @@ pub(super) fn meaning(module: &Module, functions: &[Function], frame: &str) -> V
             }));
         }
     }
-    lines.push(String::new());
+    lines
+}
+
+/// How quaternions, velocities of bodies and loops enter functions.
+pub(super) fn remarks(spaces: &Spaces, functions: &[Function]) -> Vec<String> {
     let of = module::arguments(functions, spaces.actions() > 0);
-    lines.push(arguments(&of));
-    lines.extend(postures(spaces, &of));
+    let mut lines = postures(spaces, &of);
     lines.extend(residuals(spaces, functions));
     lines.extend(left_open(spaces, functions));
     lines

@@ -247,9 +247,11 @@ impl Recipe {
     /// The signature of a function; `None` where there is none of that name.
     pub fn signature(&self, name: &str) -> Result<Option<Signature>, Errors> {
         let function = Function::from_name(name);
-        let functions = function.map(|function| vec![vec![function]]);
-        let chain = self.chain(functions.unwrap_or_default())?;
-        let chain = expand::identified_if_asked(chain);
+        let chain = self.chain(Vec::new())?;
+        let chain = match function {
+            Some(Function::BaseRegressor) => expand::identified(chain)?,
+            _ => chain,
+        };
         let module = expand::without_functions(&chain);
         Ok(match function {
             Some(function) => {

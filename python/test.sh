@@ -4,7 +4,7 @@
 #
 #   test.sh [arguments of pytest]
 #
-# Maturin, llvmlite, NumPy and pytest come from PyPI, crates from crates.io. Where there is no Python from 3.10 on with
+# Maturin, llvmlite, NumPy, pytest and mypy come from PyPI, crates from crates.io. Where there is no Python from 3.10 on with
 # `venv`, the last line says so and nothing is checked.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -27,7 +27,7 @@ python3 -m venv "$folder/build"
 "$folder/build/bin/maturin" build --quiet --release --manifest-path python/Cargo.toml --out "$folder/wheels"
 
 python3 -m venv "$folder/python"
-"$folder/python/bin/pip" install --quiet --disable-pip-version-check "$folder"/wheels/*.whl 'pytest>=7'
+"$folder/python/bin/pip" install --quiet --disable-pip-version-check "$folder"/wheels/*.whl 'pytest>=7' mypy
 # Beside Python there are the tools of a shell, and no others.
 mkdir "$folder/bin"
 for tool in dirname uname; do

@@ -10,8 +10,9 @@ function is first called. Compiled code is kept on disk. `help(homogen.load)` li
 of a robot, and `help(panda.inverse_dynamics)` says shapes, units and equations of one.
 """
 
+from . import results
 from ._engine import VERSION as __version__
 from ._load import DescriptionWarning, load
 from ._robot import Robot
 
-__all__ = ["DescriptionWarning", "Robot", "__version__", "load"]
+__all__ = ["DescriptionWarning", "Robot", "__version__", "load", "results"]

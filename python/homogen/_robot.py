@@ -10,7 +10,8 @@ from . import _engine, results
 from ._compile import compiled
 from ._function import Function
 
-_FUNCTIONS = {name: (sentence, of_frame, of_loops) for name, sentence, _, of_frame, of_loops in _engine.functions()}
+_FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
+_OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
 _STEPS = ("integrate", "difference", "normalize")
 
 
@@ -49,7 +50,7 @@ class Robot:
         own["_fields"] = _places(recipe, facts["fields"])
         names = [*_STEPS, *_FUNCTIONS]
         if not self.constraint_names:
-            names = [name for name in names if name not in _FUNCTIONS or not _FUNCTIONS[name][2]]
+            names = [name for name in names if name not in _OF_LOOPS]
         own["_functions"] = tuple(names)
 
     def __getattr__(self, name):
@@ -206,7 +207,7 @@ class Robot:
         return output
 
 
-Robot.__doc__ += "\n".join(f"    {name}: {sentence}" for name, (sentence, *_) in _FUNCTIONS.items())
+Robot.__doc__ += "\n".join(f"    {name}: {sentence}" for name, sentence in _FUNCTIONS.items())
 
 
 def _places(recipe, counts):

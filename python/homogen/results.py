@@ -6,7 +6,7 @@ from ._engine import functions
 
 _TYPES = {
     name: namedtuple("".join(word.capitalize() for word in name.split("_")), parts, module=__name__)
-    for name, _, parts, *_ in functions()
+    for name, _, _, parts, *_ in functions()
     if parts
 }
 globals().update({of.__name__: of for of in _TYPES.values()})

@@ -142,7 +142,8 @@ impl Function {
         if of.of_a_frame {
             lines.push("frame: the link whose frame it is about [default: the tip]".to_owned());
         }
-        lines.push("out: the array, or the tuple of arrays, that results are written to".to_owned());
+        lines
+            .push("out: the array, or the tuple of arrays, that results are written to".to_owned());
         lines.join("\n")
     }
 
@@ -150,7 +151,11 @@ impl Function {
     fn parameters(&self) -> (Vec<String>, Vec<&'static str>) {
         let of = &self.signature;
         let names = of.arguments.iter().map(|of| of.name.clone());
-        let keywords = [(of.of_a_frame, "frame"), (of.has_order, "order"), (true, "out")];
+        let keywords = [
+            (of.of_a_frame, "frame"),
+            (of.has_order, "order"),
+            (true, "out"),
+        ];
         let keywords = keywords.into_iter().filter(|(has, _)| *has);
         (names.collect(), keywords.map(|(_, name)| name).collect())
     }
@@ -248,7 +253,7 @@ impl Function {
         let of = &self.signature;
         let mut values: Vec<Option<Bound<'py, PyAny>>> = arguments.iter().map(Some).collect();
         if values.len() > of.arguments.len() {
-            return Err(self.misused(format!("{} were given", values.len())));
+            return Err(self.misused(&format!("{} were given", values.len())));
         }
         values.resize(of.arguments.len(), None);
         let mut options = Options::default();
@@ -257,25 +262,25 @@ impl Function {
             let place = of.arguments.iter().position(|of| of.name == key);
             match (&*key, place) {
                 (_, Some(place)) if values[place].is_none() => values[place] = Some(value),
-                (_, Some(_)) => return Err(self.misused(format!("{key} was given twice"))),
+                (_, Some(_)) => return Err(self.misused(&format!("{key} was given twice"))),
                 (_, None) if value.is_none() => {}
                 ("frame", _) if of.of_a_frame => options.frame = Some(value.extract()?),
                 ("order", _) if of.has_order => {
                     options.order = Some(order_of(&value.extract::<String>()?)?);
                 }
                 ("out", _) => options.out = Some(value),
-                _ => return Err(self.misused(format!("it has no keyword {key}"))),
+                _ => return Err(self.misused(&format!("it has no keyword {key}"))),
             }
         }
         let missing = values.iter().position(Option::is_none);
         if let Some(missing) = missing {
             let name = &of.arguments[missing].name;
-            return Err(self.misused(format!("{name} is missing")));
+            return Err(self.misused(&format!("{name} is missing")));
         }
         Ok((values.into_iter().flatten().collect(), options))
     }
 
-    fn misused(&self, problem: String) -> PyErr {
+    fn misused(&self, problem: &str) -> PyErr {
         let (names, keywords) = self.parameters();
         let (name, names, keywords) = (self.signature.name, names.join(", "), keywords.join(", "));
         PyTypeError::new_err(format!("{name}({names}, *, {keywords}): {problem}"))
@@ -302,7 +307,14 @@ impl Function {
         }
         drop(found);
         let (recipe, name) = (self.recipe.clone_ref(py), self.signature.name);
-        let asked = (recipe, name, &options.frame, order_name(order), single, many);
+        let asked = (
+            recipe,
+            name,
+            &options.frame,
+            order_name(order),
+            single,
+            many,
+        );
         // No lock is held meanwhile: who waited for it could hold Python's.
         let (address, operations, code) = self.compile.call1(py, asked)?.extract(py)?;
         let kernel = Arc::new(Kernel {
@@ -361,7 +373,9 @@ impl Function {
                 let results = results.collect::<PyResult<Vec<_>>>()?;
                 tuple.bind(py).call1(PyTuple::new(py, results)?)
             }
-            None => results.next().unwrap_or_else(|| Ok(py.None().into_bound(py))),
+            None => results
+                .next()
+                .unwrap_or_else(|| Ok(py.None().into_bound(py))),
         }
     }
 }

@@ -13,6 +13,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _engine {
     use homogen_codegen::function::Function as Name;
+    use homogen_codegen::print::arrays::has_order;
     use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS};
     use pyo3::prelude::*;
 
@@ -33,15 +34,36 @@ mod _engine {
         rows.map(|setting| (setting.key, setting.help)).collect()
     }
 
-    /// The functions: name, sentence, the names of several results, whether it is of a frame, whether of loops alone.
+    /// What is known of a function of any robot: name, sentence, names of arguments, names of several results, whether it is
+    /// of a frame, whether it has an order, whether it is a number, whether it is of loops alone.
+    type Row = (
+        &'static str,
+        String,
+        Vec<&'static str>,
+        Vec<&'static str>,
+        bool,
+        bool,
+        bool,
+        bool,
+    );
+
+    /// The functions, a row each.
     #[pyfunction]
-    fn functions() -> Vec<(&'static str, String, Vec<&'static str>, bool, bool)> {
+    fn functions() -> Vec<Row> {
         let all = Name::ALL.into_iter().chain(Name::OF_LOOPS);
         let rows = all.map(|name| {
+            let arguments = name.arguments_with(true);
             let parts = name.result().parts().filter_map(|(part, _)| part);
-            let sentence = name.sentence("the base", "the frame");
-            let (parts, of_frame) = (parts.collect(), name.of_a_frame());
-            (name.name(), sentence, parts, of_frame, name.is_of_loops())
+            (
+                name.name(),
+                name.sentence("the base", "the frame"),
+                arguments.iter().map(|of| of.name()).collect(),
+                parts.collect(),
+                name.of_a_frame(),
+                has_order(name, &arguments),
+                name.result().is_number(),
+                name.is_of_loops(),
+            )
         });
         rows.collect()
     }

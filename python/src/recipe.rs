@@ -6,6 +6,7 @@
 use std::num::NonZero;
 use std::sync::{PoisonError, RwLock};
 
+use super::states::Fields;
 use homogen_codegen::builder::Builder;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::description::{self, Description, inline};
@@ -19,11 +20,10 @@ use homogen_codegen::print::c::own;
 use homogen_codegen::print::described;
 use homogen_codegen::print::llvm::{self, Steps, Writing};
 use homogen_codegen::real::Real;
-use homogen_codegen::request::setting::{SETTINGS, text};
 use homogen_codegen::request::Request;
+use homogen_codegen::request::setting::{SETTINGS, text};
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::{Kind, Space};
-use super::states::Fields;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple};
@@ -58,7 +58,10 @@ const PREFIX: &str = "robot_";
 #[pymethods]
 impl Recipe {
     #[new]
-    #[expect(clippy::too_many_arguments, reason = "each is a keyword of `homogen.load`")]
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "each is a keyword of `homogen.load`"
+    )]
     fn new(
         name: String,
         bytes: Vec<u8>,
@@ -79,12 +82,11 @@ impl Recipe {
             threads,
             values: RwLock::default(),
         };
-        let values = match values {
-            Some(values) => values,
-            None => {
-                let chain = recipe.chain(Vec::new()).map_err(refused)?;
-                chain.nominal.iter().flatten().copied().collect()
-            }
+        let values = if let Some(values) = values {
+            values
+        } else {
+            let chain = recipe.chain(Vec::new()).map_err(refused)?;
+            chain.nominal.iter().flatten().copied().collect()
         };
         Ok(Self {
             values: RwLock::new(values),
@@ -162,7 +164,9 @@ impl Recipe {
         let mut values = self.values.write().unwrap_or_else(PoisonError::into_inner);
         let place = values.get_mut(first..first + numbers.len());
         let place = place.ok_or_else(|| PyValueError::new_err("a field has fewer numbers"))?;
-        place.copy_from_slice(&numbers);
+        for (place, number) in place.iter_mut().zip(numbers) {
+            *place = number;
+        }
         Ok(())
     }
 
@@ -183,7 +187,10 @@ impl Recipe {
         for list in described::limits(&module) {
             set(list.name, list.numbers.into_pyobject(py)?)?;
         }
-        set("neutral", described::neutral(&module).numbers.into_pyobject(py)?)?;
+        set(
+            "neutral",
+            described::neutral(&module).numbers.into_pyobject(py)?,
+        )?;
         let kinds = spaces.coordinates.iter().map(|entry| match entry.kind {
             Kind::Slide => "slide",
             Kind::Quaternion => "quaternion",
@@ -204,7 +211,10 @@ impl Recipe {
             .unzip();
         set("links", links.into_pyobject(py)?)?;
         set("masses", masses.into_pyobject(py)?)?;
-        set("external", chain.external.len().into_pyobject(py)?.into_any())?;
+        set(
+            "external",
+            chain.external.len().into_pyobject(py)?.into_any(),
+        )?;
         set("warnings", about.located_warnings().into_pyobject(py)?)?;
         let fields = self.request(Vec::new()).map_err(refused)?.parameters;
         let entries = fields.iter().map(|field| field.target.entries());
@@ -280,7 +290,10 @@ impl Recipe {
     pub fn field_values(&self, single: bool) -> Fields {
         let values = self.values.read().unwrap_or_else(PoisonError::into_inner);
         if single {
-            #[expect(clippy::cast_possible_truncation, reason = "it is the type of the code")]
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "it is the type of the code"
+            )]
             let singles = values.iter().map(|&value| value as f32);
             Fields::Single(singles.collect())
         } else {
@@ -297,14 +310,13 @@ impl Recipe {
         lanes: usize,
         fused: bool,
     ) -> Result<(String, String, usize), Errors> {
-        let (module, steps) = match Function::from_name(name) {
-            Some(function) => (self.module(function, frame, order, scalar)?, Steps::None),
-            None => {
-                let mut request = self.request(Vec::new())?;
-                request.scalar = scalar;
-                let chain = expand::understand(&self.description(&request)?, &request)?;
-                (expand::without_functions(&chain), Steps::All)
-            }
+        let (module, steps) = if let Some(function) = Function::from_name(name) {
+            (self.module(function, frame, order, scalar)?, Steps::None)
+        } else {
+            let mut request = self.request(Vec::new())?;
+            request.scalar = scalar;
+            let chain = expand::understand(&self.description(&request)?, &request)?;
+            (expand::without_functions(&chain), Steps::All)
         };
         let writing = Writing {
             prefix: PREFIX,
@@ -426,6 +438,7 @@ pub const fn order_name(order: Order) -> &'static str {
 }
 
 /// All mistakes as one exception.
+#[expect(clippy::needless_pass_by_value, reason = "as `map_err` hands it over")]
 pub fn refused(errors: Errors) -> PyErr {
     let told = errors.to_string();
     let told = told.trim_end();

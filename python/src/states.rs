@@ -9,7 +9,8 @@ use std::thread;
 
 use homogen_codegen::print::arrays::Array;
 use numpy::{
-    Element, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods,
+    Element, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray,
+    PyUntypedArrayMethods,
     npyffi::{self, NPY_TYPES},
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -96,6 +97,9 @@ impl Type {
     }
 }
 
+/// What Python makes of arguments that cannot be read as they are.
+static CONVERTED: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+
 /// An argument as an array that compiled code can read.
 pub fn argument<'py>(
     value: &Bound<'py, PyAny>,
@@ -109,7 +113,6 @@ pub fn argument<'py>(
             return check(array.clone(), of);
         }
     }
-    static CONVERTED: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     let py = value.py();
     let converted = CONVERTED.import(py, "homogen._arrays", "converted")?;
     let array = converted.call1((of.name.as_str(), value, single))?;
@@ -141,20 +144,20 @@ fn entry(array: &Bound<'_, PyUntypedArray>, own: usize) -> Option<i64> {
         && strides.iter().all(|stride| stride % size == 0);
     let first = array.ndim().checked_sub(own)?;
     let axes = array.shape()[first..].iter().zip(&strides[first..]);
-    let mut last: Option<(usize, isize)> = None;
+    let mut before: Option<(usize, isize)> = None;
     for (&length, &stride) in axes.rev() {
-        match last {
+        match before {
             Some((count, least)) if length != 1 => {
                 if stride != least * count.cast_signed() {
                     return None;
                 }
-                last = Some((count * length, least));
+                before = Some((count * length, least));
             }
             Some(_) => {}
-            None => last = Some((length, stride)),
+            None => before = Some((length, stride)),
         }
     }
-    is_aligned.then(|| last.map_or(0, |(_, stride)| (stride / size) as i64))
+    is_aligned.then(|| before.map_or(0, |(_, stride)| (stride / size) as i64))
 }
 
 #[expect(unsafe_code, reason = "NumPy hands out the address in a struct")]
@@ -321,7 +324,7 @@ impl States {
         let write = results.0.iter().zip(results.1);
         let write = write.map(|(array, of)| Strided {
             start: data(array),
-            state: of.shape.iter().product::<usize>() as i64,
+            state: size_of_state(of) as i64,
             entry: 1,
         });
         let job = Job {
@@ -360,9 +363,15 @@ fn cores() -> usize {
 }
 
 /// An entry of the leading axes of an array, of `axes` of them; `None` where it has none there.
-fn at<T>(values: &[T], own: usize, axes: usize, axis: usize) -> Option<&T> {
+fn at<T>(values: &[T], own: usize, axes: usize, place: usize) -> Option<&T> {
     let leading = values.len() - own;
-    (axis + leading).checked_sub(axes).map(|axis| &values[axis])
+    let within = (place + leading).checked_sub(axes);
+    within.map(|place| &values[place])
+}
+
+/// How many numbers a result has of a state.
+fn size_of_state(of: &Array) -> isize {
+    of.shape.iter().product::<usize>().cast_signed()
 }
 
 /// A new array.
@@ -398,7 +407,9 @@ impl Job<'_> {
     /// Computes the states from one up to another, of all in the order of results.
     fn compute(&self, first: usize, end: usize) {
         let loops = &self.states.loops;
-        let (inner, outer) = loops.split_last().map_or((1, loops.as_slice()), |(last, outer)| (last.0, outer));
+        let (inner, outer) = loops
+            .split_last()
+            .map_or((1, loops.as_slice()), |(last, outer)| (last.0, outer));
         let size = self.work.size.cast_signed();
         let arguments = self.arrays.len() - self.results.len();
         let mut arrays = self.arrays.clone();
@@ -418,7 +429,8 @@ impl Job<'_> {
                     }
                     bytes
                 } else {
-                    state.cast_signed() * begin.state as isize * size
+                    let each = size_of_state(&self.results[k - arguments]);
+                    state.cast_signed() * each * size
                 };
                 array.start = begin.start.wrapping_offset(bytes);
             }
@@ -440,25 +452,31 @@ impl Work<'_> {
         // reads and writes these states of the arrays, whose shapes have been checked.
         unsafe {
             let entry: Entry = std::mem::transmute(self.address);
-            entry(count as i64, self.fields.start(), arrays.as_ptr());
+            entry(
+                count.cast_signed() as i64,
+                self.fields.start(),
+                arrays.as_ptr(),
+            );
         }
     }
 
     /// Writes the constant last row of matrices of some states, which stand one behind the other.
     #[expect(unsafe_code, reason = "results are known by their addresses")]
     fn write_below(&self, array: &Strided, of: &Array, row: [f64; 4], states: Range<usize>) {
-        let each: usize = of.shape.iter().product();
+        let each = size_of_state(of).unsigned_abs();
         for state in states {
             for (k, value) in row.into_iter().enumerate() {
                 let place = (state * each + of.len + k) * self.size;
                 let place = array.start.wrapping_add(place);
-                // SAFETY: the result has `each` numbers of each state, of which these are the last, and is aligned.
+                // SAFETY: the result has `each` numbers of each state, of which these are the last.
                 unsafe {
                     if self.size == size_of::<f32>() {
                         #[expect(clippy::cast_possible_truncation, reason = "it is 0 or 1")]
-                        place.cast::<f32>().write(value as f32);
+                        let bytes = (value as f32).to_ne_bytes();
+                        place.copy_from_nonoverlapping(bytes.as_ptr(), bytes.len());
                     } else {
-                        place.cast::<f64>().write(value);
+                        let bytes = value.to_ne_bytes();
+                        place.copy_from_nonoverlapping(bytes.as_ptr(), bytes.len());
                     }
                 }
             }

@@ -75,15 +75,21 @@ pub fn signature(module: &Module, function: Function, frame: &str) -> Signature 
     let remarks = documentation::remarks(spaces, &[function]);
     about.extend((!remarks.is_empty()).then(String::new));
     about.extend(remarks);
-    let six = |(_, quantity): (_, Quantity)| is_six(quantity.entity);
     Signature {
         name: function.name(),
         about,
         arguments: taken.iter().map(|&of| argument(of, spaces)).collect(),
         results: results.collect(),
         of_a_frame: function.of_a_frame(),
-        has_order: taken.contains(&Variable::Actions) || function.result().parts().any(six),
+        has_order: has_order(function, &taken),
     }
+}
+
+/// Whether any argument or result of a function with such arguments has six numbers that turn and move.
+#[must_use]
+pub fn has_order(function: Function, arguments: &[Variable]) -> bool {
+    let mut parts = function.result().parts();
+    arguments.contains(&Variable::Actions) || parts.any(|(_, part)| is_six(part.entity))
 }
 
 /// The signatures of the functions of configurations: integration, difference and normalisation.
@@ -99,7 +105,9 @@ pub fn steps(module: &Module) -> impl Iterator<Item = Signature> {
             ..argument(variable, spaces)
         }
     };
-    let steps = Step::ALL.into_iter().filter(|step| !step.arguments().is_empty());
+    let steps = Step::ALL
+        .into_iter()
+        .filter(|step| !step.arguments().is_empty());
     steps.map(move |step| Signature {
         name: step.name(),
         about: documentation::of_step(module, step, None),
@@ -122,7 +130,10 @@ pub fn arrange(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order)
         first += quantity.size(spaces);
     }
     let program = &mut generated.program;
-    program.results = places.into_iter().map(|place| program.results[place]).collect();
+    program.results = places
+        .into_iter()
+        .map(|place| program.results[place])
+        .collect();
     if order == Order::AngularFirst {
         return;
     }
@@ -221,4 +232,127 @@ fn distinct(units: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> 
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::description;
+    use crate::error::Errors;
+    use crate::expand::{expand, understand, without_functions};
+    use crate::request::Request;
+
+    /// A robot with such an external force, and the function if one is named.
+    fn robot(file: &str, functions: &[Function], external: &[&str]) -> Module {
+        let path = format!("{}/../robots/{file}", env!("CARGO_MANIFEST_DIR"));
+        let description = description::read_file(path.as_ref(), None, &mut Errors::new());
+        let description = description.expect("a robot that ships");
+        let request = Request {
+            functions: vec![functions.to_vec()],
+            external: external.iter().map(|&link| link.into()).collect(),
+            ..Request::default()
+        };
+        if functions.is_empty() {
+            let request = Request {
+                functions: Vec::new(),
+                ..request
+            };
+            return without_functions(&understand(&description, &request).expect("no mistakes"));
+        }
+        expand(&description, &request).expect("no mistakes")
+    }
+
+    fn shapes(arrays: &[Array]) -> Vec<(&str, &[usize])> {
+        let shapes = arrays.iter();
+        shapes
+            .map(|of| (of.name.as_str(), of.shape.as_slice()))
+            .collect()
+    }
+
+    #[test]
+    fn shapes_are_those_of_matrices_with_a_column_for_each_joint() {
+        let module = robot("two_link.urdf", &[], &["fore"]);
+        let of = |function| signature(&module, function, "tip");
+        let jacobian = of(Function::SpatialJacobian);
+        assert_eq!(
+            shapes(&jacobian.results),
+            [("spatial_jacobian", &[6, 2][..])]
+        );
+        assert!(jacobian.of_a_frame && jacobian.has_order);
+        let pose = of(Function::ForwardKinematics);
+        assert_eq!(shapes(&pose.results), [("forward_kinematics", &[4, 4][..])]);
+        assert_eq!(pose.results[0].len, 12);
+        assert_eq!(pose.results[0].below, Some([0.0, 0.0, 0.0, 1.0]));
+        let point = of(Function::CenterOfMassJacobian);
+        assert_eq!(
+            shapes(&point.results),
+            [("center_of_mass_jacobian", &[3, 2][..])]
+        );
+        assert!(!point.has_order);
+        let derivatives = of(Function::InverseDynamicsDerivatives);
+        assert_eq!(
+            shapes(&derivatives.results),
+            [("dq", &[2, 2][..]), ("dqd", &[2, 2][..])]
+        );
+        let dynamics = of(Function::InverseDynamics);
+        assert_eq!(
+            shapes(&dynamics.arguments),
+            [
+                ("q", &[2][..]),
+                ("qd", &[2]),
+                ("qdd", &[2]),
+                ("actions", &[1, 6])
+            ]
+        );
+        assert_eq!(dynamics.arguments[3].units, ["N m", "N"]);
+        assert!(dynamics.has_order && !dynamics.of_a_frame);
+        assert_eq!(of(Function::KineticEnergy).results[0].shape, [0; 0]);
+    }
+
+    #[test]
+    fn steps_are_over_coordinates_and_velocities_of_any_robot() {
+        let module = robot("two_link.urdf", &[], &[]);
+        let steps: Vec<Signature> = steps(&module).collect();
+        let names = steps.iter().map(|step| step.name).collect::<Vec<_>>();
+        assert_eq!(names, ["integrate", "difference", "normalize"]);
+        assert_eq!(shapes(&steps[0].arguments), [("q", &[2][..]), ("v", &[2])]);
+        assert_eq!(shapes(&steps[1].results), [("difference", &[2][..])]);
+    }
+
+    #[test]
+    fn results_are_put_in_the_order_of_their_shapes() {
+        let module = robot("two_link.urdf", &[Function::SpatialJacobian], &[]);
+        let [generated] = &module.functions[..] else {
+            panic!("one function");
+        };
+        let arranged = |order| {
+            let mut generated = generated.clone();
+            arrange(&mut generated, &module.spaces, order);
+            generated.program.results
+        };
+        let (before, angular) = (&generated.program.results, arranged(Order::AngularFirst));
+        let by_rows = (0..6).flat_map(|row| [before[row], before[6 + row]]);
+        assert_eq!(angular, by_rows.collect::<Vec<_>>());
+        let linear = arranged(Order::LinearFirst);
+        assert_eq!(linear, [&angular[6..], &angular[..6]].concat());
+    }
+
+    #[test]
+    fn forces_from_outside_are_read_in_the_order_that_is_asked_for() {
+        let module = robot("two_link.urdf", &[Function::InverseDynamics], &["fore"]);
+        let read = |order| {
+            let mut generated = module.functions[0].clone();
+            arrange(&mut generated, &module.spaces, order);
+            let operands = generated.program.operands().collect::<Vec<_>>();
+            let entries = operands.into_iter().filter_map(|operand| match operand {
+                Operand::Input(Input::Variable(Variable::Actions, entry)) => Some(entry),
+                _ => None,
+            });
+            entries.collect::<Vec<u16>>()
+        };
+        let linear = read(Order::LinearFirst);
+        let swapped = linear.iter().map(|entry| (entry + 3) % 6);
+        assert!(!linear.is_empty());
+        assert_eq!(swapped.collect::<Vec<_>>(), read(Order::AngularFirst));
+    }
 }

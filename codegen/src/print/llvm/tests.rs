@@ -118,8 +118,7 @@ fn all_functions_have_one_signature_behind_a_pointer() {
   %gravity.entry = load i64, ptr %gravity.entry.place, align 8
   call void @pendulum_gravity_batch(i64 %count.of, ptr %q.start, i64 %q.state, i64 %q.entry, ptr %gravity.start, i64 %gravity.state, i64 %gravity.entry)
   ret void
-}
-";
+}";
     let found = function(&text, "@pendulum_gravity_arrays");
     assert_eq!(found, expected);
     let with_fields = written(&with_payload(module), 1, false);

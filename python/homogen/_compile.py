@@ -20,8 +20,6 @@ import platformdirs
 
 from ._engine import VERSION
 
-if hasattr(llvm, "initialize") and tuple(int(part) for part in llvmlite.__version__.split(".")[:2]) < (0, 45):
-    llvm.initialize()
 llvm.initialize_native_target()
 llvm.initialize_native_asmprinter()
 
@@ -31,6 +29,9 @@ _TRIPLE = llvm.get_process_triple()
 
 #: Whether products fuse with sums where nothing else is asked for.
 FUSES = bool(_FEATURES.get("fma")) or _TRIPLE.startswith(("aarch64", "arm64"))
+
+#: How much LLVM does: straight-line code without licence to reorder gains nothing by more.
+_EFFORT = 1
 
 #: How many bytes a vector has.
 _VECTOR = 64 if _FEATURES.get("avx512f") else 32 if _FEATURES.get("avx2") else 16
@@ -67,7 +68,7 @@ class _Code:
 
 
 def _code(entry, ir):
-    about = (VERSION, llvmlite.__version__, *llvm.llvm_version_info, _TRIPLE, _CPU, _FEATURES.flatten(), entry, ir)
+    about = (VERSION, llvmlite.__version__, *llvm.llvm_version_info, _TRIPLE, _CPU, _FEATURES.flatten(), _EFFORT, entry, ir)
     key = _HASH("\0".join(map(str, about)).encode()).hexdigest()
     code = _loaded.get(key)
     if code is None:
@@ -83,7 +84,7 @@ def _code(entry, ir):
 
 def _machine():
     target = llvm.Target.from_triple(_TRIPLE)
-    return target.create_target_machine(cpu=_CPU, features=_FEATURES.flatten(), opt=1, reloc="default", codemodel="jitdefault")
+    return target.create_target_machine(cpu=_CPU, features=_FEATURES.flatten(), opt=_EFFORT, reloc="default", codemodel="jitdefault")
 
 
 def _compile(entry, ir):
@@ -94,7 +95,7 @@ def _compile(entry, ir):
         if not function.is_declaration and function.name != entry:
             function.linkage = "internal"
     machine = _machine()
-    options = llvm.create_pipeline_tuning_options(speed_level=1)
+    options = llvm.create_pipeline_tuning_options(speed_level=_EFFORT)
     passes = llvm.create_pass_builder(machine, options)
     passes.getModulePassManager().run(module, passes)
     return machine.emit_object(module)

@@ -76,7 +76,7 @@ def method(name, arguments, parts, of_frame, has_order, is_number):
     if "actions" in arguments:
         words[words.index("actions: ArrayLike")] = "actions: ArrayLike = ..."
     if of_frame:
-        words.append("frame: str | None = None")
+        words.append("frame: str | Sequence[str] | None = None")
     if has_order:
         words.append("order: _Order | None = None")
     # One state has a number, several an array.

@@ -10,10 +10,10 @@ use homogen_codegen::print::arrays::{Array, Order, Signature};
 use numpy::{PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PySlice, PyTuple};
 
 use super::recipe::{Recipe, order_name, order_of, refused};
-use super::states::{Fields, One, States, Type, Work, argument, is_direct, out};
+use super::states::{Fields, Given, One, States, Type, Work, argument, is_direct, out, room};
 
 /// A function of a robot, compiled when it is first called.
 #[pyclass(frozen, subclass, module = "homogen._engine")]
@@ -54,9 +54,23 @@ const MANY: usize = 16;
 /// What a call says beside its arguments.
 #[derive(Default)]
 struct Options<'py> {
-    frame: Option<String>,
+    frames: Frames,
     order: Option<Order>,
     out: Option<Bound<'py, PyAny>>,
+}
+
+/// The links whose frames a function is about.
+enum Frames {
+    /// One; the tip where none is named.
+    One(Option<String>),
+    /// Several, each with results of its own.
+    Several(Vec<String>),
+}
+
+impl Default for Frames {
+    fn default() -> Self {
+        Self::One(None)
+    }
 }
 
 #[pymethods]
@@ -140,7 +154,7 @@ impl Function {
             ));
         }
         if of.of_a_frame {
-            lines.push("frame: the link whose frame it is about [default: the tip]".to_owned());
+            lines.push("frame: the link whose frame it is about [default: the tip]; several are an axis before those of a result".to_owned());
         }
         lines
             .push("out: the array, or the tuple of arrays, that results are written to".to_owned());
@@ -165,18 +179,13 @@ impl Function {
     fn compile(
         &self,
         py: Python<'_>,
-        frame: Option<String>,
+        frame: Option<&str>,
         order: Option<&str>,
         single: bool,
         many: bool,
     ) -> PyResult<()> {
         let order = order.map(order_of).transpose()?;
-        let options = Options {
-            frame,
-            order,
-            out: None,
-        };
-        self.kernel(py, &options, single, many).map(|_| ())
+        self.kernel(py, frame, order, single, many).map(|_| ())
     }
 
     #[pyo3(signature = (*arguments, **options))]
@@ -196,17 +205,40 @@ impl Function {
         let given: Vec<Bound<'py, PyUntypedArray>> = given
             .map(|(value, of)| argument(value, of, single))
             .collect::<PyResult<_>>()?;
-        let states = States::of(&given, &of.arguments)?;
-        let kernel = self.kernel(py, &options, single, states.count >= MANY)?;
-        let wanted = self.wanted(&options, &states, single)?;
-        let rooms = of.results.iter().enumerate().map(|(k, result)| {
-            let direct = wanted.get(k).filter(|array| is_direct(array, &given));
-            direct.map_or_else(|| states.room(py, result, single), Clone::clone)
-        });
-        let rooms: Vec<Bound<'py, PyUntypedArray>> = rooms.collect();
-        let fields = self.recipe.get().field_values(single);
-        let work = self.work(&kernel, &fields);
-        states.run(py, &work, (&given, &of.arguments), (&rooms, &of.results));
+        let given = (&*given, &*of.arguments);
+        let states = States::of(given)?;
+        let further: &[usize] = match &options.frames {
+            Frames::One(_) => &[],
+            Frames::Several(frames) => &[frames.len()],
+        };
+        let wanted = self.wanted(&options, &states, further, single)?;
+        let mut rooms: Vec<Bound<'py, PyUntypedArray>> = Vec::new();
+        for (k, result) in of.results.iter().enumerate() {
+            let own = further.len() + result.shape.len();
+            let direct = wanted.get(k).filter(|array| {
+                is_direct(array, result.shape.len(), given.0) && is_direct(array, own, &rooms)
+            });
+            rooms.push(match direct {
+                Some(array) => array.clone(),
+                None => room(py, &states.shape_of(further, result), single),
+            });
+        }
+        let many = states.count >= MANY;
+        match &options.frames {
+            Frames::One(frame) => {
+                let code = self.kernel(py, frame.as_deref(), options.order, single, many)?;
+                self.run(py, &code, &states, given, &rooms, single);
+            }
+            Frames::Several(frames) => {
+                for (k, frame) in frames.iter().enumerate() {
+                    let code = self.kernel(py, Some(frame), options.order, single, many)?;
+                    let parts = rooms.iter().zip(&of.results);
+                    let parts = parts.map(|(room, result)| part(room, k, result.shape.len()));
+                    let parts = parts.collect::<PyResult<Vec<_>>>()?;
+                    self.run(py, &code, &states, given, &parts, single);
+                }
+            }
+        }
         for (array, room) in wanted.iter().zip(&rooms) {
             if !array.is(room) {
                 array.set_item(py.Ellipsis(), room)?;
@@ -229,6 +261,20 @@ impl Function {
         let fields = self.recipe.get().field_values(one.single);
         let results = one.run(py, &self.work(kernel, &fields), &of.results);
         Some(self.returned(py, results))
+    }
+
+    fn run(
+        &self,
+        py: Python<'_>,
+        code: &Kernel,
+        states: &States,
+        given: Given<'_, '_>,
+        results: &[Bound<'_, PyUntypedArray>],
+        single: bool,
+    ) {
+        let fields = self.recipe.get().field_values(single);
+        let work = self.work(code, &fields);
+        states.run(py, &work, given, (results, &self.signature.results));
     }
 
     fn work<'f>(&self, kernel: &Kernel, fields: &'f Fields) -> Work<'f> {
@@ -264,7 +310,7 @@ impl Function {
                 (_, Some(place)) if values[place].is_none() => values[place] = Some(value),
                 (_, Some(_)) => return Err(self.misused(&format!("{key} was given twice"))),
                 (_, None) if value.is_none() => {}
-                ("frame", _) if of.of_a_frame => options.frame = Some(value.extract()?),
+                ("frame", _) if of.of_a_frame => options.frames = frames(&value)?,
                 ("order", _) if of.has_order => {
                     options.order = Some(order_of(&value.extract::<String>()?)?);
                 }
@@ -290,13 +336,14 @@ impl Function {
     fn kernel(
         &self,
         py: Python<'_>,
-        options: &Options<'_>,
+        frame: Option<&str>,
+        order: Option<Order>,
         single: bool,
         many: bool,
     ) -> PyResult<Arc<Kernel>> {
-        let order = options.order.unwrap_or(self.recipe.get().default_order());
+        let order = order.unwrap_or(self.recipe.get().default_order());
         let variant = Variant {
-            frame: options.frame.clone(),
+            frame: frame.map(str::to_owned),
             order,
             single,
             many,
@@ -307,14 +354,7 @@ impl Function {
         }
         drop(found);
         let (recipe, name) = (self.recipe.clone_ref(py), self.signature.name);
-        let asked = (
-            recipe,
-            name,
-            &options.frame,
-            order_name(order),
-            single,
-            many,
-        );
+        let asked = (recipe, name, frame, order_name(order), single, many);
         // No lock is held meanwhile: who waited for it could hold Python's.
         let (address, operations, code) = self.compile.call1(py, asked)?.extract(py)?;
         let kernel = Arc::new(Kernel {
@@ -322,7 +362,7 @@ impl Function {
             operations,
             _code: code,
         });
-        if !many && options.frame.is_none() && order == self.recipe.get().default_order() {
+        if !many && frame.is_none() && order == self.recipe.get().default_order() {
             let usual = &self.usual[usize::from(single)];
             usual.get_or_init(|| Arc::clone(&kernel));
         }
@@ -336,6 +376,7 @@ impl Function {
         &self,
         options: &Options<'py>,
         states: &States,
+        further: &[usize],
         single: bool,
     ) -> PyResult<Vec<Bound<'py, PyUntypedArray>>> {
         let Some(value) = &options.out else {
@@ -356,7 +397,7 @@ impl Function {
         };
         let values = values.iter().zip(results);
         let arrays = values.map(|(value, result)| {
-            let shape = [states.shape.as_slice(), &result.shape].concat();
+            let shape = states.shape_of(further, result);
             out(value, (&result.name, &shape), single)
         });
         arrays.collect()
@@ -378,6 +419,31 @@ impl Function {
                 .unwrap_or_else(|| Ok(py.None().into_bound(py))),
         }
     }
+}
+
+/// A link, or several.
+fn frames(value: &Bound<'_, PyAny>) -> PyResult<Frames> {
+    if let Ok(frame) = value.extract::<String>() {
+        return Ok(Frames::One(Some(frame)));
+    }
+    let several = value.extract::<Vec<String>>();
+    let refused = |_| PyTypeError::new_err("frame is the name of a link, or a list of names");
+    several.map(Frames::Several).map_err(refused)
+}
+
+/// What a result has of one of several frames, which are an axis before its own.
+fn part<'py>(
+    room: &Bound<'py, PyUntypedArray>,
+    frame: usize,
+    own: usize,
+) -> PyResult<Bound<'py, PyUntypedArray>> {
+    let py = room.py();
+    let whole = PySlice::full(py).into_any();
+    let place = frame.into_pyobject(py)?.into_any();
+    let mut index = vec![py.Ellipsis().into_bound(py), place];
+    index.extend(std::iter::repeat_n(whole, own));
+    let part = room.get_item(PyTuple::new(py, index)?)?;
+    Ok(part.cast_into::<PyUntypedArray>()?)
 }
 
 /// A number where an array has no axis.

@@ -4,7 +4,6 @@
 //! at any stride; states are a loop of the compiled function. It never computes a number.
 
 use std::num::NonZero;
-use std::ops::Range;
 use std::thread;
 
 use homogen_codegen::print::arrays::Array;
@@ -224,9 +223,7 @@ impl One {
         let rooms = rooms.collect();
         work.call(1, &self.arrays);
         for (array, of) in self.arrays[first..].iter().zip(results) {
-            if let Some(row) = of.below {
-                work.write_below(array, of, row, 0..1);
-            }
+            work.write_below(array, of, 1);
         }
         rooms
     }
@@ -238,45 +235,61 @@ pub struct States {
     pub shape: Vec<usize>,
     /// How many states there are.
     pub count: usize,
-    /// The leading axes as loops, the innermost last: the length, and how far each argument goes in bytes.
-    loops: Vec<(usize, Vec<isize>)>,
 }
+
+/// Arrays, and what they are in the signature of a function.
+pub type Given<'a, 'py> = (&'a [Bound<'py, PyUntypedArray>], &'a [Array]);
 
 impl States {
     /// Those of some arguments, broadcast as NumPy does.
-    pub fn of(arrays: &[Bound<'_, PyUntypedArray>], of: &[Array]) -> PyResult<Self> {
-        let own = of.iter().map(|of| of.shape.len());
-        let leading = || arrays.iter().zip(own.clone());
-        let axes = leading().map(|(array, own)| array.ndim() - own).max();
-        let axes = axes.unwrap_or(0);
-        let mut states = Self {
-            shape: vec![1; axes],
-            count: 1,
-            loops: Vec::new(),
+    pub fn of((arrays, of): Given<'_, '_>) -> PyResult<Self> {
+        let leading = || {
+            let arrays = arrays.iter().zip(of);
+            arrays.map(|(array, of)| &array.shape()[..array.ndim() - of.shape.len()])
         };
-        for axis in 0..axes {
-            for (array, own) in leading() {
-                let length = at(array.shape(), own, axes, axis).copied().unwrap_or(1);
-                let found = &mut states.shape[axis];
+        let axes = leading().map(<[usize]>::len).max().unwrap_or(0);
+        let mut shape = vec![1; axes];
+        for lengths in leading() {
+            let behind = axes - lengths.len();
+            for (found, &length) in shape[behind..].iter_mut().zip(lengths) {
                 if *found == 1 {
                     *found = length;
                 } else if length != 1 && length != *found {
                     return Err(apart(arrays, of));
                 }
             }
-            let length = states.shape[axis];
-            states.count *= length;
+        }
+        Ok(Self {
+            count: shape.iter().product(),
+            shape,
+        })
+    }
+
+    /// The shape of a result of all states, with further axes before its own.
+    pub fn shape_of(&self, further: &[usize], of: &Array) -> Vec<usize> {
+        [&self.shape, further, &of.shape].concat()
+    }
+
+    /// The leading axes as loops, the innermost last: the length, and how far each array goes in bytes.
+    fn loops(&self, arrays: &[Given<'_, '_>]) -> Vec<(usize, Vec<isize>)> {
+        let axes = self.shape.len();
+        let mut loops: Vec<(usize, Vec<isize>)> = Vec::new();
+        for (axis, &length) in self.shape.iter().enumerate() {
             if length == 1 {
                 continue;
             }
-            let steps = leading().map(|(array, own)| {
-                let is_longer = at(array.shape(), own, axes, axis).is_some_and(|&own| own != 1);
-                let stride = at(array.strides(), own, axes, axis).copied();
-                stride.filter(|_| is_longer).unwrap_or(0)
+            let all = arrays
+                .iter()
+                .flat_map(|(arrays, of)| arrays.iter().zip(*of));
+            let steps = all.map(|(array, of)| {
+                let behind = axes - (array.ndim() - of.shape.len());
+                let own = axis.checked_sub(behind);
+                let own = own.filter(|&own| array.shape()[own] != 1);
+                own.map_or(0, |own| array.strides()[own])
             });
             let steps: Vec<isize> = steps.collect();
-            // Axes that follow each other in every argument are one.
-            match states.loops.last_mut() {
+            // Axes that follow each other in every array are one.
+            match loops.last_mut() {
                 Some((count, before))
                     if (before.iter().zip(&steps))
                         .all(|(&outer, &inner)| outer == inner * length.cast_signed()) =>
@@ -284,20 +297,10 @@ impl States {
                     *count *= length;
                     *before = steps;
                 }
-                _ => states.loops.push((length, steps)),
+                _ => loops.push((length, steps)),
             }
         }
-        Ok(states)
-    }
-
-    /// An array for a result of all states.
-    pub fn room<'py>(
-        &self,
-        py: Python<'py>,
-        of: &Array,
-        single: bool,
-    ) -> Bound<'py, PyUntypedArray> {
-        room(py, &[self.shape.as_slice(), &of.shape].concat(), single)
+        loops
     }
 
     /// Computes all states.
@@ -305,8 +308,8 @@ impl States {
         &self,
         py: Python<'_>,
         work: &Work<'_>,
-        arguments: (&[Bound<'_, PyUntypedArray>], &[Array]),
-        results: (&[Bound<'_, PyUntypedArray>], &[Array]),
+        arguments: Given<'_, '_>,
+        results: Given<'_, '_>,
     ) {
         /// So many operations take about as long as a thread that begins.
         const SHARE: usize = 1 << 21;
@@ -315,22 +318,17 @@ impl States {
         if self.count == 0 {
             return;
         }
-        let read = arguments.0.iter().zip(arguments.1);
-        let read = read.map(|(array, of)| Strided {
+        let all = [arguments, results];
+        let starts = all.iter().flat_map(|(arrays, of)| arrays.iter().zip(*of));
+        let starts = starts.map(|(array, of)| Strided {
             start: data(array),
             state: 0,
             entry: entry(array, of.shape.len()).unwrap_or(0),
         });
-        let write = results.0.iter().zip(results.1);
-        let write = write.map(|(array, of)| Strided {
-            start: data(array),
-            state: size_of_state(of) as i64,
-            entry: 1,
-        });
         let job = Job {
-            states: self,
+            loops: self.loops(&all),
             work,
-            arrays: read.chain(write).collect(),
+            arrays: starts.collect(),
             results: results.1,
         };
         let operations = self.count.saturating_mul(work.operations);
@@ -362,20 +360,8 @@ fn cores() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// An entry of the leading axes of an array, of `axes` of them; `None` where it has none there.
-fn at<T>(values: &[T], own: usize, axes: usize, place: usize) -> Option<&T> {
-    let leading = values.len() - own;
-    let within = (place + leading).checked_sub(axes);
-    within.map(|place| &values[place])
-}
-
-/// How many numbers a result has of a state.
-fn size_of_state(of: &Array) -> isize {
-    of.shape.iter().product::<usize>().cast_signed()
-}
-
 /// A new array.
-fn room<'py>(py: Python<'py>, shape: &[usize], single: bool) -> Bound<'py, PyUntypedArray> {
+pub fn room<'py>(py: Python<'py>, shape: &[usize], single: bool) -> Bound<'py, PyUntypedArray> {
     if single {
         unwritten::<f32>(py, shape)
     } else {
@@ -392,7 +378,8 @@ fn unwritten<'py, T: Element>(py: Python<'py>, shape: &[usize]) -> Bound<'py, Py
 
 /// What threads share.
 struct Job<'a> {
-    states: &'a States,
+    /// The leading axes as loops, as [`States::loops`] has them.
+    loops: Vec<(usize, Vec<isize>)>,
     work: &'a Work<'a>,
     /// The arguments, then the results, at their first state.
     arrays: Vec<Strided>,
@@ -404,43 +391,33 @@ struct Job<'a> {
 unsafe impl Sync for Job<'_> {}
 
 impl Job<'_> {
-    /// Computes the states from one up to another, of all in the order of results.
+    /// Computes the states from one up to another, in the order of the leading axes.
     fn compute(&self, first: usize, end: usize) {
-        let loops = &self.states.loops;
-        let (inner, outer) = loops
-            .split_last()
-            .map_or((1, loops.as_slice()), |(last, outer)| (last.0, outer));
+        let alone = (1, vec![0; self.arrays.len()]);
+        let (last, outer) = self.loops.split_last().unwrap_or((&alone, &[]));
+        let (inner, last) = last;
         let size = self.work.size.cast_signed();
-        let arguments = self.arrays.len() - self.results.len();
         let mut arrays = self.arrays.clone();
         let mut state = first;
         while state < end {
             let within = state % inner;
             let count = (inner - within).min(end - state);
             for (k, (array, begin)) in arrays.iter_mut().zip(&self.arrays).enumerate() {
-                let bytes = if k < arguments {
-                    let step = loops.last().map_or(0, |(_, steps)| steps[k]);
-                    array.state = (step / size) as i64;
-                    let mut rest = state / inner;
-                    let mut bytes = within.cast_signed() * step;
-                    for (length, steps) in outer.iter().rev() {
-                        bytes += (rest % length).cast_signed() * steps[k];
-                        rest /= length;
-                    }
-                    bytes
-                } else {
-                    let each = size_of_state(&self.results[k - arguments]);
-                    state.cast_signed() * each * size
-                };
+                let mut bytes = within.cast_signed() * last[k];
+                let mut rest = state / inner;
+                for (length, steps) in outer.iter().rev() {
+                    bytes += (rest % length).cast_signed() * steps[k];
+                    rest /= length;
+                }
                 array.start = begin.start.wrapping_offset(bytes);
+                array.state = (last[k] / size) as i64;
             }
             self.work.call(count, &arrays);
-            state += count;
-        }
-        for (array, of) in self.arrays[arguments..].iter().zip(self.results) {
-            if let Some(row) = of.below {
-                self.work.write_below(array, of, row, first..end);
+            let results = &arrays[arrays.len() - self.results.len()..];
+            for (array, of) in results.iter().zip(self.results) {
+                self.work.write_below(array, of, count);
             }
+            state += count;
         }
     }
 }
@@ -460,15 +437,19 @@ impl Work<'_> {
         }
     }
 
-    /// Writes the constant last row of matrices of some states, which stand one behind the other.
+    /// Writes the constant row below the others, where a result has one, of some states.
     #[expect(unsafe_code, reason = "results are known by their addresses")]
-    fn write_below(&self, array: &Strided, of: &Array, row: [f64; 4], states: Range<usize>) {
-        let each = size_of_state(of).unsigned_abs();
-        for state in states {
+    fn write_below(&self, array: &Strided, of: &Array, count: usize) {
+        let Some(row) = of.below else {
+            return;
+        };
+        let strides = [array.state, array.entry].map(|stride| stride as isize);
+        for state in 0..count {
             for (k, value) in row.into_iter().enumerate() {
-                let place = (state * each + of.len + k) * self.size;
-                let place = array.start.wrapping_add(place);
-                // SAFETY: the result has `each` numbers of each state, of which these are the last.
+                let [state, entry] = [state, of.len + k].map(usize::cast_signed);
+                let place = (state * strides[0] + entry * strides[1]) * self.size.cast_signed();
+                let place = array.start.wrapping_offset(place);
+                // SAFETY: the result has four numbers of each state behind those that code writes.
                 unsafe {
                     if self.size == size_of::<f32>() {
                         #[expect(clippy::cast_possible_truncation, reason = "it is 0 or 1")]
@@ -533,18 +514,31 @@ fn is_writeable(array: &Bound<'_, PyUntypedArray>) -> bool {
     unsafe { (*array.as_array_ptr()).fields.flags & npyffi::NPY_ARRAY_WRITEABLE != 0 }
 }
 
-/// Whether results can be written to an array as they are computed: one number behind the other, and nothing of it read.
+/// Whether results can be written to an array as they are computed: no two of its numbers share a place, those of a state
+/// are at one distance, and none is read, or written as another result.
 pub fn is_direct(
     array: &Bound<'_, PyUntypedArray>,
-    arguments: &[Bound<'_, PyUntypedArray>],
+    own: usize,
+    others: &[Bound<'_, PyUntypedArray>],
 ) -> bool {
-    let is_aligned = data(array).addr().is_multiple_of(array.dtype().itemsize());
     let [start, end] = extent(array);
-    let apart = arguments.iter().all(|argument| {
-        let [first, last] = extent(argument);
+    let is_apart = others.iter().all(|other| {
+        let [first, last] = extent(other);
         last <= start || end <= first
     });
-    array.is_c_contiguous() && is_aligned && apart
+    let axes = array.shape().iter().zip(array.strides());
+    let mut axes: Vec<(usize, usize)> = axes
+        .map(|(&length, stride)| (stride.unsigned_abs(), length))
+        .filter(|(_, length)| *length > 1)
+        .collect();
+    axes.sort_unstable();
+    let mut taken = array.dtype().itemsize();
+    let is_open = axes.into_iter().all(|(stride, length)| {
+        let is_clear = stride >= taken;
+        taken = stride * length;
+        is_clear
+    });
+    is_apart && is_open && entry(array, own).is_some()
 }
 
 /// The addresses from which on, and up to which, an array has numbers.

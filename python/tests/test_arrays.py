@@ -115,6 +115,12 @@ def test_results_go_where_they_are_wanted(of):
     found = of.forward_dynamics_derivatives(q, qd, tau, out=parts)
     assert found.dtau is parts[2]
     assert all(same(*pair) for pair in zip(found, of.forward_dynamics_derivatives(q, qd, tau)))
+    columns = np.full((7, 20), np.nan).T
+    assert of.bias(q, qd, out=columns) is columns and same(columns, expected)
+    turned = np.full((4, 4, 20), np.nan).transpose(2, 1, 0)
+    assert same(of.forward_kinematics(q, out=turned), of.forward_kinematics(q))
+    spread = np.full((20, 4, 8), np.nan)[..., ::2]
+    assert same(of.forward_kinematics(q, out=spread), of.forward_kinematics(q))
     energy = np.array(np.nan)
     assert of.potential_energy(q[0], out=energy) == of.potential_energy(q[0]) == energy
 
@@ -125,6 +131,9 @@ def test_results_may_take_the_place_of_arguments(of):
     taken = qd.copy()
     of.bias(q, taken, out=taken)
     assert same(taken, expected)
+    parts = np.full((20, 7, 7), np.nan)
+    of.inverse_dynamics_derivatives(q[:20], qd[:20], qd[:20], out=[parts, parts])
+    assert same(parts, of.inverse_dynamics_derivatives(q[:20], qd[:20], qd[:20]).dqd)
     both = np.concatenate([qd, qd[:1]])
     of.bias(q, both[:-1], out=both[1:])
     assert same(both[1:], expected)

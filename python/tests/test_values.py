@@ -88,6 +88,22 @@ def test_any_frame_is_one_of_the_robot():
         of.forward_kinematics(q, frame="nose")
 
 
+def test_several_frames_are_an_axis():
+    of = homogen.load(ROBOTS / "quadruped.urdf", floating=True)
+    q, frames = of.random(3, (5, 4)), of.frames
+    poses = of.forward_kinematics(q, frame=frames)
+    assert poses.shape == (5, 4, len(frames), 4, 4)
+    for k, frame in enumerate(frames):
+        assert same(poses[..., k, :, :], of.forward_kinematics(q, frame=frame))
+    out = np.full((len(frames), 4, 4), np.nan)
+    assert of.forward_kinematics(q[1, 2], frame=list(frames), out=out) is out and same(out, poses[1, 2])
+    feet = of.geometric_jacobian(q[0], frame=["fl_foot", "hr_foot"])
+    assert feet.shape == (4, 2, 6, 18) and same(feet[:, 1], of.geometric_jacobian(q[0], frame="hr_foot"))
+    assert of.forward_kinematics(q, frame=[]).shape == (5, 4, 0, 4, 4)
+    with pytest.raises(TypeError, match="frame is the name of a link"):
+        of.forward_kinematics(q, frame=3)
+
+
 def test_fields_take_the_place_of_numbers():
     fields = {"load": "mass_of:fore", "down": "gravity"}
     of = homogen.load(ROBOTS / "two_link.urdf", fields=fields)

@@ -443,6 +443,10 @@ impl Work<'_> {
         let Some(row) = of.below else {
             return;
         };
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "NumPy's strides were so before"
+        )]
         let strides = [array.state, array.entry].map(|stride| stride as isize);
         for state in 0..count {
             for (k, value) in row.into_iter().enumerate() {

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ._engine import Recipe, options
-from ._robot import Robot
+from ._robot import TEXT, Robot
 
 _OPTIONS = dict(options())
 
@@ -61,9 +61,9 @@ load.__doc__ += "\n".join(f"    {key}: {help}" for key, help in _OPTIONS.items()
 def _text(source):
     """The name and the bytes of a description."""
     if isinstance(source, (bytes, bytearray)):
-        return "", bytes(source)
+        return TEXT, bytes(source)
     if isinstance(source, str) and ("\n" in source or source.lstrip().startswith("<")):
-        return "", source.encode()
+        return TEXT, source.encode()
     path = Path(source)
     try:
         return path.name, path.read_bytes()

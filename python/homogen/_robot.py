@@ -12,6 +12,9 @@ from ._function import Function
 
 _FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
 _OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
+#: What messages call a description that is no file.
+TEXT = "<text>"
+
 _STEPS = ("integrate", "difference", "normalize")
 
 
@@ -199,7 +202,8 @@ class Robot:
             if key in names
         ]
         with tempfile.TemporaryDirectory() as room:
-            file = Path(room) / (Path(self._recipe.file).name or "robot")
+            name = self._recipe.file
+            file = Path(room) / ("robot" if name == TEXT else name)
             file.write_bytes(self._recipe.bytes)
             output, remarks, status = _engine.answer([command, str(file), *flags, *words])
         if status in (1, 2):

@@ -256,7 +256,7 @@ impl Function {
         arguments: &Bound<'py, PyTuple>,
     ) -> Option<PyResult<Bound<'py, PyAny>>> {
         let of = &self.signature;
-        let one = One::read(arguments, &of.arguments)?;
+        let one = One::read(arguments, &of.arguments, of.results.len())?;
         let kernel = self.usual[usize::from(one.single)].get()?;
         let fields = self.recipe.get().field_values(one.single);
         let results = one.run(py, &self.work(kernel, &fields), &of.results);

@@ -173,19 +173,20 @@ pub struct One {
     pub single: bool,
 }
 
-/// The most arguments and results of a function.
+/// The most arguments and results of a function that is called in this way.
 const MOST: usize = 8;
 
 impl One {
-    /// The arguments of a call; `None` where they are anything else.
-    pub fn read(arguments: &Bound<'_, PyTuple>, of: &[Array]) -> Option<Self> {
+    /// The arguments of a call of a function with so many results; `None` where they are anything else.
+    pub fn read(arguments: &Bound<'_, PyTuple>, of: &[Array], results: usize) -> Option<Self> {
         let nothing = Strided {
             start: std::ptr::null_mut(),
             state: 0,
             entry: 0,
         };
         let kind = Type::of(arguments.get_borrowed_item(0).ok()?.as_any());
-        if arguments.len() != of.len() || kind == Type::Other {
+        let fits = arguments.len() == of.len() && of.len() + results <= MOST;
+        if !fits || kind == Type::Other {
             return None;
         }
         let mut one = Self {

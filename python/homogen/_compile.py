@@ -27,13 +27,13 @@ _CPU = llvm.get_host_cpu_name()
 _FEATURES = llvm.get_host_cpu_features()
 _TRIPLE = llvm.get_process_triple()
 
-#: Whether products fuse with sums where nothing else is asked for.
+#: True if the processor fuses products with sums in one instruction.
 FUSES = bool(_FEATURES.get("fma")) or _TRIPLE.startswith(("aarch64", "arm64"))
 
-#: How much LLVM does: straight-line code without licence to reorder gains nothing by more.
+#: Optimisation level: more gains nothing for straight-line code that may not be reordered.
 _EFFORT = 1
 
-#: How many bytes a vector has.
+#: Bytes of the widest vector.
 _VECTOR = 64 if _FEATURES.get("avx512f") else 32 if _FEATURES.get("avx2") else 16
 
 _SUFFIX = ".o"
@@ -118,7 +118,7 @@ def _folder():
     return path
 
 
-#: Where compiled code is kept.
+#: The folder of the cache; `None` where nothing is kept.
 folder = _folder()
 
 

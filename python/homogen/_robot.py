@@ -12,7 +12,7 @@ from ._function import Function
 
 _FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
 _OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
-#: What messages call a description that is no file.
+#: The name, in messages, of a description that is no file.
 TEXT = "<text>"
 
 _STEPS = ("integrate", "difference", "normalize")

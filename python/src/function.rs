@@ -30,7 +30,7 @@ pub struct Function {
     usual: [OnceLock<Arc<Kernel>>; 2],
 }
 
-/// Which code of a function.
+/// The code of a function for one kind of call.
 #[derive(Clone, PartialEq, Eq, Hash)]
 struct Variant {
     frame: Option<String>,
@@ -42,16 +42,16 @@ struct Variant {
 /// Compiled code.
 struct Kernel {
     address: usize,
-    /// How many operations a state takes.
+    /// The operations that a state takes, about.
     operations: usize,
-    /// What keeps the code alive.
+    /// The Python object that keeps the code alive.
     _code: Py<PyAny>,
 }
 
-/// From how many states on they stand in the lanes of vectors.
+/// The least count of states that are computed in the lanes of vectors.
 const MANY: usize = 16;
 
-/// What a call says beside its arguments.
+/// Keywords of a call beside its arguments.
 #[derive(Default)]
 struct Options<'py> {
     frames: Frames,
@@ -431,7 +431,7 @@ fn frames(value: &Bound<'_, PyAny>) -> PyResult<Frames> {
     several.map(Frames::Several).map_err(refused)
 }
 
-/// What a result has of one of several frames, which are an axis before its own.
+/// The part of a result that belongs to one of several frames, which are an axis before its own.
 fn part<'py>(
     room: &Bound<'py, PyUntypedArray>,
     frame: usize,

@@ -9,7 +9,7 @@ mod states;
 
 use pyo3::prelude::*;
 
-/// What Python imports as `homogen._engine`.
+/// The module `homogen._engine`.
 #[pymodule]
 mod _engine {
     use homogen_codegen::function::Function as Name;
@@ -34,8 +34,8 @@ mod _engine {
         rows.map(|setting| (setting.key, setting.help)).collect()
     }
 
-    /// What is known of a function of any robot: name, sentence, names of arguments, names of several results, whether it is
-    /// of a frame, whether it has an order, whether it is a number, whether it is of loops alone.
+    /// A function of any robot: name, sentence, names of arguments, names of several results; then flags: it is of a frame,
+    /// it has an order, its result is a number, only robots with loops have it.
     type Row = (
         &'static str,
         String,

@@ -38,21 +38,21 @@ pub struct Recipe {
     bytes: Vec<u8>,
     options: Vec<(String, String)>,
     fields: Vec<Field>,
-    /// Whether results have the same bits on every processor.
+    /// Results have the same bits on every processor.
     #[pyo3(get)]
     reproducible: bool,
     order: Order,
-    /// How many threads share the states of one call, at most; as many as there are cores where nobody says.
+    /// Maximum number of threads that share the states of a call; `None` for one a core.
     #[pyo3(get)]
     threads: Option<NonZero<usize>>,
     /// The numbers of the fields, one field after the other.
     values: RwLock<Vec<f64>>,
 }
 
-/// How many operations a sine and a cosine take together, and about as many as a coordinate takes in integration.
+/// Operations of a sine and a cosine together; about as many as the integration of a coordinate takes.
 const TURN: usize = 40;
 
-/// How the names of compiled functions begin.
+/// Prefix of the names of compiled functions.
 const PREFIX: &str = "robot_";
 
 #[pymethods]
@@ -110,7 +110,7 @@ impl Recipe {
         (slf.get_type(), given).into_pyobject(py)
     }
 
-    /// What tells robots apart: all but the values of fields, and how calls are shared.
+    /// The values that equal robots have in common: all but those of fields, and the number of threads.
     fn identity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         let bytes = PyBytes::new(py, &self.bytes);
         let options = PyTuple::new(py, &self.options)?;
@@ -159,7 +159,7 @@ impl Recipe {
         values.clone()
     }
 
-    /// Sets the numbers of a field from the first of them on.
+    /// Sets the numbers of a field, from its first place among all on.
     fn set_values(&self, first: usize, numbers: Vec<f64>) -> PyResult<()> {
         let mut values = self.values.write().unwrap_or_else(PoisonError::into_inner);
         let place = values.get_mut(first..first + numbers.len());
@@ -281,7 +281,7 @@ impl Recipe {
         self.order
     }
 
-    /// How many threads share the states of one call, at most.
+    /// Maximum number of threads that share the states of a call; `None` for one a core.
     pub const fn threads(&self) -> Option<NonZero<usize>> {
         self.threads
     }
@@ -429,7 +429,7 @@ pub fn order_of(name: &str) -> PyResult<Order> {
     }
 }
 
-/// What is called so in Python.
+/// The name of an order in Python.
 pub const fn order_name(order: Order) -> &'static str {
     match order {
         Order::LinearFirst => LINEAR_FIRST,

@@ -52,11 +52,11 @@ pub struct Work<'a> {
     pub address: usize,
     /// The numbers of the fields, in the type of the code.
     pub fields: &'a Fields,
-    /// How many bytes a number has.
+    /// Bytes of a number.
     pub size: usize,
-    /// How many operations a state takes.
+    /// The operations that a state takes, about.
     pub operations: usize,
-    /// How many threads share it, at most; as many as there are cores where nobody says.
+    /// Maximum number of threads that share it; `None` for one a core.
     pub threads: Option<NonZero<usize>>,
 }
 
@@ -72,7 +72,7 @@ pub enum Type {
 }
 
 impl Type {
-    /// That of a value: an array itself, and none of a class made of it, whose numbers are aligned and in the order of bytes
+    /// The type of a value: single or double for an array itself, and none of a class made of it, whose numbers are aligned and in the order of bytes
     /// of the processor.
     #[expect(unsafe_code, reason = "NumPy hands out flags and type in structs")]
     pub fn of(value: &Bound<'_, PyAny>) -> Self {
@@ -96,7 +96,7 @@ impl Type {
     }
 }
 
-/// What Python makes of arguments that cannot be read as they are.
+/// The function in Python that converts arguments which cannot be read as they are.
 static CONVERTED: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
 /// An argument as an array that compiled code can read.
@@ -134,7 +134,7 @@ fn check<'py>(
     )))
 }
 
-/// How far entries of one state are apart in an array whose last axes are those of a state, in numbers; `None` where that is
+/// Distance between entries of one state in an array whose last axes are those of a state, in numbers; `None` where that is
 /// not one distance, or states do not begin at numbers.
 fn entry(array: &Bound<'_, PyUntypedArray>, own: usize) -> Option<i64> {
     let size = array.dtype().itemsize().cast_signed();
@@ -169,7 +169,7 @@ fn data(array: &Bound<'_, PyUntypedArray>) -> *mut u8 {
 pub struct One {
     arrays: [Strided; MOST],
     count: usize,
-    /// Whether its numbers are single.
+    /// Its numbers are in single precision.
     pub single: bool,
 }
 
@@ -234,7 +234,7 @@ impl One {
 pub struct States {
     /// The leading axes of results.
     pub shape: Vec<usize>,
-    /// How many states there are.
+    /// The number of states.
     pub count: usize,
 }
 
@@ -242,7 +242,7 @@ pub struct States {
 pub type Given<'a, 'py> = (&'a [Bound<'py, PyUntypedArray>], &'a [Array]);
 
 impl States {
-    /// Those of some arguments, broadcast as NumPy does.
+    /// The states of arguments, broadcast as NumPy does.
     pub fn of((arrays, of): Given<'_, '_>) -> PyResult<Self> {
         let leading = || {
             let arrays = arrays.iter().zip(of);
@@ -356,7 +356,7 @@ impl States {
     }
 }
 
-/// How many threads a call is shared by where nobody says.
+/// The number of cores that the process may use.
 fn cores() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
@@ -377,7 +377,7 @@ fn unwritten<'py, T: Element>(py: Python<'py>, shape: &[usize]) -> Bound<'py, Py
     array.as_untyped().clone()
 }
 
-/// What threads share.
+/// A call, as its threads share it.
 struct Job<'a> {
     /// The leading axes as loops, as [`States::loops`] has them.
     loops: Vec<(usize, Vec<isize>)>,
@@ -470,7 +470,7 @@ impl Work<'_> {
     }
 }
 
-/// That leading axes cannot be broadcast together.
+/// The exception for leading axes that cannot be broadcast together.
 fn apart(arrays: &[Bound<'_, PyUntypedArray>], of: &[Array]) -> PyErr {
     let leading = arrays.iter().zip(of).map(|(array, of)| {
         let shape = array.shape();
@@ -519,7 +519,7 @@ fn is_writeable(array: &Bound<'_, PyUntypedArray>) -> bool {
     unsafe { (*array.as_array_ptr()).fields.flags & npyffi::NPY_ARRAY_WRITEABLE != 0 }
 }
 
-/// Whether results can be written to an array as they are computed: no two of its numbers share a place, those of a state
+/// True if results can be written to an array as they are computed: no two of its numbers share a place, those of a state
 /// are at one distance, and none is read, or written as another result.
 pub fn is_direct(
     array: &Bound<'_, PyUntypedArray>,

@@ -1,5 +1,6 @@
 """Stubs: what they say is what the engine has, and what type checkers take."""
 
+import ast
 import os
 import subprocess
 import sys
@@ -33,3 +34,16 @@ def test_a_typed_program_is_accepted_by_mypy(tmp_path):
     wrong.write_text("import homogen\nhomogen.load('a', flaoting=True)\n")
     checked = subprocess.run([*words[:-1], str(wrong)], capture_output=True, text=True)
     assert 'Unexpected keyword argument "flaoting"' in checked.stdout
+
+
+def test_stubs_have_the_names_of_the_package(arm):
+    folder = Path(homogen.__file__).parent
+    functions = [item for item in ast.parse((folder / "_load.pyi").read_text()).body if isinstance(item, ast.FunctionDef)]
+    keywords = [argument.arg for argument in functions[0].args.kwonlyargs]
+    own = ["order", "fields", "ranges", "reproducible", "threads"]
+    assert keywords == own + [key for key, _ in homogen._engine.options()]
+    classes = [item for item in ast.parse((folder / "_robot.pyi").read_text()).body if isinstance(item, ast.ClassDef)]
+    names = {item.target.id for item in classes[0].body if isinstance(item, ast.AnnAssign)}
+    names |= {item.name for item in classes[0].body if isinstance(item, ast.FunctionDef) and not item.name.startswith("__")}
+    of_loops = {name for name, *_, loops in homogen._engine.functions() if loops}
+    assert names - of_loops == {name for name in dir(arm) if not name.startswith("_")}

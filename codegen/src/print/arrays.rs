@@ -14,7 +14,7 @@ use crate::module::{GeneratedFunction, Module, arguments};
 use crate::schedule::Operand;
 use crate::space::{ACTION, Entity, Outcome, Quantity, Space, Spaces, Variable};
 
-/// Which of the halves of six numbers stands first.
+/// Order of the two halves of six numbers that turn and move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Order {
     /// v before ω, f before the couple, the linear momentum before the angular one.
@@ -30,7 +30,7 @@ pub struct Array {
     pub name: String,
     /// The lengths of its last axes.
     pub shape: Vec<usize>,
-    /// How many numbers of a state a program reads or stores: fewer than the shape has where a row below them is constant.
+    /// Numbers of a state that a program reads or stores: fewer than the shape has where a row below them is constant.
     pub len: usize,
     /// The constant row below.
     pub below: Option<[f64; 4]>,
@@ -49,9 +49,9 @@ pub struct Signature {
     pub arguments: Vec<Array>,
     /// Its results; several have names of their own.
     pub results: Vec<Array>,
-    /// Whether it is about a frame.
+    /// It is about a frame.
     pub of_a_frame: bool,
-    /// Whether any argument or result has six numbers that turn and move.
+    /// An argument or a result has six numbers that turn and move.
     pub has_order: bool,
 }
 
@@ -85,7 +85,7 @@ pub fn signature(module: &Module, function: Function, frame: &str) -> Signature 
     }
 }
 
-/// Whether any argument or result of a function with such arguments has six numbers that turn and move.
+/// True if an argument or a result of a function with such arguments has six numbers that turn and move.
 #[must_use]
 pub fn has_order(function: Function, arguments: &[Variable]) -> bool {
     let mut parts = function.result().parts();
@@ -154,7 +154,7 @@ pub fn arrange(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order)
     }
 }
 
-/// Where in the results of a program each number of a quantity stands, in the order of its shape.
+/// Indices into the results of a program, in the order of the shape of a quantity.
 fn arranged(
     quantity: &Quantity,
     spaces: &Spaces,
@@ -177,12 +177,12 @@ fn arranged(
     })
 }
 
-/// Whether it is a column for each entry of a space.
+/// True for a column for each entry of a space.
 fn has_columns(quantity: &Quantity) -> bool {
     matches!((quantity.over, quantity.entity.dimensions()), ([_], [_]))
 }
 
-/// Whether it is six numbers of which three turn.
+/// True for six numbers of which three turn.
 const fn is_six(entity: Entity) -> bool {
     matches!(
         entity,

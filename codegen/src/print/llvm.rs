@@ -30,9 +30,9 @@ use lanes::Lanes;
 pub struct Writing<'a> {
     /// How all names begin.
     pub prefix: &'a str,
-    /// What was asked for, at the head; without it there are no comments, and equal programs are equal texts.
+    /// Request, quoted at the head; without it there are no comments, and equal programs are equal texts.
     pub asked: Option<&'a str>,
-    /// Which functions of configurations there are.
+    /// The functions of configurations that are written.
     pub steps: Steps,
     /// The lanes of a vector of states.
     pub lanes: usize,
@@ -40,7 +40,7 @@ pub struct Writing<'a> {
     pub fused: bool,
 }
 
-/// Which of the functions `neutral`, `integrate`, `difference` and `normalize` are written.
+/// Choice among the functions `neutral`, `integrate`, `difference` and `normalize`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steps {
     /// All of them, of a robot some of whose coordinates are no angles and shifts; none of another.

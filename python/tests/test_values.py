@@ -32,18 +32,18 @@ def test_every_function_has_the_bits_of_eval(case, dtype, tmp_path):
         expected = evaluated(case, name, dict(zip(names, arguments)), parts, dtype, tmp_path)
         for part, array, wanted in zip(parts, found, expected):
             wanted = laid_out(wanted, array.shape[1:])
-            # Zeros of matrices have no sign that counts where they are moved.
             assert same(array, wanted), f"{name}, {part}"
-        one = function(*(argument[7] for argument in arguments))
-        one = list(one) if isinstance(one, tuple) else [one]
-        assert all(same(single, array[7]) for single, array in zip(one, found)), f"{name}: one state"
+        if dtype == "float64":
+            one = function(*(argument[7] for argument in arguments))
+            one = list(one) if isinstance(one, tuple) else [one]
+            assert all(same(single, array[7]) for single, array in zip(one, found)), f"{name}: one state"
         compared += 1
     assert compared > 10
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_without_reproducible_values_differ_by_rounding_alone(case):
-    fused, plain = robot(case), robot(case, reproducible=True)
+    fused, plain = (robot(case, order="angular_first", reproducible=bits) for bits in (False, True))
     for name, function in functions(plain):
         arguments = states(plain, function.parameters()[0], 17, float)
         pairs = [f(*arguments) for f in (function, getattr(fused, name))]

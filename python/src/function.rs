@@ -357,17 +357,21 @@ impl Function {
         let asked = (recipe, name, frame, order_name(order), single, many);
         // No lock is held meanwhile: who waited for it could hold Python's.
         let (address, operations, code) = self.compile.call1(py, asked)?.extract(py)?;
-        let kernel = Arc::new(Kernel {
+        let made = Arc::new(Kernel {
             address,
             operations,
             _code: code,
         });
+        let mut kernels = self.kernels.write().unwrap_or_else(PoisonError::into_inner);
+        // Of two threads that compile the same, the first counts; what the other has made goes behind the lock, as Python
+        // code may run then, and wait for threads that wait for the lock.
+        let kernel = Arc::clone(kernels.entry(variant).or_insert_with(|| Arc::clone(&made)));
+        drop(kernels);
+        drop(made);
         if !many && frame.is_none() && order == self.recipe.get().default_order() {
             let usual = &self.usual[usize::from(single)];
             usual.get_or_init(|| Arc::clone(&kernel));
         }
-        let mut kernels = self.kernels.write().unwrap_or_else(PoisonError::into_inner);
-        kernels.insert(variant, Arc::clone(&kernel));
         Ok(kernel)
     }
 

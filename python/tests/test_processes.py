@@ -130,6 +130,31 @@ def test_threads_call_and_compile_side_by_side():
     assert not wrong
 
 
+RACE = """
+import sys, threading
+import numpy as np
+import homogen
+q = np.zeros((20, 2))
+sys.setswitchinterval(1e-5)
+for _ in range(40):
+    of = homogen.load(sys.argv[1])
+    calls = [of.gravity, of.mass_matrix, of.gravity, of.mass_matrix]
+    start = threading.Barrier(8)
+    def work(call):
+        start.wait()
+        call(q), call(q[0])
+    threads = [threading.Thread(target=work, args=(call,)) for call in calls * 2]
+    for thread in threads: thread.start()
+    for thread in threads: thread.join()
+"""
+
+
+def test_threads_that_compile_the_same_never_wait_for_each_other(cache):
+    # A process of its own, which can be ended where they do.
+    words = [sys.executable, "-c", RACE, str(ROBOTS / "two_link.urdf")]
+    subprocess.run(words, check=True, timeout=300, env={**os.environ, "HOMOGEN_CACHE": str(cache)})
+
+
 def test_the_lock_of_the_interpreter_is_free_meanwhile():
     of = robot("arm", threads=1)
     q = np.zeros((1_000_000, 7))

@@ -136,10 +136,7 @@ fn the_command_in_the_head_of_a_file_makes_it_again() {
 #[test]
 fn fields_that_cannot_be_are_told() {
     for (options, part) in [
-        (
-            "--field m=mass_of",
-            "`mass_of` needs a name: mass_of:hand",
-        ),
+        ("--field m=mass_of", "`mass_of` needs a name: mass_of:hand"),
         ("--field m=mas_of:hand", "did you mean \"mass_of\"?"),
         ("--field m", "have = between them"),
         ("--field m=mass_of:hand --range m=3", "FIELD=LEAST..MOST"),

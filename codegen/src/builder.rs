@@ -270,6 +270,11 @@ impl Builder {
         self.with(|asked| asked.strict = true)
     }
 
+    /// Writes warnings into comments alone, and does not report them to cargo.
+    pub fn quiet(self) -> Self {
+        self.with(|asked| asked.quiet = true)
+    }
+
     /// The type of number; without the runtime [`Real::Generic`] is taken for `f64`.
     pub fn scalar(self, scalar: Real) -> Self {
         self.with(|asked| asked.scalar = scalar)

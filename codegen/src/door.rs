@@ -5,13 +5,15 @@
 
 use std::path::{Path, PathBuf};
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
+use syn::ext::IdentExt;
 
 use crate::description::{Description, HOW_TO_ASK, Item, attributes, inline};
 use crate::error::{Errors, Place};
 use crate::expand::{expand, settled, understand};
 use crate::function::Function;
+use crate::module::About;
 use crate::print::rust::{self, Declaration, World};
 use crate::space::Spaces;
 use crate::{chain, request};
@@ -67,12 +69,10 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
             Ok(module) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
                 let watch = file.map(|path| watch(&path));
-                let doubts = module.about.located_warnings().into_iter();
-                let doubts = doubts.map(|doubt| warning(&doubt, item.ident.span()));
-                let doubts: TokenStream = doubts.collect();
+                let warnings = warnings(&module.about, item);
                 let world = World::runtime(item.request.runtime.as_ref());
                 let robot = rust::print(&module, &target, &world);
-                return quote! { #robot #watch #doubts };
+                return quote! { #robot #watch #warnings };
             }
             Err(mistakes) => errors.append(mistakes),
         }
@@ -89,15 +89,56 @@ fn watch(path: &Path) -> TokenStream {
     quote! { const _: &[::core::primitive::u8] = ::core::include_bytes!(#path); }
 }
 
+/// The warnings about a robot for the compiler, each with its hint and the word that silences it.
+fn warnings(about: &About, item: &Item) -> TokenStream {
+    if item.request.quiet {
+        return TokenStream::new();
+    }
+    let warnings = about.located_warnings().into_iter().zip(&about.warnings);
+    let warnings = warnings.map(|(text, warning)| {
+        let hint = warning.hint.as_ref().map(|hint| format!(": {hint}"));
+        (text + &hint.unwrap_or_default(), item.ident.span())
+    });
+    let forgotten = forgotten_fields(item).map(|field| {
+        let text = format!(
+            "field `{field}` has no attribute and changes nothing: write #[robot(mass_of = \"link\")] above it, or rename it"
+        );
+        (text, field.span())
+    });
+    let warnings = warnings
+        .chain(forgotten)
+        .map(|(text, at)| warning(&format!("{text}; the word `quiet` silences warnings"), at));
+    warnings.collect()
+}
+
+/// Fields without an attribute beside fields with one, whose names are that of a link or a joint, or `payload`.
+fn forgotten_fields(item: &Item) -> impl Iterator<Item = &Ident> {
+    let plain = |name: &str| {
+        name.replace(|letter: char| !letter.is_alphanumeric(), "_")
+            .to_lowercase()
+    };
+    let description = item.description.iter();
+    let names = description.flat_map(|robot| {
+        let links = robot.links.iter().map(|link| &link.name);
+        links.chain(robot.joints.iter().map(|joint| &joint.name))
+    });
+    let mut names: Vec<String> = names.map(|name| plain(&name.text)).collect();
+    names.push("payload".to_owned());
+    let is_beside_others = !item.request.parameters.is_empty();
+    let fields = item.own_fields.iter();
+    fields
+        .filter(move |field| is_beside_others && names.contains(&plain(&field.unraw().to_string())))
+}
+
 /// A warning of the compiler. Stable Rust has none for macros but that of a deprecated item, whose
 /// note can say anything, and what a derive wrote is not warned of unless it stands at a token of
 /// the user's.
-fn warning(doubt: &str, at: Span) -> TokenStream {
+fn warning(text: &str, at: Span) -> TokenStream {
     quote_spanned! {at=>
         const _: () = {
-            #[deprecated(note = #doubt)]
-            const DOUBT: () = ();
-            DOUBT
+            #[deprecated(note = #text)]
+            const ROBOT: () = ();
+            ROBOT
         };
     }
 }

@@ -14,8 +14,8 @@ macro_rules! every_function {
             SpatialJacobianRate: spatial_jacobian_rate, "The rate of the spatial Jacobian.";
             BodyJacobianRate: body_jacobian_rate, "The rate of the entries of the body Jacobian.";
             GeometricJacobianRate: geometric_jacobian_rate, "The rate of the geometric Jacobian.";
-            Velocity: velocity, "W₀,tip₍₀₎.";
-            Acceleration: acceleration, "H₀,tip₍₀₎, without gravity.";
+            TipVelocity: velocity, "W₀,tip₍₀₎.";
+            TipAcceleration: acceleration, "H₀,tip₍₀₎, without gravity.";
             AccelerationBias: acceleration_bias, "H₀,tip₍₀₎ at q̈ = 0, without gravity.";
             InverseDynamics: inverse_dynamics, "Joint forces and torques that produce q̈.";
             Gravity: gravity, "Inverse dynamics at rest.";
@@ -30,7 +30,7 @@ macro_rules! every_function {
             CenterOfMass: center_of_mass, "The centre of mass of what joints move \\[m\\], in frame 0.";
             CenterOfMassVelocity: center_of_mass_velocity, "Its velocity [m/s].";
             CenterOfMassJacobian: center_of_mass_jacobian, "Its velocity at a unit rate of each joint.";
-            Momentum: momentum, "Γ₍₀₎ of what joints move.";
+            TotalMomentum: momentum, "Γ₍₀₎ of what joints move.";
             CentroidalMomentum: centroidal_momentum, "Γ of what joints move about their centre of mass, in the axes of frame 0.";
             CentroidalMomentumMatrix: centroidal_momentum_matrix, "Its columns: Γ at a unit rate of each joint.";
             CentroidalMomentumBias: centroidal_momentum_bias, "What changes it at q̈ = 0.";

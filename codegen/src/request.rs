@@ -61,6 +61,8 @@ pub struct Request {
     pub exact: bool,
     /// Refuse what is doubtful, such as inertias that no body can have, instead of warning.
     pub strict: bool,
+    /// Write warnings into comments alone, and do not report them to the compiler.
+    pub quiet: bool,
     /// What to generate: each item becomes one Rust function, and an item of several functions
     /// (`all_of(…)`) one that shares their work and returns a tuple.
     pub functions: Vec<Vec<Function>>,

@@ -64,20 +64,60 @@ pub fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     }
 }
 
-/// `did you mean "tip"? known keys: base and tip`, the question only where a known word is near.
+/// `did you mean "tip"? known keys: base and tip`. The question names a word that differs by one letter, or else
+/// the first three that the given one is a part of, or else the nearest one.
 #[must_use]
 pub fn known(word: &str, kind: &str, words: &[&str]) -> String {
     let all = format!("known {kind}: {}", list(words.iter().copied()));
-    match nearest(word, words) {
-        Some(meant) => format!("did you mean \"{meant}\"? {all}"),
+    let nearest = by_slips(word, words);
+    let meant = match nearest {
+        Some((1, nearest)) => vec![nearest],
+        _ => longer(word, words),
+    };
+    let meant = if meant.is_empty() {
+        nearest.map(|(_, nearest)| nearest).into_iter().collect()
+    } else {
+        meant
+    };
+    if meant.is_empty() {
+        return all;
+    }
+    let meant: Vec<String> = meant.iter().map(|meant| format!("\"{meant}\"")).collect();
+    format!("did you mean {}? {all}", meant.join(" or "))
+}
+
+/// `did you mean "tool"? links: "base", "tool" and 3 more`, the question only where a name is near.
+#[must_use]
+pub fn named(name: &str, kind: &str, names: &[&str]) -> String {
+    const LISTED: usize = 12;
+    let shown = names.iter().take(LISTED).map(|name| quoted(name));
+    let more = names.len().saturating_sub(LISTED);
+    let more = (more > 0).then(|| format!("{more} more"));
+    let shown: Vec<String> = shown.chain(more).collect();
+    let all = format!("{kind}: {}", list(shown.iter().map(String::as_str)));
+    match nearest(name, names) {
+        Some(meant) => format!("did you mean {}? {all}", quoted(meant)),
         None => all,
     }
+}
+
+/// The first three candidates of which a word is a part.
+fn longer<'a>(word: &str, candidates: &[&'a str]) -> Vec<&'a str> {
+    const FEWEST_LETTERS: usize = 3;
+    let word = word.to_lowercase();
+    let is_part = |candidate: &&&str| word.len() >= FEWEST_LETTERS && candidate.contains(&word);
+    candidates.iter().filter(is_part).take(3).copied().collect()
 }
 
 /// The candidate that differs from the word by the fewest changed letters, if they are few enough
 /// to be a slip.
 #[must_use]
 pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    by_slips(word, candidates).map(|(_, candidate)| candidate)
+}
+
+/// The same, with the number of changed letters.
+fn by_slips<'a>(word: &str, candidates: &[&'a str]) -> Option<(usize, &'a str)> {
     let word = word.to_lowercase();
     let letters = word.chars().count();
     // Longer words are no slip of a known one, and would cost time for nothing.
@@ -92,7 +132,6 @@ pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
         .map(|candidate| (distance(&word, candidate), *candidate))
         .filter(|(distance, _)| *distance <= slips && *distance < letters)
         .min_by_key(|(distance, _)| *distance)
-        .map(|(_, candidate)| candidate)
 }
 
 /// Letters to insert, delete, replace or swap with their neighbour to get from one word to the

@@ -11,6 +11,7 @@
 //! use homogen::batch::Batch;
 //! # use homogen::{Scalar, robot::Gravity};
 //! # struct Pendulum;
+//! # impl homogen::robot::Batched for Pendulum {}
 //! # impl<T: Scalar> Gravity<1, T> for Pendulum {
 //! #     fn gravity(&self, q: &[T; 1]) -> [T; 1] {
 //! #         let ([sine], _) = T::sin_cos_all(*q);
@@ -125,7 +126,7 @@ macro_rules! batch {
         batch!(@ #[$noun] $name $method [N Q] [N] [$($argument)*] $result);
     };
     (@ #[$noun:meta] $name:ident $method:ident [$($size:ident)*] [$($length:ident)*] [$($argument:ident)*] $result:ty) => {
-        impl<R: Sync + ?Sized, M: Rounding> Batch<'_, R, M> {
+        impl<R: robot::Batched + Sync + ?Sized, M: Rounding> Batch<'_, R, M> {
             #[$noun]
             ///
             #[doc = concat!("As [`", stringify!($name), "`](robot::", stringify!($name), ") says, for each state.")]
@@ -178,7 +179,7 @@ macro_rules! batch {
                 impl<R, M: Rounding, T: Number, $(const $size: usize),*> run::Work
                     for States<'_, R, M, T, $($size),*>
                 where
-                    R: Sync + ?Sized
+                    R: robot::Batched + Sync + ?Sized
                         + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
@@ -203,7 +204,7 @@ macro_rules! batch {
                         )
                     }
 
-                    run::by_packs!($name [$($length)*]);
+                    run::by_packs!($method);
                 }
 
                 check(&[$((stringify!($argument), $argument.len()),)* ("results", results.len())])?;

@@ -49,7 +49,7 @@ pub trait Scalar:
 
     /// The number `value`, of the kind that `self` is: [`constant`](Self::constant), unless kinds differ.
     ///
-    /// Functions that are [inlined](crate::robot::InverseDynamics::is_inlined) make their numbers so. A number that holds
+    /// Functions that are [inlined](crate::robot::Batched::INLINED) make their numbers so. A number that holds
     /// something beside its value, such as the proof that a processor has the instructions for it, hands it on.
     #[inline]
     #[must_use]
@@ -84,25 +84,13 @@ pub trait Scalar:
         self - sine
     }
 
-    /// 1 with the sign of `self`; 1 of zero.
+    /// The sign of a number: −1, 0 or 1, and exactly 0 of 0. Coulomb friction is multiplied by it.
     ///
-    /// By default x/√x² of x = `self` + 10⁻¹⁸, which needs no order, and takes for zero what is no nearer to
-    /// 1 than a rounding is; `f32` and `f64` compare.
+    /// `f32` and `f64` compare. Numbers without an order have x/√(x² + 1.2e-38) by default, which is ±1 to 18 digits beyond
+    /// 1e-10. Dual numbers should implement it with a derivative of zero.
     #[inline]
     #[must_use]
     fn sign(self) -> Self {
-        let x = self + Self::constant(1e-18);
-        x / (x * x).sqrt()
-    }
-
-    /// sgn x: −1, 0 or 1, and exactly 0 of 0, where [`sign`](Self::sign) is 1.
-    /// Generated code multiplies Coulomb friction by it.
-    ///
-    /// `f32` and `f64` compare. What has no order gets x/√(x² + 1.2e-38), which is 1 beyond 1e-10 to 18
-    /// digits and steep in between; dual numbers had better say that their derivative is zero.
-    #[inline]
-    #[must_use]
-    fn sgn(self) -> Self {
         let least = Self::constant(f64::from(f32::MIN_POSITIVE));
         self / (self * self + least).sqrt()
     }

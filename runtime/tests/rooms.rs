@@ -15,7 +15,7 @@ const ROOMS: [(&str, &[&str]); 9] = [
     ("robot", &["scalar", "error", "matrix"]),
     ("paper", &["scalar", "error", "matrix", "robot"]),
     ("reference", &["matrix", "robot", "every_function"]),
-    ("reach", &["scalar", "error", "matrix", "robot"]),
+    ("ik", &["scalar", "error", "matrix", "robot"]),
     ("identify", &["scalar", "paper"]),
     ("batch", &["scalar", "matrix", "robot", "every_function"]),
 ];

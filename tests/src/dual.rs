@@ -86,8 +86,8 @@ impl Scalar for Dual {
         Self::new(root, self.slope / (2.0 * root))
     }
 
-    fn sgn(self) -> Self {
-        Self::new(Scalar::sgn(self.value), 0.0)
+    fn sign(self) -> Self {
+        Self::new(Scalar::sign(self.value), 0.0)
     }
 
     fn sin_cos(self) -> (Self, Self) {

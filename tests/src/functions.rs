@@ -5,8 +5,7 @@
 //! entries of a block can share one measure of error.
 
 use homogen::{
-    Acceleration, Action, InverseDynamicsDerivatives, Momentum, Point, Pose, Scalar, Screw,
-    Velocity, robot,
+    Acceleration, Action, Momentum, Point, Pose, Scalar, Screw, TorqueDerivatives, Velocity, robot,
 };
 
 use crate::states::State;
@@ -227,7 +226,7 @@ impl<T: Scalar, const N: usize, const M: usize> Blocks<T> for [[T; M]; N] {
 
 /// One block: of a body without gravity nothing is left of ∂τ/∂q but what was rounded of terms as large as
 /// those of ∂τ/∂q̇.
-impl<T: Scalar, const N: usize> Blocks<T> for InverseDynamicsDerivatives<N, T> {
+impl<T: Scalar, const N: usize> Blocks<T> for TorqueDerivatives<N, T> {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
         let entries = [self.dq, self.dqd];
         let entries = entries.as_flattened().as_flattened();

@@ -57,7 +57,7 @@ fn nothing_moves_more_than_its_energy_allows() {
         let moving: Vec<Expr> = (chain.frames.ids())
             .flat_map(|frame| {
                 let of = |function: Function| function.build(&graph, &bodies, frame, Way::PLAIN);
-                [of(Function::Velocity), of(Function::ForwardKinematics)].concat()
+                [of(Function::TipVelocity), of(Function::ForwardKinematics)].concat()
             })
             .map(Term::expr)
             .collect();
@@ -256,7 +256,7 @@ fn climbs_with_a_floating_base() {
         };
         for (function, farthest) in [
             (Function::SpatialJacobianRate, 500.0),
-            (Function::Acceleration, 500.0),
+            (Function::TipAcceleration, 500.0),
             (Function::Gravity, 500.0),
             (Function::CentroidalMomentumMatrix, 500.0),
             (Function::CentroidalMomentumBias, far),

@@ -18,13 +18,13 @@ use homogen_tests::trees::{numbered, of_seed};
 const FUNCTIONS: [Function; 9] = [
     Function::ForwardKinematics,
     Function::SpatialJacobian,
-    Function::Velocity,
+    Function::TipVelocity,
     Function::Gravity,
     Function::InverseDynamics,
     Function::MassMatrix,
     Function::PotentialEnergy,
     Function::CenterOfMass,
-    Function::Momentum,
+    Function::TotalMomentum,
 ];
 
 const RUN: u64 = 35;

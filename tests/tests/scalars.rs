@@ -82,8 +82,8 @@ impl Scalar for Dual {
         dual(root, self.slope / (2.0 * root))
     }
 
-    fn sgn(self) -> Self {
-        dual(Scalar::sgn(self.value), 0.0)
+    fn sign(self) -> Self {
+        dual(Scalar::sign(self.value), 0.0)
     }
 
     fn sin_cos(self) -> (Self, Self) {

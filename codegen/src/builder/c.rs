@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::Builder;
 use super::command::Language;
-use super::file::{doubt, write};
+use super::file::write;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::ascii::spelt;
@@ -39,7 +39,7 @@ impl Builder {
         self.telling(|| {
             let (header, name) = header_beside(file)?;
             let module = self.c_module()?;
-            doubt(&module);
+            self.warn(&module);
             let source = self.c(&module, &name);
             write(&header, &source.header)?;
             write(file, &source.text)

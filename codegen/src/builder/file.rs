@@ -35,9 +35,19 @@ impl Builder {
     pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
         self.telling(|| {
             let module = self.file_module()?;
-            doubt(&module);
+            self.warn(&module);
             write(file.as_ref(), &self.source(&module).to_string())
         })
+    }
+
+    /// Reports every warning to cargo, unless none are wanted.
+    pub(super) fn warn(&self, module: &Module) {
+        if self.request.quiet {
+            return;
+        }
+        for warning in module.about.located_warnings() {
+            println!("cargo::warning={warning}");
+        }
     }
 
     /// Writes, and tells cargo which file to watch and every mistake.
@@ -133,13 +143,6 @@ impl Builder {
         let prefix = self.library.c_prefix.as_ref();
         options.extend(prefix.map(|prefix| format!("functions {prefix}… for C")));
         options.join(", ")
-    }
-}
-
-/// Tells cargo every doubt.
-pub(super) fn doubt(module: &Module) {
-    for warning in module.about.located_warnings() {
-        println!("cargo::warning={warning}");
     }
 }
 

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
 use super::Builder;
-use super::file::doubt;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::python::{self, MARK, Package, Writing};
@@ -41,7 +40,7 @@ impl Builder {
                 .ok_or_else(|| refused("OUT_DIR is not set: this is for build scripts"))?;
             let module = module_of(folder)?;
             let listing = self.python_module()?;
-            doubt(&listing);
+            self.warn(&listing);
             let package = self.python(&listing, &module);
             write_folder(&Path::new(&within).join(folder), &package)
         })

@@ -1,14 +1,14 @@
 //! Names of links or of joints, and what they refer to.
 //!
-//! In: the names in the order of the description. Out: numbers by name, and a sentence with the
-//! name that was probably meant for one that is not there.
+//! In: the names in the order of the description. Out: numbers by name; for an unknown name an error that lists the known
+//! ones.
 
 use std::collections::HashMap;
 
 use crate::description::Name;
 use crate::error::Errors;
 use crate::list::Id;
-use crate::wording::{nearest, quoted};
+use crate::wording::{named, quoted};
 
 /// How many names are searched for the one that was meant.
 const SEARCHED: usize = 1000;
@@ -59,13 +59,11 @@ impl<'a, I: Id> Names<'a, I> {
             // Among very many names, or for very many mistakes, the search would take longer than
             // reading them.
             let few = self.order.len() <= SEARCHED && errors.complaints().len() < HELPED;
-            let near = few.then(|| nearest(&name.text, &self.order));
-            match near.flatten() {
-                Some(near) => {
-                    let hint = format!("did you mean {}?", quoted(near));
-                    errors.push_with_hint(name.place, message, hint);
-                }
-                None => errors.push(name.place, message),
+            if few {
+                let hint = named(&name.text, &format!("{}s", self.what), &self.order);
+                errors.push_with_hint(name.place, message, hint);
+            } else {
+                errors.push(name.place, message);
             }
         }
         found

@@ -77,8 +77,9 @@ fn a_link_that_is_not_there() {
         said(arm),
         lines(&[
             r#"error: there is no link "basse""#,
-            r#"  hint: did you mean "base"?"#,
-            r#"error: there is no link "quite another""#
+            r#"  hint: did you mean "base"? links: "base" and "upper""#,
+            r#"error: there is no link "quite another""#,
+            r#"  hint: links: "base" and "upper""#
         ])
     );
 }
@@ -149,7 +150,7 @@ fn what_is_asked_for_must_be_there() {
         said(&arm("base: bass")),
         lines(&[
             r#"error: there is no link "bass""#,
-            r#"  hint: did you mean "base"?"#
+            r#"  hint: did you mean "base"? links: "base", "upper", "fore" and "tool""#
         ])
     );
     let settings = "tip: toll, drop(uper), frames(far), lock(shoulde, elbw = 0.3)";
@@ -157,14 +158,15 @@ fn what_is_asked_for_must_be_there() {
         said(&arm(settings)),
         lines(&[
             r#"error: there is no link "uper""#,
-            r#"  hint: did you mean "upper"?"#,
+            r#"  hint: did you mean "upper"? links: "base", "upper", "fore" and "tool""#,
             r#"error: there is no link "toll""#,
-            r#"  hint: did you mean "tool"?"#,
+            r#"  hint: did you mean "tool"? links: "base", "upper", "fore" and "tool""#,
             r#"error: there is no link "far""#,
+            r#"  hint: links: "base", "upper", "fore" and "tool""#,
             r#"error: there is no joint "shoulde""#,
-            r#"  hint: did you mean "shoulder"?"#,
+            r#"  hint: did you mean "shoulder"? joints: "shoulder", "elbow" and "mount""#,
             r#"error: there is no joint "elbw""#,
-            r#"  hint: did you mean "elbow"?"#
+            r#"  hint: did you mean "elbow"? joints: "shoulder", "elbow" and "mount""#
         ])
     );
 }
@@ -326,7 +328,8 @@ fn names_are_given_once() {
         lines(&[
             r#"error: two links are called "fore""#,
             r#"error: two joints are called "elbow""#,
-            r#"error: there is no link "tool""#
+            r#"error: there is no link "tool""#,
+            r#"  hint: links: "base", "upper", "fore" and "fore""#
         ])
     );
 }
@@ -353,9 +356,10 @@ fn fields_stand_for_what_is_modelled() {
         lines(&[
             r#"error: link "tool" is not modelled"#,
             r#"error: there is no link "tol""#,
-            r#"  hint: did you mean "tool"?"#,
+            r#"  hint: did you mean "tool"? links: "base", "upper", "fore" and "tool""#,
             r#"error: joint "elbow" is not modelled"#,
-            r#"error: there is no joint "wrist""#
+            r#"error: there is no joint "wrist""#,
+            r#"  hint: joints: "shoulder", "elbow" and "mount""#
         ])
     );
 }
@@ -366,7 +370,7 @@ fn mistakes_of_several_kinds_are_told_together() {
         said(&arm("drop(base), tip: toll, lock(mount)")),
         lines(&[
             r#"error: there is no link "toll""#,
-            r#"  hint: did you mean "tool"?"#,
+            r#"  hint: did you mean "tool"? links: "base", "upper", "fore" and "tool""#,
             r#"error: joint "mount" is fixed and cannot be locked"#,
             r#"error: the base "base" cannot be dropped"#
         ])

@@ -74,11 +74,22 @@ pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<I
             Vec::new()
         }
     };
+    let own_fields = match &input.data {
+        Data::Struct(data) => {
+            let own = data.fields.iter();
+            let is_number = |field: &&Field| matches!(field.ty, Type::Path(_) | Type::Array(_));
+            let own = own.filter(is_number);
+            let own = own.filter(|field| !field.attrs.iter().any(is_robot));
+            own.filter_map(|field| field.ident.clone()).collect()
+        }
+        Data::Enum(_) | Data::Union(_) => Vec::new(),
+    };
     let mut item = inline::item(contents, input.ident, folder, errors);
     item.attributes = attributes;
     item.visibility = input.vis;
     item.generics = input.generics;
     item.request.parameters = parameters;
+    item.own_fields = own_fields;
     for clash in item.request.clashes() {
         errors.record(clash);
     }

@@ -227,6 +227,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
         file,
         description,
         names_functions: settings.span("generate").is_some(),
+        own_fields: Vec::new(),
         request: settings.request,
     }
 }

@@ -28,4 +28,6 @@ pub struct Item {
     pub request: Request,
     /// True if `generate` names functions or says `all`.
     pub names_functions: bool,
+    /// The fields without an attribute whose type may be one of numbers.
+    pub own_fields: Vec<Ident>,
 }

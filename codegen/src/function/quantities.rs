@@ -109,37 +109,43 @@ pub(super) const INERTIAS: Outcome =
 pub(super) const INVERSE_INERTIAS: Outcome = Outcome::One(MOBILITIES);
 
 /// What changes of coordinates and of rates do to joint torques and forces.
-pub(super) const FORCE_DERIVATIVES: Outcome = Outcome::Parts(&[
-    Part {
-        name: "dq",
-        about: "∂τ/∂q, a row for each force; N m, N, N/m.",
-        quantity: STIFFNESSES,
-    },
-    Part {
-        name: "dqd",
-        about: "∂τ/∂q̇, a row for each force; N m s, N s, N s/m.",
-        quantity: DAMPINGS,
-    },
-]);
+pub(super) const FORCE_DERIVATIVES: Outcome = Outcome::Parts(
+    "TorqueDerivatives",
+    &[
+        Part {
+            name: "dq",
+            about: "∂τ/∂q, a row for each force; N m, N, N/m.",
+            quantity: STIFFNESSES,
+        },
+        Part {
+            name: "dqd",
+            about: "∂τ/∂q̇, a row for each force; N m s, N s, N s/m.",
+            quantity: DAMPINGS,
+        },
+    ],
+);
 
 /// What changes of coordinates, of rates and of torques and forces do to joint accelerations.
-pub(super) const ACCELERATION_DERIVATIVES: Outcome = Outcome::Parts(&[
-    Part {
-        name: "dq",
-        about: "∂q̈/∂q, a row for each acceleration; 1/s², 1/(m s²), m/s².",
-        quantity: matrix(|of| vec![by_row_and_column(of, ["1/s²", "1/(m s²)", "m/s²"])]),
-    },
-    Part {
-        name: "dqd",
-        about: "∂q̈/∂q̇, a row for each acceleration; 1/s, 1/(m s), m/s.",
-        quantity: matrix(|of| vec![by_row_and_column(of, ["1/s", "1/(m s)", "m/s"])]),
-    },
-    Part {
-        name: "dtau",
-        about: "∂q̈/∂τ = M⁻¹, by rows; 1/(kg m²), 1/(kg m), 1/kg.",
-        quantity: MOBILITIES,
-    },
-]);
+pub(super) const ACCELERATION_DERIVATIVES: Outcome = Outcome::Parts(
+    "AccelerationDerivatives",
+    &[
+        Part {
+            name: "dq",
+            about: "∂q̈/∂q, a row for each acceleration; 1/s², 1/(m s²), m/s².",
+            quantity: matrix(|of| vec![by_row_and_column(of, ["1/s²", "1/(m s²)", "m/s²"])]),
+        },
+        Part {
+            name: "dqd",
+            about: "∂q̈/∂q̇, a row for each acceleration; 1/s, 1/(m s), m/s.",
+            quantity: matrix(|of| vec![by_row_and_column(of, ["1/s", "1/(m s)", "m/s"])]),
+        },
+        Part {
+            name: "dtau",
+            about: "∂q̈/∂τ = M⁻¹, by rows; 1/(kg m²), 1/(kg m), 1/kg.",
+            quantity: MOBILITIES,
+        },
+    ],
+);
 
 /// What torques and forces are for coordinates.
 pub(super) const STIFFNESS: Outcome = Outcome::One(STIFFNESSES);
@@ -188,18 +194,21 @@ pub(super) const RESIDUAL_ACCELERATIONS: Outcome =
     Outcome::One(of_loops(|of| vec![by_one(of, "1/s²", "m/s²")]));
 
 /// Joint accelerations, and what holds loops together: torques for products of axes, forces for lengths.
-pub(super) const CONSTRAINED_MOTION: Outcome = Outcome::Parts(&[
-    Part {
-        name: "qdd",
-        about: "q̈, the joint accelerations; rad/s², m/s².",
-        quantity: ACCELERATIONS,
-    },
-    Part {
-        name: "multipliers",
-        about: "λ, what holds the loops together, one for each residual; N m, N.",
-        quantity: of_loops(|of| vec![by_one(of, "N m", "N")]),
-    },
-]);
+pub(super) const CONSTRAINED_MOTION: Outcome = Outcome::Parts(
+    "ConstrainedAccelerations",
+    &[
+        Part {
+            name: "qdd",
+            about: "q̈, the joint accelerations; rad/s², m/s².",
+            quantity: ACCELERATIONS,
+        },
+        Part {
+            name: "multipliers",
+            about: "λ, what holds the loops together, one for each residual; N m, N.",
+            quantity: of_loops(|of| vec![by_one(of, "N m", "N")]),
+        },
+    ],
+);
 
 /// What velocities change residuals by.
 pub(super) const RESIDUAL_RATES: Outcome = Outcome::One(Quantity {

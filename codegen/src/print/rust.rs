@@ -42,6 +42,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::{Fields, documentation};
+use crate::function::Function;
 use crate::module::{GeneratedFunction, Module};
 use dialect::Dialect;
 
@@ -72,19 +73,20 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     let dialect = Dialect::of(module.scalar, module.sines, item, world);
     let mut methods = TokenStream::new();
     let mut beside = TokenStream::new();
+    let mut inlined = Vec::new();
     for (generated, name) in module.functions.iter().zip(names::of_methods(module)) {
         let fields = Fields::Own(&module.parameters);
         let computation = |dialect: &_| method::computation((generated, fields), module, dialect);
         let own = |code: &_| method(module, item, generated, &name, (code, &dialect));
         let acted = module.spaces.actions() > 0;
-        let batched =
-            |function: crate::function::Function| module.batch && function.has_batches(acted);
+        let batched = |function: Function| module.batch && function.has_batches(acted);
         match (&*generated.functions, &generated.frame, &dialect.world) {
             ([function], None, World::Runtime(runtime)) if batched(*function) => {
                 let batch = batch::Batched::new(module, item, *function, runtime, &dialect);
                 methods.extend(own(&batch.call()));
                 methods.extend(batch.method());
                 beside.extend(batch.in_trait(&computation(&dialect.inlined())));
+                inlined.push(*function);
             }
             ([function], None, _) => {
                 methods.extend(own(&computation(&dialect)));
@@ -100,6 +102,7 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     let (prepare, prepared) = prepared::prepared(module, item, &dialect);
     methods.extend(prepare);
     methods.extend(dialect.own_functions(module));
+    beside.extend(batch::robot(item, &inlined, &dialect));
     beside.extend(results::own_structures(module, item, &dialect));
     let declaration = declaration::declaration(module, item, &dialect);
     let described = described::described(module, item, &dialect);

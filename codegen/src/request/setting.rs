@@ -100,7 +100,7 @@ const SETTING: Setting = Setting {
 
 /// All of them, in the order in which help, the heads of files and messages list them.
 #[rustfmt::skip]
-pub const SETTINGS: [Setting; 30] = [
+pub const SETTINGS: [Setting; 31] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
     Setting { key: "dh", form: SettingForm::File, example: r#"dh = "arm.dh""#, ..SETTING },
     Setting { key: "base", form: SettingForm::Name(|asked| &mut asked.base), example: r#"base = "link""#, group: SCOPE, value: "LINK",
@@ -141,6 +141,7 @@ pub const SETTINGS: [Setting; 30] = [
         help: "Keep an angle such as 1.5708 as written instead of taking it for a right angle", ..SETTING },
     Setting { key: "strict", form: SettingForm::Switch(|asked| &mut asked.strict), example: "strict", group: ROBOT,
         help: "Refuse what is doubtful, such as inertias that no body can have, instead of warning", ..SETTING },
+    Setting { key: "quiet", form: SettingForm::Switch(|asked| &mut asked.quiet), example: "quiet", ..SETTING },
     Setting { key: "processor", form: SettingForm::Processor, example: r#"processor = "cortex-m4""#, group: ROBOT, value: "NAME",
         help: "The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64 [default: portable]", ..SETTING },
     Setting { key: "formulation", form: SettingForm::Formulation, example: "formulation(raw, refined = 1)", group: ROBOT, value: "WORD,…",

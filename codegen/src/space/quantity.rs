@@ -45,8 +45,8 @@ pub struct Quantity {
 pub enum Outcome {
     /// A quantity by itself.
     One(Quantity),
-    /// Several quantities: a struct with named fields, an object, or an array each.
-    Parts(&'static [Part]),
+    /// Several quantities: a struct of that name with a field each, an object, or an array each.
+    Parts(&'static str, &'static [Part]),
 }
 
 /// A quantity among several.
@@ -143,7 +143,7 @@ impl Outcome {
     pub fn parts(self) -> impl Iterator<Item = (Option<&'static str>, Quantity)> {
         let (one, parts): (_, &[Part]) = match self {
             Self::One(quantity) => (Some((None, quantity)), &[]),
-            Self::Parts(parts) => (None, parts),
+            Self::Parts(_, parts) => (None, parts),
         };
         let parts = parts.iter().map(|part| (Some(part.name), part.quantity));
         one.into_iter().chain(parts)

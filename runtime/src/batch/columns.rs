@@ -131,7 +131,7 @@ macro_rules! batch {
         batch!(@ #[$noun] $name $method [N Q] [N] [$($argument)*]);
     };
     (@ #[$noun:meta] $name:ident $method:ident [$($size:ident)*] [$($length:ident)*] [$($argument:ident)*]) => {
-        impl<R: Sync + ?Sized, M: Rounding> Columns<'_, R, M> {
+        impl<R: robot::Batched + Sync + ?Sized, M: Rounding> Columns<'_, R, M> {
             #[$noun]
             ///
             #[doc = concat!("As [`", stringify!($name), "`](robot::", stringify!($name), ") says, for each state.")]
@@ -194,7 +194,7 @@ macro_rules! batch {
                 impl<R, M: Rounding, T: Number, $(const $size: usize),*> run::Work
                     for States<'_, R, M, T, $($size),*>
                 where
-                    R: Sync + ?Sized
+                    R: robot::Batched + Sync + ?Sized
                         + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
@@ -220,7 +220,7 @@ macro_rules! batch {
                         )
                     }
 
-                    run::by_packs!($name [$($length)*]);
+                    run::by_packs!($method);
                 }
 
                 let count = check(&[

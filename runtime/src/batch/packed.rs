@@ -11,7 +11,7 @@ use super::processor;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::registers::Register;
 use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
-use crate::robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
+use crate::robot::derivatives::{AccelerationDerivatives, TorqueDerivatives};
 use crate::scalar::{Fused, Lane, Pack, Scalar};
 use core::array::from_fn;
 use core::ops::Range;
@@ -391,6 +391,6 @@ macro_rules! of_fields {
     )*};
 }
 of_fields! {
-    InverseDynamicsDerivatives: dq, dqd;
-    ForwardDynamicsDerivatives: dq, dqd, dtau;
+    TorqueDerivatives: dq, dqd;
+    AccelerationDerivatives: dq, dqd, dtau;
 }

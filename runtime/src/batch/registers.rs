@@ -157,11 +157,6 @@ macro_rules! register {
             }
 
             #[inline(always)]
-            fn sgn(self) -> Self {
-                self.as_packs(Pack::sgn)
-            }
-
-            #[inline(always)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 let (mut sines, mut cosines) = (angles, angles);
                 if let Some(first) = angles.first() {

@@ -39,22 +39,22 @@ pub(super) trait Work: Sized + Send {
 /// The ways of [`Work`] of what has a method `by`, over any packs, and a `robot` with that trait: `T` are its numbers and
 /// `M` is how they are rounded.
 macro_rules! by_packs {
-    ($name:ident [$($length:ident)*]) => {
+    ($method:ident) => {
         #[inline(always)]
         fn plain(self) {
             self.by::<T::Plain>(());
         }
 
-        run::by_packs!(@ $name [$($length)*] short Short T::InShort, T::Narrow);
-        run::by_packs!(@ $name [$($length)*] narrow Narrow M::InNarrow<T>, M::Narrow<T>);
-        run::by_packs!(@ $name [$($length)*] wide Wide M::InWide<T>, M::Wide<T>);
+        run::by_packs!(@ $method short Short T::InShort, T::Narrow);
+        run::by_packs!(@ $method narrow Narrow M::InNarrow<T>, M::Narrow<T>);
+        run::by_packs!(@ $method wide Wide M::InWide<T>, M::Wide<T>);
     };
     // By registers where the function is compiled for the processor, and by packs where not.
-    (@ $name:ident [$($length:ident)*] $method:ident $processor:ident $packs:ty, $loose:ty) => {
+    (@ $function:ident $method:ident $processor:ident $packs:ty, $loose:ty) => {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         #[inline(always)]
         fn $method(self, processor: processor::$processor) {
-            if robot::$name::<$($length,)* $packs, Q>::is_inlined(self.robot) {
+            if const { robot::is_inlined::<R>(stringify!($function)) } {
                 self.by::<$packs>(processor);
             } else {
                 self.by::<$loose>(());

@@ -10,7 +10,7 @@ use super::generic::{bias, inverse_dynamics, mass_matrix};
 use super::motion::{Motion, Positions};
 use crate::robot;
 use crate::robot::chain::Frame;
-use crate::robot::constrained::ConstrainedForwardDynamics;
+use crate::robot::constrained::ConstrainedAccelerations;
 use crate::robot::mechanism::{Mechanism, Residual, Row};
 use core::array::from_fn;
 use nalgebra::{Cholesky, Matrix4, RealField, SMatrix, SVector};
@@ -128,7 +128,7 @@ pub fn constrained_forward_dynamics<
     q: &[T; Q],
     qd: &[T; N],
     tau: &[T; N],
-) -> ConstrainedForwardDynamics<N, C, T> {
+) -> ConstrainedAccelerations<N, C, T> {
     let chain = &mechanism.chain;
     let (m, bias) = (mass_matrix(chain, q), bias(chain, q, qd));
     let jacobian = constraint_jacobian(mechanism, q);
@@ -137,7 +137,7 @@ pub fn constrained_forward_dynamics<
     let lacking: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
     let Some(factors) = Cholesky::new(SMatrix::from_fn(|i, k| m[i][k])) else {
         let nan = || T::zero() / T::zero();
-        return ConstrainedForwardDynamics {
+        return ConstrainedAccelerations {
             qdd: from_fn(|_| nan()),
             multipliers: from_fn(|_| nan()),
         };
@@ -149,7 +149,7 @@ pub fn constrained_forward_dynamics<
     let wanted = -(jacobian * free + SVector::from(gamma));
     let multipliers = eliminated(&mechanism.residuals, jacobian * moved, wanted);
     let qdd = free + moved * multipliers;
-    ConstrainedForwardDynamics {
+    ConstrainedAccelerations {
         qdd: qdd.into(),
         multipliers: multipliers.into(),
     }
@@ -295,7 +295,7 @@ where
         q: &[T; Q],
         qd: &[T; N],
         tau: &[T; N],
-    ) -> ConstrainedForwardDynamics<N, C, T> {
+    ) -> ConstrainedAccelerations<N, C, T> {
         constrained_forward_dynamics(self, q, qd, tau)
     }
 }

@@ -7,7 +7,7 @@
 use super::dense::gravity_matrix;
 use super::motion::{Freedom, Motion};
 use crate::robot::chain::Chain;
-use crate::robot::derivatives::InverseDynamicsDerivatives;
+use crate::robot::derivatives::TorqueDerivatives;
 use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
@@ -26,7 +26,7 @@ pub fn inverse_dynamics_derivatives<
     q: &[T; Q],
     qd: &[T; N],
     qdd: &[T; N],
-) -> InverseDynamicsDerivatives<N, T> {
+) -> TorqueDerivatives<N, T> {
     let motion = Motion::at(chain, q, qd, qdd);
     let matrix = |of: Of| {
         by_columns(&motion, |along| {
@@ -40,7 +40,7 @@ pub fn inverse_dynamics_derivatives<
             *entry += freedom.damping();
         }
     }
-    InverseDynamicsDerivatives {
+    TorqueDerivatives {
         dq: matrix(Of::Coordinate),
         dqd,
     }

@@ -6,7 +6,7 @@
 /// produce q̈: see [`crate::robot`]. What a change of q̈ does is
 /// the mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InverseDynamicsDerivatives<const N: usize, T = f64> {
+pub struct TorqueDerivatives<const N: usize, T = f64> {
     /// ∂τ/∂q, a row for each torque or force [N m, N, N/m].
     pub dq: [[T; N]; N],
     /// ∂τ/∂q̇, a row for each torque or force [N m s, N s, N s/m].
@@ -16,7 +16,7 @@ pub struct InverseDynamicsDerivatives<const N: usize, T = f64> {
 /// What small changes of the coordinates, of their rates and of the torques and forces do to the joint
 /// accelerations that they produce; see [`crate::robot`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ForwardDynamicsDerivatives<const N: usize, T = f64> {
+pub struct AccelerationDerivatives<const N: usize, T = f64> {
     /// ∂q̈/∂q, a row for each acceleration [1/s², 1/(m s²), m/s²].
     pub dq: [[T; N]; N],
     /// ∂q̈/∂q̇, a row for each acceleration [1/s, 1/(m s), m/s].

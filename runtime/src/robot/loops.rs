@@ -39,7 +39,7 @@ pub trait ConstrainedForwardDynamics<const N: usize, const C: usize, T = f64, co
         q: &[T; Q],
         qd: &[T; N],
         tau: &[T; N],
-    ) -> constrained::ConstrainedForwardDynamics<N, C, T>;
+    ) -> constrained::ConstrainedAccelerations<N, C, T>;
 }
 
 /// The torques and forces of the joints that are driven, where loops move the others.

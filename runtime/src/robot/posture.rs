@@ -51,14 +51,20 @@ pub fn normalized<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
     scaled.map(|entry| entry / length)
 }
 
+/// 1 with the sign of a number; 1 of zero and of NaN.
+#[inline]
+fn side<T: Scalar>(x: T) -> T {
+    (x.sign() + T::constant(0.5)).sign()
+}
+
 /// A quaternion over its largest entry, where that is beyond 2⁻⁴⁰ to 2⁴⁰ and squares may overflow or vanish, and
 /// else over 1, which changes no digit.
 #[inline]
 fn moderate<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
     let [one, half, most, least] = [1.0, 0.5, MODERATE, 1.0 / MODERATE].map(T::constant);
     // 1 of a number that is not negative, 0 of another.
-    let step = |x: T| half + half * x.sign();
-    let [a, b, c, d] = quaternion.map(|entry| entry.sign() * entry);
+    let step = |x: T| half + half * side(x);
+    let [a, b, c, d] = quaternion.map(|entry| side(entry) * entry);
     let larger = |a: T, b: T| {
         let first = step(a - b);
         first * a + (one - first) * b
@@ -90,7 +96,7 @@ pub fn turn<T: Scalar>(omega: [T; 3]) -> [T; 4] {
 #[must_use]
 pub fn log<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 3] {
     let v = [x, y, z];
-    scale(T::constant(2.0) * w.sign() * half_angle(v, w), v)
+    scale(T::constant(2.0) * side(w) * half_angle(v, w), v)
 }
 
 /// V(ω) v with exp (ω̲, v; 0, 0) = (exp ω̲, V(ω) v; 0, 1): how far a body has gone \[m\] that moves by
@@ -123,7 +129,7 @@ pub fn motion<T: Scalar>(quaternion: [T; 4], t: [T; 3]) -> ([T; 3], [T; 3]) {
     let [x, y, z, w] = quaternion;
     let omega = log(quaternion);
     // α cot α = (α/‖v‖) |w|, whatever the length.
-    let cotangent = half_angle([x, y, z], w) * w.sign() * w;
+    let cotangent = half_angle([x, y, z], w) * side(w) * w;
     let square = dot(omega, omega) + T::constant(LEAST);
     let across = cross(omega, t);
     let bent = scale(
@@ -218,7 +224,7 @@ fn half_angle<T: Scalar>(v: [T; 3], w: T) -> T {
     let one = T::constant(1.0);
     let square = dot(v, v);
     // tan(α/2)/‖v‖, tan(α/4)/‖v‖, tan(α/8)/‖v‖.
-    let half = one / ((square + w * w).sqrt() + w.sign() * w);
+    let half = one / ((square + w * w).sqrt() + side(w) * w);
     let quarter = half / (one + (one + square * half * half).sqrt());
     let eighth = quarter / (one + (one + square * quarter * quarter).sqrt());
     let tangent = square * eighth * eighth;

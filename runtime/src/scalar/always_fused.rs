@@ -109,11 +109,6 @@ macro_rules! implement {
                 Self(self.0.sign())
             }
 
-            #[inline(always)]
-            fn sgn(self) -> Self {
-                Self(self.0.sgn())
-            }
-
             #[inline]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 let pairs = angles.map(Self::sin_cos_own);

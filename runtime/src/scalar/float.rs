@@ -42,7 +42,7 @@ macro_rules! implement {
             }
 
             #[inline]
-            fn sgn(self) -> Self {
+            fn sign(self) -> Self {
                 Self::from(i8::from(self > 0.0) - i8::from(self < 0.0))
             }
 
@@ -55,11 +55,6 @@ macro_rules! implement {
             #[cfg_attr(not(target_feature = "avx512f"), inline)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 $sin_cos_all(angles)
-            }
-
-            #[inline]
-            fn sign(self) -> Self {
-                if self < 0.0 { -1.0 } else { 1.0 }
             }
 
             #[inline]

@@ -188,11 +188,6 @@ impl<T: Lane, const L: usize> Scalar for Pack<T, L> {
         self.each(T::sign)
     }
 
-    #[inline(always)]
-    fn sgn(self) -> Self {
-        self.each(T::sgn)
-    }
-
     /// While every angle of every lane is moderate the code is straight; beyond it, after one branch for
     /// all, they go one by one.
     #[inline(always)]

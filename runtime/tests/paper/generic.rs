@@ -7,9 +7,9 @@ use crate::jet::Jet;
 use crate::sample::Random;
 use homogen::open_chain::{inertias, motions, poses};
 use homogen::robot::{
-    Acceleration as _, Bias as _, BodyJacobian as _, ForwardKinematics as _,
-    GeometricJacobian as _, Gravity as _, InverseDynamics as _, MassMatrix as _,
-    SpatialJacobian as _, Velocity as _,
+    Bias as _, BodyJacobian as _, ForwardKinematics as _, GeometricJacobian as _, Gravity as _,
+    InverseDynamics as _, MassMatrix as _, SpatialJacobian as _, TipAcceleration as _,
+    TipVelocity as _,
 };
 use homogen::{Chain, Frame, Inertia, Jacobian, Joint, Pose, Real, Screw, generic};
 use nalgebra::RealField;

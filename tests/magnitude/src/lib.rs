@@ -161,7 +161,7 @@ impl<M: Measure> Scalar for Magnitude<M> {
         Arithmetic::sqrt(self)
     }
 
-    fn sgn(self) -> Self {
+    fn sign(self) -> Self {
         Arithmetic::sign(self)
     }
 

@@ -170,7 +170,7 @@ fn a_function_that_was_not_generated_is_asked_for_by_name() {
     let shown = Homogen::of_this_test().shown(&file);
     for part in [
         "error[E0277]: the robot `Arm` lacks a function that is needed here\n",
-        "to `generate(…)` of the robot: `generate(mass_matrix)` for `MassMatrix`\n",
+        "= note: add `bias` to `generate(…)` of the robot\n",
     ] {
         assert!(shown.contains(part), "{shown}");
     }

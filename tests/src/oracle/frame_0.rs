@@ -109,11 +109,11 @@ pub fn evaluate(
             jacobian_rate(robot, &positions, &motion, at(), (&back, &of_pole))
         }
         Function::AccelerationBias => moving(&qd, &rest).h_of(at()).rows(),
-        Function::Velocity => {
+        Function::TipVelocity => {
             let w = moving(&qd, &rest).w_of(at());
             [w.vector(), w.column()].concat()
         }
-        Function::Acceleration => {
+        Function::TipAcceleration => {
             let motion = moving(&qd, &qdd);
             motion.h_of(at()).rows()
         }
@@ -165,7 +165,7 @@ pub fn evaluate(
         Function::CenterOfMassJacobian => unit_motions(robot, &positions)
             .flat_map(|motion| by_mass(robot, &positions, &moments(robot, &positions, &motion.w)))
             .collect(),
-        Function::Momentum => {
+        Function::TotalMomentum => {
             let motion = moving(&qd, &rest);
             let moments = moments(robot, &positions, &motion.w);
             let gamma = &moments - &moments.transposed();

@@ -83,8 +83,8 @@ impl Measure {
         let count = arguments[Variable::Qd].len();
         match function {
             Function::ForwardKinematics => compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 }),
-            Function::Velocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.slide }),
-            Function::Acceleration => {
+            Function::TipVelocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.slide }),
+            Function::TipAcceleration => {
                 let rates = self.gain * sum(&arguments[Variable::Qdd]) + rates * rates;
                 compared(&|k| self.moved(k, rates))
             }
@@ -144,7 +144,7 @@ impl Measure {
             Function::CenterOfMass => compared(&|_| self.reach),
             Function::CenterOfMassVelocity => compared(&|_| rates * self.slide),
             Function::CenterOfMassJacobian => compared(&|_| self.slide),
-            Function::Momentum | Function::CentroidalMomentum => {
+            Function::TotalMomentum | Function::CentroidalMomentum => {
                 compared(&|k| rates * self.momentum(k))
             }
             Function::CentroidalMomentumMatrix => compared(&|k| self.momentum(k % 6)),

@@ -31,12 +31,12 @@ fn functions() -> Vec<Function> {
 /// each parameter, more terms cancel; 770 times, of the rate of a momentum.
 fn farthest(asked: Asked, function: Function) -> f64 {
     use Function::{
-        Acceleration, Bias, BodyJacobian, ForwardKinematics, GeometricJacobian, Gravity,
-        InverseDynamics, MassMatrix, SpatialJacobian, Velocity,
+        Bias, BodyJacobian, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics,
+        MassMatrix, SpatialJacobian, TipAcceleration, TipVelocity,
     };
     match function {
-        ForwardKinematics | SpatialJacobian | BodyJacobian | GeometricJacobian | Velocity
-        | Acceleration | InverseDynamics | Gravity | Bias | MassMatrix => asked.farthest,
+        ForwardKinematics | SpatialJacobian | BodyJacobian | GeometricJacobian | TipVelocity
+        | TipAcceleration | InverseDynamics | Gravity | Bias | MassMatrix => asked.farthest,
         _ if asked.floating => 500.0,
         _ => 6.0 * asked.farthest,
     }

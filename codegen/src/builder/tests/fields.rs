@@ -122,7 +122,7 @@ fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
         "    /// Done before, once for all functions: ",
         ".values;\n",
         "= TwoLink::sin_cos(",
-        ") -> TwoLinkInverseDynamicsDerivatives {",
+        ") -> TwoLinkTorqueDerivatives {",
     ] {
         assert!(rest.contains(part), "{rest}");
     }

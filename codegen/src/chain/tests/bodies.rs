@@ -357,7 +357,7 @@ fn places_in_a_file_reach_the_messages_of_the_chain() {
     let description = description.expect("it can be read");
     let errors = build(&description, &Request::default()).expect_err("no such link");
     // What was doubtful until then stands beside it.
-    let expected = "error: arm.urdf:5:17: there is no link \"bas\"\n  hint: did you mean \"base\"?\n\
+    let expected = "error: arm.urdf:5:17: there is no link \"bas\"\n  hint: did you mean \"base\"? links: \"base\" and \"rod\"\n\
         warning: arm.urdf:4:1: joint \"hinge\" has no <axis>: it moves about or along x, as URDF has it\n  \
         hint: write <axis xyz=\"1 0 0\"/>\n";
     assert_eq!(errors.to_string(), expected);

@@ -51,7 +51,7 @@ fn drives_that_cannot_be_meant() {
             r#"error: joint "elbow" does not move: its armature changes nothing"#,
             "  hint: leave it out, or do not lock the joint",
             r#"error: there is no joint "elbo""#,
-            r#"  hint: did you mean "elbow"?"#,
+            r#"  hint: did you mean "elbow"? joints: "shoulder", "elbow" and "mount""#,
             r#"error: the friction of joint "shoulder" is given twice"#,
             r#"error: the armature of joint "shoulder" is negative: -1"#,
             r#"error: the rotor of joint "shoulder" is larger than anything is"#,

@@ -149,7 +149,7 @@ fn actions_that_change_nothing() {
             "  hint: leave it out, or choose a base upstream of the link",
             r#"error: the action on link "fore" is asked for twice"#,
             r#"error: there is no link "gripper""#,
-            r#"  hint: did you mean "upper"?"#,
+            r#"  hint: did you mean "upper"? links: "base", "upper", "fore" and "tool""#,
         ])
     );
     assert_eq!(

@@ -82,7 +82,7 @@ fn nothing_is_carried_by_what_is_not_there_or_never_moves_and_twice_by_nothing()
             r#"error: field `four` stands for a payload on link "rod", as `three` does"#,
             "  hint: leave out one of them",
             r#"error: there is no link "flang""#,
-            r#"  hint: did you mean "flange"?"#,
+            r#"  hint: did you mean "flange"? links: "base", "rod" and "flange""#,
             r#"error: link "base" does not move: a payload on it changes nothing"#,
             "  hint: leave the field out, or choose a base upstream of the link"
         ])

@@ -225,7 +225,7 @@ fn who_follows_must_be_able_to() {
         said(&hand("", "mimic: on")),
         lines(&[
             r#"error: there is no joint "on""#,
-            r#"  hint: did you mean "one"?"#
+            r#"  hint: did you mean "one"? joints: "wrist", "one" and "other""#
         ])
     );
     assert_eq!(

@@ -160,14 +160,14 @@ fn all_mistakes_are_reported_at_once() {
     let functions = list(Function::names());
     let expected = format!(
         "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, floating, tip, \
-         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, processor, formulation, generate, frames, scalar, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
+         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, scalar, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
          1:30: unknown scalar \"f16\"\n  \
          hint: known scalars: f32, f64 and generic\n\
          1:45: gravity has 2 numbers instead of 3\n\
          2:18: unknown function \"inverse_dynamic\"\n  \
          hint: did you mean \"inverse_dynamics\"? known functions: {functions}\n\
          4:9: a field cannot stand for \"mass\"\n  \
-         hint: known keys: mass_of, com_of, inertia_of, payload_on, gravity, origin_of, placement_of, base_position, base_placement, armature_of, damping_of, friction_of and range\n\
+         hint: did you mean \"mass_of\"? known keys: mass_of, com_of, inertia_of, payload_on, gravity, origin_of, placement_of, base_position, base_placement, armature_of, damping_of, friction_of and range\n\
          5:3: field `g` stands for two numbers\n"
     );
     assert_eq!(said, expected);

@@ -159,7 +159,7 @@ impl Method {
                         quantity,
                     )]
                 }
-                Outcome::Parts(parts) => parts
+                Outcome::Parts(_, parts) => parts
                     .iter()
                     .map(|part| {
                         let name = format!("{function_name}_{}", part.name);

@@ -16,8 +16,23 @@ use super::lengths::{Lengths, known};
 use super::method;
 use super::names::ident;
 use super::results::result_type;
+use super::world::World;
 use crate::function::Function;
 use crate::module::Module;
+
+/// The implementation of the runtime's trait of robots in batches, where there is the runtime, by the functions that
+/// are inlined.
+pub(super) fn robot(item: &Item, inlined: &[Function], dialect: &Dialect) -> TokenStream {
+    let World::Runtime(runtime) = &dialect.world else {
+        return TokenStream::new();
+    };
+    let head = declaration::implementation(item, &quote! { #runtime::robot::Batched }, &[]);
+    let names = inlined.iter().map(|function| function.name());
+    let list = (!inlined.is_empty()).then(|| {
+        quote! { const INLINED: &'static [&'static ::core::primitive::str] = &[#(#names),*]; }
+    });
+    quote! { #head { #list } }
+}
 
 /// A function of a robot with the runtime at a path.
 pub(super) struct Batched<'p> {
@@ -71,9 +86,6 @@ impl<'p> Batched<'p> {
                 #[allow(clippy::inline_always, reason = "what is inlined is compiled for the caller's vectors")]
                 #[inline(always)]
                 fn #name #parameters { #body }
-
-                #[inline]
-                fn is_inlined(&self) -> ::core::primitive::bool { true }
             }
         }
     }

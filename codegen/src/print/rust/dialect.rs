@@ -236,8 +236,8 @@ impl Dialect {
     pub fn sign(&self, a: &TokenStream) -> TokenStream {
         let number = &self.number;
         match &self.world {
-            World::Runtime(runtime) => quote! { #runtime::Scalar::sgn(#a) },
-            World::Lanes(path) => quote! { #path::number::Number::sgn(#a) },
+            World::Runtime(runtime) => quote! { #runtime::Scalar::sign(#a) },
+            World::Lanes(path) => quote! { #path::number::Number::sign(#a) },
             World::Core(_) => quote! { #number::from(i8::from(#a > 0.0) - i8::from(#a < 0.0)) },
         }
     }

@@ -26,8 +26,8 @@ pub(super) fn result_type(
 ) -> TokenStream {
     let types = functions.iter().map(|&function| match function.result() {
         Outcome::One(quantity) => type_of(&quantity, lengths, dialect),
-        outcome @ Outcome::Parts(_) => {
-            let path = structure(function, dialect);
+        outcome @ Outcome::Parts(name, _) => {
+            let path = structure(name, dialect);
             match dialect.world {
                 World::Runtime(_) => {
                     let lengths = spaces(outcome).into_iter().map(lengths);
@@ -53,23 +53,22 @@ fn spaces(outcome: Outcome) -> Vec<Space> {
 }
 
 /// The path of the struct that a function of several quantities returns.
-fn structure(function: Function, dialect: &Dialect) -> TokenStream {
+fn structure(name: &str, dialect: &Dialect) -> TokenStream {
     match &dialect.world {
         World::Runtime(runtime) => {
-            // It is called as the function is, in the case of types.
-            let name = format_ident!("{function:?}");
+            let name = format_ident!("{name}");
             quote! { #runtime::#name }
         }
         World::Core(_) | World::Lanes(_) => {
-            let name = own_structure(function, dialect);
+            let name = own_structure(name, dialect);
             quote! { #name }
         }
     }
 }
 
 /// The name of that struct where there is no runtime.
-fn own_structure(function: Function, dialect: &Dialect) -> Ident {
-    format_ident!("{}{function:?}", dialect.robot.unraw())
+fn own_structure(name: &str, dialect: &Dialect) -> Ident {
+    format_ident!("{}{name}", dialect.robot.unraw())
 }
 
 /// The structs that functions return, where there is no runtime to have them.
@@ -84,10 +83,10 @@ pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) ->
     functions.dedup();
     let lengths = known(&module.spaces);
     let structures = functions.into_iter().filter_map(|function| {
-        let Outcome::Parts(parts) = function.result() else {
+        let Outcome::Parts(name, parts) = function.result() else {
             return None;
         };
-        let name = own_structure(function, dialect);
+        let name = own_structure(name, dialect);
         let about = doc(&[format!(
             "What [`{}::{}`] returns.",
             item.ident.unraw(),
@@ -148,17 +147,18 @@ pub(super) fn result_value(
         let (own, others) = rest.split_at(outcome.size(spaces).min(rest.len()));
         rest = others;
         let parts = outcome.parts().zip(outcome.split(spaces, own));
-        let fields: Vec<(Option<Ident>, TokenStream)> = parts
-            .map(|((name, quantity), own)| {
-                (name.map(ident), value_of(&quantity, spaces, own, dialect))
-            })
-            .collect();
-        match &*fields {
-            [(None, value)] => value.clone(),
-            fields => {
-                let path = structure(function, dialect);
-                let fields = fields.iter().map(|(name, value)| quote! { #name: #value });
-                quote! { #path { #(#fields),* } }
+        let values = parts.map(|((field, quantity), own)| {
+            let value = value_of(&quantity, spaces, own, dialect);
+            match field.map(ident) {
+                Some(field) => quote! { #field: #value },
+                None => value,
+            }
+        });
+        match outcome {
+            Outcome::One(_) => quote! { #(#values)* },
+            Outcome::Parts(name, _) => {
+                let path = structure(name, dialect);
+                quote! { #path { #(#values),* } }
             }
         }
     });

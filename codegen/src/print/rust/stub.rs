@@ -74,6 +74,7 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
         (&lengths, parameter.as_ref()),
         &dialect,
     ));
+    traits.extend(batch::robot(item, &[], &dialect));
     let declaration = match &item.declaration {
         Declaration::Written(tokens) => tokens.clone(),
         Declaration::Exists | Declaration::Made => TokenStream::new(),

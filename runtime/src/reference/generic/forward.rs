@@ -6,7 +6,7 @@
 use super::dynamics::{bias, mass_matrix};
 use crate::reference::derivatives::inverse_dynamics_derivatives;
 use crate::robot::chain::Chain;
-use crate::robot::derivatives::ForwardDynamicsDerivatives;
+use crate::robot::derivatives::AccelerationDerivatives;
 use core::array::from_fn;
 use nalgebra::{Cholesky, Const, RealField, SMatrix, SVector};
 
@@ -67,7 +67,7 @@ pub fn forward_dynamics_derivatives<
     q: &[T; Q],
     qd: &[T; N],
     tau: &[T; N],
-) -> ForwardDynamicsDerivatives<N, T> {
+) -> AccelerationDerivatives<N, T> {
     let qdd = forward_dynamics(chain, q, qd, tau);
     let needed = inverse_dynamics_derivatives(chain, q, qd, &qdd);
     let factors = mass_matrix_factors(chain, q);
@@ -76,7 +76,7 @@ pub fn forward_dynamics_derivatives<
         let found = factors.as_ref().map(|factors| factors.solve(&needed));
         from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
     };
-    ForwardDynamicsDerivatives {
+    AccelerationDerivatives {
         dq: answer(needed.dq),
         dqd: answer(needed.dqd),
         dtau: mass_matrix_inverse(chain, q),

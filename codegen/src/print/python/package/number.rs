@@ -24,7 +24,7 @@ pub trait Number:
     fn sqrt(self) -> Self;
 
     /// −1, 0 or 1; 0 of NaN.
-    fn sgn(self) -> Self;
+    fn sign(self) -> Self;
 
     /// Sine and cosine of an angle, by the platform.
     fn sin_cos(self) -> (Self, Self);
@@ -45,7 +45,7 @@ impl Number for Real {
     }
 
     #[inline(always)]
-    fn sgn(self) -> Self {
+    fn sign(self) -> Self {
         Self::from(i8::from(self > 0.0) - i8::from(self < 0.0))
     }
 

@@ -72,8 +72,8 @@ impl<P: Vectors<L>, const L: usize> Number for Pack<P, L> {
     }
 
     #[inline(always)]
-    fn sgn(self) -> Self {
-        self.one_by_one(|_, number| number.sgn())
+    fn sign(self) -> Self {
+        self.one_by_one(|_, number| number.sign())
     }
 
     #[inline(always)]

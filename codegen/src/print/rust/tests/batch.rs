@@ -34,14 +34,17 @@ fn what_computes_is_inlined_and_both_methods_call_it() {
     let head = "#[inline(always)]\n    fn gravity(&self, q: &[T; 2]) -> [T; 2] {\n        ";
     let numbers = "let k = |number| ::homogen::Scalar::like(q[0], number);";
     assert!(of_trait.contains(&format!("{head}{numbers}")), "{text}");
-    assert!(of_trait.contains("fn is_inlined(&self) -> ::core::primitive::bool {\n        true"));
+    let robot = "impl ::homogen::robot::Batched for Pendulum {
+    const INLINED: &'static [&'static ::core::primitive::str] = &[\"gravity\"];
+}";
+    assert!(text.contains(robot), "{text}");
 }
 
 #[test]
 fn nothing_is_said_of_batches_where_none_are_asked_for() {
     let text = with_runtime(&module(Real::Generic));
     assert!(
-        !text.contains("batch") && !text.contains("inline(always)"),
+        !text.contains("_batch") && !text.contains("inline(always)"),
         "{text}"
     );
 }

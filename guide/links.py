@@ -13,7 +13,8 @@ from html.parser import HTMLParser
 from urllib.parse import unquote
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["README.md", "CONTRIBUTING.md", "tests/README.md", "robots/README.md", "macros/src/derive.md"]
+# Pages outside of the book that are read as files.
+PAGES = ["*.md", "*/README.md", "examples/*/README.md", "report/**/*.md", "macros/src/*.md"]
 # Pages of mdbook's own, which repeat the others.
 REPEATED = {"print.html", "404.html", "toc.html", "index.html"}
 
@@ -78,16 +79,16 @@ def main():
             pages[path] = Page(text)
     links = [(path, link or path.name) for path, page in pages.items() for link in page.links]
     links = [(path, path.name + link if link.startswith("#") else link) for path, link in links]
-    for name in PAGES:
-        text = without_code((ROOT / name).read_text())
-        for link in re.findall(r"\]\(([^)\s]+)\)", text):
+    others = sorted({path for pattern in PAGES for path in ROOT.glob(pattern)})
+    for path in others:
+        for link in re.findall(r"\]\(([^)\s]+)\)", without_code(path.read_text())):
             # Pages of rustdoc, which are not made here.
-            if not link.endswith(".html"):
-                links.append((ROOT / name, pathlib.Path(name).name + link if link.startswith("#") else link))
+            if ".html" not in link:
+                links.append((path, path.name + link if link.startswith("#") else link))
     faults = [f"{path}: {link}: {why}" for path, link in links if (why := fault(path.parent, link, pages))]
     if not pages or faults:
         sys.exit("\n".join(faults or [f"{book} has no pages"]))
-    print(f"{len(links)} links of {len(pages)} pages of the book and {len(PAGES)} others lead somewhere")
+    print(f"{len(links)} links of {len(pages)} pages of the book and {len(others)} others lead somewhere")
 
 
 main()

@@ -29,6 +29,14 @@ mod guide {
     struct ReadmeOfTheEngine;
     #[doc = include_str!("../../guide/src/first-robot.md")]
     struct FirstRobot;
+    #[doc = include_str!("../../guide/src/conventions.md")]
+    struct Conventions;
+    #[doc = include_str!("../../guide/src/troubleshooting.md")]
+    struct Troubleshooting;
+    #[doc = include_str!("../../guide/src/examples.md")]
+    struct Examples;
+    #[doc = include_str!("../../guide/src/glossary.md")]
+    struct Glossary;
     #[doc = include_str!("../../guide/src/fields.md")]
     struct Fields;
     #[doc = include_str!("../../guide/src/command-line.md")]

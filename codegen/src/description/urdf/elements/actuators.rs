@@ -7,10 +7,10 @@ use super::{Content, Entry, Lost, Others, VALUE};
 pub(super) const TRANSMISSION: Content = Content {
     attributes: &[
         Entry::read("name", "its name"),
-        Entry::nothing("type", "a word for controllers"),
+        Entry::nothing("type", "a setting of controllers"),
     ],
     elements: &[
-        Entry::read("joint", "the joint that it drives").with(&END),
+        Entry::read("joint", "the joint that it moves").with(&END),
         Entry::read("actuator", "a motor; the inertias of several add up").with(&END),
         Entry::read("mechanicalReduction", REDUCTION),
         Entry::read("mechanical_reduction", REDUCTION),
@@ -21,12 +21,12 @@ pub(super) const TRANSMISSION: Content = Content {
         Entry::read("flexJoint", OF_TWO).with(&END),
         Entry::read("rollJoint", OF_TWO).with(&END),
         Entry::read("gap_joint", OF_TWO).with(&GAP_JOINT),
-        Entry::nothing("type", "a word for controllers"),
-        Entry::nothing("plugin", "a word for controllers"),
+        Entry::nothing("type", "a setting of controllers"),
+        Entry::nothing("plugin", "a setting of controllers"),
         Entry::nothing("param", "settings of controllers"),
-        Entry::nothing("hardwareInterface", "a word for controllers"),
-        Entry::nothing("motorTorqueConstant", "torque for a current"),
-        Entry::nothing("pulsesPerRevolution", "what a sensor counts"),
+        Entry::nothing("hardwareInterface", "a setting of controllers"),
+        Entry::nothing("motorTorqueConstant", "torque per current"),
+        Entry::nothing("pulsesPerRevolution", "pulses of a sensor"),
         Entry::nothing("passive_joint", "joints that a motor moves through others"),
         Entry::nothing(
             "simulated_actuated_joint",
@@ -50,20 +50,20 @@ pub(super) const END: Content = Content {
         Entry::read("name", "its name"),
         Entry::read("mechanicalReduction", REDUCTION),
         Entry::read("mechanical_reduction", REDUCTION),
-        Entry::nothing("role", "which of several it is"),
-        Entry::nothing("type", "a word for controllers"),
+        Entry::nothing("role", "its role among several"),
+        Entry::nothing("type", "a setting of controllers"),
     ],
     elements: &[
         Entry::read("mechanicalReduction", REDUCTION),
         Entry::read("mechanical_reduction", REDUCTION),
         Entry::read("drake:gear_ratio", RATIO).with(&VALUE),
         Entry::read("drake:rotor_inertia", ROTOR).with(&VALUE),
-        Entry::nothing("hardwareInterface", "a word for controllers"),
-        Entry::nothing("role", "which of several it is"),
-        Entry::nothing("type", "a word for controllers"),
-        Entry::nothing("offset", "what an encoder adds"),
-        Entry::nothing("motorTorqueConstant", "torque for a current"),
-        Entry::nothing("pulsesPerRevolution", "what a sensor counts"),
+        Entry::nothing("hardwareInterface", "a setting of controllers"),
+        Entry::nothing("role", "its role among several"),
+        Entry::nothing("type", "a setting of controllers"),
+        Entry::nothing("offset", "offset of an encoder"),
+        Entry::nothing("motorTorqueConstant", "torque per current"),
+        Entry::nothing("pulsesPerRevolution", "pulses of a sensor"),
         Entry::nothing("deadBandUpper", "settings of controllers"),
         Entry::nothing("deadBandLower", "settings of controllers"),
         Entry::nothing("saturationUpper", "settings of controllers"),
@@ -102,12 +102,11 @@ pub(super) const ROS2_CONTROL: Content = Content {
 };
 
 const REDUCTION: &str =
-    "the ratio of a rotor, and a warning where none is modelled and it is not 1";
-const RATIO: &str = "`value`, the ratio of a rotor [1, of a slide rad/m]";
+    "the ratio of a rotor; a warning if no rotor is modelled and the ratio is not 1";
+const RATIO: &str = "`value`, the ratio of a rotor [1, for a prismatic joint rad/m]";
 const ROTOR: &str =
-    "`value`, the inertia of a rotor about its own axis [kg m²], where `rotors` asks for it";
-const OF_TWO: &str =
-    "a warning where its reduction is not 1: what several motors move together is not modelled";
+    "`value`, the inertia of a rotor about its own axis [kg m²], modelled with the key `rotors`";
+const OF_TWO: &str = "a warning if its reduction is not 1: joints that several motors move together are not modelled";
 
 const MOTOR_INERTIA: Lost = Lost {
     what: "the inertia of a rotor",

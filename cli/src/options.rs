@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
 use homogen_codegen::chain::Chain;
-use homogen_codegen::description::urdf::LARGEST_FILE;
+use homogen_codegen::description::LARGEST_FILE;
 use homogen_codegen::description::{self, Description, inline};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::real::Real;

@@ -25,6 +25,7 @@ mod unmodelled;
 pub mod urdf;
 #[doc(hidden)]
 pub mod words;
+mod xml;
 
 pub use self::file::{is_utf_16, read_bytes, read_file, read_text};
 pub use self::item::Item;
@@ -32,6 +33,8 @@ pub use self::robot::{
     Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Source, Step,
 };
 pub use self::unmodelled::{Modelled, Unmodelled};
+#[doc(hidden)]
+pub use self::xml::LARGEST_FILE;
 pub use crate::joint::JointKind;
 pub use crate::name::Name;
 pub use crate::number::Number;

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use proc_macro2::Span;
 
-use super::{Description, denavit_hartenberg, urdf};
+use super::{Description, LARGEST_FILE, denavit_hartenberg, urdf};
 use crate::error::{Complaint, Errors, Place};
 
 /// Reads a file: a table for `.dh`, URDF for `.urdf` and `.xml`, and what its text looks like for
@@ -101,11 +101,11 @@ fn load(path: &Path) -> Result<Vec<u8>, String> {
         return Err("it is a folder".to_owned());
     }
     // Read no further than that: a device may have no end.
-    let limit = urdf::LARGEST_FILE as u64 + 1;
+    let limit = LARGEST_FILE as u64 + 1;
     let mut bytes = Vec::new();
     file.take(limit).read_to_end(&mut bytes).map_err(reason)?;
-    if bytes.len() > urdf::LARGEST_FILE {
-        return Err(format!("it is larger than {} MB", urdf::LARGEST_FILE >> 20));
+    if bytes.len() > LARGEST_FILE {
+        return Err(format!("it is larger than {} MB", LARGEST_FILE >> 20));
     }
     Ok(bytes)
 }

@@ -223,11 +223,7 @@ pub(super) fn mistake(message: impl Into<String>) -> Errors {
 
 /// Doubts as standard error has them.
 pub(super) fn warnings(chain: &Chain) -> String {
-    let source = &chain.description.source;
-    let mut errors = Errors::new();
-    if let Some(file) = &source.file {
-        errors.set_file(file.clone(), None);
-    }
+    let errors = chain.description.source.errors();
     let mut text = String::new();
     for doubt in &chain.report.warnings {
         // Writing to a string cannot fail.

@@ -59,7 +59,9 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         match expand(description, &item.request) {
             Ok(module) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
-                let watch = file.map(|path| watch(&path));
+                let beside = description.source.beside.iter();
+                let watched = file.iter().chain(beside).map(|path| watch(path));
+                let watch: TokenStream = watched.collect();
                 let doubts = module.about.warnings.iter();
                 let doubts = doubts.map(|doubt| warning(doubt, item.ident.span()));
                 let doubts: TokenStream = doubts.collect();

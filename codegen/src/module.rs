@@ -9,6 +9,8 @@ mod review;
 pub use data::{ChainData, DataMotion, LoopData, LoopsData};
 pub use review::{Origins, Review, Sum, Vector};
 
+use std::path::PathBuf;
+
 use crate::accuracy::Accuracy;
 use crate::formulation::Sines;
 use crate::function::Function;
@@ -83,6 +85,8 @@ pub struct About {
     pub robot: String,
     /// The name of the file it was read from, without folders, and the hash of its bytes.
     pub source: Option<(String, u64)>,
+    /// The paths of other files that were read with it.
+    pub beside: Vec<PathBuf>,
     /// The link whose frame is frame 0.
     pub base: String,
     /// The link whose frame poses and Jacobians are of.

@@ -136,8 +136,11 @@ impl Builder {
     }
 }
 
-/// Tells cargo every doubt.
+/// Tells cargo every doubt, and which files to watch beside the first.
 pub(super) fn doubt(module: &Module) {
+    for path in &module.about.beside {
+        println!("cargo::rerun-if-changed={}", path.display());
+    }
     for warning in &module.about.warnings {
         println!("cargo::warning={warning}");
     }

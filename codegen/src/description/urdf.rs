@@ -67,7 +67,7 @@ pub fn read(
     }
     reader
         .warnings
-        .sort_by_key(|warning| warning.place.line_and_column());
+        .sort_by_key(|warning| warning.place.order());
     let is_whole = || reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
     let call = reader.call.filter(|_| !is_whole());
     if let Some(place) = reader.xacro.or(call) {
@@ -81,6 +81,8 @@ pub fn read(
         description.source = Source {
             file: Some(file.to_owned()),
             anchor,
+            included: Vec::new(),
+            beside: Vec::new(),
             hash: fingerprint(text.as_bytes()),
         };
         description.warnings = reader.warnings;
@@ -161,6 +163,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         links,
         joints,
         loops,
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     })

@@ -7,7 +7,6 @@
 use std::collections::BTreeSet;
 
 use crate::chain::Chain;
-use crate::error::Errors;
 use crate::expression::{Double, Expr, Input, Node, Term};
 use crate::formulation::Parameters;
 use crate::function::Function;
@@ -26,6 +25,7 @@ pub(super) fn about(chain: &Chain) -> About {
     About {
         robot: description.name.text.clone(),
         source: source.file.as_ref().map(|file| (file.clone(), source.hash)),
+        beside: source.beside.clone(),
         base: report.base.clone(),
         tip: match chain.frames.first() {
             Some(tip) if chain.has_tip => tip.name.clone(),
@@ -40,10 +40,7 @@ pub(super) fn about(chain: &Chain) -> About {
 }
 
 fn warnings(chain: &Chain) -> Vec<String> {
-    let mut places = Errors::new();
-    if let Some(file) = &chain.description.source.file {
-        places.set_file(file.clone(), None);
-    }
+    let places = chain.description.source.errors();
     chain
         .report
         .warnings

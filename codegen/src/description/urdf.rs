@@ -65,9 +65,7 @@ pub fn read(
     if description.is_some() {
         survey::survey(&mut reader, document.root_element(), &elements::URDF);
     }
-    reader
-        .warnings
-        .sort_by_key(|warning| warning.place.order());
+    reader.warnings.sort_by_key(|warning| warning.place.order());
     let is_whole = || reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
     let call = reader.call.filter(|_| !is_whole());
     if let Some(place) = reader.xacro.or(call) {

@@ -22,6 +22,7 @@ pub(super) const URDF: Format = Format {
         ("transmission", "transmission"),
     ],
     counted: &["link", "joint", "inertial"],
+    elsewhere: &[],
 };
 
 /// An element with one value.

@@ -5,6 +5,7 @@
 //! a joint is.
 
 use std::borrow::Cow;
+use std::ops::RangeInclusive;
 
 use roxmltree::{Attribute, Node};
 
@@ -207,6 +208,25 @@ impl<'t> Reader<'_, 't> {
         attribute: &Attribute<'_, 't>,
         subject: &str,
     ) -> Option<[Number; N]> {
+        let list = self.number_list(attribute, N..=N, subject)?;
+        let (start, text) = self.raw(attribute);
+        if N == 1 && text.ends_with(|end: char| end.is_ascii_whitespace()) {
+            self.warn(
+                self.positions.place(start),
+                format!("{subject} ends in white space, which is passed over"),
+                Some(ENDS_IN_SPACE.to_owned()),
+            );
+        }
+        list.try_into().ok()
+    }
+
+    /// Between so many numbers and so many.
+    pub(in crate::description) fn number_list(
+        &mut self,
+        attribute: &Attribute<'_, 't>,
+        counts: RangeInclusive<usize>,
+        subject: &str,
+    ) -> Option<Vec<Number>> {
         let (start, text) = self.raw(attribute);
         if is_xacro(&text) {
             self.xacro.get_or_insert(self.positions.place(start));
@@ -225,9 +245,15 @@ impl<'t> Reader<'_, 't> {
             return None;
         }
         let count = text.split_ascii_whitespace().count();
-        if count != N {
+        if !counts.contains(&count) {
             let numbers = if count == 1 { "number" } else { "numbers" };
-            let message = format!("{subject} has {count} {numbers} instead of {N}");
+            let (least, most) = counts.into_inner();
+            let wanted = if least == most {
+                most.to_string()
+            } else {
+                format!("{least} to {most}")
+            };
+            let message = format!("{subject} has {count} {numbers} instead of {wanted}");
             let place = self.positions.place(start);
             if text.contains([',', ';']) {
                 let hint = "write spaces between numbers, and decimal points in them";
@@ -237,26 +263,15 @@ impl<'t> Reader<'_, 't> {
             }
             return None;
         }
-        if N == 1 && text.ends_with(|end: char| end.is_ascii_whitespace()) {
-            self.warn(
-                self.positions.place(start),
-                format!("{subject} ends in white space, which is passed over"),
-                Some(ENDS_IN_SPACE.to_owned()),
-            );
-        }
-        let mut read = [Number::default(); N];
-        let mut fine = true;
-        for (number, (offset, word)) in read.iter_mut().zip(words(&text)) {
+        let mut read = Vec::with_capacity(count);
+        for (offset, word) in words(&text) {
             let place = self.positions.place(start + offset);
             match number::read(word, place) {
-                Ok(found) => *number = found,
-                Err(refusal) => {
-                    self.refuse(place, subject, &refusal);
-                    fine = false;
-                }
+                Ok(found) => read.push(found),
+                Err(refusal) => self.refuse(place, subject, &refusal),
             }
         }
-        fine.then_some(read)
+        (read.len() == count).then_some(read)
     }
 
     /// Complains of a number.

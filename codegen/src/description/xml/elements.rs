@@ -16,6 +16,8 @@ pub(in crate::description) struct Format {
     pub(in crate::description) called: &'static [(&'static str, &'static str)],
     /// The elements that are counted in one that is ignored, because they are mechanics.
     pub(in crate::description) counted: &'static [&'static str],
+    /// Elements that may stand anywhere, and are no part of what they stand in.
+    pub(in crate::description) elsewhere: &'static [&'static str],
 }
 
 /// What may stand in an element.

@@ -26,13 +26,38 @@ pub(in crate::description) fn survey<'t>(
     root: Node<'_, 't>,
     format: &'static Format,
 ) {
+    inside(reader, vec![(root, format.root)], format);
+}
+
+/// Adds those of everything in a root element that stands for another, in which all this may stand.
+pub(in crate::description) fn survey_included<'t>(
+    reader: &mut Reader<'_, 't>,
+    root: Node<'_, 't>,
+    content: &'static Content,
+    format: &'static Format,
+) {
+    let children = root.children().filter(Node::is_element);
+    let known = children.filter_map(|child| {
+        let entry = content.element(child.tag_name().name())?;
+        Some((child, entry.content?))
+    });
+    let mut known: Vec<_> = known.collect();
+    known.reverse();
+    inside(reader, known, format);
+}
+
+/// Adds the warnings of some elements, the last first.
+fn inside<'a, 't: 'a>(
+    reader: &mut Reader<'_, 't>,
+    mut open: Vec<(Node<'a, 't>, &'static Content)>,
+    format: &'static Format,
+) {
     let mut survey = Survey {
         reader,
         format,
         found: Vec::new(),
         known: HashMap::new(),
     };
-    let mut open = vec![(root, format.root)];
     while let Some((node, content)) = open.pop() {
         survey.attributes(node, content);
         if content.others == Others::WarnedLikeText {
@@ -110,6 +135,9 @@ impl<'t> Survey<'_, '_, 't> {
         content: &'static Content,
     ) -> Option<&'static Content> {
         let name = self.name(node);
+        if self.format.elsewhere.contains(&name) {
+            return None;
+        }
         let Some(entry) = content.element(name) else {
             if content.others == Others::PassedOver {
                 return Some(content);

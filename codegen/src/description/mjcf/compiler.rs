@@ -1,0 +1,147 @@
+//! `<compiler>` and `<option>`: how everything else is meant.
+//!
+//! In: the elements, wherever they stand in the file and what it includes; a later one replaces what an earlier one
+//! says, attribute by attribute. Out: a [`Compiler`], and gravity. It never looks at bodies.
+
+use super::Mjcf;
+use super::element::Element;
+use super::elements::GLOBAL;
+use crate::description::{Number, number};
+use crate::expression::Double;
+
+/// Whether inertias are those of geoms.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum FromGeoms {
+    Never,
+    Always,
+    /// Where a body has no `<inertial>`.
+    Otherwise,
+}
+
+/// The settings.
+pub(super) struct Compiler {
+    /// Angles are in degrees.
+    pub(super) degrees: bool,
+    /// The axes of Euler angles; capital letters are fixed axes.
+    pub(super) euler: [char; 3],
+    /// A range is a limit where nothing else is said.
+    pub(super) autolimits: bool,
+    pub(super) from_geoms: FromGeoms,
+    /// The groups of geoms that have mass.
+    pub(super) groups: [f64; 2],
+    /// The least mass of a body \[kg\].
+    pub(super) bound_mass: Double,
+    /// The least principal inertia of a body \[kg m²\].
+    pub(super) bound_inertia: Double,
+    /// Inertias that no body has are replaced by their mean.
+    pub(super) balance: bool,
+    /// The mass of all bodies together \[kg\].
+    pub(super) total_mass: Option<Number>,
+    /// The folder of meshes.
+    pub(super) meshes: String,
+    /// Folders in names of meshes are left out.
+    pub(super) strip: bool,
+    /// Shapes are fitted to meshes by their extents.
+    pub(super) fit_extents: bool,
+    /// Free bodies without children move with their inertial frame.
+    pub(super) align_free: bool,
+}
+
+impl Default for Compiler {
+    fn default() -> Self {
+        Self {
+            degrees: true,
+            euler: ['x', 'y', 'z'],
+            autolimits: true,
+            from_geoms: FromGeoms::Otherwise,
+            groups: [0.0, 5.0],
+            bound_mass: Double::ZERO,
+            bound_inertia: Double::ZERO,
+            balance: false,
+            total_mass: None,
+            meshes: String::new(),
+            strip: false,
+            fit_extents: false,
+            align_free: false,
+        }
+    }
+}
+
+impl<'a> Mjcf<'a> {
+    /// Reads one `<compiler>` over what was said before.
+    pub(super) fn read_compiler(&mut self, element: Element<'a>) {
+        const SUBJECT: &str = "the compiler";
+        let said = |name: &str| element.attribute(name);
+        let compiler = &self.compiler;
+        let (degrees, autolimits, strip) = (compiler.degrees, compiler.autolimits, compiler.strip);
+        let (balance, fit, align) = (compiler.balance, compiler.fit_extents, compiler.align_free);
+        let from_geoms = compiler.from_geoms;
+        let words = [("degree", true), ("radian", false)];
+        self.compiler.degrees = self.choice(said("angle"), &words, degrees, SUBJECT);
+        self.compiler.autolimits = self.flag(said("autolimits"), autolimits, SUBJECT);
+        self.compiler.strip = self.flag(said("strippath"), strip, SUBJECT);
+        self.compiler.balance = self.flag(said("balanceinertia"), balance, SUBJECT);
+        self.compiler.fit_extents = self.flag(said("fitaabb"), fit, SUBJECT);
+        self.compiler.align_free = self.flag(said("alignfree"), align, SUBJECT);
+        let words = [
+            ("false", FromGeoms::Never),
+            ("true", FromGeoms::Always),
+            ("auto", FromGeoms::Otherwise),
+        ];
+        self.compiler.from_geoms =
+            self.choice(said("inertiafromgeom"), &words, from_geoms, SUBJECT);
+        if self.choice(
+            said("coordinate"),
+            &[("local", false), ("global", true)],
+            false,
+            SUBJECT,
+        ) {
+            let hint = "convert the file by MuJoCo 2.3.3, which reads and saves it";
+            self.refuse(element, GLOBAL.to_owned(), hint);
+        }
+        if let Some(range) = self.numbers::<2>(said("inertiagrouprange"), SUBJECT) {
+            self.compiler.groups = range.map(|group| group.value);
+        }
+        if let Some(bound) = self.number(said("boundmass"), SUBJECT) {
+            self.compiler.bound_mass = bound.exact();
+        }
+        if let Some(bound) = self.number(said("boundinertia"), SUBJECT) {
+            self.compiler.bound_inertia = bound.exact();
+        }
+        if let Some(total) = self.number(said("settotalmass"), SUBJECT) {
+            self.compiler.total_mass = Some(total).filter(|total| total.value > 0.0);
+        }
+        for name in ["assetdir", "meshdir"] {
+            if let Some(written) = said(name) {
+                self.compiler.meshes = self.word(written).text;
+            }
+        }
+        if let Some(written) = said("eulerseq") {
+            let word = self.word(written);
+            let letters: Vec<char> = word.text.chars().collect();
+            match <[char; 3]>::try_from(letters) {
+                Ok(letters) if letters.iter().all(|letter| "xyzXYZ".contains(*letter)) => {
+                    self.compiler.euler = letters;
+                }
+                _ => self.reader.errors.push_with_hint(
+                    word.place,
+                    format!("eulerseq of {SUBJECT} is not three letters: {}", word.text),
+                    "write x, y and z for axes that turn with the frame, X, Y and Z for fixed ones",
+                ),
+            }
+        }
+    }
+
+    /// Reads one `<option>`: gravity, over what was said before.
+    pub(super) fn read_option(&mut self, element: Element<'a>, gravity: &mut Option<[Number; 3]>) {
+        let said = self.numbers::<3>(element.attribute("gravity"), "the option");
+        *gravity = said.or(*gravity);
+        for flag in element.named("flag") {
+            let words = [("enable", true), ("disable", false)];
+            if !self.choice(flag.attribute("gravity"), &words, true, "the <flag>") {
+                let place = self.place(flag);
+                *gravity = Some([0.0; 3].map(|zero| number::computed(zero, place)));
+            }
+        }
+    }
+}

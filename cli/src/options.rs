@@ -109,7 +109,7 @@ impl<const GROUPS: u8> FromArgMatches for Asked<GROUPS> {
 /// Which robot, and which part of it.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Robot {
-    /// A URDF file or a Denavit–Hartenberg table; `-` reads standard input
+    /// A URDF or MJCF file, or a Denavit–Hartenberg table; `-` reads standard input
     pub(super) file: PathBuf,
     #[command(flatten)]
     pub(super) asked: Asked<{ SCOPE | ROBOT }>,

@@ -1,6 +1,6 @@
 //! What the user wrote, before anything is concluded from it.
 //!
-//! In: a URDF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
+//! In: a URDF or MJCF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
 //! and names know their place. It never merges, drops, orders or repairs anything, and checks only
 //! what can be seen in one item alone; what takes two items belongs to the chain stage.
 

@@ -35,6 +35,7 @@ use self::defaults::Defaults;
 use self::element::Element;
 use self::files::{Parsed, Text};
 use self::lost::Met;
+use self::mesh::Meshes;
 use self::names::Names;
 use super::fingerprint::fingerprint;
 use super::xml::element::Reader;
@@ -56,6 +57,7 @@ struct Mjcf<'a> {
     defaults: Defaults<'a>,
     tree: Tree,
     loop_names: Names,
+    meshes: Meshes<'a>,
     met: Met,
     /// Where other files are looked for.
     folder: Option<PathBuf>,
@@ -64,7 +66,8 @@ struct Mjcf<'a> {
 }
 
 /// Whether a text is of this format, by its root element.
-pub(super) fn is_meant(text: &str) -> bool {
+#[must_use]
+pub fn is_meant(text: &str) -> bool {
     let mut rest = text.trim_start_matches('\u{feff}').trim_start();
     loop {
         let end = match rest {
@@ -145,6 +148,7 @@ fn read_files<'a>(
         defaults: Defaults::none(),
         tree: Tree::default(),
         loop_names: Names::default(),
+        meshes: Meshes::default(),
         met: Met::default(),
         folder: folder.map(Path::to_owned),
         beside: Vec::new(),
@@ -157,6 +161,7 @@ fn read_files<'a>(
         mjcf.read_option(element, &mut gravity);
     }
     mjcf.read_defaults(root);
+    mjcf.list_meshes(root);
     mjcf.read_tree(root);
     mjcf.scale_masses();
     let loops = mjcf.read_equalities(root);

@@ -442,6 +442,12 @@ pub(super) const ALIGNED: Lost = Lost {
     hint: "coordinates here are those of the body's frame as written; write align=\"false\" for the same in MuJoCo",
 };
 
+/// Armature and friction of a free joint.
+pub(super) const OF_WORLD: Lost = Lost {
+    what: "armature or friction of a free joint, which no motor has",
+    hint: "write <freejoint/>, which takes none of a class of defaults",
+};
+
 /// A spring.
 pub(super) const SPRING: Lost = Lost {
     what: "a spring",

@@ -32,12 +32,18 @@ pub(super) struct Text {
 
 /// A file as elements.
 pub(super) struct Parsed<'t> {
+    name: &'t str,
     pub(super) positions: Positions<'t>,
     pub(super) document: Document<'t>,
     includes: &'t HashMap<usize, usize>,
 }
 
 impl Parsed<'_> {
+    /// The folder that it stands in, seen from that of the first file.
+    pub(super) fn folder(&self) -> &str {
+        self.name.rsplit_once('/').map_or("", |(folder, _)| folder)
+    }
+
     /// The file that an element includes.
     pub(super) fn included(&self, node: Node<'_, '_>) -> Option<usize> {
         self.includes.get(&node.range().start).copied()
@@ -101,6 +107,7 @@ pub(super) fn parse<'t>(
         let positions = positions(texts, at);
         let document = xml::parse(plain, &positions, BEGINS, errors)?;
         Some(Parsed {
+            name: if at == 0 { "" } else { &text.name },
             positions,
             document,
             includes: &text.includes,

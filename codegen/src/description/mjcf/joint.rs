@@ -7,7 +7,7 @@
 
 use super::Mjcf;
 use super::body::{Item, WORLD};
-use super::elements::{ALIGNED, CUBIC, SPRING};
+use super::elements::{ALIGNED, CUBIC, OF_WORLD, SPRING};
 use super::orientation::turn;
 use super::spatial::{Pose, dot, written};
 use super::values::Attributes;
@@ -222,7 +222,7 @@ impl<'a> Mjcf<'a> {
         if form == Form::Free && !body.has_bodies && body.joints.len() == 1 {
             self.aligned(&attributes, &subject);
         }
-        let drive = self.drive(&attributes, &subject);
+        let drive = self.drive(&attributes, form, &subject);
         Some(Read {
             name,
             form,
@@ -400,15 +400,23 @@ impl<'a> Mjcf<'a> {
     }
 
     /// What the joint meets beside the bodies.
-    fn drive(&mut self, attributes: &Attributes<'a>, subject: &str) -> Parts {
+    fn drive(&mut self, attributes: &Attributes<'a>, form: Form, subject: &str) -> Parts {
         let mut drive = Parts::default();
         let mut words = Vec::new();
         let resisting = [("damping", Part::Damping), ("frictionloss", Part::Friction)];
         for (name, part) in resisting {
             let [first, second, third] = self.entries::<3>(attributes, name, subject);
-            if let Some(number) = first.filter(|number| number.value != 0.0) {
-                drive.say(part, vec![number]);
-                words.push(part.word());
+            // Friction of a free joint is along the axes of the world, which its velocities here are not.
+            let is_of_world = form == Form::Free && part == Part::Friction;
+            match first.filter(|number| number.value != 0.0) {
+                Some(number) if is_of_world => {
+                    self.met.note(&OF_WORLD, number.place, subject.to_owned());
+                }
+                Some(number) => {
+                    drive.say(part, vec![number]);
+                    words.push(part.word());
+                }
+                None => {}
             }
             let mut more = [second, third].into_iter().flatten();
             if let Some(more) = more.find(|more| more.value != 0.0) {
@@ -420,7 +428,10 @@ impl<'a> Mjcf<'a> {
             self.reader.unmodelled.friction(place, subject, words);
         }
         let armature = self.number(attributes.get("armature"), subject);
-        if let Some(armature) = armature.filter(|armature| armature.value != 0.0) {
+        let armature = armature.filter(|armature| armature.value != 0.0);
+        if let Some(armature) = armature.filter(|_| form == Form::Free) {
+            self.met.note(&OF_WORLD, armature.place, subject.to_owned());
+        } else if let Some(armature) = armature {
             drive.say(Part::Armature, vec![armature]);
             self.reader.unmodelled.armature(place, subject);
         }

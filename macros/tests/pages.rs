@@ -1,11 +1,11 @@
-//! Whether the pages of the macros explain all that the readers know, and the guide what they make of URDF and which options there are.
+//! Whether the pages of the macros explain all that the readers know, and the guide what they make of URDF and MJCF and which options there are.
 //!
 //! In: the pages, and the lists of the readers themselves. Out: nothing where each word is told, and where it
 //! describes a robot or asks for something stands in an example that is compiled; else the words that are
 //! missing. The guide's tables are rewritten where `HOMOGEN_UPDATE` is set.
 
-use homogen_codegen::description::urdf;
 use homogen_codegen::description::words::{Place, words};
+use homogen_codegen::description::{mjcf, urdf};
 use homogen_codegen::request::setting;
 
 const DERIVE: &str = include_str!("../src/derive.md");
@@ -89,7 +89,10 @@ fn every_word_is_told_and_shown() {
 #[test]
 fn the_guide_shows_the_tables() {
     for (page, table) in [
-        ("what-is-read.md", urdf::page()),
+        (
+            "what-is-read.md",
+            format!("{}# Elements of MJCF\n\n{}", urdf::page(), mjcf::page()),
+        ),
         ("command-line.md", setting::page()),
     ] {
         let path = format!("{}/../guide/src/{page}", env!("CARGO_MANIFEST_DIR"));

@@ -244,3 +244,6 @@ impl<'a> Mjcf<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

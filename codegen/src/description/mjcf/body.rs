@@ -41,6 +41,8 @@ pub(super) struct Tree {
     pub(super) sites: HashMap<String, String>,
     /// The coordinate that a joint has as described, by its name.
     pub(super) references: HashMap<String, Number>,
+    /// How many copies were made.
+    copies: usize,
     pub(super) link_names: Names,
     pub(super) joint_names: Names,
 }
@@ -105,13 +107,15 @@ impl<'a> Mjcf<'a> {
         waiting.reverse();
         while let Some(body) = waiting.pop() {
             if self.tree.links.len() > MOST_LINKS {
-                let message = format!("there are more than {MOST_LINKS} bodies and sites");
-                self.refuse(body.item.element, message, "replicate less");
-                return;
+                break;
             }
             let mut children = self.body(body);
             children.reverse();
             waiting.append(&mut children);
+        }
+        if self.tree.links.len().max(self.tree.copies) > MOST_LINKS {
+            let message = format!("there are more than {MOST_LINKS} bodies, sites or copies");
+            self.refuse(root, message, "replicate less");
         }
     }
 
@@ -206,7 +210,8 @@ impl<'a> Mjcf<'a> {
         let digits = copies.to_string().len();
         let mut position = [Double::ZERO; 3];
         for copy in 0..copies {
-            if items.len() > MOST_LINKS {
+            self.tree.copies += 1;
+            if self.tree.copies > MOST_LINKS {
                 return;
             }
             let turns = euler.map_or_else(Vec::new, |euler| {

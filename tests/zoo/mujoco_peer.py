@@ -149,6 +149,10 @@ class MujocoPeer:
         self.place(state)
         gather = self.project.T
         armature = np.array(model.dof_armature)
+        for k in range(model.nu):
+            joint = model.actuator_trnid[k, 0]
+            if model.actuator_trntype[k] == mujoco.mjtTrn.mjTRN_JOINT:
+                armature[model.jnt_dofadr[joint]] += model.actuator_gear[k, 0] ** 2 * model.actuator_armature[k]
         full = np.zeros((model.nv, model.nv))
         mujoco.mj_fullM(model, data, full)
         if not rotors:

@@ -1,7 +1,8 @@
 """Random MJCF files: everything that decides about a rigid body, in any combination.
 
 In: a folder and a seed. Out: a file, with what it includes and the meshes that it names, the same for the same seed.
-Every file is one that MuJoCo compiles: bodies that move have mass, sizes are positive, names are found.
+Every file is one that MuJoCo compiles: bodies that move have mass, sizes are positive, names are found. In files of odd
+seeds no tensor is summed, full or of a mesh: MuJoCo finds principal axes to some 1e-6 rad, and these files need none.
 """
 
 import math
@@ -14,16 +15,21 @@ def write(folder, seed):
     """Writes the files of a robot; the path of the first."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    robot = Robot(random.Random(seed), folder)
+    robot = Robot(random.Random(seed), folder, sums(seed))
     (folder / "robot.xml").write_text(robot.text())
     return folder / "robot.xml"
+
+
+def sums(seed):
+    """Whether bodies have tensors whose principal axes MuJoCo has to find."""
+    return seed % 2 == 0
 
 
 class Robot:
     """A robot as it grows."""
 
-    def __init__(self, rng, folder):
-        self.rng, self.folder = rng, folder
+    def __init__(self, rng, folder, sums):
+        self.rng, self.folder, self.sums = rng, folder, sums
         self.degrees = rng.random() < 0.5
         self.bodies, self.joints, self.scalars, self.sites, self.meshes = 0, 0, [], [], {}
         self.classes = ["main"] + [f"c{k}" for k in range(rng.randrange(4))]
@@ -228,7 +234,7 @@ class Robot:
 
     def geom(self, always):
         rng = self.rng
-        kind = rng.choice(["sphere", "capsule", "box", "cylinder", "ellipsoid", "mesh"])
+        kind = rng.choice(["sphere", "capsule", "box", "cylinder", "ellipsoid", "mesh" if self.sums else "box"])
         attributes = [f'type="{kind}"', self.klass()]
         size = [self.positive(0.02, 0.2) for _ in range(3)]
         ends = kind in ("capsule", "box", "cylinder", "ellipsoid") and rng.random() < 0.3
@@ -248,7 +254,9 @@ class Robot:
             attributes.append('group="1"')
         elif rng.random() < 0.3:
             attributes.append(f'group="{rng.randrange(5)}"')
-        if rng.random() < 0.3:
+        if not always and not self.sums:
+            attributes.append('mass="0"')
+        elif rng.random() < 0.3:
             attributes.append(f'mass="{self.positive(0.1, 3) if always else rng.choice(["0", self.positive(0.1, 3)])}"')
         elif rng.random() < 0.3:
             attributes.append(f'density="{self.positive(200, 4000)}"')
@@ -264,7 +272,7 @@ class Robot:
         else:
             moments[2] = min(moments[2], 0.95 * (moments[0] + moments[1]))
         self.rng.shuffle(moments)
-        if self.rng.random() < 0.3 and not self.balance:
+        if self.sums and self.rng.random() < 0.3 and not self.balance:
             # Of a body without much mass off its axes.
             a, b, c = (0.2 + moment for moment in moments)
             off = [f"{self.rng.uniform(-0.05, 0.05):.4g}" for _ in range(3)]

@@ -1,8 +1,8 @@
 //! Placements: `pos`, and one of `quat`, `axisangle`, `euler`, `xyaxes` and `zaxis`.
 //!
 //! In: the attributes of an element. Out: the steps of its placement, and complaints. What MuJoCo makes of length 1 may
-//! have any. A class of defaults may have one form of orientation and the element another: `quat` gives way to all
-//! others, and of those the element's own counts.
+//! have any. A class of defaults may have one form of orientation and the element another: the element's own counts, as
+//! in MuJoCo 4; in former versions a quaternion gave way.
 
 use super::Mjcf;
 use super::element::Written;
@@ -12,8 +12,8 @@ use crate::description::{Axis, Number, Step};
 use crate::error::Place;
 use crate::expression::Double;
 
-/// The forms beside `quat`.
-const FORMS: [&str; 4] = ["axisangle", "xyaxes", "zaxis", "euler"];
+/// The forms.
+const FORMS: [&str; 5] = ["quat", "axisangle", "xyaxes", "zaxis", "euler"];
 
 impl<'a> Mjcf<'a> {
     /// Where an element's frame is.
@@ -28,25 +28,20 @@ impl<'a> Mjcf<'a> {
     /// How it is turned.
     pub(super) fn orientation(&mut self, attributes: &Attributes<'a>, subject: &str) -> Vec<Step> {
         let own = attributes.own;
-        let mut said = FORMS.into_iter().chain(["quat"]);
-        let said = said.by_ref().filter(|form| own.attribute(form).is_some());
-        if said.count() > 1 {
+        let said = FORMS.into_iter().filter_map(|form| own.attribute(form));
+        let said: Vec<Written<'a>> = said.collect();
+        if said.len() > 1 {
             let message = format!("{subject} is oriented in more than one way");
             self.refuse(own, message, "leave all but one of them out");
             return Vec::new();
         }
         // The last that is said, from the outermost class to the element.
-        let mut found: Option<Written<'a>> = FORMS.into_iter().find_map(|form| own.attribute(form));
-        if found.is_none() {
-            found = attributes.class.last_of(attributes.kind, &FORMS);
-        }
-        let Some(form) = found else {
-            let Some(quat) = attributes.get("quat") else {
-                return Vec::new();
-            };
-            return self.quaternion(quat, subject).into_iter().collect();
+        let of_class = || attributes.class.last_of(attributes.kind, &FORMS);
+        let Some(form) = said.first().copied().or_else(of_class) else {
+            return Vec::new();
         };
         match form.attribute.name() {
+            "quat" => self.quaternion(form, subject).into_iter().collect(),
             "axisangle" => self.axis_angle(form, subject),
             "xyaxes" => self.axes(form, subject),
             "zaxis" => {

@@ -13,7 +13,6 @@ use super::spatial::Pose;
 use super::*;
 use crate::description::{Inertial, Joint, Link, Modelled, Step};
 use crate::expression::Double as Exact;
-use crate::joint::JointKind;
 
 /// A robot with a part of every kind.
 const ARM: &str = r#"<mujoco model="arm">

@@ -84,22 +84,21 @@ fn sizes_are_taken_one_by_one() {
     );
 }
 
-/// A quaternion of the element gives way to any other form of its class.
 #[test]
-fn other_forms_of_a_class_outweigh_quaternions() {
-    let center = |attributes: &str| {
+fn a_form_of_orientation_replaces_any_other_of_a_class() {
+    let upright = |attributes: &str| {
         let text = format!(
             "<mujoco><default><geom type=\"box\" size=\"1 1 2\" euler=\"0 90 0\"/></default>\
-             <worldbody><body name=\"a\"><geom {attributes}/><geom mass=\"0\"/></body></worldbody></mujoco>"
+             <worldbody><body name=\"a\"><geom {attributes}/></body></worldbody></mujoco>"
         );
         let robot = fine(&text);
         let found = inertial(&robot, "a");
-        let solid = super::pose(&found.origin).0;
-        solid[0][2].abs()
+        super::pose(&found.origin).0[2][2]
     };
-    near(center(""), 1.0);
-    near(center("quat=\"1 0 0 0\""), 1.0);
-    near(center("euler=\"0 0 0\""), 0.0);
+    near(upright(""), 0.0);
+    near(upright("quat=\"1 0 0 0\""), 1.0);
+    near(upright("euler=\"0 0 0\""), 1.0);
+    near(upright("zaxis=\"1 0 0\""), 0.0);
 }
 
 #[test]

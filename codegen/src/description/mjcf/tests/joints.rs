@@ -181,7 +181,7 @@ fn what_drives_are_not_is_warned_of() {
     );
     assert_eq!(
         said("<joint name=\"j\" damping=\"1 0 2\"/>"),
-        ["arm.xml:3:29: not modelled: joint \"j\": damping that is not linear in the velocity"]
+        ["arm.xml:3:30: not modelled: joint \"j\": damping that is not linear in the velocity"]
     );
     let free = said("<joint name=\"j\" type=\"free\" armature=\"1\" frictionloss=\"1\"/>");
     assert_eq!(

@@ -55,6 +55,11 @@ impl<'t> Positions<'t> {
         let mark = offset / STRIDE;
         let passed = &self.text.as_bytes()[mark * STRIDE..offset];
         let (line, column) = after(self.marks[mark], passed);
+        self.at(line, column)
+    }
+
+    /// The place of a line and a column.
+    pub(super) const fn at(&self, line: u32, column: u32) -> Place {
         match self.file {
             None => Place::File { line, column },
             Some(file) => Place::Included { file, line, column },

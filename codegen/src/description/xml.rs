@@ -124,10 +124,7 @@ fn count_attributes(tag: &str) -> usize {
 /// Says what the XML reader found.
 fn complain(error: &Error, positions: &Positions<'_>, begins: &str, errors: &mut Errors) {
     let found = error.pos();
-    let place = Place::File {
-        line: found.row,
-        column: found.col,
-    };
+    let place = positions.at(found.row, found.col);
     let end = positions.place(positions.text().trim_end().len());
     match error {
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => errors.push_with_hint(

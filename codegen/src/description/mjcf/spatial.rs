@@ -233,10 +233,13 @@ pub(super) fn together(solids: &[Solid]) -> Solid {
 pub(super) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
     /// Each sweep squares what is left: ten are more than 106 bits need.
     const SWEEPS: usize = 20;
+    /// 2⁻¹⁰³: what rounding leaves beside the diagonal.
+    const NOTHING: f64 = f64::from_bits((1023 - 103) << 52);
     let (mut d, mut axes) = (*tensor, Pose::identity().rotation);
     for _ in 0..SWEEPS {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            if d[p][q].is_zero() {
+            let size = |i: usize, j: usize| d[i][j].to_f64().abs();
+            if size(p, q) <= NOTHING * (size(p, p) + size(q, q)) {
                 continue;
             }
             // The smaller root t of t² + 2 h t − 1 = 0.
@@ -259,4 +262,50 @@ pub(super) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
 pub(super) fn entries(tensor: &Matrix, place: Place) -> [Number; 6] {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = *tensor;
     [xx, xy, xz, yy, yz, zz].map(|entry| written(entry, place))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A tensor is that of its principal moments about its principal axes, whatever it looks like.
+    #[test]
+    fn tensors_are_made_of_principal_moments() {
+        for [a, b, c, d, e, f] in [
+            [1.0, 0.0, 0.0, 2.0, 0.0, 3.0],
+            [1.0, 0.5, 0.0, 1.0, 0.0, 3.0],
+            [2.0, 0.3, -0.2, 2.0, 0.1, 2.0],
+            [0.3, 1e-9, 0.0, 0.3, 1e-12, 0.3],
+            [0.033_671_58, -1e-3, 2e-4, 0.027_663_24, 3e-5, 7.68e-4],
+            [0.0; 6],
+        ] {
+            let tensor = [[a, b, c], [b, d, e], [c, e, f]].map(|row| row.map(exactly));
+            let (moments, axes) = principal(&tensor);
+            let frame = Pose {
+                rotation: axes,
+                position: [Double::ZERO; 3],
+            };
+            let again = frame.tensor(&diagonal(moments));
+            for (again, entry) in again.iter().flatten().zip(tensor.iter().flatten()) {
+                let off = (*again - *entry).to_f64().abs();
+                assert!(off < 1e-29, "{off}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_rotation_is_that_of_its_quaternion() {
+        for entries in [
+            [0.1, -0.2, 0.3, 0.9],
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 3.0, 0.1, 0.0],
+            [0.5, -0.5, 2.0, -0.5],
+        ] {
+            let rotation = of_quaternion(entries.map(exactly));
+            let again = of_quaternion(quaternion(&rotation));
+            for (again, entry) in again.iter().flatten().zip(rotation.iter().flatten()) {
+                assert!((*again - *entry).to_f64().abs() < 1e-29);
+            }
+        }
+    }
 }

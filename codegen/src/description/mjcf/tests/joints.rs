@@ -187,7 +187,7 @@ fn what_drives_are_not_is_warned_of() {
     assert_eq!(
         free,
         [
-            "arm.xml:3:59: not modelled: joint \"j\" and 1 other: armature or friction of a free joint, which no motor has"
+            "arm.xml:3:56: not modelled: joint \"j\" and 1 other: armature or friction of a free joint, which no motor has"
         ]
     );
     assert!(

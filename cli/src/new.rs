@@ -45,7 +45,7 @@ Example:
   homogen new firmware arm.urdf --homogen ../homogen -o arm-firmware
   cd arm-firmware && cargo run --release")]
 struct Firmware {
-    /// A URDF file or a Denavit–Hartenberg table
+    /// A URDF or MJCF file, or a Denavit–Hartenberg table
     file: PathBuf,
     #[command(flatten)]
     scope: Asked<SCOPE>,

@@ -37,7 +37,7 @@ fn check_kind<'d>(kind: &str, names: impl Iterator<Item = &'d Name>, errors: &mu
                 errors.push_with_hint(name.place, message, hint);
             }
             Place::Included { .. } | Place::Token(_) | Place::Unknown => {
-                errors.push(name.place, message)
+                errors.push(name.place, message);
             }
         }
     }

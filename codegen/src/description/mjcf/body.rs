@@ -30,6 +30,9 @@ const DEEPEST: usize = 100;
 /// The most links: a few words can replicate without end.
 const MOST_LINKS: usize = 100_000;
 
+/// The most copies that one element makes.
+const MOST_COPIES: u32 = 100_000;
+
 /// What was read of the tree.
 #[derive(Default)]
 pub(super) struct Tree {
@@ -184,20 +187,11 @@ impl<'a> Mjcf<'a> {
             return;
         };
         let count = count.value;
-        #[expect(
-            clippy::cast_sign_loss,
-            clippy::cast_possible_truncation,
-            reason = "looked at before"
-        )]
-        let copies = if count.fract() == 0.0 && (0.0..=MOST_LINKS as f64).contains(&count) {
-            count as usize
-        } else {
+        let is_whole = |copies: &u32| f64::from(*copies).to_bits() == count.to_bits();
+        let Some(copies) = (0..=MOST_COPIES).find(is_whole) else {
             let message = format!("count of {SUBJECT} is {count}");
-            self.refuse(
-                element,
-                message,
-                &format!("write a whole number up to {MOST_LINKS}"),
-            );
+            let hint = format!("write a whole number up to {MOST_COPIES}");
+            self.refuse(element, message, &hint);
             return;
         };
         let offset = self.numbers::<3>(element.attribute("offset"), SUBJECT);
@@ -215,7 +209,7 @@ impl<'a> Mjcf<'a> {
                 return;
             }
             let turns = euler.map_or_else(Vec::new, |euler| {
-                let many = exactly(f64::from(u32::try_from(copy).unwrap_or(u32::MAX)));
+                let many = exactly(f64::from(copy));
                 self.euler(euler.map(|angle| written(angle.exact() * many, angle.place)))
             });
             let mut inner = item.clone();

@@ -19,6 +19,7 @@ pub(super) enum FromGeoms {
 }
 
 /// The settings.
+#[expect(clippy::struct_excessive_bools, reason = "each is a word of its own")]
 pub(super) struct Compiler {
     /// Angles are in degrees.
     pub(super) degrees: bool,

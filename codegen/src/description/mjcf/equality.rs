@@ -91,7 +91,7 @@ impl<'a> Mjcf<'a> {
         let reference = |mjcf: &Self, joint: usize| {
             let name = &mjcf.tree.joints[joint].name.text;
             let said = mjcf.tree.references.get(name);
-            said.map_or(Double::ZERO, |said| said.exact())
+            said.map_or(Double::ZERO, Number::exact)
         };
         // y − y₀ = a₀ + a₁ (x − x₀)
         let offset =

@@ -25,7 +25,7 @@ pub(super) const INCLUDE: &str = "include";
 pub(super) struct Text {
     /// Its path from the first file's folder, with `/` between names; the name of the first.
     pub(super) name: String,
-    text: String,
+    content: String,
     /// The files that it includes, by the offsets of the elements that include them.
     includes: HashMap<usize, usize>,
 }
@@ -60,7 +60,7 @@ pub(super) fn load(
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut texts = vec![Text {
         name: file.to_owned(),
-        text: text.to_owned(),
+        content: text.to_owned(),
         includes: HashMap::new(),
     }];
     let mut at = 0;
@@ -72,7 +72,7 @@ pub(super) fn load(
             texts[at].includes.insert(offset, number);
             texts.push(Text {
                 name,
-                text,
+                content: text,
                 includes: HashMap::new(),
             });
         }
@@ -88,12 +88,15 @@ pub(super) fn names(texts: &[Text]) -> Vec<String> {
 
 /// All that was read, in the order in which it was included.
 pub(super) fn bytes(texts: &[Text]) -> Vec<u8> {
-    texts.iter().flat_map(|text| text.text.bytes()).collect()
+    texts.iter().flat_map(|text| text.content.bytes()).collect()
 }
 
 /// The plain texts of the files, for the XML reader.
 pub(super) fn plains(texts: &[Text]) -> Vec<std::borrow::Cow<'_, str>> {
-    texts.iter().map(|text| plain::plain(&text.text)).collect()
+    texts
+        .iter()
+        .map(|text| plain::plain(&text.content))
+        .collect()
 }
 
 /// The files as elements; all of them were parsed before.
@@ -117,7 +120,7 @@ pub(super) fn parse<'t>(
 }
 
 fn positions(texts: &[Text], at: usize) -> Positions<'_> {
-    let text = &texts[at].text;
+    let text = &texts[at].content;
     match at.checked_sub(1).map(u32::try_from) {
         None => Positions::new(text),
         Some(file) => Positions::of_included(text, file.unwrap_or(u32::MAX)),
@@ -132,7 +135,7 @@ fn included(
     errors: &mut Errors,
 ) -> Option<Vec<(usize, String, String)>> {
     let positions = positions(texts, at);
-    let plain = plain::plain(&texts[at].text);
+    let plain = plain::plain(&texts[at].content);
     let document = xml::parse(&plain, &positions, BEGINS, errors)?;
     let mut found: Vec<(usize, String, String)> = Vec::new();
     let elements = document.descendants().filter(Node::is_element);
@@ -148,7 +151,7 @@ fn included(
         let opened = opened.and_then(|(name, text)| {
             let before = found.iter().map(|(_, name, _)| name);
             let mut known = texts.iter().map(|text| &text.name).chain(before);
-            let size: usize = (texts.iter().map(|text| text.text.len()))
+            let size: usize = (texts.iter().map(|text| text.content.len()))
                 .chain(found.iter().map(|(_, _, text)| text.len()))
                 .sum();
             if known.any(|known| *known == name) {

@@ -155,7 +155,7 @@ impl<'a> Mjcf<'a> {
         }
         if let Some(written) = element.attribute("file") {
             let written = self.word(written).text;
-            return self.from_file(element, &written);
+            return self.corners_of_file(element, &written);
         }
         let mut list = |name: &str| {
             let written = element.attribute(name)?;
@@ -172,7 +172,11 @@ impl<'a> Mjcf<'a> {
         file::written(&corners, &faces).map(|mesh| (mesh, false))
     }
 
-    fn from_file(&mut self, element: Element<'a>, written: &str) -> Result<(Mesh, bool), String> {
+    fn corners_of_file(
+        &mut self,
+        element: Element<'a>,
+        written: &str,
+    ) -> Result<(Mesh, bool), String> {
         let folder = self.folder.clone();
         let folder = folder.ok_or("its file is not beside a text")?;
         let mut name = written.replace('\\', "/");

@@ -219,14 +219,14 @@ mod tests {
                 near(center.to_f64(), side / 2.0);
             }
             let moments = [y * y + z * z, x * x + z * z, x * x + y * y];
-            for i in 0..3 {
-                for j in 0..3 {
+            for (i, row) in measured.tensor.into_iter().enumerate() {
+                for (j, entry) in row.into_iter().enumerate() {
                     let wanted = if i == j {
                         volume * moments[i] / 12.0
                     } else {
                         0.0
                     };
-                    near(measured.tensor[i][j].to_f64(), wanted);
+                    near(entry.to_f64(), wanted);
                 }
             }
         }

@@ -6,7 +6,7 @@
 use super::Mjcf;
 use super::defaults::{ACTUATOR, ACTUATORS};
 use super::element::Element;
-use super::elements::{ACTUATOR_DAMPING, ELSEWHERE};
+use super::elements::lost::{ACTUATOR_DAMPING, ELSEWHERE};
 use super::values::Attributes;
 use crate::joint::drive::Motor;
 use crate::wording::quoted;

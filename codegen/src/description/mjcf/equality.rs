@@ -6,7 +6,7 @@
 use super::Mjcf;
 use super::body::WORLD;
 use super::element::Element;
-use super::elements::{HELD, POLYNOMIAL, SECOND};
+use super::elements::lost::{HELD, POLYNOMIAL, SECOND};
 use super::orientation::of_mujoco;
 use super::spatial::{inverse, written};
 use super::values::Attributes;

@@ -1,6 +1,7 @@
 //! Elements and attributes of the tree of bodies.
 
-use super::{Content, Entry, GRAVCOMP, MOCAP, Others, PLUGIN, When};
+use super::lost::{GRAVCOMP, MOCAP, PLUGIN};
+use crate::description::xml::elements::{Content, Entry, Others, When};
 
 /// A body, and the world.
 pub(super) static BODY: Content = Content {

@@ -7,6 +7,7 @@ is not 0 where a number differs, or a file is refused that MuJoCo reads. The ord
 import argparse
 import hashlib
 import json
+import os
 import shutil
 import sys
 import tempfile
@@ -64,8 +65,12 @@ def main():
     arguments.add_argument("--seed", type=int, default=0)
     arguments.add_argument("--keep", type=Path, help="a folder for random files that failed")
     arguments = arguments.parse_args()
-    program = Program(arguments.binary)
+    program = Program(arguments.binary.resolve())
+    arguments.robots = arguments.robots and arguments.robots.resolve()
+    arguments.keep = arguments.keep and arguments.keep.resolve()
     with tempfile.TemporaryDirectory() as folder:
+        # MuJoCo writes its warnings to a file where it runs.
+        os.chdir(folder)
         files, names = [], []
         if arguments.robots:
             files = distinct(arguments.robots, arguments.only)

@@ -113,8 +113,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
             ],
             "mujoco" | "mujocoinclude" => [
                 "this is MJCF, the format of MuJoCo, and not URDF",
-                "give the URDF that it was made of; or convert it, as by mjcf-urdf-simple-converter, and look at what \
-                 `homogen check` says of the result",
+                "read it as MJCF: the reader of its text does, whatever the file's name ends with",
             ],
             _ => ["this is not a URDF", BEGINS],
         };

@@ -135,7 +135,10 @@ def examine(program, file, how, verdict):
         found = program.check(file, how)
     except Refused as refused:
         verdict.outcome = "refused by both" if peer is None else "refused"
-        if peer:
+        if peer and peer.missing and "there is no such file" in str(refused):
+            # MuJoCo was given another mesh in its place.
+            verdict.outcome, verdict.reason = "without its meshes", str(refused)
+        elif peer:
             verdict.failures.append(f"refused {how.words}: {refused}")
         return
     if peer is None:
@@ -143,6 +146,8 @@ def examine(program, file, how, verdict):
         return
     verdict.joints = len(found["joints"])
     verdict.warnings = [warning["message"] for warning in found["warnings"]]
+    if any("armature or friction of a free joint" in warning for warning in verdict.warnings):
+        peer.without_free_armatures()
     peer.order({mimicked["joint"] for mimicked in found["mimicked"]})
     if peer.nq != len(found["coordinates"]):
         verdict.failures.append(f"other joints: {found['joints']}")

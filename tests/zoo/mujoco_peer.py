@@ -53,6 +53,13 @@ class MujocoPeer:
             self.model.opt.disableflags |= flag
         self.data = mujoco.MjData(self.model)
 
+    def without_free_armatures(self):
+        """Takes off the armatures of free joints, which homogen does not model and warns of."""
+        model = self.model
+        for joint in range(model.njnt):
+            if model.jnt_type[joint] == FREE:
+                model.dof_armature[model.jnt_dofadr[joint] :][:6] = 0
+
     def order(self, mimicked):
         """Finds which entries of q and of its rates are others' (by the names of their joints)."""
         model = self.model

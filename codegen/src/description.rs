@@ -15,6 +15,7 @@ pub(crate) mod fingerprint;
 pub mod inline;
 mod item;
 mod kind;
+mod load;
 pub mod mjcf;
 mod names;
 mod number;

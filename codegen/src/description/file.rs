@@ -3,13 +3,12 @@
 //! In: a path, or a text and a name. Out: a [`Description`] read by the reader of that language.
 //! It never looks into the environment: whoever calls says where a relative path begins.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use proc_macro2::Span;
 
-use super::{Description, LARGEST_FILE, denavit_hartenberg, mjcf, urdf};
+use super::load::load;
+use super::{Description, denavit_hartenberg, mjcf, urdf};
 use crate::error::{Complaint, Errors, Place};
 
 /// Reads a file: a table for `.dh`, XML for `.urdf` and `.xml`, and what its text looks like for every other ending;
@@ -110,28 +109,6 @@ fn text_in(
     } else {
         urdf::read(text, file, anchor, errors)
     }
-}
-
-/// The bytes of a file of reasonable size, or why there are none, in words that are the same on
-/// every platform where they can be.
-pub(super) fn load(path: &Path) -> Result<Vec<u8>, String> {
-    let reason = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-        std::io::ErrorKind::PermissionDenied => "no permission".to_owned(),
-        _ => error.to_string(),
-    };
-    let file = File::open(path).map_err(reason)?;
-    if file.metadata().is_ok_and(|about| about.is_dir()) {
-        return Err("it is a folder".to_owned());
-    }
-    // Read no further than that: a device may have no end.
-    let limit = LARGEST_FILE as u64 + 1;
-    let mut bytes = Vec::new();
-    file.take(limit).read_to_end(&mut bytes).map_err(reason)?;
-    if bytes.len() > LARGEST_FILE {
-        return Err(format!("it is larger than {} MB", LARGEST_FILE >> 20));
-    }
-    Ok(bytes)
 }
 
 /// What is said of bytes that are UTF-8 only up to there.

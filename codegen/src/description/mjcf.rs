@@ -7,7 +7,9 @@
 //! never takes time or memory out of proportion to the text, and never guesses a number that is not there.
 
 mod actuator;
+mod assets;
 mod body;
+mod class;
 mod compiler;
 mod defaults;
 mod element;
@@ -21,22 +23,26 @@ mod lost;
 mod mesh;
 mod names;
 mod orientation;
+mod reading;
+mod settings;
 mod shape;
 mod spatial;
+mod tree;
 mod values;
 
 use std::path::{Path, PathBuf};
 
 use proc_macro2::Span;
 
-use self::body::Tree;
-use self::compiler::Compiler;
-use self::defaults::Defaults;
+use self::assets::Meshes;
+use self::class::Defaults;
 use self::element::Element;
 use self::files::{Parsed, Text};
 use self::lost::Met;
-use self::mesh::Meshes;
 use self::names::Names;
+use self::reading::Mjcf;
+use self::settings::Compiler;
+use self::tree::Tree;
 use super::fingerprint::fingerprint;
 use super::xml::element::Reader;
 use super::xml::survey;
@@ -46,24 +52,6 @@ use crate::expression::Double;
 
 #[doc(hidden)]
 pub use self::elements::page;
-
-/// How a file begins.
-const BEGINS: &str = "an MJCF file begins with <mujoco>";
-
-/// What reading has found so far.
-struct Mjcf<'a> {
-    reader: Reader<'a, 'a>,
-    compiler: Compiler,
-    defaults: Defaults<'a>,
-    tree: Tree,
-    loop_names: Names,
-    meshes: Meshes<'a>,
-    met: Met,
-    /// Where other files are looked for.
-    folder: Option<PathBuf>,
-    /// Other files that were read, beside those that are included.
-    beside: Vec<PathBuf>,
-}
 
 /// Whether a text is of this format, by its root element.
 #[must_use]

@@ -3,10 +3,10 @@
 //! In: the elements, once the tree is read. Out: motors of joints, where an actuator has an armature of its own, which
 //! its gear reflects; a note of each, and warnings of what drives otherwise than by a torque. It never looks at controls.
 
-use super::Mjcf;
-use super::defaults::{ACTUATOR, ACTUATORS};
+use super::class::{ACTUATOR, ACTUATORS};
 use super::element::Element;
 use super::elements::lost::{ACTUATOR_DAMPING, ELSEWHERE};
+use super::reading::Mjcf;
 use super::values::Attributes;
 use crate::joint::drive::Motor;
 use crate::wording::quoted;

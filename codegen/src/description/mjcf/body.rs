@@ -3,26 +3,22 @@
 //! In: the worldbody. Out: links, the joints between them, and links without mass for sites; and complaints. A frame
 //! belongs to what stands in it, and is no link. What is replicated is read once for each copy.
 
-use std::collections::HashMap;
 use std::rc::Rc;
 
-use super::Mjcf;
-use super::defaults::Class;
 use super::element::Element;
 use super::geom::Piece;
 use super::joint::Moving;
 use super::names::Names;
-use super::spatial::{Pose, exactly, inverse, plus, written};
+use super::reading::Mjcf;
+use super::spatial::{Pose, exactly, plus, written};
+use super::tree::{Item, WORLD};
 use super::values::Attributes;
-use crate::description::{Joint, Link, Name, Number, Step, number};
+use crate::description::{Joint, Link, Name, Step, number};
 use crate::error::Place;
 use crate::expression::Double;
 use crate::joint::JointKind;
 use crate::joint::drive::Parts;
 use crate::wording::quoted;
-
-/// The link that is fixed.
-pub(super) const WORLD: &str = "world";
 
 /// How deep frames may stand in each other.
 const DEEPEST: usize = 100;
@@ -33,38 +29,10 @@ const MOST_LINKS: usize = 100_000;
 /// The most copies that one element makes.
 const MOST_COPIES: u32 = 100_000;
 
-/// What was read of the tree.
-#[derive(Default)]
-pub(super) struct Tree {
-    pub(super) links: Vec<Link>,
-    pub(super) joints: Vec<Joint>,
-    /// Of each link that is a body or a site: the link that it stands in, and where it is there as described.
-    pub(super) stands: HashMap<String, (String, Vec<Step>)>,
-    /// The links that sites are, by the names of these.
-    pub(super) sites: HashMap<String, String>,
-    /// The coordinate that a joint has as described, by its name.
-    pub(super) references: HashMap<String, Number>,
-    /// How many copies were made.
-    copies: usize,
-    pub(super) link_names: Names,
-    pub(super) joint_names: Names,
-}
-
 /// A body that has yet to be read.
 struct Waiting<'a> {
     item: Item<'a>,
     parent: Name,
-}
-
-/// An element of a body, in the frames that stand around it.
-#[derive(Clone)]
-pub(super) struct Item<'a> {
-    pub(super) element: Element<'a>,
-    /// From the frame of the body.
-    pub(super) frame: Vec<Step>,
-    class: Rc<Class<'a>>,
-    /// What names end with.
-    pub(super) suffix: String,
 }
 
 impl<'a> Mjcf<'a> {
@@ -357,39 +325,5 @@ impl<'a> Mjcf<'a> {
             drive: Parts::default(),
             place,
         });
-    }
-}
-
-impl Tree {
-    /// The joint of a name.
-    pub(super) fn joint(&self, name: &str) -> Option<usize> {
-        self.joints.iter().position(|joint| joint.name.text == name)
-    }
-
-    /// Where a link is as described, seen from another.
-    pub(super) fn between(&self, from: &str, to: &str) -> Vec<Step> {
-        let (mut from, mut to) = (self.path(from), self.path(to));
-        let shared = from.iter().zip(&to).take_while(|(a, b)| a.0 == b.0).count();
-        let below = |path: &mut Vec<(&str, &[Step])>| {
-            let steps = path
-                .drain(shared..)
-                .flat_map(|(_, steps)| steps.iter().copied());
-            steps.collect::<Vec<Step>>()
-        };
-        let mut steps = inverse(&below(&mut from));
-        steps.extend(below(&mut to));
-        steps
-    }
-
-    /// The links from the world to one of them, each with where it is in the one before.
-    fn path<'t>(&'t self, link: &str) -> Vec<(&'t str, &'t [Step])> {
-        let mut path = Vec::new();
-        let mut at = self.stands.get_key_value(link);
-        while let Some((name, (parent, steps))) = at {
-            path.push((name.as_str(), steps.as_slice()));
-            at = self.stands.get_key_value(parent);
-        }
-        path.reverse();
-        path
     }
 }

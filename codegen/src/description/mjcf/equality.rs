@@ -3,12 +3,12 @@
 //! In: the elements, once the tree is read. Out: mimic joints, of polynomials of first order; closed loops, of `connect`
 //! and `weld`; warnings of the others, and of what holds nothing. It never changes a body.
 
-use super::Mjcf;
-use super::body::WORLD;
 use super::element::Element;
 use super::elements::lost::{HELD, POLYNOMIAL, SECOND};
 use super::orientation::of_mujoco;
+use super::reading::Mjcf;
 use super::spatial::{inverse, written};
+use super::tree::WORLD;
 use super::values::Attributes;
 use crate::closure::Closure;
 use crate::description::{Loop, Mimic, Name, Number, Step, number};

@@ -8,12 +8,14 @@ use std::path::{Component, Path};
 
 use roxmltree::{Document, Node};
 
-use super::BEGINS;
-use crate::description::file;
+use crate::description::load::load as bytes_of;
 use crate::description::position::Positions;
 use crate::description::xml::{self, LARGEST_FILE, plain};
 use crate::error::Errors;
 use crate::wording::quoted;
+
+/// How a file begins.
+const BEGINS: &str = "an MJCF file begins with <mujoco>";
 
 /// The most files.
 const MOST_FILES: usize = 1000;
@@ -214,7 +216,7 @@ fn open(
     {
         return Err(refuse("it is a link to a place outside the folder"));
     }
-    let bytes = file::load(&path).map_err(|reason| refuse(&reason))?;
+    let bytes = bytes_of(&path).map_err(|reason| refuse(&reason))?;
     let text = String::from_utf8(bytes).map_err(|_| refuse("it is not written in UTF-8"))?;
     let text = match text.strip_prefix('\u{feff}') {
         Some(text) => text.to_owned(),

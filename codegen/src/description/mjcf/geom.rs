@@ -5,9 +5,9 @@
 
 use std::rc::Rc;
 
-use super::Mjcf;
-use super::mesh::Measured;
+use super::assets::Measured;
 use super::orientation::z_along;
+use super::reading::Mjcf;
 use super::shape::Shape;
 use super::spatial::{self, Matrix, Pose, Solid, Vector, diagonal, exactly, written};
 use super::values::Attributes;

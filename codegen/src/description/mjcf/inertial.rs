@@ -3,10 +3,10 @@
 //! In: what stands in a body. Out: an [`Inertial`], with what the compiler is told to mend; and complaints. It never
 //! looks at joints.
 
-use super::Mjcf;
-use super::compiler::FromGeoms;
 use super::element::Element;
 use super::geom::Piece;
+use super::reading::Mjcf;
+use super::settings::FromGeoms;
 use super::spatial::{self, Matrix, Pose, diagonal, exactly, written};
 use super::values::Attributes;
 use crate::description::{Inertial, Number, Step, number};

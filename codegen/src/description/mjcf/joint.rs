@@ -7,10 +7,10 @@
 
 mod drive;
 
-use super::Mjcf;
-use super::body::{Item, WORLD};
 use super::orientation::turn;
+use super::reading::Mjcf;
 use super::spatial::{Pose, dot, written};
+use super::tree::{Item, WORLD};
 use super::values::Attributes;
 use crate::description::{Joint, Limits, Link, Name, Number, Step, axis, number};
 use crate::error::Place;

@@ -6,16 +6,15 @@
 mod file;
 mod measure;
 
-use std::collections::HashMap;
 use std::path::PathBuf;
 use std::rc::Rc;
 
-use super::Mjcf;
+use super::assets::Measured;
 use super::element::Element;
-use super::spatial::{Matrix, Vector};
+use super::reading::Mjcf;
 use super::values::Attributes;
-use crate::description::{Name, file as files};
-use crate::expression::Double;
+use crate::description::Name;
+use crate::description::load::load;
 use crate::wording::{known, quoted};
 
 /// The most numbers of a mesh that is written in the file.
@@ -46,23 +45,6 @@ const WAYS: [(&str, Way); 4] = [
 struct Mesh {
     corners: Vec<[f64; 3]>,
     faces: Vec<[usize; 3]>,
-}
-
-/// What a mesh is as a body of density 1.
-pub(super) struct Measured {
-    /// The volume \[m³\], or the area of a shell \[m²\].
-    pub(super) measure: Double,
-    /// The centre of mass in the frame of the geom \[m\].
-    pub(super) center: Vector,
-    /// About that, in the axes of the geom.
-    pub(super) tensor: Matrix,
-}
-
-/// The meshes of a file, by name; those that were measured, or refused.
-#[derive(Default)]
-pub(super) struct Meshes<'a> {
-    assets: HashMap<String, Element<'a>>,
-    measured: HashMap<String, Option<Rc<Measured>>>,
 }
 
 impl<'a> Mjcf<'a> {
@@ -188,7 +170,7 @@ impl<'a> Mjcf<'a> {
         let beside = element.file().folder();
         let paths: [PathBuf; 2] = [meshes.join(&name), meshes.join(beside).join(&name)];
         let path = paths.iter().find(|path| path.exists()).unwrap_or(&paths[0]);
-        let bytes = files::load(path).map_err(|reason| format!("{}: {reason}", path.display()))?;
+        let bytes = load(path).map_err(|reason| format!("{}: {reason}", path.display()))?;
         self.beside.push(path.clone());
         let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
         let is_msh = ending.eq_ignore_ascii_case("msh");

@@ -4,8 +4,8 @@
 //! have any. A class of defaults may have one form of orientation and the element another: the element's own counts, as
 //! in MuJoCo 4; in former versions a quaternion gave way.
 
-use super::Mjcf;
 use super::element::Written;
+use super::reading::Mjcf;
 use super::spatial::{self, Matrix, Vector, exactly, written};
 use super::values::Attributes;
 use crate::description::{Axis, Number, Step};

@@ -6,9 +6,9 @@
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 
-use super::Mjcf;
-use super::defaults::Class;
+use super::class::Class;
 use super::element::{Element, Written};
+use super::reading::Mjcf;
 use crate::description::xml::element::Reader;
 use crate::description::{Name, Number};
 use crate::error::Place;

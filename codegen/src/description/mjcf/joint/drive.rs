@@ -6,8 +6,8 @@
 
 use super::Form;
 use crate::description::Limits;
-use crate::description::mjcf::Mjcf;
 use crate::description::mjcf::elements::lost::{ALIGNED, CUBIC, OF_WORLD, SPRING};
+use crate::description::mjcf::reading::Mjcf;
 use crate::description::mjcf::values::Attributes;
 use crate::joint::drive::{Part, Parts};
 

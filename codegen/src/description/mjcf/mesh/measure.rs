@@ -6,7 +6,8 @@
 
 use std::collections::HashSet;
 
-use super::{Measured, Mesh, Way};
+use super::{Mesh, Way};
+use crate::description::mjcf::assets::Measured;
 use crate::description::mjcf::spatial::exactly;
 
 /// Below this, in m³ or m², there is nothing.

@@ -1,7 +1,9 @@
-//! Writes every robot that ships as a file for `core` alone, in single precision.
+//! Writes every robot that ships as a file for `core` alone, in single precision, and a robot with every kind of joint
+//! in both precisions and as a package for Python has it.
 //!
-//! In: robots/*.urdf. Out: `ROBOT_own.rs` with the sines that a file brings along, and
-//! `ROBOT_named.rs` with those of the runtime for any angle, in `OUT_DIR`.
+//! In: robots/*.urdf and tests/robots/every_joint.urdf. Out: `ROBOT_own.rs` with the sines that a file brings along, and
+//! `ROBOT_named.rs` with those of the runtime for any angle; `joints_f32.rs`, `joints_f64.rs` and `joints_lanes.rs`; all
+//! in `OUT_DIR`.
 
 use std::error::Error;
 use std::path::Path;
@@ -25,6 +27,7 @@ const ROBOTS: [(&str, &str); 9] = [
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=../robots");
+    println!("cargo::rerun-if-changed=robots");
     let folder = env::var("OUT_DIR")?;
     for (robot, tip) in ROBOTS {
         let own = Builder::from_urdf(format!("../robots/{robot}.urdf"))
@@ -43,7 +46,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         .coulomb_friction("elbow", [0.5])
         .coulomb_friction("lift", [3.0])
         .generate(Function::ALL);
-    both(driven, "driven", &folder)
+    both(driven, "driven", &folder)?;
+    joints(Path::new(&folder))
+}
+
+/// The robot with every kind of joint.
+fn joints(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let builder = Builder::from_urdf("robots/every_joint.urdf")
+        .name("Joints")
+        .generate([Function::Gravity]);
+    for (name, scalar) in [("f32", Real::F32), ("f64", Real::F64)] {
+        let source = builder.clone().scalar(scalar).to_source()?;
+        fs::write(folder.join(format!("joints_{name}.rs")), source.to_string())?;
+    }
+    let package = builder.to_python("joints")?;
+    let mut files = package.files.into_iter();
+    let robot = files.find(|(path, _)| path == "src/robot.rs");
+    let (_, text) = robot.ok_or("a package has its robot")?;
+    fs::write(folder.join("joints_lanes.rs"), text)?;
+    Ok(())
 }
 
 /// Both files of a robot.

@@ -12,10 +12,9 @@ use serde_json::{Map, Value, json};
 
 use super::functions::{self, Functions};
 use super::options::{Format, Robot};
-use super::{Answer, Said, json, options};
+use super::{Answer, Said, json};
 use homogen_codegen::accuracy::{Accuracy, Bound, Perturbed};
-use homogen_codegen::error::Complaint;
-use homogen_codegen::expand::{expand, understand};
+use homogen_codegen::expand::expand;
 use homogen_codegen::module::{GeneratedFunction, LeftOut, Module};
 use homogen_codegen::schedule::Price;
 use homogen_codegen::wording::visible;
@@ -42,16 +41,15 @@ impl Count {
     pub(super) fn run(&self, input: &mut dyn Read) -> Said {
         let description = self.robot.description(input)?;
         let request = self.functions.and(self.robot.request());
-        let chain = understand(&description, &request)?;
         let module = expand(&description, &request)?;
         Ok(match self.format {
             Format::Text => Answer {
                 output: table(&module.functions),
-                remarks: options::warnings(&chain) + &functions::remarks(&module),
+                remarks: functions::remarks(&module),
                 code: functions::status(&module),
             },
             Format::Json => Answer {
-                output: json::answer(in_json(&module, &chain.report.warnings)),
+                output: json::answer(in_json(&module)),
                 code: functions::status(&module),
                 ..Answer::default()
             },
@@ -87,7 +85,7 @@ pub(super) fn have_signs(functions: &[GeneratedFunction]) -> bool {
     functions.iter().any(|generated| generated.price.sign > 0)
 }
 
-fn in_json(module: &Module, doubts: &[Complaint]) -> Value {
+fn in_json(module: &Module) -> Value {
     let signs = have_signs(&module.functions);
     let prices =
         (module.functions.iter()).map(|generated| (generated.name(), price(generated, signs)));
@@ -96,7 +94,7 @@ fn in_json(module: &Module, doubts: &[Complaint]) -> Value {
         "robot": module.about.robot,
         "functions": prices,
         "left_out": left_out(module),
-        "warnings": json::warnings(doubts),
+        "warnings": json::warnings(&module.about.warnings),
     })
 }
 

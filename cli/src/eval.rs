@@ -16,7 +16,6 @@ mod values;
 
 use std::ffi::OsString;
 use std::io::Read;
-use std::rc::Rc;
 
 use clap::Args;
 
@@ -99,7 +98,7 @@ impl Eval {
         // Further frames come after the tip's.
         let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
         plan::check_size(&chain)?;
-        let programs = Rc::new(Programs::of(&chain));
+        let programs = Programs::of(&chain);
         let program = plan::plan(&programs, vec![function], frame)?.program;
         Check::of(&chain)?.judge_program(&[function], frame, &program, request.scalar)?;
         let values = Values {

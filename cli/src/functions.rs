@@ -14,7 +14,7 @@ use super::options::{self, Asked, Robot};
 use homogen_codegen::builder::Builder;
 use homogen_codegen::error::Errors;
 use homogen_codegen::function::Function;
-use homogen_codegen::module::{LeftOut, Module};
+use homogen_codegen::module::{About, LeftOut, Module};
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{FIELDS, FRAMES, FUNCTIONS};
 use homogen_codegen::wording::{list, visible};
@@ -22,7 +22,7 @@ use homogen_codegen::wording::{list, visible};
 /// Functions, and further frames that they are of.
 pub(super) type Functions = Asked<{ FUNCTIONS | FRAMES }>;
 
-/// What is generated of which robot.
+/// A generated module and the robot that it is of.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Generated {
     #[command(flatten)]
@@ -70,10 +70,9 @@ impl Generated {
     }
 }
 
-/// The warnings about the robot of a builder.
-pub(super) fn warnings(builder: &Builder) -> Result<String, Errors> {
-    let chain = builder.understand()?;
-    Ok(options::warnings(&chain))
+/// The warnings about what is generated.
+pub(super) fn warnings(about: &About) -> String {
+    options::warnings_of(&about.source, &about.warnings)
 }
 
 /// The status of an answer about these functions: 0, or [`FAULT`].
@@ -86,15 +85,16 @@ pub(super) fn status(module: &Module) -> u8 {
     }
 }
 
-/// What a person should know about the answer: what the robot cannot have.
+/// Remarks on the answer: warnings, and functions that the robot cannot have.
 pub(super) fn remarks(module: &Module) -> String {
-    let mut text = String::new();
+    let about = &module.about;
+    let mut text = warnings(about);
     for LeftOut {
         functions,
         reason,
         hint,
         ..
-    } in &module.about.left_out
+    } in &about.left_out
     {
         let functions = list(functions.iter().map(String::as_str));
         // Writing to a string cannot fail.

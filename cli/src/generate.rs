@@ -92,7 +92,6 @@ impl Generate {
         if let Some(prefix) = &self.extern_c {
             builder = builder.extern_c(prefix);
         }
-        let warnings = functions::warnings(&builder)?;
         let (output, module) = match self.language {
             Language::Rust => self.rust(&builder)?,
             Language::C => self.c(&builder)?,
@@ -100,7 +99,7 @@ impl Generate {
         };
         Ok(Answer {
             output,
-            remarks: warnings + &functions::remarks(&module),
+            remarks: functions::remarks(&module),
             code: functions::status(&module),
         })
     }

@@ -8,9 +8,9 @@ use std::io::Read;
 use clap::Args;
 
 use super::options::{Robot, Scalar};
-use super::{Answer, Said, options};
+use super::{Answer, Said, functions};
 use homogen_codegen::description::Name;
-use homogen_codegen::expand::{expand, understand};
+use homogen_codegen::expand::expand;
 use homogen_codegen::function::Function;
 use homogen_codegen::print::rust::{self, Item, Source, World};
 use homogen_codegen::request::setting::text::together;
@@ -45,7 +45,6 @@ impl Inspect {
         request.functions.push(self.function.0.clone());
         request.frames.extend(self.frame.as_deref().map(Name::from));
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
-        let chain = understand(&description, &request)?;
         let mut module = expand(&description, &request)?;
         // A further frame comes after the tip's.
         let last = module.functions.len().saturating_sub(1);
@@ -54,7 +53,7 @@ impl Inspect {
         let methods = rust::methods(&module, &item, &World::default());
         Ok(Answer {
             output: Source::new("", &methods).to_string(),
-            remarks: options::warnings(&chain),
+            remarks: functions::warnings(&module.about),
             code: 0,
         })
     }

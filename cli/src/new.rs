@@ -6,7 +6,6 @@
 
 mod template;
 
-use std::fmt::Write as _;
 use std::fs;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
@@ -14,7 +13,7 @@ use std::path::{Component, Path, PathBuf};
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::options::{Asked, mistake};
-use super::{Answer, Said};
+use super::{Answer, Said, functions};
 use homogen_codegen::builder::Builder;
 use homogen_codegen::description::{Name, mjcf};
 use homogen_codegen::error::Errors;
@@ -120,7 +119,7 @@ impl Firmware {
             let message = format!("{} is there already: it is left as it is", folder.display());
             return Err(mistake(message));
         }
-        if let Some(other) = module.about.beside.first() {
+        if let Some(other) = module.about.source.beside.first() {
             let message = format!(
                 "{} is read with {}, and a firmware has one file of its robot",
                 self.file.display(),
@@ -136,14 +135,9 @@ impl Firmware {
         files.push((".gitignore", "/target\n".to_owned()));
         template::write_fresh(&folder, &files, (description, &text))
             .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))?;
-        let doubts = module.about.warnings.iter();
         Ok(Answer {
             output: format!("cd {} && cargo run --release\n", folder.display()),
-            remarks: doubts.fold(String::new(), |mut text, doubt| {
-                // Writing to a string cannot fail.
-                let _ = writeln!(text, "warning: {doubt}");
-                text
-            }),
+            remarks: functions::warnings(&module.about),
             code: 0,
         })
     }

@@ -11,8 +11,8 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueEnum}
 
 use homogen_codegen::chain::Chain;
 use homogen_codegen::description::LARGEST_FILE;
-use homogen_codegen::description::{self, Description, inline};
-use homogen_codegen::error::{Errors, Place};
+use homogen_codegen::description::{self, Description, Source, inline};
+use homogen_codegen::error::{Complaint, Errors, Place};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, Setting, SettingForm};
@@ -38,7 +38,7 @@ fn settings(groups: u8) -> impl Iterator<Item = &'static Setting> {
     settings.filter(move |setting| setting.group & groups != 0)
 }
 
-/// What clap knows of a setting. A flag without a value has an empty one.
+/// Clap's argument of a setting. A flag without a value has an empty one.
 fn argument(setting: &'static Setting) -> Arg {
     let name = setting.flag_name();
     let take = |text: &str| {
@@ -168,7 +168,7 @@ impl Robot {
         }
     }
 
-    /// What is asked of it.
+    /// The request.
     pub(super) fn request(&self) -> Request {
         self.asked.and(Request::default())
     }
@@ -221,11 +221,16 @@ pub(super) fn mistake(message: impl Into<String>) -> Errors {
     errors
 }
 
-/// Doubts as standard error has them.
+/// Warnings about a robot as standard error has them.
 pub(super) fn warnings(chain: &Chain) -> String {
-    let errors = chain.description.source.errors();
+    warnings_of(&chain.description.source, &chain.report.warnings)
+}
+
+/// Warnings about a description, as standard error has them.
+pub(super) fn warnings_of(source: &Source, warnings: &[Complaint]) -> String {
+    let errors = source.errors();
     let mut text = String::new();
-    for doubt in &chain.report.warnings {
+    for doubt in warnings {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "warning: {}", errors.locate(doubt));
         if let Some(hint) = &doubt.hint {

@@ -43,13 +43,12 @@ impl Python {
             ..Request::default()
         };
         let builder = self.generated.builder(request, input)?;
-        let warnings = functions::warnings(&builder)?;
         let generated = builder.python_module()?;
         let package = builder.python(&generated, &module);
         write_folder(&self.output, &package)?;
         Ok(Answer {
             output: format!("from {} import {}\n", package.module, package.class),
-            remarks: warnings + &functions::remarks(&generated),
+            remarks: functions::remarks(&generated),
             code: functions::status(&generated),
         })
     }

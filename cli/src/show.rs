@@ -21,8 +21,8 @@ use serde_json::{Value, json};
 use super::functions::{self, Functions};
 use super::generate::write;
 use super::options::{Robot, Scalar, is_standard_input};
-use super::{Answer, Said, check, count, json, options};
-use homogen_codegen::expand::{expand, understand};
+use super::{Answer, Said, check, count, json};
+use homogen_codegen::expand;
 use homogen_codegen::template::filled;
 use homogen_codegen::wording::visible;
 
@@ -52,7 +52,7 @@ const SCRIPT: &str = concat!(
 
 /// SHA-256 of the script and of the style, in base 64: the page says that nothing else may run or dress
 /// it. A test computes them again and tells what they should be.
-const SCRIPT_HASH: &str = "c/jeGXXGoh1T1OBGi3EZi2DtOfGcOrvuYrQvqq/WGpo=";
+const SCRIPT_HASH: &str = "G/ecWel5VvELKDsptQHWOxELQ8uBVWianxrHcxECoP4=";
 const STYLE_HASH: &str = "wOxuCR3ghyg76YeukayPW6PNA+Gjulf/QfJhrLtLwsw=";
 
 /// Write a page for a browser: the robot as a skeleton to move, what was read, every function with its
@@ -84,9 +84,9 @@ impl Show {
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
         // A page tells where each name comes from, which an array between sections would hide.
         request.section = Some(usize::MAX);
-        let chain = understand(&description, &request)?;
-        let module = expand(&description, &request)?;
-        let remarks = options::warnings(&chain) + &functions::remarks(&module);
+        let chain = expand::identified_if_asked(expand::understand(&description, &request)?);
+        let module = expand::of_chain(&chain)?;
+        let remarks = functions::remarks(&module);
         let skeleton = skeleton::skeleton(&chain)?;
         let layouts = skeleton::layouts(&chain, &module);
         let mut data = shown(json!({

@@ -32,7 +32,7 @@ use crate::error::{Complaint, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
 use crate::joint::drive::Part;
 use crate::joint::{Drive, Motion, Posture};
-use crate::list::{List, id};
+use crate::list::{Id, List, id};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
 use crate::space::{CoordinateId, Entry, FieldId, FrameId, Kind, Spaces, VelocityId};
@@ -71,8 +71,6 @@ pub struct Chain {
     /// What the description says of the numbers that struct fields stand for, in the order of the
     /// request's parameters.
     pub nominal: List<FieldId, Vec<f64>>,
-    /// The struct fields, in the order of the request.
-    pub parameters: List<FieldId, Parameter>,
     /// What became of the description on the way.
     pub report: Report,
     /// Whether behind the inertial parameters of links there are those of drives: where any is modelled.
@@ -279,6 +277,12 @@ impl Chain {
     #[must_use]
     pub const fn spaces(&self) -> &Spaces {
         &self.spaces
+    }
+
+    /// The struct field of that number.
+    #[must_use]
+    pub fn field(&self, field: FieldId) -> &Parameter {
+        &self.request.parameters[field.index()]
     }
 
     /// The same chain with its base parameters, which the base regressor is over.

@@ -34,6 +34,7 @@ pub use self::item::Item;
 pub use self::robot::{
     Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Source, Step,
 };
+pub(crate) use self::settings::HOW_TO_ASK;
 pub use self::unmodelled::{Modelled, Unmodelled};
 #[doc(hidden)]
 pub use self::xml::LARGEST_FILE;

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use crate::description::{Description, Item, attributes, inline};
-use crate::error::Errors;
-use crate::expand::{expand, settled};
+use crate::description::{Description, HOW_TO_ASK, Item, attributes, inline};
+use crate::error::{Errors, Place};
+use crate::expand::{expand, settled, understand};
 use crate::function::Function;
 use crate::print::rust::{self, Declaration, World};
 use crate::space::Spaces;
@@ -55,15 +55,22 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
     // Of what was misread the joints are not even counted: any number of them is better than a
     // wrong one.
     let read = item.description.as_ref().filter(|_| errors.is_empty());
-    if let Some(description) = read {
+    if let Some(description) = read.filter(|_| !item.names_functions) {
+        let ident = &item.ident;
+        let message = format!("{ident} does not say which functions to generate");
+        errors.push_with_hint(Place::Token(ident.span()), message, HOW_TO_ASK);
+        if let Err(mistakes) = understand(description, &item.request) {
+            errors.append(mistakes);
+        }
+    } else if let Some(description) = read {
         match expand(description, &item.request) {
             Ok(module) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
                 let beside = description.source.beside.iter();
                 let watched = file.iter().chain(beside).map(|path| watch(path));
                 let watch: TokenStream = watched.collect();
-                let doubts = module.about.warnings.iter();
-                let doubts = doubts.map(|doubt| warning(doubt, item.ident.span()));
+                let doubts = module.about.located_warnings().into_iter();
+                let doubts = doubts.map(|doubt| warning(&doubt, item.ident.span()));
                 let doubts: TokenStream = doubts.collect();
                 let world = World::runtime(item.request.runtime.as_ref());
                 let robot = rust::print(&module, &target, &world);

@@ -17,6 +17,7 @@ mod understood;
 pub use closure::settled;
 pub use understood::{identified, identified_if_asked, understand};
 
+use crate::chain::Chain;
 use crate::check::Check;
 use crate::description::Description;
 use crate::error::Errors;
@@ -30,10 +31,17 @@ use collect::collect;
 /// # Errors
 /// Every mistake of the description and of the request.
 pub fn expand(description: &Description, request: &Request) -> Result<Module, Errors> {
-    let chain = identified_if_asked(understand(description, request)?);
-    let check = Check::of(&chain)?;
-    let judged = plans(&chain)?.map(|planned| check.judge(planned, request.scalar));
-    let (module, mut errors) = collect(&chain, judged);
+    of_chain(&identified_if_asked(understand(description, request)?))
+}
+
+/// The same of a robot that is understood, with its base parameters where they are asked for.
+///
+/// # Errors
+/// Every mistake of the request.
+pub fn of_chain(chain: &Chain) -> Result<Module, Errors> {
+    let check = Check::of(chain)?;
+    let judged = plans(chain)?.map(|planned| check.judge(planned, chain.request.scalar));
+    let (module, mut errors) = collect(chain, judged);
     if let Err(refusal) = check.judge_module(&module) {
         errors.append(refusal);
     }

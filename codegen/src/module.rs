@@ -9,9 +9,9 @@ mod review;
 pub use data::{ChainData, DataMotion, LoopData, LoopsData};
 pub use review::{Origins, Review, Sum, Vector};
 
-use std::path::PathBuf;
-
 use crate::accuracy::Accuracy;
+use crate::description::Source;
+use crate::error::Complaint;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::layout::Layout;
@@ -31,6 +31,8 @@ pub struct Module {
     pub functions: Vec<GeneratedFunction>,
     /// The robot as data.
     pub data: ChainData,
+    /// Largest torque or force of each velocity \[N m, N\]; infinite where the description has none.
+    pub efforts: Vec<f64>,
     /// What base parameters are described as \[kg, kg m, kg m²\].
     pub base_values: Vec<f64>,
     /// Whether functions take slices of states besides.
@@ -83,10 +85,8 @@ impl Module {
 pub struct About {
     /// The robot's name.
     pub robot: String,
-    /// The name of the file it was read from, without folders, and the hash of its bytes.
-    pub source: Option<(String, u64)>,
-    /// The paths of other files that were read with it.
-    pub beside: Vec<PathBuf>,
+    /// The files that it was read from.
+    pub source: Source,
     /// The link whose frame is frame 0.
     pub base: String,
     /// The link whose frame poses and Jacobians are of.
@@ -97,10 +97,20 @@ pub struct About {
     pub driven: bool,
     /// The words of the formulation that was asked for, where it is not the default.
     pub formulation: Vec<String>,
-    /// Doubts about the description, each a sentence with its place.
-    pub warnings: Vec<String>,
+    /// Warnings about the description and the request.
+    pub warnings: Vec<Complaint>,
     /// Functions that the robot cannot have, where all that it can have were asked for.
     pub left_out: Vec<LeftOut>,
+}
+
+impl About {
+    /// The warnings without their hints, each a line with its place.
+    #[must_use]
+    pub fn located_warnings(&self) -> Vec<String> {
+        let places = self.source.errors();
+        let warnings = self.warnings.iter();
+        warnings.map(|warning| places.locate(warning)).collect()
+    }
 }
 
 /// Functions that a robot cannot have, for one reason.

@@ -14,11 +14,10 @@ mod search;
 mod solvable;
 mod weighable;
 
-pub use choice::{program, program_as, program_for};
 pub(crate) use forward::doubts;
 pub use forward::keeps_half;
 pub use measured::Off;
-pub use program::{Programs, expressions_by, program_by};
+pub use program::{Programs, Recursion, expressions_by, program_by};
 
 use std::rc::Rc;
 
@@ -98,7 +97,7 @@ pub fn check_size(chain: &Chain) -> Result<(), Errors> {
 /// Of a chain that is too long.
 pub fn plans(chain: &Chain) -> Result<impl Iterator<Item = Planned<'_>>, Errors> {
     check_size(chain)?;
-    let programs = Rc::new(Programs::of(chain));
+    let programs = Programs::of(chain);
     let wanted = wanted(chain).into_iter();
     Ok(wanted.map(move |(functions, frame)| {
         let names: Vec<&str> = functions.iter().map(|function| function.name()).collect();

@@ -8,6 +8,7 @@
 pub(crate) mod ascii;
 #[cfg(feature = "files")]
 pub mod c;
+mod described;
 mod documentation;
 mod large;
 #[cfg(feature = "files")]

@@ -74,7 +74,7 @@ impl Processor {
     /// The processor of that name.
     ///
     /// # Errors
-    /// Where there is none: the names that there are.
+    /// An unknown name: a hint that lists the known ones.
     pub fn from_name(name: &str) -> Result<Self, String> {
         let mut all = Self::ALL.into_iter();
         all.find(|processor| processor.name() == name)

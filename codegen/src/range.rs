@@ -17,6 +17,8 @@ pub struct Range {
     pub arguments: Arguments<[f64; 2]>,
     /// Of the entries of each struct field, in the units of what it stands for.
     pub fields: List<FieldId, Vec<[f64; 2]>>,
+    /// The first of the four entries of each quaternion of q, which is of length 1 but for its rounding.
+    pub quaternions: Vec<Input>,
 }
 
 /// What the entry of a variable is described to stay in.
@@ -41,8 +43,14 @@ impl Range {
         };
         Self {
             arguments: Arguments::of(ranges),
-            fields: (chain.parameters.iter().zip(&chain.nominal))
+            fields: (chain.request.parameters.iter().zip(&chain.nominal))
                 .map(|(field, nominal)| field.ranges(nominal))
+                .collect(),
+            quaternions: (spaces.quaternions())
+                .map(|first| {
+                    let first = u16::try_from(first.index()).expect("as many as coordinates");
+                    Input::Variable(Variable::Q, first)
+                })
                 .collect(),
         }
     }
@@ -113,8 +121,8 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> b
         [one] => Some(format!("{one} within its limits")),
         several => Some(format!("{} within their limits", several.join(" and "))),
     };
-    let fields = chain.parameters.numbered().filter(|(k, _)| reads(*k));
-    let fields = fields.map(|(k, field)| field.range_words(&chain.nominal[k]));
+    let fields = chain.nominal.numbered().filter(|(k, _)| reads(*k));
+    let fields = fields.map(|(k, nominal)| chain.field(k).range_words(nominal));
     let words = within_limits.into_iter().chain(sizes);
     let words: Vec<String> = words.chain(fields).collect();
     words.join(", ")

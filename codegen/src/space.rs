@@ -74,6 +74,12 @@ pub const ACTION: [(&str, Kind); 6] = [
     ("fz", Kind::Slide),
 ];
 
+/// The action that an entry of all actions belongs to, counted from 0, and the name of the entry within it.
+#[must_use]
+pub const fn action_entry(entry: usize) -> (usize, &'static str) {
+    (entry / ACTION.len(), ACTION[entry % ACTION.len()].0)
+}
+
 /// What an entry does to the body it is of, which decides its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]

@@ -7,16 +7,16 @@
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
+use std::rc::Rc;
 
+use homogen_codegen::Function;
 use homogen_codegen::description::{Name, read_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::{Angles, Formulation, Frame, Parameters};
-use homogen_codegen::plan::program_as;
+use homogen_codegen::plan::{Programs, plan};
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::Price;
 use homogen_codegen::space::FrameId;
-use homogen_codegen::{Function, Real};
 use homogen_examples::listing;
 use homogen_examples::price::{self, Prices};
 
@@ -159,17 +159,12 @@ fn the_prices_of_formulations_are_those_of_today() {
             }),
             ..Request::default()
         };
-        let chain = understand(&description, &request).expect("it has no mistakes");
+        let mut chain = understand(&description, &request).expect("it has no mistakes");
         let mut row = format!("| {name}, `{}` |", function.name());
         for formulation in columns {
-            let program = program_as(
-                formulation,
-                &chain,
-                &[function],
-                FrameId::FIRST,
-                Real::Generic,
-            );
-            let price = Price::of(&program.expect("it has forward dynamics"));
+            Rc::make_mut(&mut chain.request).formulation = formulation;
+            let plan = plan(&Programs::of(&chain), vec![function], FrameId::FIRST);
+            let price = plan.expect("it has forward dynamics").price;
             // Writing to a string cannot fail.
             let _ = write!(row, " {}/{} |", price.mul, price.add);
         }

@@ -1,4 +1,5 @@
-//! Whether the pages of the macros explain all that the readers know, and the guide what they make of URDF and MJCF and which options there are.
+//! Completeness of pages: those of the macros explain every word of the readers; those of the guide list the elements of
+//! URDF and MJCF and the options.
 //!
 //! In: the pages, and the lists of the readers themselves. Out: nothing where each word is told, and where it
 //! describes a robot or asks for something stands in an example that is compiled; else the words that are

@@ -37,6 +37,7 @@ pub use reference::generic;
 pub use robot::chain::{Chain, Frame};
 pub use robot::constrained::ConstrainedForwardDynamics;
 pub use robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
+pub use robot::described::Robot;
 pub use robot::drive::Drive;
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};

@@ -23,6 +23,7 @@ pub(crate) mod chain;
 mod check;
 pub(crate) mod constrained;
 pub(crate) mod derivatives;
+pub(crate) mod described;
 pub(crate) mod drive;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
@@ -180,6 +181,11 @@ macro_rules! declare {
         $(#[$about:meta])+ $method:ident($($argument:ident),*) -> $result:ty
     ) => {
         $(#[$noun])+
+        #[diagnostic::on_unimplemented(
+            message = "the robot `{Self}` lacks a function that is needed here",
+            label = "needs a robot with this function",
+            note = "add the function, the trait's name in snake case, to `generate(…)` of the robot: `generate(mass_matrix)` for `MassMatrix`"
+        )]
         pub trait $name<$($generics)+> {
             $(#[$about])+
             #[must_use]

@@ -22,7 +22,7 @@ const SHORTEST: Duration = Duration::from_micros(200);
 macro_rules! robot {
     ($robot:ident, $urdf:literal, $tip:literal) => {
         #[derive(Robot)]
-        #[robot(urdf = $urdf, tip = $tip)]
+        #[robot(urdf = $urdf, tip = $tip, generate(all))]
         struct $robot;
     };
 }

@@ -81,7 +81,7 @@ async function links(page, { name, words, links: wanted, closed: closes }) {
 async function names(page, { name }) {
   for (const own of await page.ask("homogen.functions()")) {
     const found = await page.ask(`homogen.names(${JSON.stringify(own)})`);
-    const unknown = found.filter(({ name: one, kind }) => kind === "other" && !/^(angles|sines|cosines|columns?|y)_*$/.test(one));
+    const unknown = found.filter(({ name: one, kind }) => kind === "other" && !/^(angles|sines|cosines|y)_*$/.test(one));
     hold(unknown.length === 0, `${name}: of ${unknown.map((one) => one.name).join(", ")} in ${own} nothing is said`);
     const worthless = found.filter(({ kind, worth }) => ["entry", "part", "argument", "sum", "angle"].includes(kind) && !Number.isFinite(worth));
     hold(worthless.length === 0, `${name}: ${worthless.map((one) => one.name).join(", ")} of ${own} has no value`);

@@ -127,6 +127,21 @@ impl<T: Tested> Climb<T> {
         ends
     }
 
+    /// Makes quaternions of the entries of a state that are of one: of length 1 but for their rounding, or longer by as
+    /// much as a computed length may be off.
+    fn settle(&self, ends: &[(Input, [f64; 2])], state: &mut [f64], random: &mut Random) {
+        for first in &self.range.quaternions {
+            let at = ends.iter().position(|(input, _)| input == first);
+            let at = at.expect("every input has a range");
+            let quaternion = &mut state[at..][..4];
+            let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let longer = [1.0, 1.0 + 2.0 * T::ROUNDOFF, 1.0 + 6.0 * T::ROUNDOFF][random.below(3)];
+            for x in quaternion {
+                *x = T::literal(longer * (*x / length)).to_f64();
+            }
+        }
+    }
+
     /// The errors of all results in a state.
     fn errors(&self, ends: &[(Input, [f64; 2])], state: &[f64]) -> Vec<f64> {
         let at = |input: Input| {
@@ -167,6 +182,7 @@ impl<T: Tested> Climb<T> {
                     state[at] = any::<T>(ends[at].1, &mut random);
                 }
             }
+            self.settle(&ends, &mut state, &mut random);
             let shares = share(&self.errors(&ends, &state));
             for (worst, share) in worst.iter_mut().zip(&shares) {
                 assert!(share.is_finite(), "an error that is no number");

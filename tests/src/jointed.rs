@@ -7,13 +7,18 @@ use homogen::{Robot, chain};
 
 /// A quadruped whose base is free.
 #[derive(Robot, Clone, Copy, Debug)]
-#[robot(urdf = "../robots/quadruped.urdf", tip = "hr_foot", floating)]
+#[robot(
+    urdf = "../robots/quadruped.urdf",
+    tip = "hr_foot",
+    floating,
+    generate(all)
+)]
 pub struct FreeQuadruped;
 
 chain! {
     /// A gripper on a wrist: two fingers that slide as one, a thumb that a rack turns, and a guard that follows
     /// the thumb.
-    pub struct Gripper { tip: guard }
+    pub struct Gripper { tip: guard, generate(all) }
     link base;
     joint wrist: revolute(z) { from: base, to: palm, at: xyz(0.0, 0.1, 0.2) rpy(0.3, 0.0, -0.4) }
     link palm { mass: 0.6, com: [0.0, 0.01, 0.04], inertia: [0.002, 0.0015, 0.0008] }
@@ -36,7 +41,7 @@ chain! {
 
 chain! {
     /// Every kind of joint, one after the other and in branches.
-    pub struct EveryJoint { tip: tool, gravity: [0.5, -1.0, -9.81] }
+    pub struct EveryJoint { tip: tool, gravity: [0.5, -1.0, -9.81], generate(all) }
     link world;
     joint puck: planar([0.0, 0.6, 0.8]) { from: world, to: puck, at: xyz(0.2, 0.0, 0.1) rpy(0.1, 0.2, 0.3) }
     link puck { mass: 3.0, com: [0.05, 0.02, 0.1], inertia: [0.04, 0.001, 0.002, 0.05, -0.003, 0.06] }
@@ -66,7 +71,7 @@ chain! {
 
 chain! {
     /// A body in free flight.
-    pub struct Brick { floating, gravity: [0.0, 0.0, 0.0] }
+    pub struct Brick { floating, gravity: [0.0, 0.0, 0.0], generate(all) }
     link brick { mass: 2.0, com: [0.03, -0.02, 0.05], inertia: [0.02, 0.001, 0.002, 0.03, -0.001, 0.045] }
 }
 

@@ -19,6 +19,7 @@ pub mod jointed;
 pub mod mechanisms;
 pub mod metrics;
 pub mod oracle;
+pub mod programs;
 pub mod robots;
 pub mod rounding;
 mod scalars;

@@ -11,14 +11,14 @@ use std::marker::PhantomData;
 use homogen_codegen::schedule::{Program, run};
 use homogen_magnitude::{Magnitude, Measure};
 
-use crate::arguments::Arguments;
+use crate::arguments::{Arguments, at};
 use crate::big::Big;
 use crate::tested::Tested;
 
 /// The results of a program in a type of number, as `f64`, which holds them exactly.
 #[must_use]
 pub fn results<T: Tested>(program: &Program, arguments: &Arguments) -> Vec<f64> {
-    let found = run(program, |input| T::literal(arguments.at(input)));
+    let found = run(program, |input| T::literal(at(arguments, input)));
     found.into_iter().map(T::to_f64).collect()
 }
 
@@ -39,7 +39,7 @@ impl<T: Tested> Measure for By<T> {
 #[must_use]
 pub fn sizes<T: Tested>(program: &Program, arguments: &Arguments) -> Vec<f64> {
     let found = run(program, |input| {
-        Magnitude::<By<T>>::given(arguments.at(input))
+        Magnitude::<By<T>>::given(at(arguments, input))
     });
     found.into_iter().map(Magnitude::size).collect()
 }
@@ -176,6 +176,8 @@ impl Distribution {
 #[cfg(test)]
 mod tests {
     use super::{Distribution, backward, largest, relative, scaled, ulps};
+    use homogen_codegen::space::Variable;
+
     use crate::arguments::Arguments;
     use crate::big::Big;
     use crate::tested::{F32, F64, Tested};
@@ -222,17 +224,12 @@ mod tests {
     fn a_distribution_knows_its_middle_and_its_worst() {
         let mut errors = Distribution::default();
         for k in [3.0, 1.0, 4.0, 2.0] {
-            let q = vec![k];
-            errors.note(
-                k,
-                &Arguments {
-                    q,
-                    ..Arguments::default()
-                },
-            );
+            let mut arguments = Arguments::default();
+            arguments[Variable::Q].push(k);
+            errors.note(k, &arguments);
         }
         assert_eq!((errors.quantile(0.5), errors.quantile(0.99)), (2.0, 4.0));
         let (error, arguments) = errors.worst();
-        assert_eq!((error, &arguments.q[..]), (4.0, &[4.0][..]));
+        assert_eq!((error, &arguments[Variable::Q][..]), (4.0, &[4.0][..]));
     }
 }

@@ -12,7 +12,7 @@ macro_rules! robot {
     ($(#[$about:meta])* $name:ident, $joints:literal, $file:literal, $tip:literal) => {
         $(#[$about])*
         #[derive(Robot, Clone, Copy, Debug)]
-        #[robot(urdf = $file, tip = $tip)]
+        #[robot(urdf = $file, tip = $tip, generate(all))]
         pub struct $name;
 
         const _: () = {

@@ -17,7 +17,7 @@ use homogen_random::Random;
 
 /// The two-link arm, with a field.
 #[derive(Robot)]
-#[robot(urdf = "../robots/two_link.urdf", tip = "fore", batch)]
+#[robot(urdf = "../robots/two_link.urdf", tip = "fore", batch, generate(all))]
 struct TwoLink {
     #[robot(mass_of = "fore")]
     payload: f64,
@@ -25,7 +25,7 @@ struct TwoLink {
 
 chain! {
     /// A ball joint, and a slider that turns a hand along.
-    struct Puppet { tip: hand, batch }
+    struct Puppet { tip: hand, batch, generate(all) }
     link base;
     joint ball: spherical { from: base, to: arm, at: xyz(0.1, 0.0, 0.2) rpy(0.1, 0.2, 0.3) }
     link arm { mass: 2.0, com: [0.0, 0.1, 0.2], inertia: [0.03, 0.001, -0.002, 0.025, 0.001, 0.02] }

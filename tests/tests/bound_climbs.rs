@@ -235,3 +235,49 @@ fn climbs_on_arms() {
         }
     }
 }
+
+/// The same within 500 with a floating base, of each function whose results its quaternion turns; of the rate of a
+/// tree's momentum, where inertias cancel that grow with all that it carries, within 10,000.
+#[test]
+fn climbs_with_a_floating_base() {
+    for (name, description, tip, far) in [
+        (
+            "panda_class",
+            subject("panda_class/0").description,
+            "link8",
+            500.0,
+        ),
+        ("humanoid", humanoid(29), "link21", 1e4),
+    ] {
+        let floating = Request {
+            floating: true,
+            tip: Some(tip.into()),
+            ..Request::default()
+        };
+        for (function, farthest) in [
+            (Function::SpatialJacobianRate, 500.0),
+            (Function::Acceleration, 500.0),
+            (Function::Gravity, 500.0),
+            (Function::CentroidalMomentumMatrix, 500.0),
+            (Function::CentroidalMomentumBias, far),
+        ] {
+            let name = format!("floating {name} {function:?}");
+            climb_within::<F64>(&description, &floating, function, farthest, &name);
+            climb_within::<F32>(&description, &floating, function, farthest, &name);
+        }
+    }
+}
+
+fn climb_within<T: Tested>(
+    description: &Description,
+    request: &Request,
+    function: Function,
+    farthest: f64,
+    name: &str,
+) {
+    let subject = Climb::<T>::new(description, request, function);
+    for (unit, worst) in subject.by_unit(name, 300, 3_600) {
+        let is_near = farthest * worst >= 1.0 || worst == 0.0;
+        assert!(is_near, "{worst:e} of the bound of {name} in {unit}");
+    }
+}

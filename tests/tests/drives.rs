@@ -18,7 +18,7 @@ const STATES: usize = 200;
 macro_rules! stanford {
     ($name:ident $(, $more:tt)*) => {
         #[derive(Robot)]
-        #[robot(urdf = "../robots/stanford_general.urdf", tip = "tool")]
+        #[robot(urdf = "../robots/stanford_general.urdf", tip = "tool", generate(all))]
         #[robot(armature(joint_1 = 0.95, joint_3 = 0.78, joint_4 = 0.11, joint_5 = 0.1, joint_6 = 0.02))]
         #[robot(rotor(joint_2 = 2.2e-4), ratio(joint_2 = 100))]
         #[robot(damping(joint_1 = 3.5, joint_2 = 2.0, joint_3 = 6.25, joint_4 = 0.5, joint_6 = 0.25))]
@@ -35,7 +35,7 @@ stanford!(InFrame0, (formulation(frame_0, raw)));
 
 /// One of the numbers that struct fields stand for.
 #[derive(Robot)]
-#[robot(urdf = "../robots/stanford_general.urdf", tip = "tool")]
+#[robot(urdf = "../robots/stanford_general.urdf", tip = "tool", generate(all))]
 #[robot(armature(
     joint_1 = 0.95,
     joint_3 = 0.78,

@@ -10,12 +10,12 @@ use homogen_codegen::description::{Name, read_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
-use homogen_codegen::plan::program_as;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Price, run};
 use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 use homogen_tests::functions::{EveryFunction, evaluate};
+use homogen_tests::programs::program_as;
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
 use homogen_tests::subjects::subject;
@@ -27,7 +27,7 @@ macro_rules! robot {
     ($(#[$about:meta])* $name:ident, $urdf:literal, $tip:literal: $($words:tt)*) => {
         $(#[$about])*
         #[derive(Robot)]
-        #[robot(urdf = $urdf, tip = $tip)]
+        #[robot(urdf = $urdf, tip = $tip, generate(all))]
         #[robot(formulation($($words)*))]
         struct $name;
     };

@@ -33,7 +33,7 @@ macro_rules! robot {
         chain! {
             $(#[$about])*
             struct $name {
-                $($settings)*
+                $($settings)*, generate(all)
             }
             $($parts)*
         }

@@ -9,7 +9,7 @@ use homogen_tests::states::{Random, State};
 
 /// 39 joints; the longest function has some 10,000 operations.
 #[derive(Robot)]
-#[robot(urdf = "robots/humanoid.urdf", tip = "left_arm_9")]
+#[robot(urdf = "robots/humanoid.urdf", tip = "left_arm_9", generate(all))]
 struct Humanoid;
 
 const STATES: usize = 20;

@@ -16,13 +16,13 @@ use homogen_codegen::list::Id;
 use homogen_codegen::model::Way;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::request::Request;
-use homogen_codegen::space::FrameId;
-use homogen_tests::arguments::Arguments;
+use homogen_codegen::space::{FrameId, Variable};
+use homogen_tests::arguments;
 use homogen_tests::big::Big;
 use homogen_tests::drives::driven;
 use homogen_tests::metrics;
 use homogen_tests::oracle::robot::Robot;
-use homogen_tests::oracle::state::State;
+use homogen_tests::oracle::state::exact;
 use homogen_tests::oracle::{frame_0, link_frames};
 use homogen_tests::states::Random;
 use homogen_tests::tested::F64;
@@ -97,10 +97,10 @@ fn agree_within(
     let mut worst: f64 = 0.0;
     for _ in 0..states {
         let (coordinates, velocities) = (spaces.coordinates.len(), spaces.velocities.len());
-        let mut arguments = Arguments::of_lists(coordinates, velocities, &mut random);
+        let mut arguments = arguments::of_lists(coordinates, velocities, &mut random);
         let actions = 0..chain.spaces().actions.len();
-        arguments.actions = actions.map(|_| 4.0 * random.unit()).collect();
-        let state = State::of(&arguments, spaces.quaternions().map(Id::index));
+        arguments[Variable::Actions] = actions.map(|_| 4.0 * random.unit()).collect();
+        let state = exact(&arguments, spaces.quaternions().map(Id::index));
         let sizes = metrics::sizes::<F64>(&sizes, &arguments);
         let found = sources
             .each_ref()
@@ -122,7 +122,8 @@ fn agree_within(
                 };
                 assert!(
                     difference <= tolerance,
-                    "{name}, {function:?}: {difference:e}\n{arguments}"
+                    "{name}, {function:?}: {difference:e}\n{}",
+                    arguments::line(&arguments)
                 );
             }
         }

@@ -18,7 +18,7 @@ const LIMIT: f64 = 64.0;
 
 /// The Panda-class arm with one field of each kind, and two more.
 #[derive(Robot)]
-#[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+#[robot(urdf = "../robots/panda_class.urdf", tip = "link8", generate(all))]
 struct Panda {
     #[robot(mass_of = "link5")]
     mass: f64,
@@ -151,7 +151,7 @@ fn gravity_is_linear_in_a_payload() {
 
 /// The arm with a base and two joints that stand where fields say, turned as they say.
 #[derive(Robot)]
-#[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+#[robot(urdf = "../robots/panda_class.urdf", tip = "link8", generate(all))]
 struct Placed {
     #[robot(base_placement)]
     base: [f64; 6],

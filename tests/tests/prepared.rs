@@ -9,7 +9,12 @@ const STATES: usize = 50;
 
 /// An arm of which many numbers are free, with all functions.
 #[derive(Robot)]
-#[robot(urdf = "../robots/panda_class.urdf", tip = "link8", prepare)]
+#[robot(
+    urdf = "../robots/panda_class.urdf",
+    tip = "link8",
+    prepare,
+    generate(all)
+)]
 struct Panda {
     #[robot(mass_of = "link5")]
     mass: f64,

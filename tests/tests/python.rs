@@ -9,9 +9,6 @@ mod number;
 #[path = "../../codegen/src/print/python/package/pack.rs"]
 #[allow(dead_code, clippy::pedantic, reason = "it is a file of packages")]
 mod pack;
-#[path = "../../codegen/src/print/python/package/posture.rs"]
-#[allow(clippy::pedantic, reason = "it is a file of packages")]
-mod posture;
 #[path = "../../codegen/src/print/python/package/processor.rs"]
 #[allow(clippy::pedantic, reason = "it is a file of packages")]
 mod processor;
@@ -22,7 +19,6 @@ mod turned;
 
 use std::array::from_fn;
 
-use homogen::robot::posture as of_runtime;
 use homogen_codegen::Function::{ForwardKinematics, InverseDynamics, InverseDynamicsDerivatives};
 use homogen_codegen::{Builder, Function};
 use homogen_tests::states::Random;
@@ -81,20 +77,36 @@ mod real {
     pub const WIDE: usize = 8;
 }
 
-/// Where floating joints get to, a state a lane.
+/// The functions of a robot with every kind of joint.
+#[allow(
+    dead_code,
+    clippy::all,
+    clippy::pedantic,
+    reason = "it is a file of packages"
+)]
+mod robot {
+    include!(concat!(env!("OUT_DIR"), "/joints_lanes.rs"));
+}
+
+/// The same, by the runtime.
+#[derive(homogen::Robot)]
+#[robot(urdf = "robots/every_joint.urdf", generate(gravity))]
+struct OfRuntime;
+
+/// Configurations that are reached, a state a lane.
 fn in_lanes<P: Vectors<L>, const L: usize>(
     processor: P,
-    from: &[[f64; 7]],
-    v: &[[f64; 6]],
-) -> Vec<[f64; 7]> {
-    let mut ahead = vec![[0.0; 7]; from.len()];
+    from: &[[f64; 25]],
+    v: &[[f64; 23]],
+) -> Vec<[f64; 25]> {
+    let mut ahead = vec![[0.0; 25]; from.len()];
     let states = from.chunks(L).zip(v.chunks(L));
     for ((from, v), ahead) in states.zip(ahead.chunks_mut(L)) {
-        let mut q = [Pack::filled(processor, 0.0); 7];
-        let mut qd = [Pack::filled(processor, 0.0); 6];
+        let mut q = [Pack::filled(processor, 0.0); 25];
+        let mut qd = [Pack::filled(processor, 0.0); 23];
         Pack::load(from, &mut q);
         Pack::load(v, &mut qd);
-        let stepped = posture::integrate_floating(q, qd);
+        let (stepped,) = robot::Joints.integrate(&q, &qd);
         Pack::store(&stepped, ahead.as_flattened_mut());
     }
     ahead
@@ -102,7 +114,7 @@ fn in_lanes<P: Vectors<L>, const L: usize>(
 
 /// The same in each kind of registers that this processor has.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-fn in_registers(from: &[[f64; 7]], v: &[[f64; 6]]) -> Vec<Vec<[f64; 7]>> {
+fn in_registers(from: &[[f64; 25]], v: &[[f64; 23]]) -> Vec<Vec<[f64; 25]>> {
     use pulp::x86::{V3, V4};
     let narrow = V3::try_new().map(|processor| in_lanes::<_, { real::NARROW }>(processor, from, v));
     let wide = V4::try_new().map(|processor| in_lanes::<_, { real::WIDE }>(processor, from, v));
@@ -111,19 +123,17 @@ fn in_registers(from: &[[f64; 7]], v: &[[f64; 6]]) -> Vec<Vec<[f64; 7]>> {
 
 /// The same as arrays.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-fn in_registers(from: &[[f64; 7]], v: &[[f64; 6]]) -> Vec<Vec<[f64; 7]>> {
+fn in_registers(from: &[[f64; 25]], v: &[[f64; 23]]) -> Vec<Vec<[f64; 25]>> {
     vec![in_lanes::<_, 4>((), from, v), in_lanes::<_, 8>((), from, v)]
 }
 
 #[test]
-fn steps_of_postures_have_the_bits_of_the_runtime() {
+fn steps_have_the_bits_of_the_runtime() {
     let mut random = Random::new(20);
     for size in [1e300, 1e200, 1e20, 1e-20, 1e-200, 1e-310, 5e-324, 0.0] {
-        let quaternion = [0.3, -1.0, 0.0, 0.7].map(|entry: f64| size * entry);
-        let [found, expected] = [
-            posture::normalized(quaternion),
-            of_runtime::normalized(quaternion),
-        ];
+        let q = from_fn(|k| size * [0.3, -1.0, 0.0, 0.7][k % 4]);
+        let (found,) = robot::Joints.normalize(&q);
+        let expected = OfRuntime.normalize(&q);
         assert_eq!(
             found.map(f64::to_bits),
             expected.map(f64::to_bits),
@@ -136,37 +146,22 @@ fn steps_of_postures_have_the_bits_of_the_runtime() {
         // From no motion to several turns, and near half a turn.
         let size = 10.0_f64.powi(round % 12 - 10);
         let mut number = || random.unit();
-        let (from, to): ([f64; 7], [f64; 7]) = (from_fn(|_| number()), from_fn(|_| number()));
-        let v: [f64; 6] = from_fn(|_| size * number());
-        let [x, y, z, quaternion @ ..] = from;
-        let quaternion = of_runtime::normalized(quaternion);
-        assert_eq!(
-            posture::normalized([from[3], from[4], from[5], from[6]]),
-            quaternion
-        );
-        let [qx, qy, qz, qw] = quaternion;
-        let from = [x, y, z, qx, qy, qz, qw];
-        let ahead = of_runtime::integrate_floating(from, v);
-        assert_eq!(posture::integrate_floating(from, v), ahead);
+        let (from, to): ([f64; 25], [f64; 25]) = (from_fn(|_| number()), from_fn(|_| number()));
+        let v: [f64; 23] = from_fn(|_| size * number());
+        let [from, to] = [from, to].map(|q| {
+            let normalized = OfRuntime.normalize(&q);
+            assert_eq!(robot::Joints.normalize(&q), (normalized,));
+            normalized
+        });
+        let ahead = OfRuntime.integrate(&from, &v);
+        assert_eq!(robot::Joints.integrate(&from, &v), (ahead,));
         starts.push(from);
         motions.push(v);
         ends.push(ahead);
         for to in [ahead, to] {
-            let apart = of_runtime::difference_floating(from, to);
-            assert_eq!(posture::difference_floating(from, to), apart);
+            let apart = OfRuntime.difference(&from, &to);
+            assert_eq!(robot::Joints.difference(&from, &to), (apart,));
         }
-        let [vx, vy, vz, ..] = v;
-        let of_sphere = of_runtime::integrate_spherical(quaternion, [vx, vy, vz]);
-        assert_eq!(
-            posture::integrate_spherical(quaternion, [vx, vy, vz]),
-            of_sphere
-        );
-        let apart = of_runtime::difference_spherical(quaternion, of_sphere);
-        assert_eq!(posture::difference_spherical(quaternion, of_sphere), apart);
-        let of_plane = of_runtime::integrate_planar([x, y, z], [vx, vy, vz]);
-        assert_eq!(posture::integrate_planar([x, y, z], [vx, vy, vz]), of_plane);
-        let apart = of_runtime::difference_planar([x, y, z], of_plane);
-        assert_eq!(posture::difference_planar([x, y, z], of_plane), apart);
     }
     for side_by_side in in_registers(&starts, &motions) {
         assert_eq!(side_by_side, ends);

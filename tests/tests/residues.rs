@@ -14,15 +14,16 @@ use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::Angles;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
-use homogen_codegen::plan::{program, program_by};
+use homogen_codegen::plan::program_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::FrameId;
 use homogen_codegen::{Function, Real};
-use homogen_tests::arguments::Arguments;
+use homogen_tests::arguments;
 use homogen_tests::big::Big;
 use homogen_tests::oracle::frame_0;
 use homogen_tests::oracle::robot::Robot;
+use homogen_tests::programs::program;
 use homogen_tests::states::Random;
 
 /// What is smaller in any unit is a residue of residues, and zero will do.
@@ -135,8 +136,8 @@ fn hold(description: &Description, request: &Request) {
 fn compare(robot: &Robot, function: Function, program: &Program) {
     let mut random = Random::new(1);
     for _ in 0..STATES {
-        let arguments = Arguments::random(robot.velocities(), &mut random);
-        let found = run::<f64>(program, |input| arguments.at(input));
+        let arguments = arguments::random(robot.velocities(), &mut random);
+        let found = run::<f64>(program, |input| arguments::at(&arguments, input));
         let expected = frame_0::evaluate(robot, function, 0, &arguments);
         let expected: Vec<f64> = expected.iter().map(Big::to_f64).collect();
         let size = expected

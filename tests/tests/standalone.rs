@@ -234,7 +234,8 @@ for_every_robot!(standalone_files);
     urdf = "../robots/scara.urdf",
     armature(shoulder = 0.25),
     rotor(lift = 2e-5),
-    ratio(lift = 300)
+    ratio(lift = 300),
+    generate(all)
 )]
 #[robot(damping(elbow = 0.75), friction(elbow = 0.5, lift = 3))]
 struct Driven;

@@ -1,6 +1,6 @@
 // Code as it is read: which name is defined where, by what, and what reads it; and what it is worth.
 //
-// In: the text of a function, as it is printed. Out: its parts, its names, their values. Only what the engine prints
+// In: the text of a function, as it is printed, and what its names stand for. Out: its parts, its names, their values. Only what the engine prints
 // is understood: `let`, blocks, loops, operations, entries that are stored. It never changes a letter of the text.
 
 const TOKEN = /\/\/[^\n]*|[\p{L}_][\p{L}\p{N}_]*|\d[\d._]*(?:e[-+]?\d+)?(?:_?f(?:32|64))?|\s+|::|->|./gu;
@@ -22,7 +22,7 @@ async function unpacked(packed) {
 
 // The tokens of a text, with the line of each, and its names: of each the token that defines it, the tokens
 // of its value, the names in whose values it is read, and whether a loop gives it another value each time round.
-function analysed(code) {
+function analysed(code, meanings) {
   const tokens = code.match(TOKEN) || [];
   const names = new Map();
   const lines = [];
@@ -109,9 +109,8 @@ function analysed(code) {
       own.reads.add(read.name);
     };
     // Sines and cosines are found together, and each is of its own angle.
-    const angle = /^[sc]_(.+?)_*$/.exec(own.name)?.[1];
-    const value = tokens.slice(own.from, own.to).join("");
-    const of = angle && /^\w+$|sin_cos_all/.test(value) && (names.get(`q_${angle}`) || names.get(angle));
+    const said = meanings.get(own.name);
+    const of = said?.kind === "angle" && names.get(said.of);
     if (of) {
       link(of);
       continue;
@@ -223,16 +222,10 @@ function helpersOf(analysis) {
   return helpers;
 }
 
-// What names are worth at some arguments, each a list of numbers by its name, and in a loop the first time round; NaN
-// where that is not known.
-function worth(analysis, helpers, given) {
+// What names of an open function are worth at some arguments, each a list of numbers by its name, and in a loop the
+// first time round; NaN where that is not known.
+function worth({ analysis, helpers, names }, given) {
   const known = new Map();
-  const entry = (name) => {
-    // Nothing acts from outside.
-    if (/^action_\d+_[cf][xyz]_*$/.test(name)) return 0;
-    const found = /^(q|qd|qdd|tau)_(\d+)_*$/.exec(name);
-    return found && given[found[1]] ? given[found[1]][found[2] - 1] : undefined;
-  };
   const calls = {
     neg: (a) => -a,
     add: (a, b) => a + b,
@@ -254,18 +247,21 @@ function worth(analysis, helpers, given) {
   };
   const of = (name) => {
     if (known.has(name)) return known.get(name);
-    const own = analysis.names.get(name);
-    let value = entry(name);
-    const angle = /^([sc])_(.+?)_*$/.exec(name);
-    const numbers = angle && /^\d+(_\d+)*$/.test(angle[2]) ? numbersOf(angle[2]) : null;
-    // `c_2_in_1_x` is no cosine.
-    if (value === undefined && (numbers || (angle && analysis.names.has(angle[2])))) {
-      const turned = numbers ? numbers.reduce((sum, k) => sum + given.q[k - 1], 0) : of(angle[2]);
-      value = angle[1] === "s" ? Math.sin(turned) : Math.cos(turned);
-    }
-    if (value === undefined) value = own ? valued(tree(analysis.tokens, own.from, own.to, helpers)) : NaN;
+    const value = found(name, names.get(name));
     known.set(name, value);
     return value;
+  };
+  const found = (name, said) => {
+    switch (said?.kind) {
+      case "argument": return given[said.argument][said.index - 1];
+      // Nothing acts from outside.
+      case "action": return 0;
+      case "angle": return said.sine ? Math.sin(of(said.of)) : Math.cos(of(said.of));
+      default: {
+        const own = analysis.names.get(name);
+        return own ? valued(tree(analysis.tokens, own.from, own.to, helpers)) : NaN;
+      }
+    }
   };
   // Those before it first: a function of many thousand operations would go too deep.
   return (name) => {

@@ -7,7 +7,8 @@
 const LONG = 14;
 
 // A value in mathematics; parts without a name of their own are written out while they are short.
-function mathematics(robot, analysis, helpers, own) {
+function mathematics(robot, open, own) {
+  const { analysis, helpers } = open;
   let left = LONG;
   const strength = { add: 1, sub: 1, neg: 2, mul: 2, div: 2, mul_add: 1 };
   const show = (value, least) => {
@@ -15,11 +16,11 @@ function mathematics(robot, analysis, helpers, own) {
     if ("number" in value) return [value.number < 0 ? "−" : "", String(Math.abs(value.number))];
     if ("name" in value) {
       const inner = analysis.names.get(value.name);
-      if (inner && left > 0 && meaning(robot, value.name, "").kind === "part") {
+      if (inner && left > 0 && meaning(robot, open, value.name).kind === "part") {
         left -= 1;
         return show(tree(analysis.tokens, inner.from, inner.to, helpers), least);
       }
-      return [nameButton(robot, value.name)];
+      return [nameButton(robot, open, value.name)];
     }
     const [a, b, c] = value.of;
     const bracket = (parts) => ((strength[value.call] || 3) < least ? ["(", parts, ")"] : parts);
@@ -47,8 +48,8 @@ function mathematics(robot, analysis, helpers, own) {
 }
 
 // A name as a button that points at it.
-const nameButton = (robot, name) =>
-  el("button", { type: "button", class: "reference", "data-name": name, title: name }, written(robot, name));
+const nameButton = (robot, open, name) =>
+  el("button", { type: "button", class: "reference", "data-name": name, title: name }, written(robot, open, name));
 
 // The entries of a matrix, of which one is meant.
 function grid(matrix, entry) {
@@ -62,7 +63,7 @@ function grid(matrix, entry) {
 }
 
 // What a name is, in a sentence or two, and the matrix that it is an entry of.
-function saying(robot, name, said, owner) {
+function saying(robot, open, said, owner) {
   const coordinates = (numbers) => numbers.map((k) => robot.skeleton.coordinates[k - 1]?.name || k).join(", ");
   switch (said.kind) {
     case "entry": {
@@ -81,46 +82,49 @@ function saying(robot, name, said, owner) {
       return ["The sum of the coordinates ", named(coordinates(said.coordinates)), ", whose axes are parallel."];
     case "angle": {
       const noun = said.sine ? "Sine" : "Cosine";
-      if (said.of) return [`${noun} of `, nameButton(robot, said.of), "."];
+      if (!said.coordinates.length) return [`${noun} of `, nameButton(robot, open, said.of), "."];
       return [`${noun} of ${said.coordinates.length > 1 ? "the sum of the coordinates" : "the coordinate"} `, named(coordinates(said.coordinates)), "."];
     }
     case "part":
       return ["A part of a sum that has no name of its own."];
+    case "table":
+      return ["A table, of which the loop below takes a column each time round, and puts results in its place."];
+    case "round":
+      return ["Counts the columns, from 0."];
     default:
       if (owner === "constant") return ["Makes a number of the description one of the type T."];
       if (owner === "mul_add") return ["a · b + c, rounded once where the processor can."];
-      if (/^columns_*$/.test(name)) return ["A table, of which the loop below takes a column each time round, and puts results in its place."];
-      if (/^column_*$/.test(name)) return ["Counts the columns, from 0."];
       return ["A list that is taken apart below."];
   }
 }
 
 // The panel for a name of an open function.
 function explanation(robot, open, name, given) {
-  const { analysis, helpers, of } = open;
+  const { analysis, helpers } = open;
   const own = analysis.names.get(name);
-  const said = meaning(robot, name, of);
+  const said = meaning(robot, open, name);
+  const isNumber = (one) => NUMBERS.includes(meaning(robot, open, one).kind);
   const helper = helpers.get(name);
   const matrix = said.kind === "entry" ? robot.letters.matrices[said.form.letter] : undefined;
   const computed = own && ["entry", "part", "sum"].includes(said.kind);
   const readers = own ? [...own.readers] : [];
-  const shown = readers.filter((reader) => reader !== "" && meaning(robot, reader, "").kind !== "other");
-  const list = shown.slice(0, 24).map((reader) => [nameButton(robot, reader), " "]);
+  const shown = readers.filter((reader) => reader !== "" && isNumber(reader));
+  const list = shown.slice(0, 24).map((reader) => [nameButton(robot, open, reader), " "]);
   if (shown.length > 24) list.push(`and ${shown.length - 24} more`);
   if (readers.includes("")) list.push(shown.length ? "and the result" : "the result");
   // What is known of a posture is not found again for the next name.
-  if (open.given !== given) Object.assign(open, { given, worth: worth(analysis, helpers, given) });
-  const value = !helper && said.kind !== "other" ? open.worth(name) : NaN;
+  if (open.given !== given) Object.assign(open, { given, worth: worth(open, given) });
+  const value = !helper && isNumber(name) ? open.worth(name) : NaN;
   return [
     el("header", {},
-      el("h2", {}, written(robot, name)),
+      el("h2", {}, written(robot, open, name)),
       el("code", {}, name),
       el("button", { type: "button", id: "unpin", title: "Close (Escape)", "aria-label": "Close" }, "×")),
-    el("p", { class: "saying" }, saying(robot, name, said, helper)),
+    el("p", { class: "saying" }, saying(robot, open, said, helper)),
     matrix ? el("p", { class: "equation" }, matrix.is, el("br"), el("span", {}, matrix.moves)) : null,
     matrix ? grid(matrix, said.entry) : null,
     el("dl", {},
-      computed ? [el("dt", {}, "is"), el("dd", { class: "mathematics" }, mathematics(robot, analysis, helpers, own))] : null,
+      computed ? [el("dt", {}, "is"), el("dd", { class: "mathematics" }, mathematics(robot, open, own))] : null,
       Number.isFinite(value) ? [el("dt", {}, "now"), el("dd", {}, el("output", { id: "worth", "data-value": String(value) }, short(value, 6)),
         el("small", {}, " with the joints where they are", open.moves ? (given.qd[0] ? ", each at a rate of 1" : ", at rest") : null,
           own?.loop ? ", in the first column" : null))] : null,

@@ -1,11 +1,12 @@
 //! Functions as a page tells them.
 //!
 //! In: a module and the layouts that its functions have. Out: of each function its name, what it
-//! costs, how exact it is, in which layout its frames stand, and its code as it is printed, packed. It
-//! never prints an operation itself.
+//! costs, how exact it is, in which layout its frames stand, its code as it is printed, and what the names
+//! in it stand for, both packed. It never prints an operation itself.
 
 use serde_json::{Value, json};
 
+use super::names::meanings;
 use super::packed::packed;
 use super::shown;
 use super::skeleton::Layouts;
@@ -22,7 +23,7 @@ pub(super) fn functions(module: &Module, layouts: &Layouts) -> Value {
     let signs = have_signs(&module.functions);
     let functions = module.functions.iter().zip(methods).zip(&layouts.of);
     let functions = functions.map(|((generated, method), layout)| {
-        let code = Source::new("", &method).to_string();
+        let code = Source::new("", &method.text).to_string();
         let arguments = generated.arguments(&module.spaces);
         json!({
             "name": visible(&generated.name()),
@@ -33,6 +34,7 @@ pub(super) fn functions(module: &Module, layouts: &Layouts) -> Value {
             "layout": layout,
             "lines": code.lines().count(),
             "code": packed(&code),
+            "names": packed(&meanings(&method.meanings).to_string()),
         })
     });
     functions.collect()

@@ -157,12 +157,20 @@ function functionCard(robot, own, most, point) {
   return card;
 }
 
-// Unpacks the code of a function and puts it on the page.
-async function openCode(robot, own, inside, point) {
-  const text = await unpacked(own.code);
+// A function as it is read: its text, the doc comment, the parts of its code, what its names stand for, the frame
+// that it is of.
+async function opened(robot, own) {
+  const [text, names] = await Promise.all([unpacked(own.code), unpacked(own.names)]);
   const { said, code } = parted(text);
-  const analysis = analysed(code);
-  const open = { own, analysis, helpers: helpersOf(analysis), of: own.of || robot.tip || "", moves: own.arguments.includes("qd") };
+  const meanings = new Map(Object.entries(JSON.parse(names)));
+  const analysis = analysed(code, meanings);
+  return { own, text, said, analysis, names: meanings, helpers: helpersOf(analysis), of: own.of || robot.tip || "", moves: own.arguments.includes("qd") };
+}
+
+// Puts the code of a function on the page.
+async function openCode(robot, own, inside, point) {
+  const open = await opened(robot, own);
+  const { text, said } = open;
   const box = el("pre", { class: "code", tabindex: "0", role: "group", "aria-label": `The code of ${own.name}. Left and right go from name to name, up and down from line to line, Enter to where a name is defined.` });
   const copy = el("button", { type: "button", onclick: async () => {
     // A browser may have no clipboard for a file, or be told to lend none.

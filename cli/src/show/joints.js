@@ -7,8 +7,13 @@ const TURN = Math.PI;
 
 // Where the robot stands at first: all zero, or as near as limits allow; no turn where there is a quaternion.
 function rest(skeleton) {
+  let quaternion = 0;
   return skeleton.coordinates.map((entry) => {
-    if (entry.kind === "quaternion") return entry.name.endsWith(".qw") ? 1 : 0;
+    if (entry.kind === "quaternion") {
+      quaternion += 1;
+      // The last of its four entries is its scalar.
+      return quaternion % 4 === 0 ? 1 : 0;
+    }
     const [low, high] = entry.range || [0, 0];
     return entry.range ? Math.min(Math.max(0, low), high) : 0;
   });
@@ -21,15 +26,15 @@ function slidersOf(skeleton, reach) {
   for (let k = 0; k < coordinates.length; k += 1) {
     const entry = coordinates[k];
     if (entry.kind === "quaternion") {
-      const joint = entry.name.replace(/\.qx$/, "");
+      const { joint } = entry;
       for (const axis of [0, 1, 2]) {
-        sliders.push({ name: joint, part: `turn ${"xyz"[axis]}`, quaternion: k, axis, low: -TURN, high: TURN, unit: "rad", free: true });
+        sliders.push({ name: joint, joint, part: `turn ${"xyz"[axis]}`, quaternion: k, axis, low: -TURN, high: TURN, unit: "rad", free: true });
       }
       k += 3;
       continue;
     }
     const [low, high] = entry.range || (entry.kind === "turn" ? [-TURN, TURN] : [-reach, reach]);
-    sliders.push({ name: entry.name, coordinate: k, low, high, unit: entry.unit, free: !entry.range });
+    sliders.push({ name: entry.name, joint: entry.joint, coordinate: k, low, high, unit: entry.unit, free: !entry.range });
   }
   return sliders;
 }
@@ -47,7 +52,7 @@ function jointSection(data, reach, changed) {
   const turns = new Map();
   const rows = sliders.map((slider, number) => {
     const id = `slider-${number}`;
-    const kind = report.details.joints.find((joint) => slider.name === joint.name || slider.name.startsWith(`${joint.name}.`))?.kind;
+    const kind = report.details.joints.find((joint) => joint.name === slider.joint)?.kind;
     const input = el("input", {
       type: "range", id, min: String(slider.low), max: String(slider.high), step: "any",
       disabled: slider.low === slider.high,
@@ -110,7 +115,7 @@ function jointSection(data, reach, changed) {
       output.title = `${short(value, 6)} ${slider.unit}`;
     }
     for (const { mimic, output } of followers) {
-      const leader = skeleton.coordinates.findIndex((entry) => entry.name === mimic.of);
+      const leader = skeleton.coordinates.findIndex((entry) => entry.joint === mimic.of);
       const value = mimic.multiplier * q[leader] + mimic.offset;
       const kind = report.details.joints.find((joint) => joint.name === mimic.joint)?.kind;
       output.textContent = leader < 0 ? "" : said(value, kind === "prismatic" ? "m" : "rad");

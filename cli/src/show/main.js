@@ -12,7 +12,6 @@ const robot = {
   skeleton,
   layouts: data.layouts,
   letters: data.letters,
-  forms: formsOf(data.letters),
   tip: report.tip,
 };
 
@@ -74,7 +73,7 @@ function point(open, name, pinned) {
   if (pointed.pinned && !pinned && pointed.open === open) return;
   if (pointed.name === name && pointed.open === open && pointed.pinned === pinned) return;
   if (pointed.open && pointed.open !== open) pointed.open.listing.mark(null);
-  pointed = { open, name, pinned, bodies: bodiesOf(robot, meaning(robot, name, "")) };
+  pointed = { open, name, pinned, bodies: bodiesOf(robot, meaning(robot, open, name)) };
   open.listing.mark(name);
   // Frames are those of the function.
   if (shown.frames !== null && shown.frames !== "described") select(open.own.layout);
@@ -158,7 +157,7 @@ matchMedia("print").addEventListener("change", () => paint(canvas, robot, now, s
 joints.start();
 whole();
 
-const codeOf = (name) => unpacked(data.functions.find((own) => own.name === name).code);
+const functionOf = (name) => data.functions.find((own) => own.name === name);
 
 window.homogen = {
   robot: report.robot,
@@ -169,13 +168,13 @@ window.homogen = {
   // M₀ of every link, by its name: rows 1 to 3.
   poses: () => Object.fromEntries(skeleton.links.map((link, k) => [link.name, now.links[k]])),
   // The code of a function, as it is printed.
-  code: codeOf,
+  code: (name) => unpacked(functionOf(name).code),
   // Its names: of each what kind it is, and what it is worth now.
   names: async (name) => {
-    const analysis = analysed(parted(await codeOf(name)).code);
-    const helpers = helpersOf(analysis);
-    const value = worth(analysis, helpers, given);
-    const kind = (own) => (helpers.has(own) ? "helper" : meaning(robot, own, "").kind);
+    const open = await opened(robot, functionOf(name));
+    const { analysis, helpers } = open;
+    const value = worth(open, given);
+    const kind = (own) => (helpers.has(own) ? "helper" : meaning(robot, open, own).kind);
     return [...analysis.names.keys()].map((own) => ({ name: own, kind: kind(own), worth: helpers.has(own) ? NaN : value(own) }));
   },
 };

@@ -1,10 +1,13 @@
-//! What names in generated code say: which matrix of the paper, of which links, in which frame, and which
-//! of its entries.
+//! Meanings of names in generated code: the matrix of the paper, its bodies, its frame, and the entry.
 //!
-//! In: nothing. Out: the matrices with their equations, and the forms of names with what each is. The
-//! model gives the names; a test finds each of them here. It never reads a name: the page does.
+//! In: what a name stands for, as the engine gives it. Out: the same as data of the page; the matrices with their
+//! equations, and a sentence for each quantity.
 
 use serde_json::{Map, Value, json};
+
+use homogen_codegen::expression::{Block, Component, Label, Numeral, Of, Quantity};
+use homogen_codegen::schedule::{Meaning, Turn};
+use homogen_codegen::space::{Variable, action_entry};
 
 /// A matrix of the paper.
 struct Matrix {
@@ -18,15 +21,16 @@ struct Matrix {
     moves: &'static str,
 }
 
-/// A form of names: `{i}` and `{k}` stand for numbers, `{e}` for the entry.
+/// A kind of quantity: `{i}` and `{k}` stand for its two numbers.
 struct Form {
-    name: &'static str,
+    /// True of a quantity of this kind.
+    fits: fn(Quantity) -> bool,
+    /// The letter of its matrix; empty where the paper has none.
     letter: &'static str,
     /// Its subscripts, as the paper writes them.
     subscript: &'static str,
-    /// What takes the place of `{e}`, and the entry that it is.
-    entries: &'static [(&'static str, &'static str)],
-    /// What the matrix is of.
+    /// Its sentence; `{i}` is the body of the first number, `{k}` the frame of the second, `{0}` and `{n}` those at the
+    /// ends; `{row}` and `{column}` are the numbers themselves.
     tells: &'static str,
 }
 
@@ -107,75 +111,138 @@ const MATRICES: [Matrix; 6] = [
     },
 ];
 
-const OMEGA: &[(&str, &str)] = &[("x", "ω_x"), ("y", "ω_y"), ("z", "ω_z")];
-const V: &[(&str, &str)] = &[("vx", "v_x"), ("vy", "v_y"), ("vz", "v_z")];
-const OMEGA_DOT: &[(&str, &str)] = &[("x", "ω̇_x"), ("y", "ω̇_y"), ("z", "ω̇_z")];
-const A: &[(&str, &str)] = &[("x", "a_x"), ("y", "a_y"), ("z", "a_z")];
-const SCREW: &[(&str, &str)] = &[
-    ("ux", "u_x"),
-    ("uy", "u_y"),
-    ("uz", "u_z"),
-    ("bx", "b_x"),
-    ("by", "b_y"),
-    ("bz", "b_z"),
-];
-const POSE: &[(&str, &str)] = &[
-    ("xx", "x_x"),
-    ("xy", "x_y"),
-    ("xz", "x_z"),
-    ("yx", "y_x"),
-    ("yy", "y_y"),
-    ("yz", "y_z"),
-    ("zx", "z_x"),
-    ("zy", "z_y"),
-    ("zz", "z_z"),
-    ("tx", "t_x"),
-    ("ty", "t_y"),
-    ("tz", "t_z"),
-];
-const INERTIA: &[(&str, &str)] = &[
-    ("xx", "J_xx"),
-    ("yy", "J_yy"),
-    ("zz", "J_zz"),
-    ("xy", "J_xy"),
-    ("xz", "J_xz"),
-    ("yz", "J_yz"),
-    ("x", "q_x"),
-    ("y", "q_y"),
-    ("z", "q_z"),
-    ("m", "m"),
-];
-const FIRST_MOMENT: &[(&str, &str)] = &[("x", "q_x"), ("y", "q_y"), ("z", "q_z")];
-const ACTION: &[(&str, &str)] = &[
-    ("cx", "c_x"),
-    ("cy", "c_y"),
-    ("cz", "c_z"),
-    ("fx", "f_x"),
-    ("fy", "f_y"),
-    ("fz", "f_z"),
-];
-const NONE: &[(&str, &str)] = &[("", "")];
-
-/// All forms; a name has the first one that it fits.
+/// All forms; a quantity has the first one that it fits.
 #[rustfmt::skip]
 const FORMS: [Form; 16] = [
-    Form { name: "w_0_{i}_in_{k}_{e}", letter: "W", subscript: "0,{i}({k})", entries: OMEGA, tells: "Angular velocity of {i} as seen from {0}, in the axes of {k}." },
-    Form { name: "w_0_{i}_in_{k}_{e}", letter: "W", subscript: "0,{i}({k})", entries: V, tells: "Velocity, as seen from {0}, of the point of {i} that is just passing through the origin of {k}." },
-    Form { name: "w_{i}_n_in_{k}_{e}", letter: "W", subscript: "{i},n({k})", entries: OMEGA, tells: "Angular velocity of frame n ({n}) as seen from {i}, in the axes of {k}." },
-    Form { name: "w_{i}_n_in_{k}_{e}", letter: "W", subscript: "{i},n({k})", entries: V, tells: "Velocity, as seen from {i}, of the point of n ({n}) that is just passing through the origin of {k}." },
-    Form { name: "wd_0_{i}_in_{k}_{e}", letter: "H", subscript: "0,{i}({k})", entries: OMEGA_DOT, tells: "Angular acceleration of {i}, in the axes of {k}." },
-    Form { name: "h_0_{i}_in_{k}_{e}", letter: "H", subscript: "0,{i}({k})", entries: A, tells: "Acceleration of the origin of {k}, taken with {i}; in dynamics the base is accelerated against gravity, so that this is less g." },
-    Form { name: "m_{i}_n_{e}", letter: "M", subscript: "{i},n", entries: POSE, tells: "Pose of frame n ({n}) as seen from {i}: its axes x, y, z and its origin t." },
-    Form { name: "m_0_{i}_{e}", letter: "M", subscript: "0,{i}", entries: POSE, tells: "Pose of {i} as seen from {0}: its axes x, y, z and its origin t." },
-    Form { name: "l_{i}_in_0_{e}", letter: "L", subscript: "{i}(0)", entries: SCREW, tells: "Screw of the joint of {i}, in {0}." },
-    Form { name: "j_{i}_in_0_{e}", letter: "J", subscript: "{i}(0)", entries: INERTIA, tells: "Inertia of {i} in {0}, or of it with all that it carries." },
-    Form { name: "j_{i}_in_{k}_{e}", letter: "J", subscript: "{i}({k})", entries: INERTIA, tells: "Inertia of {i} with all that it carries, in {k}; mass that no joint can feel there may be counted further in." },
-    Form { name: "c_{i}_in_{k}_{e}", letter: "J", subscript: "{i}({k})", entries: FIRST_MOMENT, tells: "First moment of {i} with all that it carries, by the mass of the robot, in {k}." },
-    Form { name: "phi_{i}_in_{i}_{e}", letter: "Φ", subscript: "{i}({i})", entries: ACTION, tells: "What the joint of {i} exerts on all that it carries, in {i}; where a mass matrix is made, at a unit acceleration of that joint." },
-    Form { name: "phi_{i}_in_{k}_{e}", letter: "Φ", subscript: "{i}({k})", entries: ACTION, tells: "What the joint of {i} exerts on all that it carries, in {k}; where a mass matrix is made, at a unit acceleration of that joint." },
-    Form { name: "d_{i}{e}", letter: "", subscript: "", entries: NONE, tells: "What the joint of {i} itself opposes to its acceleration: D of the mass matrix Lᵗ D L, or of articulated bodies (Featherstone). No matrix of the paper." },
-    Form { name: "l_{i}_{k}{e}", letter: "", subscript: "", entries: NONE, tells: "Row {i}, column {k} of L of the mass matrix Lᵗ D L (Featherstone). No matrix of the paper." },
+    Form { fits: |of| is(of, Block::AngularVelocity) && from_base(of), letter: "W", subscript: "0,{i}({k})", tells: "Angular velocity of {i} as seen from {0}, in the axes of {k}." },
+    Form { fits: |of| is(of, Block::LinearVelocity) && from_base(of), letter: "W", subscript: "0,{i}({k})", tells: "Velocity, as seen from {0}, of the point of {i} that is just passing through the origin of {k}." },
+    Form { fits: |of| is(of, Block::AngularVelocity) && of_tip(of), letter: "W", subscript: "{i},n({k})", tells: "Angular velocity of frame n ({n}) as seen from {i}, in the axes of {k}." },
+    Form { fits: |of| is(of, Block::LinearVelocity) && of_tip(of), letter: "W", subscript: "{i},n({k})", tells: "Velocity, as seen from {i}, of the point of n ({n}) that is just passing through the origin of {k}." },
+    Form { fits: |of| is(of, Block::AngularAcceleration) && from_base(of), letter: "H", subscript: "0,{i}({k})", tells: "Angular acceleration of {i}, in the axes of {k}." },
+    Form { fits: |of| is(of, Block::LinearAcceleration) && from_base(of), letter: "H", subscript: "0,{i}({k})", tells: "Acceleration of the origin of {k}, taken with {i}; in dynamics the base is accelerated against gravity, so that this is less g." },
+    Form { fits: |of| is_pose(of) && of_tip(of), letter: "M", subscript: "{i},n", tells: "Pose of frame n ({n}) as seen from {i}: its axes x, y, z and its origin t." },
+    Form { fits: |of| is_pose(of) && from_base(of), letter: "M", subscript: "0,{i}", tells: "Pose of {i} as seen from {0}: its axes x, y, z and its origin t." },
+    Form { fits: |of| (is(of, Block::Direction) || is(of, Block::Moment)) && in_base(of), letter: "L", subscript: "{i}(0)", tells: "Screw of the joint of {i}, in {0}." },
+    Form { fits: |of| is(of, Block::Inertia) && in_base(of), letter: "J", subscript: "{i}(0)", tells: "Inertia of {i} in {0}, or of it with all that it carries." },
+    Form { fits: |of| is(of, Block::Inertia), letter: "J", subscript: "{i}({k})", tells: "Inertia of {i} with all that it carries, in {k}; mass that no joint can feel there may be counted further in." },
+    Form { fits: |of| is(of, Block::MassCenter), letter: "J", subscript: "{i}({k})", tells: "First moment of {i} with all that it carries, by the mass of the robot, in {k}." },
+    Form { fits: |of| is_action(of) && in_its_own(of), letter: "Φ", subscript: "{i}({i})", tells: "What the joint of {i} exerts on all that it carries, in {i}; where a mass matrix is made, at a unit acceleration of that joint." },
+    Form { fits: |of| is_action(of), letter: "Φ", subscript: "{i}({k})", tells: "What the joint of {i} exerts on all that it carries, in {k}; where a mass matrix is made, at a unit acceleration of that joint." },
+    Form { fits: |of| is(of, Block::Pivot), letter: "", subscript: "{i}", tells: "What the joint of {i} itself opposes to its acceleration: D of the mass matrix Lᵗ D L, or of articulated bodies (Featherstone). No matrix of the paper." },
+    Form { fits: |of| is(of, Block::Factor), letter: "", subscript: "{i},{k}", tells: "Row {row}, column {column} of L of the mass matrix Lᵗ D L (Featherstone). No matrix of the paper." },
 ];
+
+fn is(of: Quantity, block: Block) -> bool {
+    of.block == block
+}
+
+fn is_pose(of: Quantity) -> bool {
+    matches!(of.block, Block::Axis(_) | Block::Origin)
+}
+
+fn is_action(of: Quantity) -> bool {
+    matches!(of.block, Block::Couple | Block::Force)
+}
+
+fn from_base(of: Quantity) -> bool {
+    matches!(of.of, Of::FromBase(_))
+}
+
+fn of_tip(of: Quantity) -> bool {
+    matches!(of.of, Of::TipFrom(_))
+}
+
+fn in_base(of: Quantity) -> bool {
+    of.frame == Some(Numeral::BASE)
+}
+
+fn in_its_own(of: Quantity) -> bool {
+    let [body, _] = numbers(of);
+    of.frame.map(|frame| frame.0) == body
+}
+
+/// The numbers `{i}` and `{k}` of a quantity.
+fn numbers(of: Quantity) -> [Option<usize>; 2] {
+    match of.of {
+        Of::Body(Numeral(i)) | Of::FromBase(Numeral(i)) | Of::TipFrom(Numeral(i)) => {
+            [Some(i), of.frame.map(|frame| frame.0)]
+        }
+        Of::Pair(Numeral(row), Numeral(column)) => [Some(row), Some(column)],
+    }
+}
+
+/// An entry as the cells of its matrix have it: a letter, and subscripts behind `_`.
+fn entry(label: Label) -> String {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    let letter = match (label.quantity.block, label.component) {
+        (Block::Axis(k), _) => AXES[k],
+        (Block::Origin, _) => "t",
+        (Block::AngularVelocity, _) => "ω",
+        (Block::LinearVelocity, _) => "v",
+        (Block::AngularAcceleration, _) => "ω̇",
+        (Block::LinearAcceleration, _) => "a",
+        (Block::Direction, _) => "u",
+        (Block::Moment, _) => "b",
+        (Block::Inertia, Component::Second(..)) => "J",
+        (Block::Inertia, Component::Mass) => "m",
+        (Block::Inertia | Block::MassCenter, _) => "q",
+        (Block::Couple, _) => "c",
+        (Block::Force, _) => "f",
+        (Block::Pivot, _) => "d",
+        (Block::Factor, _) => "ℓ",
+    };
+    match label.component {
+        Component::Scalar | Component::Mass => letter.to_owned(),
+        Component::Along(k) => format!("{letter}_{}", AXES[k]),
+        Component::Second(i, k) => format!("{letter}_{}{}", AXES[i], AXES[k]),
+    }
+}
+
+/// Names with what they stand for, by name.
+pub(super) fn meanings(named: &[(String, Meaning)]) -> Value {
+    let named = named.iter();
+    let named = named.map(|(name, meaning)| (name.clone(), data(meaning)));
+    Value::Object(named.collect())
+}
+
+/// The meaning of a name; bodies, coordinates and entries of arguments count from 1.
+fn data(meaning: &Meaning) -> Value {
+    match meaning {
+        Meaning::Argument(Variable::Actions, entry) => {
+            let (action, entry) = action_entry(usize::from(*entry));
+            json!({ "kind": "action", "index": action + 1, "entry": entry })
+        }
+        Meaning::Argument(argument, entry) => {
+            json!({ "kind": "argument", "argument": argument.name(), "index": entry + 1 })
+        }
+        Meaning::Entry(label) => {
+            let [i, k] = numbers(label.quantity);
+            let form = FORMS.iter().position(|form| (form.fits)(label.quantity));
+            json!({
+                "kind": "entry", "form": form, "entry": entry(*label), "i": i, "k": k,
+                "negative": label.negative,
+            })
+        }
+        Meaning::Sum(coordinates) => {
+            json!({ "kind": "sum", "coordinates": from_one(coordinates) })
+        }
+        Meaning::Sine(turn) => angle(turn, true),
+        Meaning::Cosine(turn) => angle(turn, false),
+        Meaning::Part(number) => json!({ "kind": "part", "index": number }),
+        Meaning::Table => json!({ "kind": "table" }),
+        Meaning::Round => json!({ "kind": "round" }),
+    }
+}
+
+fn angle(turn: &Turn, sine: bool) -> Value {
+    json!({
+        "kind": "angle", "sine": sine, "of": turn.name, "coordinates": from_one(&turn.coordinates),
+    })
+}
+
+fn from_one(coordinates: &[u16]) -> Value {
+    coordinates.iter().map(|k| k + 1).collect()
+}
 
 /// The matrices by their letters, and the forms.
 pub(super) fn letters() -> Value {
@@ -185,14 +252,9 @@ pub(super) fn letters() -> Value {
         });
         (matrix.letter.to_owned(), told)
     });
-    let forms = FORMS.iter().map(|form| {
-        let entries = form.entries.iter();
-        let entries = entries.map(|(suffix, entry)| ((*suffix).to_owned(), json!(entry)));
-        json!({
-            "form": form.name, "letter": form.letter, "subscript": form.subscript,
-            "entries": entries.collect::<Map<String, Value>>(), "tells": form.tells,
-        })
-    });
+    let forms = FORMS.iter().map(
+        |form| json!({ "letter": form.letter, "subscript": form.subscript, "tells": form.tells }),
+    );
     json!({
         "matrices": matrices.collect::<Map<String, Value>>(),
         "forms": forms.collect::<Value>(),
@@ -210,64 +272,77 @@ mod tests {
     use homogen_codegen::formulation::{Angles, Formulation, Forward, Frame};
     use homogen_codegen::request::Request;
 
-    /// Whether a name is of a form; what follows a number is no digit.
-    fn fits(form: &str, entry: &str, name: &str) -> bool {
-        let (mut name, mut bound) = (name, [None::<&str>; 2]);
-        let form = form.replace("{e}", entry);
-        let mut parts = form.split('{');
-        let Some(mut rest) = parts.next().and_then(|first| name.strip_prefix(first)) else {
-            return false;
-        };
-        for part in parts {
-            let (which, literal) = part.split_once('}').expect("what is open is closed");
-            let end = rest
-                .find(|c: char| !c.is_ascii_digit())
-                .unwrap_or(rest.len());
-            (name, rest) = rest.split_at(end);
-            let seen = &mut bound[usize::from(which == "k")];
-            let same = seen.is_none_or(|before| before == name);
-            *seen = Some(name);
-            match rest.strip_prefix(literal) {
-                Some(after) if same && !name.is_empty() => rest = after,
-                _ => return false,
-            }
-        }
-        rest.is_empty()
+    /// The letter and the first words of the sentence of a quantity.
+    fn told(quantity: Quantity) -> (&'static str, &'static str) {
+        let form = FORMS.iter().find(|form| (form.fits)(quantity));
+        let form = form.expect("a form");
+        let end = form.tells.find('{').expect("a number");
+        (form.letter, form.tells[..end].trim())
     }
 
     #[test]
     fn forms_are_told_apart() {
-        assert!(fits("w_0_{i}_in_{k}_{e}", "x", "w_0_12_in_3_x"));
-        assert!(!fits("w_0_{i}_in_{k}_{e}", "x", "w_0_12_in_3_vx"));
-        assert!(fits("phi_{i}_in_{i}_{e}", "cz", "phi_2_in_2_cz"));
-        assert!(!fits("phi_{i}_in_{i}_{e}", "cz", "phi_2_in_1_cz"));
-        assert!(fits("l_{i}_{k}{e}", "", "l_3_1") && !fits("d_{i}{e}", "", "d_1_2"));
+        let [two, three] = [2, 3].map(Numeral);
+        let quantity = |block: Block, of, frame| block.of(of).seen_in(frame);
+        for (quantity, expected) in [
+            (
+                quantity(Block::AngularVelocity, Of::FromBase(two), three),
+                ("W", "Angular velocity of"),
+            ),
+            (
+                quantity(Block::LinearVelocity, Of::TipFrom(two), three),
+                ("W", "Velocity, as seen from"),
+            ),
+            (
+                Block::Axis(2).of(Of::TipFrom(two)),
+                ("M", "Pose of frame n ("),
+            ),
+            (Block::Origin.of(Of::FromBase(two)), ("M", "Pose of")),
+            (Block::Factor.of(Of::Pair(three, two)), ("", "Row")),
+        ] {
+            assert_eq!(told(quantity), expected);
+        }
+        let action = |frame| quantity(Block::Force, Of::Body(two), frame);
+        assert!(in_its_own(action(two)) && !in_its_own(action(three)));
+        assert!(!in_its_own(Block::Force.of(Of::Body(two))));
     }
 
     #[test]
-    fn every_entry_is_one_of_its_matrix() {
-        for form in &FORMS {
-            let matrix = MATRICES.iter().find(|matrix| matrix.letter == form.letter);
-            for (_, entry) in form.entries {
-                let in_cells = |matrix: &Matrix| {
-                    let has = |cell: &&str| {
-                        cell.split_whitespace()
-                            .any(|part| part.trim_start_matches('−') == *entry)
-                    };
-                    matrix.cells.iter().any(has)
-                };
-                assert_eq!(
-                    matrix.is_some_and(in_cells),
-                    !form.letter.is_empty(),
-                    "{entry}"
-                );
-            }
+    fn names_are_data() {
+        let label = Block::AngularVelocity
+            .of(Of::FromBase(Numeral(12)))
+            .seen_in(Numeral(3))
+            .entry(Component::Along(0));
+        let turn = Turn {
+            name: "q_2_3".to_owned(),
+            coordinates: vec![1, 2],
+        };
+        for (meaning, expected) in [
+            (
+                Meaning::Entry(label.opposite()),
+                json!({ "kind": "entry", "form": 0, "entry": "ω_x", "i": 12, "k": 3, "negative": true }),
+            ),
+            (
+                Meaning::Argument(Variable::Qdd, 4),
+                json!({ "kind": "argument", "argument": "qdd", "index": 5 }),
+            ),
+            (
+                Meaning::Argument(Variable::Actions, 9),
+                json!({ "kind": "action", "index": 2, "entry": "fx" }),
+            ),
+            (
+                Meaning::Cosine(turn),
+                json!({ "kind": "angle", "sine": false, "of": "q_2_3", "coordinates": [2, 3] }),
+            ),
+        ] {
+            assert_eq!(data(&meaning), expected);
         }
     }
 
-    /// Functions of robots in all formulations, and the names that the model gives.
+    /// Functions of robots in all formulations: each of their entries has a form and is one of its matrix, and no form
+    /// is without a quantity.
     #[test]
-    fn the_model_gives_no_name_that_is_not_told() {
+    fn each_entry_of_a_function_has_a_form_and_a_cell() {
         let robots = [
             ("scara", include_str!("../../../robots/scara.urdf")),
             (
@@ -306,19 +381,24 @@ mod tests {
                     .iter()
                     .flat_map(|generated| &generated.program.steps);
                 for label in steps.filter_map(|step| step.label) {
-                    let label = label.quantity.entry(label.component).to_string();
-                    let is = |form: &&Form| {
-                        form.entries
-                            .iter()
-                            .any(|(entry, _)| fits(form.name, entry, &label))
+                    let form = (FORMS.iter()).position(|form| (form.fits)(label.quantity));
+                    let form = form.unwrap_or_else(|| panic!("`{label}` has no form"));
+                    let letter = FORMS[form].letter;
+                    let matrix = MATRICES.iter().find(|matrix| matrix.letter == letter);
+                    assert_eq!(matrix.is_some(), !letter.is_empty(), "{letter}");
+                    let entry = entry(label);
+                    let has = |cell: &str| {
+                        let mut parts = cell.split_whitespace();
+                        parts.any(|part| part.trim_start_matches('−') == entry)
                     };
-                    let form = FORMS.iter().find(is);
-                    let form = form.unwrap_or_else(|| panic!("nobody tells what `{label}` is"));
-                    met.insert(form.name);
+                    assert!(
+                        matrix.is_none_or(|matrix| matrix.cells.into_iter().any(has)),
+                        "{entry} of `{label}` is not in {letter}"
+                    );
+                    met.insert(form);
                 }
             }
         }
-        let all: BTreeSet<&str> = FORMS.iter().map(|form| form.name).collect();
-        assert_eq!(met, all);
+        assert_eq!(met, (0..FORMS.len()).collect());
     }
 }

@@ -18,7 +18,7 @@ use homogen_codegen::matrix::{Pose, Rotation};
 use homogen_codegen::module::Module;
 use homogen_codegen::quaternion::normalize;
 use homogen_codegen::request::Request;
-use homogen_codegen::space::{Entry, Kind, Variable};
+use homogen_codegen::space::{CoordinateId, Entry, Kind, Variable};
 
 /// The skeleton of a robot.
 pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
@@ -60,9 +60,38 @@ pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
         "bodies": bodies.collect::<Value>(),
         "links": links.collect::<Value>(),
         "loops": loops.collect::<Value>(),
-        "coordinates": entries(&spaces.coordinates, Variable::Q),
-        "velocities": entries(&spaces.velocities, Variable::Qd),
+        "coordinates": coordinates(chain),
+        "velocities": entries(&spaces.velocities, Variable::Qd).collect::<Value>(),
     }))
+}
+
+/// The coordinates, each with the joint that it is of.
+fn coordinates(chain: &Chain) -> Value {
+    let coordinates = &chain.spaces().coordinates;
+    let entries = coordinates.ids().zip(entries(coordinates, Variable::Q));
+    let entries = entries.map(|(coordinate, mut entry)| {
+        entry["joint"] = json!(joint_of(chain, coordinate));
+        entry
+    });
+    entries.collect()
+}
+
+/// The name of the joint that has a coordinate of its own.
+fn joint_of(chain: &Chain, coordinate: CoordinateId) -> Option<&str> {
+    let follows = |joint: &Joint| {
+        let mut followers = chain.report.mimicked.iter();
+        followers.any(|mimic| mimic.joint == joint.of)
+    };
+    let moves = |joint: &&Joint| match joint.position {
+        Position::Along {
+            coordinate: own, ..
+        } => own == coordinate && !follows(joint),
+        Position::Posture(posture, first) => {
+            (first..first.plus(posture.coordinates().len())).contains(&coordinate)
+        }
+        Position::Taken => false,
+    };
+    chain.joints.iter().find(moves).map(|joint| &*joint.of)
 }
 
 /// The same chain with the frames of all links that are not left out.
@@ -114,8 +143,9 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
     })
 }
 
-fn entries(entries: &[Entry], variable: Variable) -> Value {
-    let entries = entries.iter().map(|entry| {
+/// Descriptions of the entries of a space, as those of a variable.
+fn entries(entries: &[Entry], variable: Variable) -> impl Iterator<Item = Value> {
+    entries.iter().map(move |entry| {
         let kind = match entry.kind {
             Kind::Turn => "turn",
             Kind::Slide => "slide",
@@ -126,8 +156,7 @@ fn entries(entries: &[Entry], variable: Variable) -> Value {
             "name": entry.name, "kind": kind, "unit": variable.unit(entry.kind),
             "range": entry.range,
         })
-    });
-    entries.collect()
+    })
 }
 
 /// Where the frames of some functions stand.

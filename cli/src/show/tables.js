@@ -8,7 +8,7 @@ function readSection(data) {
   const followers = new Map(report.mimicked.map((mimic) => [mimic.joint, mimic]));
   const joints = report.details.joints.map((joint) => {
     const follows = followers.get(joint.name);
-    const is = (entry) => !follows && (entry.name === joint.name || entry.name.startsWith(`${joint.name}.`));
+    const is = (entry) => !follows && entry.joint === joint.name;
     const first = skeleton.coordinates.findIndex(is);
     const own = skeleton.coordinates.filter(is);
     const { unit, range } = own.length === 1 ? own[0] : { unit: "", range: null };

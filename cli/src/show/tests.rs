@@ -282,3 +282,27 @@ fn options_of_other_commands_hold() {
     let refused = show("--lock nothing", SCARA);
     assert_eq!((refused.output.as_str(), refused.code), ("", 1));
 }
+
+#[test]
+fn a_coordinate_is_of_its_joint_whatever_that_is_called() {
+    let text = include_str!("../../../tests/show/joints.urdf");
+    let (_, data) = page("--tip thumb --functions forward_kinematics", text);
+    let of = |data: &Value| -> Vec<(String, String)> {
+        let coordinates = data["skeleton"]["coordinates"].as_array().expect("a list");
+        let text = |value: &Value| value.as_str().expect("a name").to_owned();
+        let coordinates = coordinates.iter();
+        coordinates
+            .map(|entry| (text(&entry["name"]), text(&entry["joint"])))
+            .collect()
+    };
+    for (name, joint) in of(&data) {
+        let part = name.strip_prefix(&joint).expect("it begins as the joint");
+        assert!(part.is_empty() || part.starts_with('.'), "{name}");
+    }
+    // A joint that is called as a coordinate of another.
+    let arm = SCARA.replace("\"elbow\"", "\"shoulder.x\"");
+    let (_, data) = page("--tip tool --functions gravity", &arm);
+    let [first, second] = [0, 1].map(|k| of(&data)[k].clone());
+    let name = |name: &str| (name.to_owned(), name.to_owned());
+    assert_eq!([first, second], ["shoulder", "shoulder.x"].map(name));
+}

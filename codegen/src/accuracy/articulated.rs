@@ -36,7 +36,7 @@ impl Articulated<'_> {
     /// What is promised of accelerations.
     #[must_use]
     pub fn accelerations(&self, means: Means) -> Accuracy {
-        let programs = [&self.motion];
+        let programs = [&self.programs.motion];
         backward(self.chain, Perturbed::Torques, &programs, means, |scalar| {
             let steps = Steps::of(self, means, scalar)?;
             tried(LEAST_MARGIN, |margin| steps.torques(margin))
@@ -47,7 +47,7 @@ impl Articulated<'_> {
     /// is off by: what the derivatives of τ are off by, at the accelerations found, which a program computes.
     #[must_use]
     pub fn derivatives(&self, derivatives: &Program, means: Means) -> Accuracy {
-        let programs = [&self.motion, derivatives];
+        let programs = [&self.programs.motion, derivatives];
         let perturbed = Perturbed::TorqueDerivatives;
         backward(self.chain, perturbed, &programs, means, |scalar| {
             let steps = Steps::of(self, means, scalar)?;
@@ -74,7 +74,7 @@ impl Steps<'_, '_> {
         } = self.bodies;
         let wider = widened(&self.bodies.range, margin);
         let found = values(computed(
-            &self.bodies.motion,
+            &self.bodies.programs.motion,
             &wider,
             self.means,
             self.scalar,

@@ -48,7 +48,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         let is_turned = matches!(target, BasePlacement | PlacementOf(_));
         is_turned || matches!(target, CenterOfMassOf(_) | InertiaOf(_) | OriginOf(_))
     };
-    let read = chain.parameters.iter().zip(&chain.nominal);
+    let read = chain.request.parameters.iter().zip(&chain.nominal);
     let read = read.filter(|(_, nominal)| !nominal.is_empty());
     if read.into_iter().any(|(field, _)| moves(&field.target)) {
         return Err(
@@ -63,7 +63,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     let numbers = evaluate(&graph, &numbers, |input| {
         let least = match input {
             // What a body adds to the energy is never negative, so that without it is the least.
-            Input::Parameter(field, _) if chain.parameters[field.into()].target.is_payload() => {
+            Input::Parameter(field, _) if chain.field(field.into()).target.is_payload() => {
                 Some(0.0)
             }
             Input::Parameter(..) => range.get(input).map(|[least, _]| least),

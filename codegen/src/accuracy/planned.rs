@@ -130,11 +130,14 @@ impl<'p> Promises<'p> {
 
     fn of_bodies(&self, promised: impl Fn(&Articulated<'_>) -> Accuracy) -> Accuracy {
         let Plan {
-            chain, layout, way, ..
+            programs,
+            layout,
+            way,
+            ..
         } = self.plan;
         let bodies = self
             .bodies
-            .get_or_init(|| Articulated::of(chain, *layout, *way));
+            .get_or_init(|| Articulated::of(programs, *layout, *way));
         match bodies {
             Ok(bodies) => promised(bodies),
             Err(reason) => Accuracy::Unknown(reason),

@@ -278,6 +278,7 @@ pub(super) fn computed(
         scalar,
         angles: means.trigonometry.reach(scalar),
         range: &input,
+        quaternions: &range.quaternions,
     };
     bound::results(program, &conditions)
 }

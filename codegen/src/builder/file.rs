@@ -138,10 +138,10 @@ impl Builder {
 
 /// Tells cargo every doubt, and which files to watch beside the first.
 pub(super) fn doubt(module: &Module) {
-    for path in &module.about.beside {
+    for path in &module.about.source.beside {
         println!("cargo::rerun-if-changed={}", path.display());
     }
-    for warning in &module.about.warnings {
+    for warning in module.about.located_warnings() {
         println!("cargo::warning={warning}");
     }
 }

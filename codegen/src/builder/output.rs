@@ -7,10 +7,8 @@ use quote::quote;
 use syn::ext::IdentExt;
 
 use super::{Builder, Origin};
-use crate::chain::Chain;
 use crate::description::{self, Description, inline};
 use crate::error::{Errors, Place};
-use crate::expand;
 use crate::formulation::{Products, Sines};
 use crate::module::Module;
 use crate::print::ascii::beyond;
@@ -70,13 +68,6 @@ impl Builder {
     #[doc(hidden)]
     pub fn file_module(&self) -> Result<Module, Errors> {
         self.module_where(self.request.runtime.is_some(), true)
-    }
-
-    /// The robot as it is understood, with what is doubted of it.
-    #[doc(hidden)]
-    pub fn understand(&self) -> Result<Chain, Errors> {
-        let (description, request) = self.both()?;
-        expand::understand(&description, &request)
     }
 
     /// What is read, and what is asked of it.

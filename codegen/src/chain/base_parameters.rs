@@ -136,7 +136,7 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
 /// axis, nothing is hidden that can be seen anywhere.
 #[must_use]
 pub fn revealing<'c>(chain: &'c Chain, found: &BaseParameters) -> Vec<&'c Parameter> {
-    let fields = chain.parameters.iter();
+    let fields = chain.request.parameters.iter();
     let fields: Vec<_> = fields
         .filter(|field| field.target.enters_regressors())
         .collect();
@@ -144,7 +144,7 @@ pub fn revealing<'c>(chain: &'c Chain, found: &BaseParameters) -> Vec<&'c Parame
         return fields;
     }
     let mut random = Random(0);
-    let both = chain.parameters.iter().zip(&chain.nominal);
+    let both = chain.request.parameters.iter().zip(&chain.nominal);
     let elsewhere = Chain {
         nominal: both
             .map(|(field, nominal)| field.near(nominal, || random.unit()))

@@ -97,7 +97,6 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         description: Rc::clone(description),
         request: Rc::clone(request),
         nominal,
-        parameters: request.parameters.clone().into(),
         joints,
         spaces,
         loops,

@@ -60,7 +60,7 @@ fn state(chain: &Chain, random: &mut Random) -> State {
             }
         }
     }
-    for (parameter, nominal) in chain.parameters.iter().zip(&chain.nominal) {
+    for (parameter, nominal) in chain.request.parameters.iter().zip(&chain.nominal) {
         let fields = parameter.near(nominal, || random.unit());
         state.fields.push(fields);
     }

@@ -7,6 +7,8 @@
 //! Of quaternions the results are those of length 1, next to which the type of number has one; angles are such that
 //! sines of them are bounded; accelerations under loops are told where these are closed.
 
+use std::mem;
+
 use super::{robot, states};
 use crate::accuracy::Means;
 use crate::chain::Chain;
@@ -164,19 +166,18 @@ fn rounded(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> Stat
 /// variable.
 fn with_coordinates(
     state: &State,
-    q: Vec<Double>,
+    mut q: Vec<Double>,
     change: impl Fn(Option<Variable>, &f64) -> f64,
 ) -> State {
-    let mut changed = State {
-        arguments: Arguments::of(|variable| {
-            let entries = state.arguments[variable].iter();
-            let entries = entries.map(|entry| change(Some(variable), &entry.to_f64()));
-            entries.map(Double::from).collect()
+    State {
+        arguments: Arguments::of(|variable| match variable {
+            Variable::Q => mem::take(&mut q),
+            _ => (state.arguments[variable].iter())
+                .map(|entry| change(Some(variable), &entry.to_f64()).into())
+                .collect(),
         }),
         fields: (state.fields).map(|field| field.iter().map(|value| change(None, value)).collect()),
-    };
-    changed.arguments[Variable::Q] = q;
-    changed
+    }
 }
 
 /// Whether results under loops depend on which part of the whole counts as nothing, or on the rounding of a pivot.
@@ -328,6 +329,7 @@ fn rounding(state: &State, program: &Program, means: Means) -> Vec<Found> {
         scalar,
         angles: means.trigonometry.reach(scalar),
         range: &range,
+        quaternions: &[],
     };
     bound::results(program, &conditions)
 }

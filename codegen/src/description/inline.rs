@@ -200,7 +200,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
         let hint = "name one file, or describe links and joints in place";
         tokens::push(errors, complaint_with_hint(extra.span(), message, hint));
     }
-    let file = settings.files.into_iter().next();
+    let file = settings.files.first().cloned();
     let mut description = match &file {
         Some(path) => file::read_file(&folder.join(path.value()), Some(path.span()), errors),
         None if parts.is_empty() => {
@@ -226,6 +226,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
         generics: Generics::default(),
         file,
         description,
+        names_functions: settings.span("generate").is_some(),
         request: settings.request,
     }
 }

@@ -26,4 +26,6 @@ pub struct Item {
     pub description: Option<Description>,
     /// What is asked for.
     pub request: Request,
+    /// True if `generate` names functions or says `all`.
+    pub names_functions: bool,
 }

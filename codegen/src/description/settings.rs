@@ -22,7 +22,7 @@ use crate::wording::{known, quoted};
 /// The words that describe a robot in place.
 const DESCRIBE: [&str; 4] = ["link", "joint", "loop", "denavit_hartenberg"];
 
-/// What may stand in the attribute: the keys of settings, and the words that describe a robot in place.
+/// Words of the attribute: the keys of settings, and the words of an inline description.
 pub(super) fn words() -> Vec<&'static str> {
     let keys = setting::of_attributes().map(|setting| setting.key);
     keys.chain(DESCRIBE).collect()
@@ -115,7 +115,7 @@ fn in_parentheses<'a>(input: ParseStream<'a>, key: &str, example: &str) -> Parse
     Ok(tokens::parentheses(input)?)
 }
 
-/// Whether a value stands behind a key or a name.
+/// True if a value follows a key or a name.
 fn has_value(input: ParseStream) -> bool {
     input.peek(Token![=]) || input.peek(Token![:])
 }
@@ -208,12 +208,21 @@ fn count(input: ParseStream, setting: &Setting, what: &str) -> Parsed<usize> {
     count.ok_or_else(|| needs(span, setting, what))
 }
 
-/// Functions, alone or as `all_of(…)`; complains of each unknown one.
+/// The word that asks for every function that a robot can have.
+const ALL: &str = "all";
+
+/// Functions, alone or as `all_of(…)`, or none where `all` are meant; complains of each unknown one.
 fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function>>> {
     let mut items: Vec<Vec<Function>> = Vec::new();
+    let mut all: Option<Ident> = None;
+    let span = input.span();
     tokens::list(input, |input| {
         let word = tokens::word(input)?;
         let mut item = Vec::new();
+        if word == ALL {
+            all = Some(word);
+            return Ok(());
+        }
         if word == "all_of" {
             let content = in_parentheses(input, "all_of", "all_of(mass_matrix, bias)")?;
             if content.is_empty() {
@@ -235,8 +244,24 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
         }
         Ok(())
     })?;
+    match all {
+        Some(word) if !items.is_empty() => {
+            let message = "`all` is every function";
+            let hint = "name functions, or write generate(all)";
+            tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+        }
+        None if items.is_empty() && errors.is_empty() => {
+            let problem = complaint_with_hint(span, "`generate` names no function", HOW_TO_ASK);
+            tokens::push(errors, problem);
+        }
+        _ => {}
+    }
     Ok(items)
 }
+
+/// The hint that shows how functions are asked for.
+pub(crate) const HOW_TO_ASK: &str = "write generate(inverse_dynamics, mass_matrix), or generate(all) for every function \
+                                     that the robot can have";
 
 fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
     let text = word.to_string();

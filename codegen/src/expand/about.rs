@@ -20,12 +20,10 @@ use crate::wording::{code, list};
 /// What they say.
 pub(super) fn about(chain: &Chain) -> About {
     let (description, formulation) = (&chain.description, chain.request.formulation);
-    let source = &description.source;
     let report = &chain.report;
     About {
         robot: description.name.text.clone(),
-        source: source.file.as_ref().map(|file| (file.clone(), source.hash)),
-        beside: source.beside.clone(),
+        source: description.source.clone(),
         base: report.base.clone(),
         tip: match chain.frames.first() {
             Some(tip) if chain.has_tip => tip.name.clone(),
@@ -34,19 +32,9 @@ pub(super) fn about(chain: &Chain) -> About {
         facts: facts(chain, formulation.parameters),
         driven: chain.is_driven(),
         formulation: formulation.words(),
-        warnings: warnings(chain),
+        warnings: report.warnings.clone(),
         left_out: Vec::new(),
     }
-}
-
-fn warnings(chain: &Chain) -> Vec<String> {
-    let places = chain.description.source.errors();
-    chain
-        .report
-        .warnings
-        .iter()
-        .map(|warning| places.locate(warning))
-        .collect()
 }
 
 fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {

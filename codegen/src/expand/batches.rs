@@ -35,14 +35,15 @@ pub(super) fn tell(
     {
         let functions = list(functions.iter().map(String::as_str));
         let message = format!("there is no {functions}: {reason}");
+        let complaint = |message| Complaint {
+            place: Place::Unknown,
+            message,
+            hint,
+        };
         if request.strict {
-            errors.record(Complaint {
-                place: Place::Unknown,
-                message: format!("{message} (refused: strict)"),
-                hint,
-            });
+            errors.record(complaint(format!("{message} (refused: strict)")));
         } else {
-            about.warnings.push(message);
+            about.warnings.push(complaint(message));
         }
     }
     errors.into_result(())
@@ -142,7 +143,7 @@ mod tests {
 
     #[test]
     fn what_has_no_batch_though_it_was_asked_for_is_named_with_the_reason() {
-        let doubts = doubts(&pushed()).about.warnings;
+        let doubts = doubts(&pushed()).about.located_warnings();
         let expected = [
             "there is no mass_matrix_and_bias_batch: functions that share their work have no batches",
             "there is no inverse_dynamics_batch: functions that actions from outside enter have no batches",

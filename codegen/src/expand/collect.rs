@@ -61,6 +61,7 @@ pub(super) fn collect<'c>(
         review: reviewed(chain, &functions),
         functions,
         data: data(chain),
+        efforts: efforts(chain),
         base_values: base_values(chain),
         batch: request.batch,
         length: request.length(),
@@ -97,6 +98,18 @@ fn generated(plan: Plan<'_>, request: &Request) -> GeneratedFunction {
         price: plan.price,
         accuracy,
     }
+}
+
+/// Largest torque or force of each velocity; infinite where the description has none.
+fn efforts(chain: &Chain) -> Vec<f64> {
+    let efforts = chain.spaces().velocities.ids().map(|velocity| {
+        let of = &chain.joints[chain.mover(velocity)].of;
+        let mut joints = chain.description.joints.iter();
+        let joint = joints.find(|joint| joint.name.text == *of && !joint.kind.has_several());
+        let limits = joint.and_then(|joint| joint.limits);
+        limits.map_or(f64::INFINITY, |limits| limits.effort)
+    });
+    efforts.collect()
 }
 
 /// Base parameters as described.

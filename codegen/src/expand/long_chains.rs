@@ -15,7 +15,7 @@ use crate::expression::{Arithmetic, Double, Evaluation, Expr, Input, Term};
 use crate::function::Function;
 use crate::layout::{Layout, arrange};
 use crate::model;
-use crate::plan::program;
+use crate::plan::{Programs, plan};
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::{Length, Price, sections};
@@ -46,6 +46,7 @@ fn chain(joints: usize, function: Function) -> Chain {
     let description = read_text(&text, "chain.urdf", None, &mut Errors::new()).expect("URDF");
     let request = Request {
         functions: vec![vec![function]],
+        scalar: Real::F64,
         ..Request::default()
     };
     understand(&description, &request).expect("a chain")
@@ -54,9 +55,9 @@ fn chain(joints: usize, function: Function) -> Chain {
 /// Operations, and the number of sections.
 fn cost(joints: usize, function: Function) -> (usize, usize) {
     let chain = chain(joints, function);
-    let program = program(&chain, &[function], FrameId::FIRST, Real::F64).expect("it moves");
-    let Price { mul, add, .. } = Price::of(&program);
-    let sections = sections(&program, Length::default());
+    let plan = plan(&Programs::of(&chain), vec![function], FrameId::FIRST).expect("it moves");
+    let Price { mul, add, .. } = plan.price;
+    let sections = sections(&plan.program, Length::default());
     (mul + add, sections.map_or(1, |cut| cut.sections.len()))
 }
 

@@ -1,6 +1,6 @@
 //! What the reviewer of a file reads beside its code.
 //!
-//! In: a chain, the functions. Out: a [`Review`]: efforts, what functions should return, and of
+//! In: a chain, the functions. Out: a [`Review`]: what functions should return, and of
 //! which parameters of which links each inertial number is the sum. It changes nothing of what is printed besides.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -25,7 +25,6 @@ const RESIDUE: f64 = 1e-12;
 pub(super) fn review(chain: &Chain, functions: &[GeneratedFunction]) -> Review {
     let means = Means::of(&chain.request);
     Review {
-        efforts: efforts(chain),
         // Of any type of number there are no numbers.
         vectors: if means.scalar == Real::Generic {
             Vec::new()
@@ -35,18 +34,6 @@ pub(super) fn review(chain: &Chain, functions: &[GeneratedFunction]) -> Review {
         origins: origins(chain, functions),
         merged: chain.report.merged.clone(),
     }
-}
-
-/// What is described of the torque or force of each velocity.
-fn efforts(chain: &Chain) -> Vec<f64> {
-    let efforts = chain.spaces().velocities.ids().map(|velocity| {
-        let of = &chain.joints[chain.mover(velocity)].of;
-        let mut joints = chain.description.joints.iter();
-        let joint = joints.find(|joint| joint.name.text == *of && !joint.kind.has_several());
-        let limits = joint.and_then(|joint| joint.limits);
-        limits.map_or(f64::INFINITY, |limits| limits.effort)
-    });
-    efforts.collect()
 }
 
 /// Where inertial numbers come from, for each layout of functions that have any.

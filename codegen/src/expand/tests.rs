@@ -11,8 +11,7 @@ use crate::accuracy::{Means, of_plan};
 use crate::description::{Description, read_text};
 use crate::error::Errors;
 use crate::function::Function;
-use crate::plan::{Planned, plans, program};
-use crate::real::Real;
+use crate::plan::{Planned, Programs, plan, plans};
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::Price;
 use crate::space::FrameId;
@@ -33,9 +32,10 @@ fn what_is_asked_for_together_shares_its_work() {
     };
     let chain = understand(&described("robots/panda_class.urdf"), &Request::default());
     let chain = chain.expect("an arm");
+    let programs = Programs::of(&chain);
     let price = |functions: &[Function]| {
-        let program = program(&chain, functions, FrameId::FIRST, Real::Generic).expect("it moves");
-        let Price { mul, add, .. } = Price::of(&program);
+        let plan = plan(&programs, functions.to_vec(), FrameId::FIRST).expect("it moves");
+        let Price { mul, add, .. } = plan.price;
         (mul, add)
     };
     let operational = [MassMatrix, Bias, GeometricJacobian, GeometricJacobianRate];

@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use crate::list::Id;
+
 /// A block of a matrix, or another quantity whose entries have names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Block {
@@ -42,13 +44,24 @@ pub enum Block {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Numeral(pub usize);
 
+impl Numeral {
+    /// That of what carries the first body.
+    pub const BASE: Self = Self(0);
+}
+
+impl<I: Id> From<I> for Numeral {
+    fn from(id: I) -> Self {
+        Self(id.number())
+    }
+}
+
 impl fmt::Display for Numeral {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(out)
     }
 }
 
-/// What a quantity is of.
+/// The bodies of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Of {
     /// A body, by itself or with all that it carries.
@@ -66,7 +79,7 @@ pub enum Of {
 pub struct Quantity {
     /// Which one.
     pub block: Block,
-    /// Of what.
+    /// Its bodies.
     pub of: Of,
     /// The frame that its entries are in, where the name has one.
     pub frame: Option<Numeral>,
@@ -77,9 +90,9 @@ pub struct Quantity {
 pub enum Component {
     /// The number itself.
     Scalar,
-    /// Of a vector, by its axis.
+    /// An entry of a vector, by its axis.
     Along(usize),
-    /// Of second moments, by their two axes.
+    /// A second moment, by its two axes.
     Second(usize, usize),
     /// The mass of an inertia.
     Mass,
@@ -92,7 +105,7 @@ pub struct Label {
     pub quantity: Quantity,
     /// Which entry.
     pub component: Component,
-    /// Whether the value is the opposite of the entry.
+    /// True if the value is the opposite of the entry.
     pub negative: bool,
 }
 

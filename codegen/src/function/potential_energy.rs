@@ -5,8 +5,7 @@ use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::dense::{Approximate, Motion};
-use crate::expression::{Block, Numeral, Of, Term};
-use crate::list::Id;
+use crate::expression::{Block, Of, Term};
 use crate::model::Scene;
 use crate::space::Variable;
 
@@ -42,7 +41,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let mut moment = scene.bodies.base.q;
     for (k, joint) in joints.numbered().rev() {
         let (q, mass) = (moments[k], masses[k]);
-        let (index, frame) = (Numeral(k.number()), joint.frame_number());
+        let (index, frame) = joint.numbers();
         q.label(Block::Inertia.of(Of::Body(index)).seen_in(frame));
         let carried = joint.first_moment_inboard(q, mass);
         if let Some(parent) = joint.parent {

@@ -4,6 +4,9 @@
 //! In: coordinates. Out: their names and kinds, and the displacement Q that they are. The layouts of
 //! `Spherical` and `Floating` are Pinocchio's, so that states can be exchanged as they are.
 
+#[cfg(feature = "files")]
+mod steps;
+
 use crate::expression::Term;
 use crate::matrix::{Pose, Rotation, Vector};
 use crate::space::Kind;

@@ -9,7 +9,7 @@ use super::carry::{Joint, Joints};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Block, Component, Numeral, Of, Term};
+use crate::expression::{Block, Component, Of, Term};
 use crate::joint::Motion;
 use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
@@ -356,7 +356,7 @@ impl<'g> Articulated<'g> {
         let share = action.along(joint.screw) + joint.drive.armature;
         share.label(
             Block::Pivot
-                .of(Of::Body(Numeral(joint.body.number())))
+                .of(Of::Body(joint.body.into()))
                 .entry(Component::Scalar),
         );
         let inverse = share.graph().constant(1.0) / share;

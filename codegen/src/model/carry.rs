@@ -117,13 +117,15 @@ impl<'g> Joint<'g> {
     fn in_frame_0(self, pose: Pose<Term<'g>>) -> Self {
         let graph = self.slide.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-        let index = Numeral(self.body.number());
+        let index = self.body.into();
         let screw = self.screw.change_frame(pose);
         let of = Of::Body(index);
-        screw.u.label(Block::Direction.of(of).seen_in(Numeral(0)));
-        screw.b.label(Block::Moment.of(of).seen_in(Numeral(0)));
+        screw
+            .u
+            .label(Block::Direction.of(of).seen_in(Numeral::BASE));
+        screw.b.label(Block::Moment.of(of).seen_in(Numeral::BASE));
         let inertia = self.inertia.change_frame(pose);
-        inertia.label(index, Numeral(0));
+        inertia.label(index, Numeral::BASE);
         Self {
             frame: Frame::Base,
             placement: Pose::identity(graph),
@@ -139,7 +141,7 @@ impl<'g> Joint<'g> {
     /// M₀ of the body, where `outer` is that of the body it hangs on.
     fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
-        let of = Of::FromBase(Numeral(self.body.number()));
+        let of = Of::FromBase(self.body.into());
         if !self.from_root {
             pose.translation.label(Block::Origin.of(of));
         }
@@ -168,19 +170,21 @@ impl<'g> Joint<'g> {
         own.any(|joint| joint.body == at)
     }
 
-    /// The number of the frame in which its matrices are, as names have it: that of its body, or 0.
-    pub fn frame_number(&self) -> Numeral {
+    /// The numbers of its body and of the frame in which its matrices are, as names have them; frame 0 is that of the
+    /// base.
+    pub fn numbers(&self) -> (Numeral, Numeral) {
+        let body = self.body.into();
         match self.frame {
-            Frame::Link => Numeral(self.body.number()),
-            Frame::Base => Numeral(0),
+            Frame::Link => (body, body),
+            Frame::Base => (body, Numeral::BASE),
         }
     }
 
-    /// The same of the body that it hangs on.
+    /// The number of the frame in which the matrices of the body are that it hangs on.
     pub fn outer_frame_number(&self) -> Numeral {
-        match self.frame {
-            Frame::Link => Numeral(self.parent.map_or(0, BodyId::number)),
-            Frame::Base => Numeral(0),
+        match (self.frame, self.parent) {
+            (Frame::Link, Some(parent)) => parent.into(),
+            (Frame::Link, None) | (Frame::Base, _) => Numeral::BASE,
         }
     }
 

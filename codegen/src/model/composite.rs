@@ -4,8 +4,8 @@
 use super::carry::Joints;
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Numeral, Term};
-use crate::list::{Id, Square};
+use crate::expression::Term;
+use crate::list::Square;
 use crate::matrix::Action;
 
 /// The mass matrix, row by row.
@@ -13,7 +13,7 @@ pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId,
     let mut composites = joints.map(|joint| joint.inertia);
     let mut entries = Square::filled(state.zero(), joints.len());
     for column in joints.ids().rev() {
-        let (index, frame) = (Numeral(column.number()), joints[column].frame_number());
+        let (index, frame) = joints[column].numbers();
         composites[column].label(index, frame);
         let mut action = Action::of_screw(joints[column].screw, composites[column]);
         let mut at = column;

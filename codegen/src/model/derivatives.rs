@@ -22,8 +22,8 @@ use super::carry::{Joint, Joints};
 use super::newton_euler::{Moving, motion, seen};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Numeral, Term};
-use crate::list::{Id, List, Square};
+use crate::expression::Term;
+use crate::list::{List, Square};
 use crate::matrix::{Acceleration, Action, Flow, Inertia, Pose, Screw, Vector};
 
 /// ∂τ/∂q and ∂τ/∂q̇ at the given q̈, where actions from outside are on some bodies and turn with them.
@@ -219,7 +219,7 @@ impl<'g> Whole<'g> {
             .map(|(joint, own)| Flow::of_turn(multiple(own.h.omega), joint.inertia))
             .collect();
         for (k, joint) in joints.numbered().rev() {
-            let (index, frame) = (Numeral(k.number()), joint.frame_number());
+            let (index, frame) = joint.numbers();
             inertias[k].label(index, frame);
             if let Some(parent) = joint.parent {
                 let [displacing, placing] = gains[k];

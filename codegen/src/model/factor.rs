@@ -4,8 +4,8 @@
 //! In: the mass matrix and the tree. Out: factors that solve M x = b without filling a zero in. It
 //! never pivots: M is positive definite, or the chain has been refused.
 
-use crate::expression::{Block, Component, Numeral, Of, Term};
-use crate::list::{Id, List, Square};
+use crate::expression::{Block, Component, Of, Term};
+use crate::list::{List, Square};
 use crate::space::VelocityId;
 
 /// L (unit lower triangular) and D⁻¹.
@@ -32,11 +32,7 @@ pub fn factor<'g>(
     let mut rows = List::filled(Vec::new(), parents.len());
     for k in parents.ids().rev() {
         let pivot = entries[(k, k)];
-        pivot.label(
-            Block::Pivot
-                .of(Of::Body(Numeral(k.number())))
-                .entry(Component::Scalar),
-        );
+        pivot.label(Block::Pivot.of(Of::Body(k.into())).entry(Component::Scalar));
         pivots[k] = pivot;
         inverse[k] = one / pivot;
         for (nearest, &i) in inboard[k].iter().enumerate() {
@@ -44,7 +40,7 @@ pub fn factor<'g>(
             let l = entry * inverse[k];
             l.label(
                 Block::Factor
-                    .of(Of::Pair(Numeral(k.number()), Numeral(i.number())))
+                    .of(Of::Pair(k.into(), i.into()))
                     .entry(Component::Scalar),
             );
             for &j in &inboard[k][nearest..] {

@@ -4,8 +4,8 @@
 use super::carry::Joints;
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Block, Numeral, Of, Term};
-use crate::list::{Id, List, Square};
+use crate::expression::{Block, Of, Term};
+use crate::list::{List, Square};
 use crate::matrix::{Screw, Vector};
 
 /// τ at rest, one entry a joint.
@@ -81,7 +81,7 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
             .parent
             .map_or(-gravity, |parent| accelerations[parent]);
         let a = joint.vector_outboard(outer);
-        let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+        let (index, frame) = joint.numbers();
         a.label(
             Block::LinearAcceleration
                 .of(Of::FromBase(index))
@@ -94,7 +94,7 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
     let mut tau = List::filled(state.zero(), joints.len());
     for (k, joint) in joints.numbered().rev() {
         let a = accelerations[k];
-        let (index, frame) = (Numeral(k.number()), joint.frame_number());
+        let (index, frame) = joint.numbers();
         moments[k].label(Block::Inertia.of(Of::Body(index)).seen_in(frame));
         let (screw, mass) = (joint.screw, masses[k]);
         let couple = screw.u.dot(moments[k].cross(a));

@@ -8,8 +8,8 @@ use super::carry::{self, Joints};
 use super::state::State;
 use super::way::Carried;
 use crate::chain::BodyId;
-use crate::expression::{Block, Numeral, Of, Term};
-use crate::list::{Id, List};
+use crate::expression::{Block, Of, Term};
+use crate::list::List;
 use crate::matrix::{Inertia, Vector};
 
 /// The masses and first moments of bodies and of all that they carry.
@@ -36,7 +36,7 @@ impl<'s, 'g> MassCenter<'s, 'g> {
         let (_, mut moment) = own(base);
         for (k, joint) in joints.numbered().rev() {
             let (mass, q) = carried[k];
-            let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+            let (index, frame) = joint.numbers();
             q.label(Block::MassCenter.of(Of::Body(index)).seen_in(frame));
             let inboard = joint.first_moment_inboard(q, mass);
             if let Some(parent) = joint.parent {

@@ -7,8 +7,8 @@ use super::carry::{self, Joints};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Numeral, Term};
-use crate::list::{Id, List};
+use crate::expression::Term;
+use crate::list::List;
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Vector};
 
 /// Γ of all bodies, pole at the origin of frame 0: skew\[L J\] q̇ of all that each joint carries.
@@ -34,7 +34,7 @@ pub fn bias<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
         let outer = joint.parent.map_or(rest, |parent| motions[parent]);
         let moving = beyond(outer, joint, state.qd(joint.body), state.zero());
         let h = moving.h;
-        let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+        let (index, frame) = joint.numbers();
         h.label(index, frame);
         motions.push(moving);
         each.push(Action::of(h, joint.inertia));
@@ -59,7 +59,7 @@ pub fn columns<'g>(joints: &Joints<'g>, pole: Vector<Term<'g>>) -> List<BodyId, 
 fn composites<'g>(joints: &Joints<'g>) -> List<BodyId, Inertia<Term<'g>>> {
     let mut composites = joints.map(|joint| joint.inertia);
     for (k, joint) in joints.numbered().rev() {
-        let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+        let (index, frame) = joint.numbers();
         composites[k].label(index, frame);
         if let Some(parent) = joint.parent {
             composites[parent] = composites[parent] + joint.inertia_inboard(composites[k]);

@@ -2,8 +2,7 @@
 
 use super::carry::Joint;
 use super::state::State;
-use crate::expression::{Numeral, Of, Term};
-use crate::list::Id;
+use crate::expression::{Of, Term};
 use crate::matrix::Velocity;
 
 /// W of the body beyond a joint: Wᵢₖ = Wᵢⱼ + Wⱼₖ (eq. 10).
@@ -13,7 +12,7 @@ pub fn beyond<'g>(
     rate: Term<'g>,
 ) -> Velocity<Term<'g>> {
     let w = joint.motion_outboard(outer) + Velocity::of_screw(joint.screw, rate);
-    let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+    let (index, frame) = joint.numbers();
     w.label(Of::FromBase(index), frame);
     w
 }

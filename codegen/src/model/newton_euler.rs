@@ -4,8 +4,8 @@
 use super::carry::{Joint, Joints};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Numeral, Term};
-use crate::list::{Id, List};
+use crate::expression::Term;
+use crate::list::List;
 use crate::matrix::{Acceleration, Action, Vector};
 
 /// What drives each body in a motion with the given second rates, where actions from outside are on some.
@@ -45,7 +45,7 @@ pub fn motion<'g>(
         let outer = joint.parent.map_or(base, |parent| motions[parent]);
         let moving = beyond(outer, joint, state.qd(k), qdd[k]);
         let h = moving.h;
-        let (index, frame) = (Numeral(k.number()), joint.frame_number());
+        let (index, frame) = joint.numbers();
         h.label(index, frame);
         motions.push(moving);
         actions.push(Action::of(h, joint.inertia));
@@ -56,11 +56,8 @@ pub fn motion<'g>(
     let mut tau = List::filled(state.zero(), joints.len());
     for (k, joint) in joints.numbered().rev() {
         let action = actions[k];
-        let (index, frame, outer) = (
-            Numeral(k.number()),
-            joint.frame_number(),
-            joint.outer_frame_number(),
-        );
+        let (index, frame) = joint.numbers();
+        let outer = joint.outer_frame_number();
         action.label(index, frame);
         let drive = joint.drive;
         tau[k] =

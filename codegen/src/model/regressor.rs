@@ -8,8 +8,8 @@ use super::carry::Joints;
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Numeral, Term};
-use crate::list::{Id, List};
+use crate::expression::Term;
+use crate::list::List;
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 
 /// How many inertial parameters a link has.
@@ -32,7 +32,7 @@ pub fn regressor<'g>(
         let outer = joint.parent.map_or(base, |parent| all[parent]);
         let moving = beyond(outer, joint, state.qd(joint.body), state.qdd(joint.body));
         let h = moving.h;
-        let (index, frame) = (Numeral(joint.body.number()), joint.frame_number());
+        let (index, frame) = joint.numbers();
         h.label(index, frame);
         all.push(moving);
 

@@ -5,8 +5,6 @@ use crate::space::Variable;
 /// What the reviewer of a file wants to see beside its code.
 #[derive(Clone, Debug, Default)]
 pub struct Review {
-    /// The greatest torque or force of each velocity \[N m or N\], infinite where none is described.
-    pub efforts: Vec<f64>,
     /// What functions should return.
     pub vectors: Vec<Vector>,
     /// Where inertial numbers come from, for each layout of the frames.

@@ -1,6 +1,6 @@
 //! Which of the programs that compute the same is taken.
 //!
-//! In: a chain, the functions that are asked for together, a formulation. Out: the [`Program`] that
+//! In: a chain, the functions that are asked for together, a formulation. Out: the [`Program`](crate::schedule::Program) that
 //! costs least on a processor, of all layouts of the frames and all ways that compute them. It never
 //! looks at values: where something is solved for, [`accurate`] finds the form that loses little enough.
 
@@ -16,67 +16,18 @@ use crate::formulation::{Formulation, Forward};
 use crate::function::Function;
 use crate::processor::Processor;
 use crate::real::Real;
-use crate::schedule::Program;
 use crate::space::FrameId;
 use crate::wording::quoted;
 
-/// The cheapest program found for some functions together, of a frame of the chain.
+/// The program that is cheapest on a processor, within a formulation, of some functions together, of a frame of the chain.
 ///
 /// # Errors
 /// Where forward dynamics, or the inverse of the mass matrix, is asked for of a chain that has none, or
-/// that no form leaves half of the digits in this type of number; where a centre of mass is asked for of one
-/// without mass.
+/// that no form leaves half of the digits in this type of number, unless the formulation asks for the form; where a centre
+/// of mass is asked for of one without mass.
 ///
 /// # Panics
 /// Where a function of a frame is asked for and the chain has none.
-pub fn program(
-    chain: &Chain,
-    functions: &[Function],
-    frame: FrameId,
-    scalar: Real,
-) -> Result<Program, Errors> {
-    program_as(Formulation::default(), chain, functions, frame, scalar)
-}
-
-/// The cheapest program found within a formulation.
-///
-/// # Errors
-/// As [`program`]; but a form of forward dynamics that is asked for is refused only where there is
-/// no forward dynamics at all.
-///
-/// # Panics
-/// As [`program`] does.
-pub fn program_as(
-    formulation: Formulation,
-    chain: &Chain,
-    functions: &[Function],
-    frame: FrameId,
-    scalar: Real,
-) -> Result<Program, Errors> {
-    let processor = Processor::Portable;
-    program_for(processor, formulation, chain, functions, frame, scalar)
-}
-
-/// The program that is cheapest on a processor, within a formulation.
-///
-/// # Errors
-/// As [`program_as`].
-///
-/// # Panics
-/// As [`program`] does.
-pub fn program_for(
-    processor: Processor,
-    formulation: Formulation,
-    chain: &Chain,
-    functions: &[Function],
-    frame: FrameId,
-    scalar: Real,
-) -> Result<Program, Errors> {
-    let found = cheapest(processor, formulation, chain, functions, frame, scalar)?;
-    Ok(found.program)
-}
-
-/// What [`program_for`] returns, and how it came about.
 pub(super) fn cheapest(
     processor: Processor,
     formulation: Formulation,

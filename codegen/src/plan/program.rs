@@ -3,11 +3,14 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use crate::chain::Chain;
-use crate::expression::{Expr, Graph, Term};
+use crate::chain::{BodyId, Chain};
+use crate::expression::{Expr, Graph, Input, Term};
 use crate::function::Function;
 use crate::layout::{Bodies, Layout, arrange};
-use crate::model::{Way, equation, equation_at_rest};
+use crate::list::List;
+use crate::model::{
+    ARTICULATED_INERTIA, Way, articulated_motion, articulated_steps, equation, equation_at_rest,
+};
 use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;
 use crate::space::FrameId;
@@ -39,14 +42,24 @@ enum Key {
     EquationAtRest(Layout, Way),
 }
 
+/// The programs of the recursion over articulated bodies, one step inwards at a time.
+pub struct Recursion {
+    /// Motion of the bodies at given velocities and accelerations.
+    pub motion: Program,
+    /// Change of frame of an inertia, from each body to the one that carries it.
+    pub inertias: List<BodyId, Program>,
+    /// The same of an action.
+    pub actions: List<BodyId, Program>,
+}
+
 impl<'c> Programs<'c> {
     /// None yet.
     #[must_use]
-    pub const fn of(chain: &'c Chain) -> Self {
-        Self {
+    pub fn of(chain: &'c Chain) -> Rc<Self> {
+        Rc::new(Self {
             chain,
             made: RefCell::new(Vec::new()),
-        }
+        })
     }
 
     /// The robot.
@@ -81,6 +94,27 @@ impl<'c> Programs<'c> {
         })
     }
 
+    /// The programs of the recursion over articulated bodies; what a step is given are inputs.
+    #[must_use]
+    pub fn recursion(&self, layout: Layout, way: Way, given: impl Fn(usize) -> Input) -> Recursion {
+        let graph = self.chain.graph.clone();
+        let bodies = arrange(&graph, self.chain, layout);
+        let motion = scheduled(&graph, &articulated_motion(&graph, &bodies, way));
+        let given = std::array::from_fn(|k| graph.input(given(k)));
+        let steps = articulated_steps(&graph, &bodies, way, &given).into_iter();
+        let (inertias, actions) = steps
+            .map(|step| {
+                let (inertia, action) = step.split_at(ARTICULATED_INERTIA);
+                (scheduled(&graph, inertia), scheduled(&graph, action))
+            })
+            .unzip();
+        Recursion {
+            motion,
+            inertias,
+            actions,
+        }
+    }
+
     fn get(&self, key: Key, make: impl FnOnce() -> Program) -> Rc<Program> {
         let made = self.made.borrow();
         let before = made.iter().find(|(other, _)| *other == key);
@@ -101,9 +135,12 @@ fn compiled(
 ) -> Program {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
-    let results = results(&graph, &bodies).into_iter();
-    let results: Vec<Expr> = results.map(Term::expr).collect();
-    let (graph, results) = simplify(&graph, &results);
+    scheduled(&graph, &results(&graph, &bodies))
+}
+
+fn scheduled(graph: &Graph, results: &[Term<'_>]) -> Program {
+    let results: Vec<Expr> = results.iter().map(|result| result.expr()).collect();
+    let (graph, results) = simplify(graph, &results);
     schedule(&graph, &results)
 }
 

@@ -99,7 +99,7 @@ fn zero(chain: &Chain) -> Option<Complaint> {
 pub(super) fn field(chain: &Chain, input: Input) -> f64 {
     match input {
         Input::Parameter(field, entry) if is_zero(&chain.nominal[field.into()]) => {
-            chain.parameters[field.into()].at_the_end(entry.into())
+            chain.field(field.into()).at_the_end(entry.into())
         }
         _ => described(chain, input),
     }
@@ -133,7 +133,7 @@ fn undescribed(chain: &Chain) -> Vec<String> {
         .into_iter()
         .filter(|&field| is_zero(&chain.nominal[field]));
     zeros
-        .map(|field| chain.parameters[field].field.to_string())
+        .map(|field| chain.field(field).field.to_string())
         .collect()
 }
 

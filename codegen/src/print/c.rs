@@ -10,6 +10,7 @@ mod header;
 mod literals;
 mod names;
 mod review;
+mod roots;
 mod sections;
 mod sines;
 mod source;

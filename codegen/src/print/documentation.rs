@@ -8,6 +8,7 @@ mod error;
 
 use std::fmt::Write;
 
+use super::steps::Step;
 use crate::function::Function;
 use crate::module::{About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
@@ -68,7 +69,11 @@ pub(super) fn of_function(
         let results = results.flat_map(|function| function.result().parts());
         let layouts = results.filter_map(|(_, result)| result.entity.layout());
         lines.extend(layouts.map(str::to_owned));
-        lines.push(range(angles, generated));
+        lines.push(if generated.program.angles.is_empty() {
+            format!("{HUGE}.")
+        } else {
+            range(angles)
+        });
     }
     lines.push(origin(module));
     lines.extend(facts(about));
@@ -91,6 +96,15 @@ pub(super) fn of_function(
         let list = said.len() > 1;
         lines.extend(list.then(String::new));
         lines.extend(said);
+    }
+    lines
+}
+
+/// What is said of a function of configurations; `angles` where its result is a plain array.
+pub(super) fn of_step(module: &Module, step: Step, angles: Option<&Angles>) -> Vec<String> {
+    let mut lines = step.about().map(str::to_owned).to_vec();
+    if let Some(angles) = angles.filter(|_| step.turns(module)) {
+        lines.extend([String::new(), range(angles)]);
     }
     lines
 }
@@ -280,15 +294,16 @@ pub(super) fn price(generated: &GeneratedFunction, name: &str) -> Vec<String> {
     lines
 }
 
-/// For which arguments a result is precise, and what it is for others.
-fn range(angles: &Angles, generated: &GeneratedFunction) -> String {
-    let rest = "NaN, infinite and huge arguments give what IEEE arithmetic makes of them";
+/// Results of arguments that are no numbers or have no digits left.
+const HUGE: &str = "NaN, infinite and huge arguments give what IEEE arithmetic makes of them";
+
+/// For which angles a result is precise, and what it is for others.
+fn range(angles: &Angles) -> String {
     match angles {
-        _ if generated.program.angles.is_empty() => format!("{rest}."),
-        Angles::UpTo(range) => format!("Precise for angles up to {range}; {rest}."),
+        Angles::UpTo(range) => format!("Precise for angles up to {range}; {HUGE}."),
         Angles::As(path) => {
             let path = code(path);
-            format!("Precise for angles that {path} is precise for; {rest}.")
+            format!("Precise for angles that {path} is precise for; {HUGE}.")
         }
     }
 }
@@ -365,7 +380,8 @@ fn left_open(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
 fn origin(module: &Module) -> String {
     let about = &module.about;
     let mut line = format!("Robot {}", code(&about.robot));
-    if let Some((file, hash)) = &about.source {
+    if let Some(file) = &about.source.file {
+        let hash = about.source.hash;
         // Writing to a string cannot fail.
         let _ = write!(line, " from {} (FNV-1a {hash:016x})", code(file));
     }
@@ -382,10 +398,11 @@ fn origin(module: &Module) -> String {
 
 /// What is modelled, how it is computed where that was asked for, and what is doubted, a line each.
 fn facts(about: &About) -> Vec<String> {
+    let warnings = about.located_warnings();
     let lines = [
         ("Modelled", &about.facts, "; "),
         ("Formulation", &about.formulation, ", "),
-        ("Doubts", &about.warnings, "; "),
+        ("Doubts", &warnings, "; "),
     ];
     let lines = lines.into_iter().filter(|(_, items, _)| !items.is_empty());
     lines

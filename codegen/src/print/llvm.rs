@@ -15,12 +15,13 @@ mod tests;
 
 use crate::formulation::Sines;
 use crate::module::Module;
-use crate::print::c::symbols;
+use crate::print::c::{own, symbols};
 use crate::print::documentation::{self, Angles};
+use crate::print::steps::{Step, has_angles};
 use crate::real::Real;
 use crate::wording::visible;
 use batch::{batch, moves};
-use function::{Function, define};
+use function::{Function, Of, define};
 use lanes::Lanes;
 
 /// How a module is written.
@@ -55,9 +56,7 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         head.extend(documentation::price(generated, name));
     }
     let mut text = comment(&head) + "\n";
-    let has_angles =
-        (module.functions.iter()).any(|generated| !generated.program.angles.is_empty());
-    let own_sines = module.sines == Sines::Own && has_angles;
+    let own_sines = module.sines == Sines::Own && has_angles(module);
     for &lanes in widths.iter().filter(|_| own_sines) {
         text.push_str(&sines::define(lanes, writing.fused));
     }
@@ -68,10 +67,21 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         Sines::Own => Angles::own(real),
         Sines::Platform => Angles::As("llvm.sin".to_owned()),
     };
-    for (generated, symbol) in module.functions.iter().zip(&symbols) {
-        let about = documentation::of_function(module, generated, Some(&angles), None);
+    let functions = module
+        .functions
+        .iter()
+        .zip(symbols)
+        .map(|(generated, symbol)| {
+            let about = documentation::of_function(module, generated, Some(&angles), None);
+            (about, Of::State(generated), symbol)
+        });
+    let steps = Step::of(module).iter().map(|&step| {
+        let about = documentation::of_step(module, step, Some(&angles));
+        (about, Of::Step(step), own(writing.prefix, step.name()))
+    });
+    for (about, of, symbol) in functions.chain(steps) {
         text.push_str(&comment(&about));
-        let function = Function::new(module, generated, symbol, writing.fused);
+        let function = Function::new(module, of, &symbol, writing.fused);
         for &lanes in &widths {
             text.push_str(&define(&function, lanes));
         }

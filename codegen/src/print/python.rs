@@ -68,9 +68,6 @@ pub fn print(listing: &Module, item: &Item, writing: &Writing<'_>) -> Package {
         ("pack", include_str!("python/package/pack.rs")),
         ("turned", turned(listing.scalar)),
     ];
-    let posture = ("posture", include_str!("python/package/posture.rs"));
-    let posture = class.has_steps().then_some(posture);
-    let copied = copied.into_iter().chain(posture);
     let copied = copied.map(|(name, text)| (format!("src/{name}.rs"), text.to_owned()));
     let own = [
         ("Cargo.toml".to_owned(), project::cargo(module, &head)),

@@ -1,99 +1,15 @@
 //! What the reviewer of a file reads beside its code, as far as languages share it.
 //!
-//! In: a [`Module`] with its [`Review`](super::Review). Out: limits as lists with what is said of them, and lines
-//! that tell where numbers come from. It never formats a number of code.
+//! In: a [`Module`] with its [`Review`](crate::module::Review). Out: lines that report where numbers come from. It never
+//! formats a number of code.
 
 use std::fmt::Write;
 
 use crate::module::{Module, Origins, Sum};
-use crate::space::{Entry, Space, Variable};
 use crate::wording::{code, list};
 
 /// So many terms of a sum are written out; of longer ones it is said whose they are.
 const TERMS: usize = 8;
-
-/// A list of limits.
-pub(super) struct Limits {
-    /// Its name, in small letters.
-    pub name: &'static str,
-    /// What it is.
-    pub about: &'static str,
-    /// Its numbers; infinite where none is described.
-    pub numbers: Vec<f64>,
-}
-
-/// The lists of limits that anything is described of.
-pub(super) fn limits(module: &Module) -> Vec<Limits> {
-    let Some(review) = &module.review else {
-        return Vec::new();
-    };
-    let ends = |entries: &[Entry], end: usize| -> Vec<f64> {
-        let otherwise = [f64::NEG_INFINITY, f64::INFINITY];
-        let ends = entries
-            .iter()
-            .map(|entry| entry.range.unwrap_or(otherwise)[end]);
-        ends.collect()
-    };
-    let (coordinates, velocities) = (&module.spaces.coordinates, &module.spaces.velocities);
-    let all = [
-        (
-            "lower",
-            "The least of each entry of q, in rad or m: what bounds of errors call its limits.",
-            ends(coordinates, 0),
-        ),
-        ("upper", "The greatest.", ends(coordinates, 1)),
-        (
-            "velocity_limits",
-            "The greatest of each entry of q̇, to both sides, in rad/s or m/s.",
-            ends(velocities, 1),
-        ),
-        (
-            "effort_limits",
-            "The greatest of each entry of τ, to both sides, in N m or N.",
-            review.efforts.clone(),
-        ),
-    ];
-    let described = |limits: &Limits| limits.numbers.iter().any(|limit| limit.is_finite());
-    let all = all.into_iter().map(|(name, about, numbers)| Limits {
-        name,
-        about,
-        numbers,
-    });
-    all.filter(described).collect()
-}
-
-/// The names of the entries of coordinates and velocities: one list where they are alike.
-pub(super) fn names(module: &Module) -> Vec<(&'static str, String, Vec<&str>)> {
-    let letters = |of: &[Variable]| -> String {
-        let letters = of.iter().map(|of| of.letter());
-        format!("The names of the entries of {}.", list(letters))
-    };
-    let coordinates: Vec<&str> = module
-        .spaces
-        .coordinates
-        .iter()
-        .map(|of| &*of.name)
-        .collect();
-    let velocities: Vec<&str> = module
-        .spaces
-        .velocities
-        .iter()
-        .map(|of| &*of.name)
-        .collect();
-    let of = |space: Space| -> Vec<Variable> {
-        let all = Variable::ALL.into_iter();
-        all.filter(|variable| variable.space() == space).collect()
-    };
-    let [q, rates] = [Space::Coordinates, Space::Velocities].map(of);
-    if coordinates == velocities {
-        let all = [&*q, &rates].concat();
-        return vec![("JOINTS", letters(&all), coordinates)];
-    }
-    vec![
-        ("COORDINATES", letters(&q), coordinates),
-        ("VELOCITIES", letters(&rates), velocities),
-    ]
-}
 
 /// Where numbers come from that the description has not, a line each.
 pub(super) fn origins(module: &Module) -> Vec<String> {

@@ -10,6 +10,7 @@ mod body;
 mod chain;
 mod comments;
 mod declaration;
+mod described;
 mod dialect;
 mod early;
 #[cfg(feature = "files")]
@@ -28,6 +29,7 @@ mod pretty;
 mod results;
 #[cfg(feature = "files")]
 mod review;
+mod roots;
 mod sections;
 pub(super) mod sines;
 mod steps;
@@ -51,6 +53,7 @@ pub use item::{Declaration, Item};
 pub use lanes::lanes;
 #[cfg(feature = "files")]
 pub(super) use lanes::under;
+pub use method::Explained;
 #[cfg(feature = "files")]
 pub(crate) use names::in_every_edition;
 #[cfg(feature = "files")]
@@ -96,27 +99,25 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     methods.extend(steps::steps(module, item, &dialect));
     let (prepare, prepared) = prepared::prepared(module, item, &dialect);
     methods.extend(prepare);
-    methods.extend(dialect.own_sines(module));
+    methods.extend(dialect.own_functions(module));
     beside.extend(results::own_structures(module, item, &dialect));
     let declaration = declaration::declaration(module, item, &dialect);
-    let [constants, for_c] = of_files(module, item, &dialect);
+    let described = described::described(module, item, &dialect);
+    let for_c = for_c(module, item, &dialect);
     let methods = declaration::block(item, &methods, &dialect);
-    quote! { #declaration #constants #methods #beside #for_c #prepared }
+    quote! { #declaration #described #methods #beside #for_c #prepared }
 }
 
-/// What files have besides: constants for their reviewers, and functions for C.
+/// Functions for C, which files have.
 #[cfg(feature = "files")]
-fn of_files(module: &Module, item: &Item, dialect: &Dialect) -> [TokenStream; 2] {
-    [
-        review::constants(module, item, dialect),
-        extern_c::functions(module, item, dialect),
-    ]
+fn for_c(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
+    extern_c::functions(module, item, dialect)
 }
 
 /// Nothing, where no files are written.
 #[cfg(not(feature = "files"))]
-fn of_files(_: &Module, _: &Item, _: &Dialect) -> [TokenStream; 2] {
-    Default::default()
+fn for_c(_: &Module, _: &Item, _: &Dialect) -> TokenStream {
+    TokenStream::new()
 }
 
 /// A method of the robot, under what there is to say of it.
@@ -140,19 +141,23 @@ fn method(
 /// The methods that [`print()`] writes for functions, alone, to be read.
 #[must_use]
 pub fn methods(module: &Module, item: &Item, world: &World) -> TokenStream {
-    each_method(module, item, world).into_iter().collect()
+    let each = each_method(module, item, world).into_iter();
+    each.map(|method| method.text).collect()
 }
 
-/// The same one by one, in the order of the module.
+/// The same one by one, in the order of the module, each with what the names in it stand for.
 #[must_use]
-pub fn each_method(module: &Module, item: &Item, world: &World) -> Vec<TokenStream> {
+pub fn each_method(module: &Module, item: &Item, world: &World) -> Vec<Explained> {
     let dialect = Dialect::of(module.scalar, module.sines, item, world);
     let methods = module.functions.iter().zip(names::of_methods(module));
     methods
         .map(|(generated, name)| {
             let fields = Fields::Own(&module.parameters);
-            let body = method::computation((generated, fields), module, &dialect);
-            method(module, item, generated, &name, (&body, &dialect))
+            let body = method::explained((generated, fields), module, &dialect);
+            Explained {
+                text: method(module, item, generated, &name, (&body.text, &dialect)),
+                meanings: body.meanings,
+            }
         })
         .collect()
 }

@@ -19,17 +19,17 @@ use crate::request::Request;
 pub struct Setting {
     /// The key in attributes.
     pub key: &'static str,
-    /// What it sets, and how values are written.
+    /// The field that it sets, and the form of its values.
     pub form: SettingForm,
-    /// How it is written in attributes; nothing where they have no such key.
+    /// An example of it in attributes; empty where they have no such key.
     pub example: &'static str,
     /// The name on the command line, where that is not the key.
     name: Option<&'static str>,
     /// The group of flags, one of the bits below; none where a command reads the flag by itself, or has none.
     pub group: u8,
-    /// What stands for the value in help; it ends with … where a flag takes several, with commas between them.
+    /// Placeholder of the value in help; it ends with … where a flag takes several, with commas between them.
     pub value: &'static str,
-    /// What help says.
+    /// The sentence in help.
     pub help: &'static str,
     /// The key of the flag that has to stand beside it.
     pub needs: Option<&'static str>,
@@ -38,7 +38,7 @@ pub struct Setting {
 /// The part of a request that a setting sets.
 type Of<T> = fn(&mut Request) -> &mut T;
 
-/// What a setting sets, and how values are written.
+/// The field that a setting sets, and the form of its values.
 #[derive(Clone, Copy, Debug)]
 pub enum SettingForm {
     /// The file that describes the robot.

@@ -195,7 +195,7 @@ impl Parameter {
 /// how far its parts from that.
 const PAYLOAD: f64 = 0.25;
 
-/// What makes a target.
+/// A function that makes a target.
 #[derive(Clone, Copy, Debug)]
 pub enum TargetOf {
     /// The name of a link or a joint.
@@ -204,7 +204,7 @@ pub enum TargetOf {
     Robot(fn() -> Target),
 }
 
-/// What is known of a target.
+/// A row of the table of targets.
 struct Definition {
     /// The key in attributes and on command lines.
     key: &'static str,
@@ -212,7 +212,7 @@ struct Definition {
     form: Form,
     /// The unit of its numbers, or of the first of them.
     unit: &'static str,
-    /// What it is in a sentence, before the name.
+    /// Its noun in a sentence, before the name.
     words: &'static str,
 }
 
@@ -240,7 +240,7 @@ impl Target {
         ALL.iter().map(|row| row.key).collect()
     }
 
-    /// What makes the target of that key.
+    /// The function that makes the target of a key.
     #[must_use]
     pub fn of(key: &str) -> Option<TargetOf> {
         let row = ALL.iter().find(|row| row.key == key);

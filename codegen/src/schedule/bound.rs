@@ -7,10 +7,12 @@
 //! overflow has none. It never runs the program.
 
 mod combination;
+mod group;
 mod kind;
 mod known;
 mod length;
 mod norm;
+mod quaternion;
 mod reason;
 mod term;
 #[cfg(test)]
@@ -23,6 +25,7 @@ pub use self::known::Conditions;
 use self::known::{Computed, Known};
 use self::length::Lengths;
 pub(crate) use self::norm::root;
+use self::quaternion::Polynomials;
 pub use self::reason::Reason;
 use self::term::Term;
 use self::turn::{Turn, Turns};
@@ -47,6 +50,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
         program,
         conditions,
         turns: Turns::default(),
+        polynomials: Polynomials::default(),
         steps: Vec::with_capacity(program.steps.len()),
     };
     let mut lengths = Lengths::default();
@@ -98,7 +102,14 @@ impl<'p> Known<'p> {
     fn take(&mut self, taken: &'p Step, lengths: &mut Lengths) {
         let operation = taken.operation;
         let step = u32::try_from(self.steps.len()).expect("fewer than 2³² steps");
-        let (value, form) = self.step(operation, lengths);
+        let Conditions {
+            quaternions,
+            scalar,
+            ..
+        } = *self.conditions;
+        let polynomial = (self.polynomials).take(step, operation, quaternions, scalar);
+        let (range, entry) = polynomial.map_or((None, None), |(range, entry)| (Some(range), entry));
+        let (value, form) = self.step(operation, range, lengths);
         let place = match form {
             Form::Turned(turn) => self.turns.place(step, &turn),
             _ => None,
@@ -110,8 +121,12 @@ impl<'p> Known<'p> {
             form,
             reason: (!fits).then(|| self.why(operation)).flatten(),
             place,
-            follows: Follows::of(taken, &form),
+            follows: match entry {
+                None => Follows::of(taken, &form),
+                Some(_) => Follows::Never,
+            },
             kind: Kind::of(Operand::Step(step), taken.label, &form, place),
+            entry,
         });
         if fits && is_sum(operation) {
             let length = lengths.of(self, &[Operand::Step(step)]);
@@ -132,10 +147,16 @@ impl<'p> Known<'p> {
         })
     }
 
-    /// Range and error of what is computed; none where something on the way may overflow.
-    fn step(&self, operation: Operation, lengths: &mut Lengths) -> (Option<Value>, Form) {
+    /// Range and error of what is computed, within a range where one is known; none where something on the way may
+    /// overflow.
+    fn step(
+        &self,
+        operation: Operation,
+        range: Option<[f64; 2]>,
+        lengths: &mut Lengths,
+    ) -> (Option<Value>, Form) {
         if let Some(terms) = self.terms(operation) {
-            return self.sum(terms, lengths);
+            return self.sum(terms, range, lengths);
         }
         let exact = match operation {
             Operation::Mul(a, b) => self.product([a, b]),
@@ -147,10 +168,15 @@ impl<'p> Known<'p> {
             Operation::Neg(a) => return (Some(self.value(a).opposite()), Form::Plain),
             _ => unreachable!("a sum has terms"),
         };
-        (Some(exact.rounded(self.scalar())), Form::Plain)
+        (Some(exact.kept(range).rounded(self.scalar())), Form::Plain)
     }
 
-    fn sum(&self, terms: [Term; 2], lengths: &mut Lengths) -> (Option<Value>, Form) {
+    fn sum(
+        &self,
+        terms: [Term; 2],
+        range: Option<[f64; 2]>,
+        lengths: &mut Lengths,
+    ) -> (Option<Value>, Form) {
         // A product is rounded before it is added, or else the error is smaller.
         let [a, b] = terms.map(|term| match (term.whole, term.factors) {
             (Some(whole), _) => self.value(whole),
@@ -162,8 +188,14 @@ impl<'p> Known<'p> {
         }
         let signed = |value: Value, minus| if minus { value.opposite() } else { value };
         let sum = signed(a, terms[0].minus).plus(signed(b, terms[1].minus));
-        let sum = sum.rounded(self.scalar());
+        let sum = sum.kept(range);
         let wholes = (terms[0].whole, terms[1].whole);
+        let sum = if range.is_some() && wholes.0.is_some() && wholes.0 == wholes.1 {
+            // 2 a of an entry a of a quaternion has its digits, where they are not subnormal; a − a is 0.
+            sum.read(self.scalar())
+        } else {
+            sum.rounded(self.scalar())
+        };
         let form = match wholes {
             (Some(a), Some(b)) => Form::Sum(a, b),
             (None, Some(rest)) => Form::More(rest, a),

@@ -4,6 +4,7 @@
 //! language, never names what nobody reads, and changes no operation.
 
 mod apart;
+mod meaning;
 mod rounds;
 #[cfg(test)]
 mod tests;
@@ -11,6 +12,7 @@ mod tests;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 pub use self::apart::{Apart, Work};
+pub use self::meaning::{Meaning, Turn};
 pub use self::rounds::Rounds;
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
@@ -18,7 +20,7 @@ use super::repeats::repeats;
 use super::sections::{Length, sections};
 use super::{Operand, Operation, Program, Step};
 use crate::expression::Input;
-use crate::space::{ACTION, Spaces, Variable};
+use crate::space::{Spaces, Variable};
 
 /// What a function can read.
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +55,8 @@ pub struct Routine {
     pub is_fused: bool,
     /// All these names and those that were taken before, for what a language binds besides.
     pub names: Names,
+    /// The names with what they stand for, in the order in which they were given, but for those of fields.
+    pub meanings: Vec<(String, Meaning)>,
 }
 
 /// The name of each entry of an argument or a field; none where it is not read.
@@ -131,8 +135,8 @@ impl Routine {
         }
         let mut naming = Naming {
             program,
-            turns: turns(program),
             names,
+            meanings: Vec::with_capacity(program.steps.len()),
             inputs: program.operands().filter_map(unbound).collect(),
             angles: Vec::new(),
             steps: Vec::with_capacity(program.steps.len()),
@@ -143,16 +147,12 @@ impl Routine {
             taken: HashMap::new(),
         };
         let arguments = readable.arguments.iter().map(|&argument| {
-            let entries = 0..readable.spaces.len(argument.space());
-            let wishes = entries.map(|k| wish(argument, k));
-            let input = |k| Input::Variable(argument, k);
-            (argument, naming.entries(wishes, input))
+            let count = readable.spaces.len(argument.space());
+            (argument, naming.argument(argument, count))
         });
         let arguments = arguments.collect();
-        let fields = (0_u16..).zip(readable.fields).map(|(field, wishes)| {
-            let input = |k| Input::Parameter(field, k);
-            naming.entries(wishes.iter().cloned(), input)
-        });
+        let fields = (0_u16..).zip(readable.fields);
+        let fields = fields.map(|(field, wishes)| naming.field(field, wishes));
         let fields = fields.collect();
         if let Some(sections) = sections(program, length) {
             return naming.in_sections(&sections, arguments, fields);
@@ -194,6 +194,7 @@ impl Routine {
             has_literals,
             is_fused: (program.steps.iter()).any(|step| step.operation.is_fused()),
             names: naming.names,
+            meanings: naming.meanings,
         }
     }
 }
@@ -214,9 +215,8 @@ fn turns(program: &Program) -> Vec<[bool; 2]> {
 /// A routine in the making.
 struct Naming<'p> {
     program: &'p Program,
-    /// Of each angle whether its sine is read, and its cosine.
-    turns: Vec<[bool; 2]>,
     names: Names,
+    meanings: Vec<(String, Meaning)>,
     /// All inputs that are read, with their names once they are bound.
     inputs: BTreeMap<Input, Option<String>>,
     angles: Vec<Angle>,
@@ -234,17 +234,40 @@ struct Naming<'p> {
 }
 
 impl Naming<'_> {
-    fn entries(
-        &mut self,
-        wishes: impl Iterator<Item = String>,
-        input: impl Fn(u16) -> Input,
-    ) -> Entries {
-        let entries = (0_u16..).zip(wishes).map(|(k, wish)| {
-            let name = self.inputs.get_mut(&input(k))?;
-            *name = Some(self.names.fresh(&wish));
-            name.clone()
+    /// The name of a value of that meaning.
+    fn named(&mut self, meaning: Meaning) -> String {
+        let name = self.names.fresh(&meaning.to_string());
+        self.meanings.push((name.clone(), meaning));
+        name
+    }
+
+    /// The names of the entries of an argument.
+    fn argument(&mut self, argument: Variable, count: usize) -> Entries {
+        let entries = (0_u16..).take(count).map(|k| {
+            let named = |naming: &mut Self| naming.named(Meaning::Argument(argument, k));
+            self.bound(Input::Variable(argument, k), named)
         });
         entries.collect()
+    }
+
+    /// The names of the entries of a field, which would like to be called so.
+    fn field(&mut self, field: u16, wishes: &[String]) -> Entries {
+        let entries = (0_u16..).zip(wishes).map(|(k, wish)| {
+            self.bound(Input::Parameter(field, k), |naming| {
+                naming.names.fresh(wish)
+            })
+        });
+        entries.collect()
+    }
+
+    /// The name of an input, where it is read.
+    fn bound(&mut self, input: Input, name: impl FnOnce(&mut Self) -> String) -> Option<String> {
+        if !self.inputs.contains_key(&input) {
+            return None;
+        }
+        let name = name(self);
+        self.inputs.insert(input, Some(name.clone()));
+        Some(name)
     }
 
     fn value(&self, operand: Operand) -> Value {
@@ -311,8 +334,8 @@ impl Naming<'_> {
         let label = step.label.filter(|_| by_itself);
         let sum = self.sum(step.operation).filter(|_| by_itself);
         let name = match (label, &sum) {
-            (Some(label), _) => self.names.fresh(&label.to_string()),
-            (None, Some(coordinates)) => self.names.fresh(&format!("q_{}", numbers(coordinates))),
+            (Some(label), _) => self.named(Meaning::Entry(label)),
+            (None, Some(coordinates)) => self.named(Meaning::Sum(coordinates.clone())),
             (None, None) => self.unnamed(),
         };
         self.sums.push(sum);
@@ -328,20 +351,18 @@ impl Naming<'_> {
     /// The next name of what is no entry of anything.
     fn unnamed(&mut self) -> String {
         self.unnamed += 1;
-        self.names.fresh(&format!("t_{}", self.unnamed))
+        self.named(Meaning::Part(self.unnamed))
     }
 
     /// All sines and cosines, called after the coordinates that the angles are sums of.
     fn sines_and_cosines(&mut self) -> Option<Statement> {
-        for (&angle, &[has_sine, has_cosine]) in self.program.angles.iter().zip(&self.turns) {
-            let subject = self.subject(angle);
+        for (&angle, &[has_sine, has_cosine]) in
+            self.program.angles.iter().zip(&turns(self.program))
+        {
             let value = self.value(angle);
-            let mut bind = |letter: char, is_read: bool| {
-                let name = || self.names.fresh(&format!("{letter}_{subject}"));
-                is_read.then(name)
-            };
-            let sine = bind('s', has_sine);
-            let cosine = bind('c', has_cosine);
+            let turn = self.turn(angle, &value);
+            let sine = has_sine.then(|| self.named(Meaning::Sine(turn.clone())));
+            let cosine = has_cosine.then(|| self.named(Meaning::Cosine(turn)));
             self.angles.push(Angle {
                 value,
                 sine,
@@ -352,13 +373,15 @@ impl Naming<'_> {
         some.then(|| Statement::SinesAndCosines(self.angles.clone()))
     }
 
-    /// What an angle is of: `2`, `2_3` for q₂ + q₃, or the name of a step.
-    fn subject(&self, angle: Operand) -> String {
-        match (self.coordinates_of(angle), angle) {
-            (Some(coordinates), _) => numbers(&coordinates),
-            (None, Operand::Step(step)) => self.name(step),
-            (None, Operand::Input(input)) => self.inputs[&input].clone().unwrap_or_default(),
-            (None, _) => "a".to_owned(),
+    /// An angle with its name and coordinates.
+    fn turn(&self, angle: Operand, value: &Value) -> Turn {
+        let name = match value {
+            Value::Name(name) => name.clone(),
+            Value::Literal(_) | Value::Waiting(_) | Value::Entry(..) => "a".to_owned(),
+        };
+        Turn {
+            name,
+            coordinates: self.coordinates_of(angle).unwrap_or_default(),
         }
     }
 
@@ -382,26 +405,9 @@ impl Naming<'_> {
     }
 }
 
-/// What an entry of an argument would like to be called.
-fn wish(argument: Variable, entry: usize) -> String {
-    match argument {
-        Variable::Actions => {
-            let (action, entry) = (entry / ACTION.len(), entry % ACTION.len());
-            format!("action_{}_{}", action + 1, ACTION[entry].0)
-        }
-        _ => format!("{}_{}", argument.name(), entry + 1),
-    }
-}
-
 fn unbound(operand: Operand) -> Option<(Input, Option<String>)> {
     match operand {
         Operand::Input(input) => Some((input, None)),
         _ => None,
     }
-}
-
-/// Coordinates as the paper counts them, from 1.
-fn numbers(coordinates: &[u16]) -> String {
-    let numbers: Vec<_> = coordinates.iter().map(|k| (k + 1).to_string()).collect();
-    numbers.join("_")
 }

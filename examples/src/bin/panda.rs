@@ -18,7 +18,7 @@ const URDF: &str = include_str!("../../../robots/panda_class.urdf");
 
 /// The arm, every number of it folded into the code.
 #[derive(Robot)]
-#[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
+#[robot(urdf = "../robots/panda_class.urdf", tip = "link8", generate(all))]
 struct Panda;
 
 /// A function of an arm whose seven links have ten parameters each.

@@ -15,7 +15,7 @@ use homogen_codegen::description::read_file;
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::understand;
 use homogen_codegen::expression::Input;
-use homogen_codegen::plan::program;
+use homogen_codegen::plan::{Programs, plan};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Variable};
@@ -73,11 +73,16 @@ impl Arm {
         let (Some(description), true) = (description, errors.is_empty()) else {
             return Err(errors);
         };
-        let chain = understand(&description, &Request::default())?;
-        let of = |function| program(&chain, &[function], FrameId::FIRST, Real::F64);
+        let request = Request {
+            scalar: Real::F64,
+            ..Request::default()
+        };
+        let chain = understand(&description, &request)?;
+        let programs = Programs::of(&chain);
+        let of = |function| plan(&programs, vec![function], FrameId::FIRST);
         Ok(Self {
-            kinematics: of(Function::ForwardKinematics)?,
-            dynamics: of(Function::InverseDynamics)?,
+            kinematics: of(Function::ForwardKinematics)?.program,
+            dynamics: of(Function::InverseDynamics)?.program,
             joints: chain
                 .joints
                 .iter()

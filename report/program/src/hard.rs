@@ -11,11 +11,11 @@ pub mod functions;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::Arithmetic;
 use homogen_codegen::formulation::Formulation;
-use homogen_codegen::plan::program_as;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Space};
 use homogen_codegen::{Function, Real};
 use homogen_random::Random;
+use homogen_tests::programs::program_as;
 use homogen_tests::subjects::subject;
 
 use crate::states::{in_single_precision, make_upright, single};

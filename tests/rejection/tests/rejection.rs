@@ -162,3 +162,16 @@ fn no_mistake_drags_others_behind_it() {
         assert!(lines().all(|line| line.starts_with("error: ")), "{text}");
     }
 }
+
+/// The compiler words the rest of the error, differently in each version.
+#[test]
+fn a_function_that_was_not_generated_is_asked_for_by_name() {
+    let file = Path::new(ROOT).join("tests/missing/function_not_generated.rs");
+    let shown = Homogen::of_this_test().shown(&file);
+    for part in [
+        "error[E0277]: the robot `Arm` lacks a function that is needed here\n",
+        "to `generate(…)` of the robot: `generate(mass_matrix)` for `MassMatrix`\n",
+    ] {
+        assert!(shown.contains(part), "{shown}");
+    }
+}

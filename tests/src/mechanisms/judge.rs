@@ -10,6 +10,7 @@ use homogen_codegen::closure::Row;
 use homogen_codegen::description::Description;
 use homogen_codegen::error::Errors;
 use homogen_codegen::request::Request;
+use homogen_codegen::space::Variable;
 use homogen_codegen::{Function, Real, chain};
 
 use super::draw::{Kind, Mechanism};
@@ -129,14 +130,10 @@ fn refused(told: &str, mounting: &Mounting) -> Result<Outcome, String> {
 
 /// The nearest state of single precision.
 fn rounded(state: &Arguments) -> Arguments {
-    let list = |list: &Vec<f64>| list.iter().map(|&entry| Real::F32.rounded(entry)).collect();
-    Arguments {
-        q: list(&state.q),
-        qd: list(&state.qd),
-        qdd: list(&state.qdd),
-        tau: list(&state.tau),
-        actions: Vec::new(),
-    }
+    Arguments::of(|variable| {
+        let entries = state[variable].iter();
+        entries.map(|&entry| Real::F32.rounded(entry)).collect()
+    })
 }
 
 /// Which residuals are generated, and which are left out.
@@ -213,8 +210,7 @@ impl Judge<'_> {
         let (residuals, bias) = (kept(&all.residuals), kept(&all.jacobian_bias));
         let rows = self.rows.kept.iter().flat_map(|&k| &all.jacobian[k]);
         let jacobian: Vec<f64> = rows.map(Big::to_f64).collect();
-        let speed = state
-            .qd
+        let speed = state[Variable::Qd]
             .iter()
             .fold(1.0, |most: f64, rate| most.max(rate.abs()));
         let most = self.allowed(1e-12, 1e-4);
@@ -256,9 +252,9 @@ impl Judge<'_> {
         }
         let (qdd, multipliers) = found.split_at(n);
         let held = all.of(&self.rows.kept);
-        let left = held.left_over(qdd, multipliers, &state.tau);
+        let left = held.left_over(qdd, multipliers, &state[Variable::Tau]);
         self.note("M q̈ + h − τ − Jᵗ λ", left, self.allowed(1e-10, 1e-3))?;
-        let (expected, pivots) = held.accelerations(&state.tau);
+        let (expected, pivots) = held.accelerations(&state[Variable::Tau]);
         if self.is_reported || !self.is_regular(pivots) {
             return Ok(false);
         }
@@ -273,7 +269,7 @@ impl Judge<'_> {
         };
         let most = self.allowed(1e-13 * loss + 1e-10, 1e-4 * loss);
         self.note(name, error, most + in_part)?;
-        let (expected, pivots) = ideal.accelerations(&state.tau);
+        let (expected, pivots) = ideal.accelerations(&state[Variable::Tau]);
         if self.digits > FEW && self.is_regular(pivots) {
             let (name, rounding) = match self.digits {
                 ALL.. => ("q̈ as drawn, with all digits", self.allowed(1e-12, 1e-5)),
@@ -287,7 +283,7 @@ impl Judge<'_> {
 
     /// Torques of driven joints make the motion that they are of.
     fn driven(&mut self, held: &Equations, state: &Arguments) -> Result<(), String> {
-        let (qdd, of_motion) = held.accelerations(&state.tau);
+        let (qdd, of_motion) = held.accelerations(&state[Variable::Tau]);
         let chain = &self.programs.chain;
         let velocities = chain.actuated.numbered();
         let passive: Vec<usize> = velocities
@@ -300,12 +296,10 @@ impl Judge<'_> {
             return Ok(());
         }
         let qdd: Vec<f64> = qdd.iter().map(Big::to_f64).collect();
-        let state = Arguments {
-            qdd: match self.scalar {
-                Real::F32 => qdd.iter().map(|&entry| Real::F32.rounded(entry)).collect(),
-                _ => qdd.clone(),
-            },
-            ..state.clone()
+        let mut state = state.clone();
+        state[Variable::Qdd] = match self.scalar {
+            Real::F32 => qdd.iter().map(|&entry| Real::F32.rounded(entry)).collect(),
+            _ => qdd.clone(),
         };
         let tau = self.programs.run(Function::ActuatedInverseDynamics, &state);
         let (again, _) = held.accelerations(&tau);

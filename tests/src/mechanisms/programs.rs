@@ -12,10 +12,10 @@ use homogen_codegen::list::Id;
 use homogen_codegen::module::Module;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
-use homogen_codegen::space::Space;
+use homogen_codegen::space::{Space, Variable};
 use homogen_codegen::{Function, Real};
 
-use crate::arguments::Arguments;
+use crate::arguments::{Arguments, at};
 use crate::states::Random;
 use crate::tested::{F32, Tested};
 use homogen_codegen::expression::Arithmetic;
@@ -66,10 +66,10 @@ impl Programs {
         let program = &generated.expect("it was asked for").program;
         match self.scalar {
             Real::F32 => {
-                let found = run(program, |input| F32::literal(arguments.at(input)));
+                let found = run(program, |input| F32::literal(at(arguments, input)));
                 found.into_iter().map(F32::to_f64).collect()
             }
-            Real::F64 | Real::Generic => run(program, |input| arguments.at(input)),
+            Real::F64 | Real::Generic => run(program, |input| at(arguments, input)),
         }
     }
 
@@ -84,13 +84,13 @@ impl Programs {
     pub fn closed(&self, size: f64, most: f64, random: &mut Random) -> Option<Arguments> {
         let n = self.velocities();
         let mut list = |size: f64| -> Vec<f64> { (0..n).map(|_| size * random.odd()).collect() };
-        let mut arguments = Arguments {
-            q: self.moved(&self.neutral(), &list(size)),
-            qd: list(2.0),
-            qdd: vec![0.0; n],
-            tau: list(4.0),
-            actions: Vec::new(),
-        };
+        let mut arguments = Arguments::of(|variable| match variable {
+            Variable::Q => self.moved(&self.neutral(), &list(size)),
+            Variable::Qd => list(2.0),
+            Variable::Qdd => vec![0.0; n],
+            Variable::Tau => list(4.0),
+            _ => Vec::new(),
+        });
         let mut damping = 1.0;
         let mut open = self.run(Function::Constraint, &arguments);
         for _ in 0..60 {
@@ -99,11 +99,8 @@ impl Programs {
                 break;
             }
             let step = self.step(&arguments, &open, damping * squares.min(1.0));
-            let q = self.moved(&arguments.q, &step);
-            let tried = Arguments {
-                q,
-                ..arguments.clone()
-            };
+            let mut tried = arguments.clone();
+            tried[Variable::Q] = self.moved(&arguments[Variable::Q], &step);
             let left = self.run(Function::Constraint, &tried);
             if dot(&left, &left) < squares {
                 (arguments, open) = (tried, left);
@@ -116,10 +113,10 @@ impl Programs {
             let jacobian = self.run(Function::ConstraintJacobian, &arguments);
             let opening: Vec<f64> = jacobian
                 .chunks(n)
-                .map(|row| dot(row, &arguments.qd))
+                .map(|row| dot(row, &arguments[Variable::Qd]))
                 .collect();
             let step = self.step(&arguments, &opening, 0.0);
-            for (rate, step) in arguments.qd.iter_mut().zip(step) {
+            for (rate, step) in arguments[Variable::Qd].iter_mut().zip(step) {
                 *rate += step;
             }
         }

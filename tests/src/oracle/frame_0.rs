@@ -13,12 +13,15 @@ mod regressor;
 mod sizes;
 mod torques;
 
+use std::mem;
+
 use homogen_codegen::Function;
+use homogen_codegen::space::Variable;
 
 use super::matrix::Matrix;
 use super::robot::Robot;
 use super::solve::solve;
-use super::state::State;
+use super::state::exact;
 use crate::arguments::Arguments;
 use crate::big::Big;
 use jacobian::{jacobian, jacobian_rate};
@@ -51,16 +54,16 @@ pub fn evaluate(
     frame: usize,
     arguments: &Arguments,
 ) -> Vec<Big> {
-    let State {
-        q, qd, qdd, tau, ..
-    } = State::of(arguments, robot.quaternions());
+    let mut state = exact(arguments, robot.quaternions());
+    let [q, qd, qdd, tau] = [Variable::Q, Variable::Qd, Variable::Qdd, Variable::Tau]
+        .map(|variable| mem::take(&mut state[variable]));
     let rest = vec![Big::zero(); robot.velocities()];
     let positions = Positions::at(robot, &q);
     let moving = |qd: &[Big], qdd: &[Big]| Motion::at(robot, &positions, qd, qdd);
     let bias = || torques(robot, &positions, &moving(&qd, &rest));
     let at = || robot.frames[frame];
     let less_outside = |torques: Vec<Big>| {
-        let outside = outside(robot, &positions, &arguments.actions);
+        let outside = outside(robot, &positions, &arguments[Variable::Actions]);
         let both = torques.into_iter().zip(outside);
         both.map(|(torque, outside)| torque - outside)
             .collect::<Vec<Big>>()
@@ -182,19 +185,23 @@ pub fn evaluate(
             let motion = moving(&qd, &rest);
             about_mass_center(robot, &positions, &moments(robot, &positions, &motion.h))
         }
-        Function::InverseDynamicsDerivatives => {
-            derivatives::of_torques(robot, &positions, [&qd, &qdd], &arguments.actions).concat()
-        }
+        Function::InverseDynamicsDerivatives => derivatives::of_torques(
+            robot,
+            &positions,
+            [&qd, &qdd],
+            &arguments[Variable::Actions],
+        )
+        .concat(),
         Function::ForwardDynamicsDerivatives => {
             let qdd = evaluate(robot, Function::ForwardDynamics, frame, arguments);
             let motion = [&*qd, &*qdd];
-            let found = derivatives::of_torques(robot, &positions, motion, &arguments.actions).map(
-                |needed| {
-                    let rows = needed.chunks(rest.len().max(1));
-                    let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
-                    solve(mass_matrix(robot, &positions), lacking.collect()).concat()
-                },
-            );
+            let found =
+                derivatives::of_torques(robot, &positions, motion, &arguments[Variable::Actions])
+                    .map(|needed| {
+                        let rows = needed.chunks(rest.len().max(1));
+                        let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
+                        solve(mass_matrix(robot, &positions), lacking.collect()).concat()
+                    });
             let dtau = evaluate(robot, Function::MassMatrixInverse, frame, arguments);
             [found.concat(), dtau].concat()
         }

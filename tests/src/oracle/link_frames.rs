@@ -12,7 +12,7 @@ use homogen_codegen::plan::expressions_by;
 use homogen_codegen::space::FrameId;
 
 use super::state::State;
-use crate::arguments::Arguments;
+use crate::arguments::{Arguments, at};
 use crate::big::Big;
 
 /// Functions of a chain in the frames and with the parameters of a layout, in one of the ways to
@@ -38,11 +38,11 @@ pub fn truth(chain: &Chain, function: Function, frame: FrameId) -> Evaluation<Bi
 /// The values of an evaluation for a chain without quaternions.
 #[must_use]
 pub fn evaluate(evaluation: &Evaluation<Big>, arguments: &Arguments) -> Vec<Big> {
-    evaluation.at(|input| Big::new(arguments.at(input)))
+    evaluation.at(|input| Big::new(at(arguments, input)))
 }
 
 /// The values of an evaluation in a state.
 #[must_use]
 pub fn evaluate_in(evaluation: &Evaluation<Big>, state: &State) -> Vec<Big> {
-    evaluation.at(|input| state.at(input))
+    evaluation.at(|input| at(state, input))
 }

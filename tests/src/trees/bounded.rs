@@ -7,7 +7,6 @@
 use homogen_codegen::Function;
 use homogen_codegen::accuracy::{self, Accuracy, Means};
 use homogen_codegen::formulation::Formulation;
-use homogen_codegen::plan::program_as;
 use homogen_codegen::range::Range;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::{FrameId, Space, Variable};
@@ -17,6 +16,7 @@ use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::climb::{any, of_results};
 use crate::oracle::frame_0;
+use crate::programs::program_as;
 use crate::states::Random;
 use crate::tested::Tested;
 
@@ -79,15 +79,13 @@ impl Prepared<'_> {
             }
             numbers
         };
-        let [q, qd, qdd] = [Variable::Q, Variable::Qd, Variable::Qdd]
-            .map(|variable| drawn(variable.space(), &range.arguments[variable]));
-        let actions = range.arguments[Variable::Actions].iter();
-        Arguments {
-            tau: vec![0.0; qd.len()],
-            actions: actions.map(|&ends| any::<T>(ends, random)).collect(),
-            q,
-            qd,
-            qdd,
+        let mut arguments = Arguments::default();
+        for variable in [Variable::Q, Variable::Qd, Variable::Qdd] {
+            arguments[variable] = drawn(variable.space(), &range.arguments[variable]);
         }
+        arguments[Variable::Tau] = vec![0.0; arguments[Variable::Qd].len()];
+        let actions = range.arguments[Variable::Actions].iter();
+        arguments[Variable::Actions] = actions.map(|&ends| any::<T>(ends, random)).collect();
+        arguments
     }
 }

@@ -12,6 +12,7 @@
 //! It decides nothing: what is wrong is for whoever asks.
 
 use homogen_codegen::Function;
+use homogen_codegen::space::Variable;
 
 use crate::arguments::Arguments;
 use crate::big::Big;
@@ -76,15 +77,15 @@ impl Measure {
     /// For a function that has no measure.
     #[must_use]
     pub fn error(&self, function: Function, found: &[f64], arguments: &Arguments) -> f64 {
-        let rates = self.gain * sum(&arguments.qd);
+        let rates = self.gain * sum(&arguments[Variable::Qd]);
         let expected = |function| frame_0::evaluate(&self.robot, function, 0, arguments);
         let compared = |size: &dyn Fn(usize) -> f64| largest(found, &expected(function), size);
-        let count = arguments.qd.len();
+        let count = arguments[Variable::Qd].len();
         match function {
             Function::ForwardKinematics => compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 }),
             Function::Velocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.slide }),
             Function::Acceleration => {
-                let rates = self.gain * sum(&arguments.qdd) + rates * rates;
+                let rates = self.gain * sum(&arguments[Variable::Qdd]) + rates * rates;
                 compared(&|k| self.moved(k, rates))
             }
             Function::SpatialJacobian | Function::BodyJacobian | Function::GeometricJacobian => {
@@ -99,11 +100,11 @@ impl Measure {
             Function::InverseDynamics | Function::Bias | Function::Gravity => {
                 let mut at = arguments.clone();
                 if function != Function::InverseDynamics {
-                    at.qdd.fill(0.0);
-                    at.actions.clear();
+                    at[Variable::Qdd].fill(0.0);
+                    at[Variable::Actions].clear();
                 }
                 if function == Function::Gravity {
-                    at.qd.fill(0.0);
+                    at[Variable::Qd].fill(0.0);
                 }
                 let sizes = self.torques(&at);
                 compared(&|k| sizes[k])
@@ -130,7 +131,7 @@ impl Measure {
             Function::Regressor => {
                 // A mass within reach, or first or second moments, moved and felt at a lever.
                 let first = rates;
-                let rates = sum(&arguments.qdd) + rates * rates;
+                let rates = sum(&arguments[Variable::Qdd]) + rates * rates;
                 let columns = expected(function).len() / count.max(1);
                 let of_links = 10 * self.robot.bodies.iter().filter(|body| body.link).count();
                 compared(&|k| match k % columns.max(1) {
@@ -160,9 +161,9 @@ impl Measure {
             }
             Function::GravityDerivative => {
                 let mut at = arguments.clone();
-                at.qd.fill(0.0);
-                at.qdd.fill(0.0);
-                at.actions.clear();
+                at[Variable::Qd].fill(0.0);
+                at[Variable::Qdd].fill(0.0);
+                at[Variable::Actions].clear();
                 let size = self.change(&at, Change::Coordinate);
                 compared(&|_| size)
             }
@@ -180,7 +181,7 @@ impl Measure {
         let evaluate = |function| frame_0::evaluate(&self.robot, function, 0, arguments);
         let sizes = self.torques(arguments).into_iter();
         let matrix = evaluate(Function::MassMatrix);
-        let inertias = matrix.iter().step_by(arguments.qd.len() + 1);
+        let inertias = matrix.iter().step_by(arguments[Variable::Qd].len() + 1);
         let found = evaluate(Function::ForwardDynamics);
         let found = found.iter().map(|qdd| qdd.to_f64().abs());
         let rounded = sizes
@@ -212,21 +213,21 @@ impl Measure {
 
     /// What torques are made of.
     fn torques(&self, at: &Arguments) -> Vec<f64> {
-        let rates = self.gain * sum(&at.qd);
-        let rates = self.gain * sum(&at.qdd) + rates * rates;
+        let rates = self.gain * sum(&at[Variable::Qd]);
+        let rates = self.gain * sum(&at[Variable::Qdd]) + rates * rates;
         let floor = self.first * (self.gravity + rates * self.slide) + self.second * rates;
         let floor = self.gain * (floor + self.pushed(at));
         let mut sizes = frame_0::torque_sizes(&self.robot, at);
         for drive in &self.robot.drives {
             let k = drive.velocity;
-            sizes[k] += drive.size(at.qd[k], at.qdd[k]);
+            sizes[k] += drive.size(at[Variable::Qd][k], at[Variable::Qdd][k]);
         }
         sizes.into_iter().map(|size| size + floor).collect()
     }
 
     /// What actions from outside are about whichever pole within reach.
     fn pushed(&self, at: &Arguments) -> f64 {
-        let sizes = at.actions.chunks(6).map(|action| {
+        let sizes = at[Variable::Actions].chunks(6).map(|action| {
             let (couple, force) = action.split_at(3);
             sum(couple) + self.slide * sum(force)
         });
@@ -246,11 +247,11 @@ impl Measure {
     /// What a unit of a coordinate, or of its rate, may change a torque by: all masses at the end of all
     /// lever arms.
     fn change(&self, at: &Arguments, of: Change) -> f64 {
-        let rates = self.gain * sum(&at.qd);
+        let rates = self.gain * sum(&at[Variable::Qd]);
         let inertia = self.mass * self.slide * self.slide + self.second;
         let size = match of {
             Change::Coordinate => {
-                let rates = self.gain * sum(&at.qdd) + rates * rates;
+                let rates = self.gain * sum(&at[Variable::Qdd]) + rates * rates;
                 self.mass * self.slide * self.gravity + inertia * rates + self.pushed(at)
             }
             Change::Rate => inertia * rates,
@@ -271,12 +272,12 @@ impl Measure {
         let roots = self.roots(matrix, qdd.len());
         let opposed = product(qdd, &roots);
         let mut at = arguments.clone();
-        at.qdd.fill(0.0);
+        at[Variable::Qdd].fill(0.0);
         let sizes = self.torques(&at);
-        at.qdd = qdd.to_vec();
+        at[Variable::Qdd] = qdd.to_vec();
         let torques = frame_0::evaluate(&self.robot, Function::InverseDynamics, 0, &at);
-        largest(&at.tau, &torques, &|k| {
-            sizes[k] + roots[k] * opposed + at.tau[k].abs()
+        largest(&at[Variable::Tau], &torques, &|k| {
+            sizes[k] + roots[k] * opposed + at[Variable::Tau][k].abs()
         })
     }
 
@@ -284,24 +285,24 @@ impl Measure {
     /// accelerations as large as those that torques may be off by. Derivatives are M⁻¹ times what torques change by:
     /// where large terms of that product cancel, no more is asked than that each term is right.
     fn unanswered(&self, found: &[f64], arguments: &Arguments, matrix: &[Big]) -> f64 {
-        let count = arguments.qd.len();
+        let count = arguments[Variable::Qd].len();
         let evaluate = |function, at: &Arguments| frame_0::evaluate(&self.robot, function, 0, at);
         let mut at = arguments.clone();
         let qdd = evaluate(Function::ForwardDynamics, arguments);
-        at.qdd = qdd.iter().map(Big::to_f64).collect();
+        at[Variable::Qdd] = qdd.iter().map(Big::to_f64).collect();
         let needed = evaluate(Function::InverseDynamicsDerivatives, &at);
         let inverse = evaluate(Function::MassMatrixInverse, arguments);
 
         let roots = self.roots(matrix, count);
-        let opposed = product(&at.qdd, &roots);
+        let opposed = product(&at[Variable::Qdd], &roots);
         let sizes = self.torques(&at);
         let off = (0..count).map(|k| {
-            let size = |j: usize| sizes[j] + roots[j] * opposed + at.tau[j].abs();
+            let size = |j: usize| sizes[j] + roots[j] * opposed + at[Variable::Tau][j].abs();
             let row = inverse[k * count..].iter().take(count).enumerate();
             row.map(|(j, entry)| entry.to_f64().abs() * size(j)).sum()
         });
         let off = off.collect();
-        at.qdd = off;
+        at[Variable::Qdd] = off;
         let sizes = self.changes(&at);
         let rows = inverse.chunks(count).zip(&roots);
         let inverted = rows.map(|(row, root)| {

@@ -13,13 +13,14 @@ use homogen_codegen::expand::understand;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::list::Id;
-use homogen_codegen::plan::{program, program_as, program_by};
+use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Space, Variable};
 use homogen_codegen::{Function, Real};
 
-use crate::arguments::Arguments;
+use crate::arguments::{Arguments, line};
 use crate::oracle::frame_0;
+use crate::programs::{program, program_as};
 use crate::states::Random;
 
 use super::cases::{Case, Choice};
@@ -97,12 +98,15 @@ impl<'r> Prepared<'r> {
                 return Err(format!("{space:?} are {found:?} instead of {expected:?}"));
             }
         }
-        let of_state = |state| Arguments {
-            q: coordinates(&dense, seed, 4 * state),
-            qd: drawn(&dense.velocities, seed, 4 * state + 1),
-            qdd: drawn(&dense.velocities, seed, 4 * state + 2),
-            tau: drawn(&dense.velocities, seed, 4 * state + 3),
-            actions: pushes(robot, seed, state),
+        let of_state = |state| {
+            Arguments::of(|variable| match variable {
+                Variable::Q => coordinates(&dense, seed, 4 * state),
+                Variable::Qd => drawn(&dense.velocities, seed, 4 * state + 1),
+                Variable::Qdd => drawn(&dense.velocities, seed, 4 * state + 2),
+                Variable::Tau => drawn(&dense.velocities, seed, 4 * state + 3),
+                Variable::Actions => pushes(robot, seed, state),
+                other => unreachable!("no function has {other:?}"),
+            })
         };
         let states = (0..states as u64).map(of_state).collect();
         Ok(Self {
@@ -157,7 +161,8 @@ impl<'r> Prepared<'r> {
             // Not a number is no error within anything.
             if error.partial_cmp(&allowed) != Some(std::cmp::Ordering::Less) {
                 return Err(format!(
-                    "an error of {error:.1e}\n{arguments} found {found:?}"
+                    "an error of {error:.1e}\n{} found {found:?}",
+                    line(arguments)
                 ));
             }
             worst = worst.max(error);
@@ -321,14 +326,12 @@ impl<'r> Prepared<'r> {
 
     /// The same in the posture of the description, near which the engine looks at every eighth state.
     fn sinks_as_described(&self) -> f64 {
-        let mut q = vec![0.0; self.states[0].q.len()];
+        let mut described = self.states[0].clone();
+        let q = &mut described[Variable::Q];
+        q.fill(0.0);
         for start in self.dense.robot.quaternions() {
             q[start + 3] = 1.0;
         }
-        let described = Arguments {
-            q,
-            ..self.states[0].clone()
-        };
         pivot(&self.dense, &described)
     }
 
@@ -342,10 +345,10 @@ impl<'r> Prepared<'r> {
 
     pub(super) fn input(&self, input: Input, arguments: &Arguments) -> f64 {
         match input {
-            Input::Variable(Variable::Actions, k) => arguments.actions[usize::from(k)],
+            Input::Variable(Variable::Actions, k) => arguments[Variable::Actions][usize::from(k)],
             Input::Variable(variable, k) => {
                 let place = self.place(variable.space(), usize::from(k));
-                arguments.of(variable)[place]
+                arguments[variable][place]
             }
             Input::Parameter(field, entry) => {
                 self.robot.asked.fields[usize::from(field)].1[usize::from(entry)]

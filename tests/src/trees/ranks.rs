@@ -243,14 +243,12 @@ impl<'p> Seen<'p> {
                 *entry *= 0.3;
             }
         }
-        let arguments = Arguments {
-            q,
-            qd: drawn(Space::Velocities, self.rate),
-            qdd: drawn(Space::Velocities, self.rate * self.rate),
-            tau: vec![0.0; self.rows.len()],
-            actions: Vec::new(),
-        };
-        debug_assert_eq!(arguments.of(Variable::Qd).len(), self.rows.len());
+        let mut arguments = Arguments::default();
+        arguments[Variable::Q] = q;
+        arguments[Variable::Qd] = drawn(Space::Velocities, self.rate);
+        arguments[Variable::Qdd] = drawn(Space::Velocities, self.rate * self.rate);
+        arguments[Variable::Tau] = vec![0.0; self.rows.len()];
+        debug_assert_eq!(arguments[Variable::Qd].len(), self.rows.len());
         let robot = &self.prepared.dense().robot;
         let entries = frame_0::evaluate(robot, Function::Regressor, 0, &arguments);
         let count = self.columns.len();

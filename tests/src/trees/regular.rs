@@ -4,6 +4,7 @@
 //! decides nothing.
 
 use homogen_codegen::Function;
+use homogen_codegen::space::Variable;
 
 use crate::arguments::Arguments;
 use crate::big::Big;
@@ -21,7 +22,7 @@ const NOTHING: f64 = 1e-40;
 /// diagonal matrix, 0 of a singular one, or where a joint carries nothing.
 #[must_use]
 pub fn pivot(dense: &Dense, arguments: &Arguments) -> f64 {
-    let count = arguments.qd.len();
+    let count = arguments[Variable::Qd].len();
     let matrix = frame_0::evaluate(&dense.robot, Function::MassMatrix, 0, arguments);
     let mut rows: Vec<Vec<Big>> = matrix.chunks(count).map(<[Big]>::to_vec).collect();
     let arm = NO_ARM * dense.reach;

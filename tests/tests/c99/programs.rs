@@ -86,6 +86,15 @@ pub fn rust(robot: &Robot, real: Real) -> String {
             }
         }
     }
+    if robot.has_steps() {
+        text.push_str(
+            "let moved = arm.integrate(&q, &qd);
+            moved.write(&mut output);
+            arm.difference(&q, &moved).write(&mut output);
+            arm.normalize(&q).write(&mut output);
+            arm.neutral().write(&mut output);\n",
+        );
+    }
     text.push_str("}\nstd::io::stdout().write_all(&output).unwrap();\n}\n");
     text
 }
@@ -156,6 +165,22 @@ pub fn c(robot: &Robot, real: Real) -> String {
             let _ = writeln!(text, "fwrite(&{result}, sizeof {result}, 1, stdout);");
         }
         text.push_str("}\n");
+    }
+    if robot.has_steps() {
+        let [coordinates, velocities] =
+            [Variable::Q, Variable::Qd].map(|of| robot.spaces.len(of.space()));
+        let steps = [
+            ("moved", coordinates, "integrate(q, qd, moved)"),
+            ("apart", velocities, "difference(q, moved, apart)"),
+            ("mended", coordinates, "normalize(q, mended)"),
+            ("neutral", coordinates, "neutral(neutral)"),
+        ];
+        for (result, length, call) in steps {
+            let _ = writeln!(
+                text,
+                "{number} {result}[{length}]; arm_{call}; fwrite({result}, sizeof {result}, 1, stdout);"
+            );
+        }
     }
     text.push_str("}\nreturn ferror(stdin) || fflush(stdout) != 0;\n}\n");
     text

@@ -294,7 +294,19 @@ impl Robot {
     pub fn outputs(&self) -> usize {
         let functions = self.asked.iter().flat_map(|asked| &asked.functions);
         let sizes = functions.map(|function| function.result().size(&self.spaces));
-        sizes.sum()
+        let [coordinates, velocities] =
+            [Variable::Q, Variable::Qd].map(|of| self.spaces.len(of.space()));
+        let steps = if self.has_steps() {
+            3 * coordinates + velocities
+        } else {
+            0
+        };
+        sizes.sum::<usize>() + steps
+    }
+
+    /// Whether it has functions of configurations, which are asked for with no field.
+    pub fn has_steps(&self) -> bool {
+        self.spaces.quaternions().next().is_some()
     }
 }
 

@@ -9,10 +9,10 @@ use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Term};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Way;
-use homogen_codegen::plan::program_as;
 use homogen_codegen::range::Range;
 use homogen_codegen::schedule::{Operand, Program, run};
 use homogen_codegen::space::FrameId;
+use homogen_tests::programs::program_as;
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
 
@@ -37,6 +37,7 @@ fn farthest(asked: Asked, function: Function) -> f64 {
     match function {
         ForwardKinematics | SpatialJacobian | BodyJacobian | GeometricJacobian | Velocity
         | Acceleration | InverseDynamics | Gravity | Bias | MassMatrix => asked.farthest,
+        _ if asked.floating => 500.0,
         _ => 6.0 * asked.farthest,
     }
 }

@@ -6,8 +6,8 @@ use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::{Operand, Program};
-use homogen_codegen::space::FrameId;
-use homogen_tests::arguments::Arguments;
+use homogen_codegen::space::{FrameId, Variable};
+use homogen_tests::arguments::{self, Arguments};
 use homogen_tests::big::Big;
 use homogen_tests::metrics;
 use homogen_tests::oracle::link_frames;
@@ -51,7 +51,7 @@ fn big_angles() {
         for case in [BIG_ID, BIG_FK] {
             judge(&[&case], label, |_| {
                 states(336, joints, |arguments, random| {
-                    arguments.q.fill_with(|| big_angle(random));
+                    arguments[Variable::Q].fill_with(|| big_angle(random));
                 })
             });
         }
@@ -128,8 +128,8 @@ fn merged_angle() {
         let mut worst = [[0.0_f64; 2]; 5];
         let mut random = Random::new(24);
         for k in 0..1200 {
-            let mut arguments = Arguments::random(joints, &mut random);
-            let turns = &mut arguments.q[before..before + parallel];
+            let mut arguments = arguments::random(joints, &mut random);
+            let turns = &mut arguments[Variable::Q][before..before + parallel];
             turns[0] = single(match k % 3 {
                 0 => 4.0 * random.unit(),
                 1 => of_size(&mut random, 0.0, 6.0),

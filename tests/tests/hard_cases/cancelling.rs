@@ -6,8 +6,8 @@ use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::Program;
-use homogen_codegen::space::FrameId;
-use homogen_tests::arguments::Arguments;
+use homogen_codegen::space::{FrameId, Variable};
+use homogen_tests::arguments::{self, Arguments};
 use homogen_tests::metrics;
 use homogen_tests::states::Random;
 use homogen_tests::tested::F64;
@@ -33,7 +33,7 @@ const CANCEL: Case = Case::scaled("coriolis_cancel", Bias, 10.0);
 #[test]
 fn gravity_balanced() {
     let upright = |arguments: &mut Arguments, random: &mut Random, first: usize| {
-        for (k, angle) in arguments.q.iter_mut().enumerate().skip(first) {
+        for (k, angle) in arguments[Variable::Q].iter_mut().enumerate().skip(first) {
             let quarters = if k == first {
                 1.0
             } else {
@@ -52,12 +52,12 @@ fn gravity_balanced() {
         judge(&[&FALLING], &format!("lift/{links}"), |_| {
             states(168, links + 1, |arguments, random| {
                 upright(arguments, random, 1);
-                arguments.qd.fill(0.0);
-                arguments.qdd.fill(0.0);
-                arguments.qdd[0] = single(-9.81);
+                arguments[Variable::Qd].fill(0.0);
+                arguments[Variable::Qdd].fill(0.0);
+                arguments[Variable::Qdd][0] = single(-9.81);
                 if random.chance(2) {
-                    arguments.qdd[0] += of_size(random, -5.0, -1.0);
-                    arguments.qdd[0] = single(arguments.qdd[0]);
+                    arguments[Variable::Qdd][0] += of_size(random, -5.0, -1.0);
+                    arguments[Variable::Qdd][0] = single(arguments[Variable::Qdd][0]);
                 }
             })
         });
@@ -71,7 +71,7 @@ fn spin_fast() {
         for (case, count) in [(FAST_ID, 336), (FAST_BIAS, 60)] {
             judge(&[&case], label, |_| {
                 states(count, joints, |arguments, random| {
-                    for rate in &mut arguments.qd {
+                    for rate in &mut arguments[Variable::Qd] {
                         *rate = of_size(random, 3.0, 4.0);
                     }
                 })
@@ -94,7 +94,7 @@ fn coriolis_cancel() {
             states(336, joints, |arguments, random| {
                 let of = 1 + random.below(joints - 1);
                 if let Some(root) = root(&bias, arguments, of) {
-                    arguments.qd[of] = single(root);
+                    arguments[Variable::Qd][of] = single(root);
                 }
             })
         });
@@ -117,7 +117,7 @@ fn bias(chain: &Chain) -> Program {
 fn root(bias: &Program, arguments: &Arguments, of: usize) -> Option<f64> {
     let at = |rate: f64| {
         let mut arguments = arguments.clone();
-        arguments.qd[of] = rate;
+        arguments[Variable::Qd][of] = rate;
         metrics::results::<F64>(bias, &arguments)[0]
     };
     let (below, constant, above) = (at(-1.0), at(0.0), at(1.0));
@@ -138,11 +138,11 @@ fn some_torque_is_cancelled(chain: &Chain) {
     let mut random = Random::new(27);
     let mut cancelled = 0;
     for _ in 0..100 {
-        let mut arguments = Arguments::random(chain.joints.len(), &mut random);
+        let mut arguments = arguments::random(chain.joints.len(), &mut random);
         let Some(root) = root(&bias, &arguments, 1) else {
             continue;
         };
-        arguments.qd[1] = single(root);
+        arguments[Variable::Qd][1] = single(root);
         let torque = metrics::results::<F64>(&bias, &arguments)[0];
         let size = metrics::sizes::<F64>(&bias, &arguments)[0];
         cancelled += usize::from(torque.abs() < 1e-5 * size);

@@ -8,15 +8,16 @@ use homogen_codegen::expression::Evaluation;
 use homogen_codegen::formulation::Forward;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::model::Way;
-use homogen_codegen::plan::{program, program_by};
+use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::Program;
-use homogen_codegen::space::FrameId;
+use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
-use homogen_tests::arguments::Arguments;
+use homogen_tests::arguments::{self, Arguments};
 use homogen_tests::big::Big;
 use homogen_tests::metrics::{self, Distribution};
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::oracle::{frame_0, link_frames};
+use homogen_tests::programs::program;
 use homogen_tests::subjects::subject;
 use homogen_tests::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
@@ -253,14 +254,17 @@ impl Bench {
                 if !found.iter().all(|x| x.is_finite()) {
                     return f64::INFINITY;
                 }
-                let found = Arguments {
-                    qdd: found,
-                    ..arguments.clone()
-                };
+                let given = arguments;
+                let mut arguments = arguments.clone();
+                arguments[Variable::Qdd] = found;
                 let (torques, sizes) = self.torques.as_ref().expect("made for forward dynamics");
-                let needed = link_frames::evaluate(torques, &found);
-                let sizes = metrics::sizes::<T>(sizes, &found);
-                metrics::largest(metrics::backward::<T>(&arguments.tau, &needed, &sizes))
+                let needed = link_frames::evaluate(torques, &arguments);
+                let sizes = metrics::sizes::<T>(sizes, &arguments);
+                metrics::largest(metrics::backward::<T>(
+                    &given[Variable::Tau],
+                    &needed,
+                    &sizes,
+                ))
             }
         }
     }
@@ -325,7 +329,7 @@ fn judge_in<T: Tested>(case: &Case, bench: &Bench, program: &Program, states: &[
         errors.quantile(0.5),
         errors.quantile(0.99),
     );
-    let line = format!("{name} {label} {of} {arguments}");
+    let line = format!("{name} {label} {of} {}", arguments::line(arguments));
     println!("> {worst:e} {line}");
     if worst <= limit {
         String::new()

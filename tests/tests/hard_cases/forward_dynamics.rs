@@ -7,9 +7,9 @@
 use homogen_codegen::Function::{ForwardDynamics, InverseDynamics, MassMatrixInverse};
 use homogen_codegen::Real;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::plan::program;
-use homogen_codegen::space::FrameId;
+use homogen_codegen::space::{FrameId, Variable};
 use homogen_tests::arguments::Arguments;
+use homogen_tests::programs::program;
 use homogen_tests::subjects::subject;
 
 use crate::case::{Case, Form, Metric, judge};
@@ -194,7 +194,7 @@ fn anywhere(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
 fn straight(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
     move |chain| {
         states(count, chain.joints.len(), |arguments, random| {
-            arguments.q.fill_with(|| of_size(random, -8.0, -2.0));
+            arguments[Variable::Q].fill_with(|| of_size(random, -8.0, -2.0));
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use homogen::generic;
 use homogen_codegen::Function;
-use homogen_tests::arguments::Arguments;
+use homogen_codegen::space::Variable;
 use homogen_tests::metrics;
 use homogen_tests::robots::PandaClass;
 use homogen_tests::tested::{F64, Tested};
@@ -54,8 +54,8 @@ fn base_far_d_in_frame_0() {
         let aside = homogen::Pose::from_translation([distance, 0.0, distance]);
         chain.joints[0].placement = aside * near.joints[0].placement;
         let errors = states(60, 7, |_, _| ()).into_iter().map(|state| {
-            let Arguments { q, qd, qdd, .. } = &state;
-            let [q, qd, qdd] = [q, qd, qdd].map(|x| std::array::from_fn(|k| x[k]));
+            let [q, qd, qdd] = [Variable::Q, Variable::Qd, Variable::Qdd]
+                .map(|variable| std::array::from_fn(|k| state[variable][k]));
             let found = generic::inverse_dynamics(&chain, &q, &qd, &qdd);
             metrics::relative::<F64>(&found, &bench.truth(&state))
         });

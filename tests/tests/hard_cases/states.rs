@@ -1,6 +1,7 @@
 //! States for the hard cases: the ordinary ones, and those that stand still or creep.
 
-use homogen_tests::arguments::Arguments;
+use homogen_codegen::space::Variable;
+use homogen_tests::arguments::{self, Arguments};
 use homogen_tests::states::Random;
 
 /// States of so many joints, each changed as the case has it before every sixth is brought to rest
@@ -12,10 +13,10 @@ pub fn states(
 ) -> Vec<Arguments> {
     let mut random = Random::new(joints as u64);
     let each = |k: usize| {
-        let mut arguments = Arguments::random(joints, &mut random);
+        let mut arguments = arguments::random(joints, &mut random);
         change(&mut arguments, &mut random);
         match k % 6 {
-            4 => arguments.qd.fill(0.0),
+            4 => arguments[Variable::Qd].fill(0.0),
             // Of single precision and of double precision: multiples of 2⁻¹⁴⁹ and of 2⁻¹⁰⁷⁴.
             5 => {
                 let smallest = if k % 12 == 5 {
@@ -23,7 +24,7 @@ pub fn states(
                 } else {
                     5e-324
                 };
-                for rate in &mut arguments.qd {
+                for rate in &mut arguments[Variable::Qd] {
                     *rate = smallest * (random.unit() * 8e6).round();
                 }
             }

@@ -8,16 +8,16 @@ use homogen_codegen::description::{Description, inline};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::understand;
 use homogen_codegen::list::Id;
-use homogen_codegen::plan::program_for;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
-use homogen_codegen::space::{FrameId, Space};
-use homogen_codegen::{Formulation, Function, Processor, Real};
+use homogen_codegen::space::{FrameId, Space, Variable};
+use homogen_codegen::{Function, Real};
 use homogen_random::Random;
-use homogen_tests::arguments::Arguments;
+use homogen_tests::arguments::{Arguments, at};
 use homogen_tests::big::Big;
 use homogen_tests::oracle::frame_0;
 use homogen_tests::oracle::robot::Robot;
+use homogen_tests::programs::program;
 
 use super::leg::{FREE, STANDING};
 
@@ -62,8 +62,7 @@ fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2]
         })
         .collect();
     let function = Function::ConstrainedForwardDynamics;
-    let (processor, way) = (Processor::Portable, Formulation::default());
-    let program = program_for(processor, way, &chain, &[function], FrameId::FIRST, scalar);
+    let program = program(&chain, &[function], FrameId::FIRST, scalar);
     let program = program.unwrap_or_else(|errors| panic!("{errors}"));
     let mut random = Random::new(7);
     let mut worst = [0.0_f64; 2];
@@ -78,14 +77,12 @@ fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2]
         for first in spaces.quaternions() {
             q[first.index()..][..4].copy_from_slice(&[0.5, -0.5, 0.5, 0.5]);
         }
-        let arguments = Arguments {
-            q,
-            qd: list(n),
-            qdd: vec![0.0; n],
-            tau: list(n),
-            actions: Vec::new(),
-        };
-        let at = |input| arguments.at(input);
+        let mut arguments = Arguments::default();
+        arguments[Variable::Q] = q;
+        arguments[Variable::Qd] = list(n);
+        arguments[Variable::Qdd] = vec![0.0; n];
+        arguments[Variable::Tau] = list(n);
+        let at = |input| at(&arguments, input);
         let found: Vec<f64> = match scalar {
             Real::F32 => {
                 #[expect(clippy::cast_possible_truncation, reason = "exact in both")]

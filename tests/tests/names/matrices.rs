@@ -12,6 +12,7 @@ use homogen_codegen::joint::Motion;
 use homogen_codegen::layout::{Body, Layout, arrange};
 use homogen_codegen::list::Id;
 use homogen_codegen::matrix;
+use homogen_codegen::space::Variable;
 use homogen_tests::arguments::Arguments;
 
 /// All matrices of a robot at a state, in frame 0, where nothing says otherwise.
@@ -79,7 +80,7 @@ impl Matrices {
             let offset = body.offset.map_or([0.0, 1.0], |(s, c)| numbers([s, c]));
             let angle = offset[0].atan2(offset[1]);
             let turned = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]).exp(angle);
-            let step = turned.to_relative_pose() * l.exp(state.q[k]).to_relative_pose();
+            let step = turned.to_relative_pose() * l.exp(state[Variable::Q][k]).to_relative_pose();
             let outer = all.of_body(carrier);
             let m = outer * pose(&body.placement) * step;
             let (l, j) = (m.change_frame(&l), m.change_frame(&inertia(&body.inertia)));
@@ -87,8 +88,8 @@ impl Matrices {
                 |list: &Vec<Acceleration<f64>>, base| carrier.map_or(base, |parent| list[parent]);
             let w_outer = carrier.map_or_else(Velocity::zero, |parent| all.w[parent]);
             let own = (
-                l.velocity(state.qd[k]),
-                l.acceleration(state.qd[k], state.qdd[k]),
+                l.velocity(state[Variable::Qd][k]),
+                l.acceleration(state[Variable::Qd][k], state[Variable::Qdd][k]),
             );
             let base = Acceleration::zero();
             let h = [
@@ -127,7 +128,7 @@ impl Matrices {
         })
     }
 
-    /// What the entry may be: of actions there are those of a motion and those of the columns of the mass matrix,
+    /// Values that the entry may have: of actions there are those of a motion and those of the columns of the mass matrix,
     /// and of inertias in frame 0 those of a body and of all that it carries. Nothing of what is no matrix of the paper.
     pub fn of(&self, label: Label) -> Vec<f64> {
         let Quantity { block, of, frame } = label.quantity;

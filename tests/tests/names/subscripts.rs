@@ -17,8 +17,8 @@ use homogen_codegen::model::{Carried, Way};
 use homogen_codegen::plan::program_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Operand, Program, run};
-use homogen_codegen::space::FrameId;
-use homogen_tests::arguments::Arguments;
+use homogen_codegen::space::{FrameId, Variable};
+use homogen_tests::arguments::{self, Arguments};
 use homogen_tests::robots::PandaClass;
 use homogen_tests::states::Random;
 use homogen_tests::subjects::subject;
@@ -28,18 +28,18 @@ use crate::matrices::Matrices;
 /// The states at which a function's H may be: it may know neither rates nor second rates, or find these itself,
 /// of forces that it has found before at q̈ = 0.
 fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Vec<Arguments> {
-    let rest = vec![0.0; state.q.len()];
+    let rest = vec![0.0; state[Variable::Q].len()];
     let mut state = state.clone();
     match function {
         Function::Gravity | Function::GravityDerivative => {
-            state.qd.clone_from(&rest);
-            state.qdd = rest;
+            state[Variable::Qd].clone_from(&rest);
+            state[Variable::Qdd] = rest;
         }
         Function::AccelerationBias
         | Function::Bias
         | Function::CentroidalMomentumBias
         | Function::CoriolisMatrix
-        | Function::ForwardDynamics => state.qdd = rest,
+        | Function::ForwardDynamics => state[Variable::Qdd] = rest,
         Function::ForwardDynamicsDerivatives => {
             let solved = [Function::ForwardDynamics];
             let program = program_by(
@@ -49,10 +49,11 @@ fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Vec<Argument
                 Layout::DESCRIBED,
                 Way::PLAIN,
             );
-            let found = run(&program, |input| state.at(input));
-            let seen = [rest, found].map(|qdd| Arguments {
-                qdd,
-                ..state.clone()
+            let found = run(&program, |input| arguments::at(&state, input));
+            let seen = [rest, found].map(|qdd| {
+                let mut state = state.clone();
+                state[Variable::Qdd] = qdd;
+                state
             });
             return seen.to_vec();
         }
@@ -76,7 +77,7 @@ fn hold(
         results: labelled.iter().map(|(k, _)| Operand::Step(*k)).collect(),
         ..program.clone()
     };
-    let found = run(&probe, |input| state.at(input));
+    let found = run(&probe, |input| arguments::at(state, input));
     let mut met = BTreeSet::new();
     for ((_, label), found) in labelled.into_iter().zip(found) {
         let known: Vec<f64> = matrices.iter().flat_map(|at| at.of(label)).collect();
@@ -132,7 +133,7 @@ fn names_are_those_of_appendix_b() {
         ..normals
     };
     for (label, chain) in robots() {
-        let state = Arguments::random(chain.joints.len(), &mut random);
+        let state = arguments::random(chain.joints.len(), &mut random);
         for function in Function::ALL {
             let outwards = Way {
                 pose: Carried::Outwards,
@@ -181,10 +182,14 @@ fn described_frames_are_those_of_the_links() {
     let mut random = Random::new(32);
 
     let chain = subject("panda_class/0").chain();
-    let state = Arguments::random(7, &mut random);
+    let state = arguments::random(7, &mut random);
     let matrices = Matrices::at(&chain, Layout::DESCRIBED, &state);
     let at = |of: &[f64]| -> [f64; 7] { from_fn(|k| of[k]) };
-    let (q, qd, qdd) = (at(&state.q), at(&state.qd), at(&state.qdd));
+    let (q, qd, qdd) = (
+        at(&state[Variable::Q]),
+        at(&state[Variable::Qd]),
+        at(&state[Variable::Qdd]),
+    );
     let known = homogen::open_chain::motions(&PandaClass::chain(), &q, &qd, &qdd);
     for (k, known) in known.iter().enumerate() {
         let frame = known.pose.to_matrix();

@@ -9,15 +9,15 @@ use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::promise::{Means, error, value};
 use crate::accuracy::solved::largest;
 use crate::chain::{BodyId, Chain};
-use crate::expression::{Expr, Graph, Input, Term};
+use crate::expression::Input;
 use crate::layout::{Layout, arrange};
 use crate::list::List;
-use crate::model::{self, ARTICULATED_INERTIA, Way};
+use crate::model::{ARTICULATED_INERTIA, Way};
+use crate::plan::{Programs, Recursion};
 use crate::range::Range;
 use crate::real::Real;
+use crate::schedule::Program;
 use crate::schedule::bound::{self, Conditions, Value};
-use crate::schedule::{Program, schedule};
-use crate::simplify::simplify;
 
 /// The bodies of a chain, and the steps of the recursion over them.
 pub struct Articulated<'c> {
@@ -25,19 +25,16 @@ pub struct Articulated<'c> {
     pub(super) range: Range,
     pub(super) mobility: Mobility,
     pub(super) links: List<BodyId, Link>,
-    /// What velocities and given accelerations make of the bodies.
-    pub(super) motion: Program,
-    /// What becomes of an inertia on the way from each body to the one that carries it, and of an action.
-    inertias: List<BodyId, Program>,
-    actions: List<BodyId, Program>,
+    pub(super) programs: Recursion,
 }
 
 impl<'c> Articulated<'c> {
-    /// The recursion of a function.
+    /// The recursion of a function in a layout and a way.
     ///
     /// # Errors
     /// Why it is not followed.
-    pub fn of(chain: &'c Chain, layout: Layout, way: Way) -> Result<Self, &'static str> {
+    pub fn of(programs: &Programs<'c>, layout: Layout, way: Way) -> Result<Self, &'static str> {
+        let chain = programs.chain();
         if !chain.all_lead() {
             return Err("none is derived of articulated bodies that follow others");
         }
@@ -51,34 +48,21 @@ impl<'c> Articulated<'c> {
         let (Some(links), true) = (links, read) else {
             return Err("neither screws nor fields nor inertias that no body has are followed");
         };
-        let compiled = |results: &[Term<'_>]| -> Program {
-            let results: Vec<Expr> = results.iter().map(|result| result.expr()).collect();
-            let (graph, results): (Graph, Vec<Expr>) = simplify(&graph, &results);
-            schedule(&graph, &results)
-        };
-        let motion = compiled(&model::articulated_motion(&graph, &bodies, way));
-        let entries = std::array::from_fn(|k| graph.input(entry(k)));
-        let steps = model::articulated_steps(&graph, &bodies, way, &entries).into_iter();
-        let (inertias, actions) = steps
-            .map(|step| {
-                let (inertia, action) = step.split_at(ARTICULATED_INERTIA);
-                (compiled(inertia), compiled(action))
-            })
-            .unzip();
         Ok(Self {
             chain,
             range,
             mobility,
             links,
-            motion,
-            inertias,
-            actions,
+            programs: programs.recursion(layout, way, entry),
         })
     }
 
     /// The programs of all steps.
     pub(super) fn steps(&self) -> Vec<&Program> {
-        self.inertias.iter().chain(&self.actions).collect()
+        let Recursion {
+            inertias, actions, ..
+        } = &self.programs;
+        inertias.iter().chain(actions).collect()
     }
 }
 
@@ -102,11 +86,11 @@ impl<'a, 'c> Steps<'a, 'c> {
         let Articulated {
             links,
             mobility,
-            inertias,
+            programs,
             ..
         } = bodies;
         let (outboard, spoilt) = outboard(links, mobility, scalar, |k, given| {
-            follow(&inertias[k], 0, given, bodies, means, scalar)
+            follow(&programs.inertias[k], 0, given, bodies, means, scalar)
         })?;
         Ok(Self {
             bodies,
@@ -128,7 +112,7 @@ impl<'a, 'c> Steps<'a, 'c> {
             0..3 => around_zero(size.turning, lost.turning),
             _ => around_zero(size.sliding, lost.sliding),
         });
-        let step = &self.bodies.actions[k];
+        let step = &self.bodies.programs.actions[k];
         let first = ARTICULATED_INERTIA;
         follow(step, first, &action, self.bodies, self.means, self.scalar)
     }
@@ -163,6 +147,7 @@ fn follow(
         scalar,
         angles: means.trigonometry.reach(scalar),
         range: &input,
+        quaternions: &bodies.range.quaternions,
     };
     values(bound::results(step, &conditions))
 }

@@ -48,7 +48,8 @@ fn two_fields_for_one_number_and_two_of_one_name_are_told_at_once() {
 
 #[test]
 fn the_centre_of_a_mass_that_is_not_there_is_doubted_unless_a_field_gives_the_mass() {
-    let doubts = |builder: Builder| builder.module().expect("no mistakes").about.warnings;
+    let module = |builder: Builder| builder.module().expect("no mistakes");
+    let doubts = |builder| module(builder).about.located_warnings();
     let arm = Builder::from_urdf("../robots/two_link.urdf")
         .generate([Function::Gravity])
         .parameter("center", Target::CenterOfMassOf("tip".into()));

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use super::{fine, read};
-use crate::Real;
 use crate::chain::base_parameters::Group;
 use crate::chain::{Chain, build};
 use crate::description::{Description, read_file};
@@ -11,7 +10,7 @@ use crate::error::Errors;
 use crate::expression::{Double, Input};
 use crate::function::Function;
 use crate::list::Id;
-use crate::plan::program;
+use crate::plan::{Programs, plan};
 use crate::request::{Parameter, Request, Target};
 use crate::schedule::{Program, run};
 use crate::space::{FrameId, Space, Spaces, Variable};
@@ -44,9 +43,13 @@ fn shipped(name: &str) -> Chain {
     built(&described, &Request::default())
 }
 
+fn planned(chain: &Chain, function: Function) -> Result<Program, Errors> {
+    let plan = plan(&Programs::of(chain), vec![function], FrameId::FIRST)?;
+    Ok(plan.program)
+}
+
 fn program_of(chain: &Chain, function: Function) -> Program {
-    program(chain, &[function], FrameId::FIRST, Real::F64)
-        .unwrap_or_else(|errors| panic!("{errors}"))
+    planned(chain, function).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
 /// The results of a program of a robot at a state of that number, the same of every program.
@@ -345,12 +348,7 @@ fn base_parameters_are_refused_where_fields_reveal_others() {
         let [all, some] = [Space::Parameters, Space::BaseParameters].map(|space| spaces.len(space));
         let rank = rank_elsewhere(&chain, Function::Regressor, all);
         assert_eq!(rank > some, reveals, "{target:?}: {rank} for {some}");
-        let base = program(
-            &chain,
-            &[Function::BaseRegressor],
-            FrameId::FIRST,
-            Real::F64,
-        );
+        let base = planned(&chain, Function::BaseRegressor);
         if reveals {
             let refusal = base.expect_err("it is wrong elsewhere").to_string();
             let expected = "error: torques can tell other base parameters where field `free` is not what is \

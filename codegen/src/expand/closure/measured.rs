@@ -93,7 +93,7 @@ fn sampled(
     random: &mut Random,
 ) -> Vec<Sample> {
     let q = configuration(chain, random);
-    let fields = chain.parameters.iter().zip(&chain.nominal);
+    let fields = chain.request.parameters.iter().zip(&chain.nominal);
     let fields: List<FieldId, Vec<f64>> = fields
         .map(|(parameter, nominal)| parameter.near(nominal, || random.unit()))
         .collect();

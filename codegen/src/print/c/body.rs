@@ -11,11 +11,13 @@ use super::Writing;
 use super::declarations::{VALUES, argument_lengths, lengths, members, number, results};
 use super::literals::literal;
 use super::names::{ascii, unscoped};
+use super::roots::SQRT;
 use crate::formulation::Sines;
 use crate::module::{GeneratedFunction, Module, Prepared};
 use crate::print::Fields;
 use crate::print::large::columns;
 use crate::print::review::filled;
+use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
 use crate::schedule::{Angle, Names, Operation, Program, Readable, Rounds, Routine, Stored, Value};
@@ -83,6 +85,36 @@ pub(super) fn once(
     }
 }
 
+/// The body of a function of configurations.
+pub(super) fn of_step(step: Step, module: &Module, writing: &Writing<'_>) -> Body {
+    let arguments = step.arguments().iter().map(|(name, _)| *name);
+    let names = names(arguments.clone().chain([step.name()]), writing);
+    let routine = step.routine(module, names);
+    let mut writer = Writer {
+        sines: module.sines,
+        names: routine.names.clone(),
+        ..Writer::new(module.scalar, writing)
+    };
+    for (argument, entries) in arguments.zip(&routine.fields) {
+        for (k, name) in entries.iter().enumerate() {
+            let Some(name) = name else { continue };
+            writer.constant(name, &format!("{argument}[{k}]"));
+        }
+    }
+    if !module.parameters.is_empty() {
+        writer.line("(void)robot;");
+    }
+    walk(&mut writer, &routine.statements);
+    for (k, value) in routine.results.iter().enumerate() {
+        let value = writer.read(value);
+        writer.line(&format!("{}[{k}] = {value};", step.name()));
+    }
+    Body {
+        sections: String::new(),
+        text: writer.text,
+    }
+}
+
 /// What the entries of fields would like to be called, as every compiler takes it.
 fn in_ascii(fields: Fields<'_>) -> Vec<Vec<String>> {
     let fields = fields.entries().into_iter();
@@ -100,7 +132,7 @@ fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> N
     for name in results {
         names.take(name);
     }
-    for own in ["sin_cos", "turn"] {
+    for own in ["sin_cos", SQRT, "turn"] {
         names.take(&writing.own(own));
     }
     names
@@ -228,7 +260,7 @@ impl<'w> Writer<'w> {
             (Operation::Sub(a, b), _) => format!("{a} - {b}"),
             (Operation::Mul(a, b), _) => format!("{a} * {b}"),
             (Operation::Div(a, b), _) => format!("{a} / {b}"),
-            (Operation::Sqrt(a), _) => self.call("sqrt", &a),
+            (Operation::Sqrt(a), _) => format!("{}({a})", self.writing.own(SQRT)),
             (Operation::Sign(a), _) => {
                 let (number, zero) = (number(self.real), literal(0.0, self.real));
                 format!("({number})(({a} > {zero}) - ({a} < {zero}))")

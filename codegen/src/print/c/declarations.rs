@@ -11,6 +11,7 @@ use super::names::{self, constant, constants, own};
 use crate::function::Function;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::documentation;
+use crate::print::steps::Step;
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::space::{ACTION, Quantity, Space, Spaces, Variable};
@@ -139,17 +140,33 @@ pub(super) fn parameters(
     (prefix, structure): (&str, &str),
 ) -> String {
     let spaces = &module.spaces;
+    let arguments = generated.arguments(spaces).into_iter();
+    let arguments =
+        arguments.map(|argument| declarator(argument.name(), &argument_lengths(argument, spaces)));
+    let results = results(&generated.functions).into_iter();
+    let results = results.map(|(name, quantity)| declarator(&name, &lengths(&quantity, spaces)));
+    pointers(module, (prefix, structure), arguments, results)
+}
+
+/// The same of a function of configurations.
+pub(super) fn of_step(step: Step, module: &Module, prefix: &str) -> String {
+    let row = |(name, space): (&str, Space)| declarator(name, &[module.spaces.len(space)]);
+    let arguments = step.arguments().iter().copied().map(row);
+    let result = row((step.name(), step.result()));
+    pointers(module, (prefix, "robot"), arguments, [result].into_iter())
+}
+
+fn pointers(
+    module: &Module,
+    (prefix, structure): (&str, &str),
+    arguments: impl Iterator<Item = String>,
+    results: impl Iterator<Item = String>,
+) -> String {
     let number = number(module.scalar);
     let robot =
         (!module.parameters.is_empty()).then(|| format!("const {} *robot", own(prefix, structure)));
-    let arguments = generated.arguments(spaces).into_iter();
-    let arguments = arguments
-        .map(|argument| declarator(argument.name(), &argument_lengths(argument, spaces)))
-        .map(|argument| format!("const {number} {argument}"));
-    let results = results(&generated.functions).into_iter();
-    let results = results
-        .map(|(name, quantity)| declarator(&name, &lengths(&quantity, spaces)))
-        .map(|result| format!("{number} {result}"));
+    let arguments = arguments.map(|argument| format!("const {number} {argument}"));
+    let results = results.map(|result| format!("{number} {result}"));
     let all: Vec<_> = robot.into_iter().chain(arguments).chain(results).collect();
     all.join(", ")
 }

@@ -6,11 +6,14 @@
 use std::fmt::Write;
 
 use super::comments::comment;
-use super::declarations::{self, base_parameters, indices, of_prepare, parameters, structure};
+use super::declarations::{
+    self, base_parameters, indices, of_prepare, of_step, parameters, structure,
+};
 use super::names::{ascii, own, prepared_symbols, symbols};
 use super::review;
 use crate::module::{Module, Prepared};
 use crate::print::documentation::{self, Angles};
+use crate::print::steps::Step;
 
 /// What a header tells besides what the module does.
 pub(in crate::print) struct Header<'a> {
@@ -60,6 +63,12 @@ impl Header<'_> {
             text.push_str(&comment(&about));
             let parameters = parameters(module, generated, (prefix, "robot"));
             // Writing to a string cannot fail.
+            let _ = writeln!(text, "{qualifier}void {name}({parameters});\n");
+        }
+        for &step in Step::of(module) {
+            let about = documentation::of_step(module, step, Some(self.angles));
+            text.push_str(&comment(&about));
+            let (name, parameters) = (own(prefix, step.name()), of_step(step, module, prefix));
             let _ = writeln!(text, "{qualifier}void {name}({parameters});\n");
         }
         if let Some(prepared) = prepared {

@@ -70,14 +70,19 @@ fn is_another(prefix: &str, name: &str, is_name: impl Fn(&str) -> bool) -> bool 
 }
 
 /// What is called without a function of the robot.
-const OWN: [&str; 8] = [
+const OWN: [&str; 13] = [
     "base_parameters",
+    "difference",
     "failures",
+    "integrate",
+    "neutral",
+    "normalize",
     "prepare",
     "prepared",
     "robot",
     "self_test",
     "sin_cos",
+    "sqrt",
     "turn",
 ];
 

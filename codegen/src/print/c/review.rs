@@ -11,7 +11,8 @@ use super::declarations::{argument_lengths, lengths, number, results};
 use super::literals::literal;
 use super::names::{constant, own, symbols, unscoped};
 use crate::module::{Module, Vector};
-use crate::print::review::{self, Limits};
+use crate::print::described::{self, NumberList};
+use crate::print::review;
 use crate::schedule::Names;
 use crate::space::Space;
 use crate::template;
@@ -21,9 +22,10 @@ const SWITCH: &str = "HOMOGEN_SELF_TEST";
 
 /// The limits, as what stands behind the `=` of an array.
 pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
-    let limits = review::limits(module).into_iter();
-    let limits: Vec<Limits> = limits.collect();
-    let infinite = |limits: &Limits| limits.numbers.iter().any(|limit| limit.is_infinite());
+    let limits = described::limits(module).into_iter();
+    let is_described = |list: &NumberList| list.numbers.iter().any(|limit| limit.is_finite());
+    let limits: Vec<NumberList> = limits.filter(is_described).collect();
+    let infinite = |list: &NumberList| list.numbers.iter().any(|limit| limit.is_infinite());
     if limits.is_empty() {
         return;
     }
@@ -37,7 +39,7 @@ pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
         about.push("The largest number that there is stands where none is described.".to_owned());
     }
     text.push_str(&comment(&about));
-    for Limits {
+    for NumberList {
         name,
         about,
         numbers,

@@ -6,17 +6,18 @@
 use std::fmt::Write;
 
 use super::Writing;
-use super::body::{Body, body, once};
+use super::body::{self, Body, body, once};
 use super::comments::comment;
-use super::declarations::{of_prepare, parameters};
+use super::declarations::{self, of_prepare, parameters};
 use super::header::guard;
 use super::names::{prepared_symbols, symbols};
-use super::{review, sections, sines};
+use super::{review, roots, sections, sines};
 use crate::formulation::Sines;
-use crate::module::{GeneratedFunction, Module};
+use crate::module::Module;
+use crate::print::steps::{Step, has_angles, has_roots};
 use crate::print::{Fields, documentation};
 use crate::real::Real;
-use crate::schedule::{Names, Operation};
+use crate::schedule::Names;
 
 /// The text of the file.
 pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
@@ -31,16 +32,13 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
     let (guard, header) = (guard(writing.prefix), writing.header);
     // Writing to a string cannot fail.
     let _ = writeln!(text, "#ifndef {guard}\n#include \"{header}\"\n#endif");
-    let own_sines = module.sines == Sines::Own && module.functions.iter().any(has_angles);
+    let (has_angles, has_roots) = (has_angles(module), has_roots(module));
+    let own_sines = module.sines == Sines::Own && has_angles;
     text.push_str("#include <float.h>\n");
-    if module
-        .functions
-        .iter()
-        .any(|generated| calls(module, generated))
-    {
+    if has_angles && !own_sines {
         text.push_str("#include <math.h>\n");
     }
-    if own_sines {
+    if own_sines || has_roots {
         text.push_str("#include <stdint.h>\n");
     }
     text.push_str(&arithmetic(module.scalar));
@@ -50,6 +48,10 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
     if own_sines {
         text.push('\n');
         text.push_str(&sines::function(module.scalar, writing));
+    }
+    if has_roots {
+        text.push('\n');
+        text.push_str(&roots::function(module.scalar, writing));
     }
     let functions = functions(module, writing, &symbols);
     if functions.has_sections {
@@ -92,6 +94,12 @@ fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Func
         let body = body(module, (generated, fields), writing, &mut own);
         functions.push(&format!("{name}({parameters})"), &body);
     }
+    for &step in Step::of(module) {
+        let name = writing.own(step.name());
+        let parameters = declarations::of_step(step, module, prefix);
+        let body = body::of_step(step, module, writing);
+        functions.push(&format!("{name}({parameters})"), &body);
+    }
     let Some(all) = &module.prepared else {
         return functions;
     };
@@ -107,17 +115,6 @@ fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Func
         functions.push(&format!("{name}({parameters})"), &body);
     }
     functions
-}
-
-fn has_angles(generated: &GeneratedFunction) -> bool {
-    !generated.program.angles.is_empty()
-}
-
-/// Whether it calls a function of the library.
-fn calls(module: &Module, generated: &GeneratedFunction) -> bool {
-    let mut steps = generated.program.steps.iter();
-    let root = steps.any(|step| matches!(step.operation, Operation::Sqrt(_)));
-    root || (module.sines == Sines::Platform && has_angles(generated))
 }
 
 /// What the type of number has to be, what compilers must not do with it, and what some of them need to

@@ -1,6 +1,6 @@
 //! One function of a module: its parameters, what it reads, and what it stores.
 //!
-//! In: a [`GeneratedFunction`] function, its symbol, and the type of a value. Out: its definition. With one lane the parameters
+//! In: a [`GeneratedFunction`], or a function of configurations, its symbol, and the type of a value. Out: its definition. With one lane the parameters
 //! are those of the file in C; with several each entry of an argument and a result is a vector. Fields are numbers,
 //! one after the other, in the order of the robot's struct, and the same for all lanes.
 
@@ -12,9 +12,9 @@ use crate::module::{GeneratedFunction, Module};
 use crate::print::Fields;
 use crate::print::c::results;
 use crate::print::large::columns;
+use crate::print::steps::Step;
 use crate::print::walk::walk;
-use crate::schedule::{Names, Readable, Routine, Stored, Work};
-use crate::space::Variable;
+use crate::schedule::{Entries, Names, Readable, Routine, Stored, Work};
 
 /// The name of the parameter that points to the fields.
 pub(super) const ROBOT: &str = "robot";
@@ -22,11 +22,18 @@ pub(super) const ROBOT: &str = "robot";
 /// A function that is written, whatever its lanes.
 pub(super) struct Function<'l> {
     module: &'l Module,
-    generated: &'l GeneratedFunction,
+    of: Of<'l>,
     pub(super) symbol: &'l str,
     fused: bool,
-    /// The arguments, in their order.
-    arguments: Vec<Variable>,
+}
+
+/// What it computes.
+#[derive(Clone, Copy)]
+pub(super) enum Of<'l> {
+    /// Functions of the state.
+    State(&'l GeneratedFunction),
+    /// A function of configurations.
+    Step(Step),
 }
 
 /// A parameter that points to numbers.
@@ -38,18 +45,12 @@ pub(super) struct Pointer {
 }
 
 impl<'l> Function<'l> {
-    pub(super) fn new(
-        module: &'l Module,
-        generated: &'l GeneratedFunction,
-        symbol: &'l str,
-        fused: bool,
-    ) -> Self {
+    pub(super) fn new(module: &'l Module, of: Of<'l>, symbol: &'l str, fused: bool) -> Self {
         Self {
             module,
-            generated,
+            of,
             symbol,
             fused,
-            arguments: generated.arguments(&module.spaces),
         }
     }
 
@@ -59,15 +60,32 @@ impl<'l> Function<'l> {
     }
 
     pub(super) fn arguments(&self) -> Vec<Pointer> {
-        let arguments = self.arguments.iter().map(|argument| Pointer {
-            name: argument.name().to_owned(),
-            len: self.module.spaces.len(argument.space()),
-        });
-        arguments.collect()
+        let spaces = &self.module.spaces;
+        let pointer = |name: &str, space| Pointer {
+            name: name.to_owned(),
+            len: spaces.len(space),
+        };
+        match self.of {
+            Of::State(generated) => (generated.arguments(spaces).iter())
+                .map(|argument| pointer(argument.name(), argument.space()))
+                .collect(),
+            Of::Step(step) => (step.arguments().iter())
+                .map(|&(name, space)| pointer(name, space))
+                .collect(),
+        }
     }
 
     pub(super) fn results(&self) -> Vec<Pointer> {
-        let results = results(&self.generated.functions).into_iter();
+        let generated = match self.of {
+            Of::State(generated) => generated,
+            Of::Step(step) => {
+                return vec![Pointer {
+                    name: step.name().to_owned(),
+                    len: self.module.spaces.len(step.result()),
+                }];
+            }
+        };
+        let results = results(&generated.functions).into_iter();
         let results = results.map(|(name, quantity)| {
             let lengths = quantity.lengths(&self.module.spaces);
             let lengths = lengths.iter().chain(quantity.entity.dimensions());
@@ -91,19 +109,28 @@ impl<'l> Function<'l> {
         for result in &results {
             names.take(&result.name);
         }
+        let generated = match self.of {
+            Of::State(generated) => generated,
+            Of::Step(step) => {
+                for argument in self.arguments() {
+                    names.take(&argument.name);
+                }
+                return step.routine(self.module, names);
+            }
+        };
         let fields = Fields::Own(&self.module.parameters).entries();
         let readable = Readable {
-            arguments: &self.arguments,
+            arguments: &generated.arguments(&self.module.spaces),
             spaces: &self.module.spaces,
             fields: &fields,
         };
-        let large = columns(&self.generated.functions, &self.module.spaces).is_some();
+        let large = columns(&generated.functions, &self.module.spaces).is_some();
         let when = if large {
             Stored::AsFound
         } else {
             Stored::AtTheEnd
         };
-        let program = (&self.generated.program, self.module.length);
+        let program = (&generated.program, self.module.length);
         Routine::of(program, &readable, names, when)
     }
 }
@@ -114,7 +141,7 @@ pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
     let mut writer = Writer::new(lanes, function.fused, function.module.sines);
     let results = function.results();
     writer.filled = results.first().map(|result| result.name.clone());
-    load(&mut writer, &routine);
+    load(&mut writer, function, &routine);
     walk(&mut writer, &routine.statements);
     let mut sections = String::new();
     if let Some(work) = &routine.work {
@@ -151,17 +178,22 @@ pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
 }
 
 /// All that is read of arguments and fields, before anything is stored.
-fn load(writer: &mut Writer, routine: &Routine) {
+fn load(writer: &mut Writer, function: &Function<'_>, routine: &Routine) {
     let (value, size) = (writer.lanes.value(), writer.lanes.size());
-    for (argument, entries) in &routine.arguments {
+    let state = routine.arguments.iter().map(|(_, entries)| entries);
+    let (arguments, fields): (Vec<_>, &[Entries]) = match function.of {
+        Of::State(_) => (state.collect(), &routine.fields),
+        Of::Step(_) => (routine.fields.iter().collect(), &[]),
+    };
+    for (argument, entries) in function.arguments().iter().zip(arguments) {
         for (k, name) in entries.iter().enumerate() {
             let Some(name) = name else { continue };
-            let address = writer.entry(&local(argument.name()), &k.to_string());
+            let address = writer.entry(&local(&argument.name), &k.to_string());
             writer.load_as(name, &address);
         }
     }
     let number = writer.lanes.number();
-    for (k, name) in routine.fields.iter().flatten().enumerate() {
+    for (k, name) in fields.iter().flatten().enumerate() {
         let Some(name) = name else { continue };
         let address = writer.between(&format!(
             "getelementptr {number}, ptr {}, i64 {k}",

@@ -7,6 +7,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::described::{Class, Method};
+use crate::print::described::neutral;
 use crate::print::documentation;
 use crate::space::Space;
 use crate::wording::visible;
@@ -44,12 +45,6 @@ pub(super) fn class(class: &Class<'_>) -> TokenStream {
     let methods = methods.map(|each| method(class, each));
     let whole = whole(class);
     let attributes = attributes(class);
-    let posture = class.has_steps().then(|| {
-        quote! {
-            #[allow(dead_code, reason = "not every robot has every joint")]
-            mod posture;
-        }
-    });
     quote! {
         #![doc = " The robot as a class of Python."]
         #![allow(clippy::approx_constant, reason = "limits are what a description says")]
@@ -59,7 +54,6 @@ pub(super) fn class(class: &Class<'_>) -> TokenStream {
         mod functions;
         mod number;
         mod pack;
-        #posture
         mod processor;
         mod real;
         #[allow(clippy::all, reason = "generated code has one form for every robot")]
@@ -300,7 +294,7 @@ pub(super) fn vectors(class: &Class<'_>) -> Vec<(&'static str, &'static str, Vec
     let neutral = (
         "neutral",
         "Coordinates at which no joint is turned or shifted: zeros, and quaternions 0, 0, 0, 1.",
-        class.neutral(),
+        neutral(class.listing).numbers,
     );
     let base = class.listing.base_parameters().map(|values| {
         let about = "The base parameters that the base regressor is multiplied by, as described; kg, kg m, kg m².";

@@ -7,7 +7,6 @@ use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
 use super::names::{in_module, unscoped};
-use crate::list::Id;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::documentation;
 use crate::print::rust::names::{self as rust, ident, of_methods, type_name};
@@ -77,7 +76,10 @@ impl<'l> Class<'l> {
         let name = names.alone(&item.ident.unraw().to_string());
         let of_methods = of_methods(listing);
         let methods = listing.functions.iter().zip(&of_methods);
-        let steps = Step::of(listing).iter();
+        // The neutral configuration is an attribute.
+        let steps = Step::of(listing)
+            .iter()
+            .filter(|step| **step != Step::Neutral);
         let steps = steps.map(|&step| Method::of_step(step, &listing.spaces));
         let methods: Vec<_> = methods
             .map(|(generated, name)| {
@@ -114,11 +116,6 @@ impl<'l> Class<'l> {
         }
     }
 
-    /// Whether some of its coordinates are no angles and shifts.
-    pub fn has_steps(&self) -> bool {
-        !Step::of(self.listing).is_empty()
-    }
-
     /// What NumPy calls its type of number.
     pub fn dtype(&self) -> &'static str {
         dtype(self.listing.scalar)
@@ -131,16 +128,6 @@ impl<'l> Class<'l> {
         entries
             .map(|entry| entry.range.unwrap_or(unknown))
             .collect()
-    }
-
-    /// The coordinates at which nothing is turned or shifted.
-    pub fn neutral(&self) -> Vec<f64> {
-        let spaces = &self.listing.spaces;
-        let mut q = spaces.coordinates.map(|_| 0.0);
-        for first in spaces.quaternions() {
-            q[first.plus(3)] = 1.0;
-        }
-        q.into()
     }
 }
 

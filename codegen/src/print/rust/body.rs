@@ -15,12 +15,16 @@ use super::early::Filling;
 use super::literals::Numerals;
 use super::names::ident;
 use super::world::World;
+#[cfg(feature = "files")]
+use crate::module::Module;
 use crate::print::Fields;
+#[cfg(feature = "files")]
+use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Length, Names, Operation, Program, Readable, Rounds, Routine,
-    Statement, Stored, Value,
+    Angle, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable, Rounds,
+    Routine, Statement, Stored, Value,
 };
 use crate::space::{Spaces, Variable};
 
@@ -30,6 +34,8 @@ pub(super) struct Body {
     pub statements: TokenStream,
     /// The numbers of the result; of a matrix that is filled, the matrix.
     pub results: Results,
+    /// The names of values with what they stand for.
+    pub meanings: Vec<(String, Meaning)>,
 }
 
 /// What a function returns.
@@ -154,7 +160,46 @@ pub(super) fn body(
     Body {
         statements,
         results,
+        meanings: routine.meanings,
     }
+}
+
+/// The statements of a function of configurations, and the entries of its result.
+#[cfg(feature = "files")]
+pub(super) fn of_step(
+    step: Step,
+    module: &Module,
+    dialect: &Dialect,
+) -> (TokenStream, Vec<TokenStream>) {
+    let mut names = dialect.names.clone();
+    let arguments = step.arguments().iter();
+    let arguments: Vec<Ident> = arguments.map(|(name, _)| dialect.local(name)).collect();
+    for argument in &arguments {
+        names.take(&argument.to_string());
+    }
+    let (numerals, constant) = dialect.numerals(arguments.first(), &mut names);
+    let routine = step.routine(module, names);
+    let mut statements = TokenStream::new();
+    if routine.has_literals {
+        statements.extend(constant);
+    }
+    for (argument, entries) in arguments.iter().zip(&routine.fields) {
+        let entries = entries.iter().map(Option::as_ref).map(pattern);
+        statements.extend(quote! { let [#(#entries),*] = *#argument; });
+    }
+    let mut writer = Writer {
+        dialect,
+        numerals,
+        fused: None,
+        names: routine.names,
+        work: None,
+        filling: None,
+        text: TokenStream::new(),
+        outside: Vec::new(),
+    };
+    statements.extend(writer.statements(&routine.statements));
+    let results = routine.results.iter().map(|result| writer.read(result));
+    (statements, results.collect())
 }
 
 impl Results {

@@ -35,6 +35,7 @@ pub(super) fn chain(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
     let Body {
         statements,
         results,
+        ..
     } = body(
         (&data.program, Length::UNBOUNDED),
         (&[], Returns::Arrays),
@@ -76,6 +77,17 @@ pub(super) fn signature(
 ) -> TokenStream {
     let this = reads_fields.then(|| quote! { &self });
     let generics = unknown.map(|unknown| quote! { <#unknown> });
+    let chain = chain_type(lengths, joints, frames, runtime);
+    quote! { fn chain #generics(#this) -> #chain }
+}
+
+/// The type of a robot as data, for lists so long and so many joints and frames.
+pub(super) fn chain_type(
+    lengths: Lengths<'_>,
+    joints: &TokenStream,
+    frames: &TokenStream,
+    runtime: &TokenStream,
+) -> TokenStream {
     let [coordinates, velocities] = [Space::Coordinates, Space::Velocities].map(lengths);
     let same = |a: &TokenStream, b: &TokenStream| a.to_string() == b.to_string();
     // Where every joint has one coordinate of its own, one number says all.
@@ -84,7 +96,7 @@ pub(super) fn signature(
     } else {
         Some(quote! { , #coordinates, #joints })
     };
-    quote! { fn chain #generics(#this) -> #runtime::Chain<#velocities, #frames #others> }
+    quote! { #runtime::Chain<#velocities, #frames #others> }
 }
 
 fn value(data: &ChainData, numbers: &[TokenStream], runtime: &TokenStream) -> TokenStream {

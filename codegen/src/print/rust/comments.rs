@@ -15,8 +15,8 @@ use crate::print::documentation;
 use crate::wording::{code, visible};
 
 /// Lines as a doc comment.
-pub(super) fn doc(lines: &[String]) -> TokenStream {
-    let lines = lines.iter().map(|line| match &*visible(line) {
+pub(super) fn doc(lines: &[impl AsRef<str>]) -> TokenStream {
+    let lines = lines.iter().map(|line| match &*visible(line.as_ref()) {
         "" => String::new(),
         line => format!(" {line}"),
     });

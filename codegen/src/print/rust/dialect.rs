@@ -5,16 +5,18 @@
 //! operation or a signature.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
 
 use super::item::{Declaration, Item};
 use super::literals::Numerals;
 use super::names::{SIN_COS, ident};
+use super::roots::{self, SQRT};
 use super::sines;
-use super::world::{Library, World};
+use super::world::World;
 use crate::formulation::Sines;
 use crate::module::Module;
 use crate::print::documentation::Angles;
+use crate::print::steps::{has_angles, has_roots};
 use crate::real::Real;
 use crate::schedule::{LONGEST_SCOPE, Names};
 use crate::space::Variable;
@@ -222,8 +224,10 @@ impl Dialect {
         match &self.world {
             World::Runtime(runtime) => quote! { #runtime::Scalar::sqrt(#a) },
             World::Lanes(path) => quote! { #path::number::Number::sqrt(#a) },
-            World::Core(_) if self.real == Real::F32 => quote! { ::libm::sqrtf(#a) },
-            World::Core(_) => quote! { ::libm::sqrt(#a) },
+            World::Core(_) => {
+                let (owner, sqrt) = (self.owner(), ident(SQRT));
+                quote! { #owner::#sqrt(#a) }
+            }
         }
     }
 
@@ -271,29 +275,31 @@ impl Dialect {
             World::Core(library) => {
                 let own = ident(SIN_COS);
                 let sin_cos = library.sin_cos.clone();
-                let robot = &self.robot;
-                let sin_cos = sin_cos.unwrap_or_else(|| {
-                    if self.prepared {
-                        quote! { #robot::#own }
-                    } else {
-                        quote! { Self::#own }
-                    }
-                });
+                let owner = self.owner();
+                let sin_cos = sin_cos.unwrap_or_else(|| quote! { #owner::#own });
                 one_by_one(&sin_cos, sines, cosines, angles)
             }
         }
     }
 
-    /// The sines and cosines that the struct has of its own, for programs that have angles.
-    pub fn own_sines(&self, module: &Module) -> TokenStream {
-        let mut functions = module.functions.iter();
-        let angles = functions.any(|generated| !generated.program.angles.is_empty());
-        match &self.world {
-            World::Core(Library { sin_cos: None, .. }) if angles => {
-                sines::function(self.real, &self.robot)
-            }
-            World::Core(_) | World::Runtime(_) | World::Lanes(_) => TokenStream::new(),
+    /// The struct that has functions of its own.
+    fn owner(&self) -> TokenStream {
+        if self.prepared {
+            self.robot.to_token_stream()
+        } else {
+            quote! { Self }
         }
+    }
+
+    /// The functions that the struct has of its own: sines and cosines for programs that have angles, and the square root.
+    pub fn own_functions(&self, module: &Module) -> TokenStream {
+        let World::Core(library) = &self.world else {
+            return TokenStream::new();
+        };
+        let sines = has_angles(module) && library.sin_cos.is_none();
+        let sines = sines.then(|| sines::function(self.real, &self.robot));
+        let root = has_roots(module).then(|| roots::function(self.real, &self.robot));
+        quote! { #sines #root }
     }
 }
 

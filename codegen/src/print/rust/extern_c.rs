@@ -11,12 +11,13 @@ use syn::ext::IdentExt;
 use super::arguments;
 use super::dialect::Dialect;
 use super::item::Item;
-use super::lengths::known;
+use super::lengths::{array, known, literal};
 use super::names::{ident, of_methods};
 use super::results::type_of;
 use super::world::{Library, World};
 use crate::module::{GeneratedFunction, Module};
 use crate::print::c;
+use crate::print::steps::Step;
 
 /// The functions, one for each method, where the library says how names begin.
 pub(super) fn functions(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
@@ -33,7 +34,70 @@ pub(super) fn functions(module: &Module, item: &Item, dialect: &Dialect) -> Toke
         .map(|((generated, method), symbol)| {
             function(module, item, generated, &method, &symbol, dialect)
         })
+        .chain(
+            Step::of(module)
+                .iter()
+                .map(|&step| of_step(step, module, prefix, item, dialect)),
+        )
         .collect()
+}
+
+/// The function of a method of configurations.
+fn of_step(
+    step: Step,
+    module: &Module,
+    prefix: &str,
+    item: &Item,
+    dialect: &Dialect,
+) -> TokenStream {
+    let row = |space| array(&dialect.number, &literal(module.spaces.len(space)));
+    let (arguments, types): (Vec<Ident>, Vec<_>) = (step.arguments().iter())
+        .map(|&(name, space)| (dialect.local(name), row(space)))
+        .unzip();
+    let (receiver, value) = receiver(module, item, dialect);
+    let method = ident(step.name());
+    let result = dialect.local(step.name());
+    let types = quote! { #receiver #(#arguments: &#types,)* };
+    let returned = row(step.result());
+    let body = quote! { #result.write(#value.#method(#(#arguments),*)); };
+    for_c(
+        (item, &method),
+        &c::own(prefix, step.name()),
+        &quote! { #types #result: &mut ::core::mem::MaybeUninit<#returned>, },
+        &body,
+    )
+}
+
+/// The parameter that is the robot, where it has fields, and how the robot is read.
+fn receiver(module: &Module, item: &Item, dialect: &Dialect) -> (TokenStream, TokenStream) {
+    let robot = &item.ident;
+    if module.parameters.is_empty() {
+        (TokenStream::new(), quote! { #robot })
+    } else {
+        let value = dialect.local("robot");
+        (quote! { #value: &#robot, }, quote! { #value })
+    }
+}
+
+/// A function for C around a method.
+fn for_c(
+    (item, method): (&Item, &Ident),
+    symbol: &str,
+    parameters: &TokenStream,
+    body: &TokenStream,
+) -> TokenStream {
+    let robot = &item.ident;
+    let about =
+        format!(" [`{robot}::{method}`] for C, whose header tells what the pointers are to be.");
+    let name = ident(symbol);
+    quote! {
+        #[doc = #about]
+        #[allow(unsafe_code, reason = "the name is promised to be the only one of its kind")]
+        #[unsafe(no_mangle)]
+        pub extern "C" fn #name(#parameters) {
+            #body
+        }
+    }
 }
 
 /// The header that declares them.
@@ -58,7 +122,6 @@ fn function(
     symbol: &str,
     dialect: &Dialect,
 ) -> TokenStream {
-    let robot = &item.ident;
     let lengths = known(&module.spaces);
     let arguments = generated.arguments(&module.spaces);
     let each = arguments.iter();
@@ -77,12 +140,7 @@ fn function(
         .map(|(name, _)| dialect.local(name))
         .collect();
 
-    let (receiver, value) = if module.parameters.is_empty() {
-        (TokenStream::new(), quote! { #robot })
-    } else {
-        let value = dialect.local("robot");
-        (quote! { #value: &#robot, }, quote! { #value })
-    };
+    let (receiver, value) = receiver(module, item, dialect);
     let call = quote! { #value.#method(#(#arguments),*) };
     // What several functions return is a tuple, several quantities of one a struct.
     let values: Vec<_> = generated
@@ -113,19 +171,10 @@ fn function(
             #(#results.write(#parts);)*
         }
     };
-    let about =
-        format!(" [`{robot}::{method}`] for C, whose header tells what the pointers are to be.");
-    let name = ident(symbol);
-    quote! {
-        #[doc = #about]
-        #[allow(unsafe_code, reason = "the name is promised to be the only one of its kind")]
-        #[unsafe(no_mangle)]
-        pub extern "C" fn #name(
-            #receiver
-            #(#arguments: &#each,)*
-            #(#results: &mut ::core::mem::MaybeUninit<#types>,)*
-        ) {
-            #body
-        }
-    }
+    let parameters = quote! {
+        #receiver
+        #(#arguments: &#each,)*
+        #(#results: &mut ::core::mem::MaybeUninit<#types>,)*
+    };
+    for_c((item, method), symbol, &parameters, &body)
 }

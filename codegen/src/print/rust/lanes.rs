@@ -53,6 +53,7 @@ fn method(
     let Body {
         statements,
         results,
+        ..
     } = body(
         (&generated.program, Length::UNBOUNDED),
         (&arguments, Returns::Arrays),

@@ -37,6 +37,7 @@ pub(super) fn mechanism(module: &Module, item: &Item, dialect: &Dialect) -> Toke
     let Body {
         statements,
         results,
+        ..
     } = body(
         (&data.loops.program, Length::UNBOUNDED),
         (&[], Returns::Arrays),

@@ -20,14 +20,33 @@ use crate::function::Function;
 use crate::module::{GeneratedFunction, Module, arguments};
 use crate::print::Fields;
 use crate::print::large::columns;
+use crate::schedule::Meaning;
 use crate::space::{Space, Spaces};
+
+/// Code, and what the names of values in it stand for.
+#[derive(Clone, Debug)]
+pub struct Explained {
+    /// The code.
+    pub text: TokenStream,
+    /// The names with their meanings; fields and what the language binds besides are not among them.
+    pub meanings: Vec<(String, Meaning)>,
+}
 
 /// What computes `listed` from what its struct has, to stand between braces.
 pub(super) fn computation(
-    (generated, fields): (&GeneratedFunction, Fields<'_>),
+    of: (&GeneratedFunction, Fields<'_>),
     module: &Module,
     dialect: &Dialect,
 ) -> TokenStream {
+    explained(of, module, dialect).text
+}
+
+/// The same with the meanings of its names.
+pub(super) fn explained(
+    (generated, fields): (&GeneratedFunction, Fields<'_>),
+    module: &Module,
+    dialect: &Dialect,
+) -> Explained {
     let spaces = &module.spaces;
     let arguments = generated.arguments(spaces);
     let returns = match (&*generated.functions, columns(&generated.functions, spaces)) {
@@ -38,6 +57,7 @@ pub(super) fn computation(
     let Body {
         statements,
         results,
+        meanings,
     } = body(
         (&generated.program, module.length),
         (&arguments, returns),
@@ -48,7 +68,10 @@ pub(super) fn computation(
         Results::Filled(matrix) => matrix.into_token_stream(),
         Results::Numbers(numbers) => result_value(&generated.functions, spaces, &numbers, dialect),
     };
-    quote! { #statements #result }
+    Explained {
+        text: quote! { #statements #result },
+        meanings,
+    }
 }
 
 /// The method that computes `listed` by what stands between its braces, under these lines.

@@ -35,6 +35,7 @@ pub(super) fn prepared(
     let Body {
         statements,
         results,
+        ..
     } = body(
         (&prepared.once, module.length),
         (&[], Returns::Arrays),

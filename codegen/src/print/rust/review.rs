@@ -1,84 +1,23 @@
 //! What the reviewer of a file reads beside its code.
 //!
-//! In: a [`Module`] with its [`Review`](crate::module::Review), and its struct. Out: names and limits as constants of
-//! the struct, and behind the items a module of tests and where numbers come from. It never prints an operation.
+//! In: a [`Module`] with its [`Review`](crate::module::Review), and its struct. Out: text behind
+//! the items, a module of tests and where numbers come from. It never prints an operation.
 
 use std::fmt::Write;
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 use syn::ext::IdentExt;
 
-use super::comments::doc;
-use super::declaration;
-use super::dialect::Dialect;
 use super::item::Item;
-use super::lengths::{array, literal};
-use super::literals::Numerals;
-use super::names::{ident, of_methods};
+use super::names::of_methods;
 use super::world::World;
 use crate::module::{GeneratedFunction, Module, Vector};
 use crate::print::c;
-use crate::print::review::{self, Limits};
+use crate::print::review;
 use crate::real::Real;
 use crate::schedule::Names;
 use crate::space::{ACTION, Variable};
 use crate::template;
 use crate::wording::visible;
-
-/// The constants, in a block of their own.
-pub(super) fn constants(listing: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
-    if listing.review.is_none() {
-        return TokenStream::new();
-    }
-    let visibility = &item.visibility;
-    let names = review::names(listing)
-        .into_iter()
-        .map(|(name, about, names)| {
-            let (name, about) = (ident(name), doc(&[about]));
-            let count = literal(names.len());
-            let names = names.into_iter().map(string);
-            quote! { #about #visibility const #name: [&'static str; #count] = [#(#names),*]; }
-        });
-    let number = dialect.field();
-    let limits = review::limits(listing).into_iter();
-    let limits = limits.map(
-        |Limits {
-             name,
-             about,
-             numbers,
-         }| {
-            let infinite = numbers.iter().any(|limit| limit.is_infinite());
-            let missing = infinite.then(|| "Infinite where none is described.".to_owned());
-            let lines: Vec<String> = [about.to_owned()].into_iter().chain(missing).collect();
-            let (name, about) = (ident(&name.to_uppercase()), doc(&lines));
-            let of = array(&number, &literal(numbers.len()));
-            let numbers = numbers.iter().map(|&limit| {
-                if limit == f64::INFINITY {
-                    quote! { #number::INFINITY }
-                } else if limit == f64::NEG_INFINITY {
-                    quote! { #number::NEG_INFINITY }
-                } else {
-                    match dialect.real {
-                        Real::F32 => Numerals::Single.write(limit),
-                        Real::F64 | Real::Generic => Numerals::Bare.write(limit),
-                    }
-                }
-            });
-            quote! { #about #visibility const #name: #of = [#(#numbers),*]; }
-        },
-    );
-    let constants = names.chain(limits).collect();
-    let block = declaration::block(item, &constants, dialect);
-    // A program need not read them all.
-    quote! { #[allow(dead_code)] #block }
-}
-
-/// A string that has its letters whatever becomes of a file, such as one in ASCII.
-fn string(text: &str) -> Literal {
-    let escaped = format!("\"{}\"", text.escape_default());
-    escaped.parse().unwrap_or_else(|_| Literal::string(text))
-}
 
 /// What stands behind the items: tests, and where numbers come from.
 #[must_use]

@@ -15,8 +15,13 @@ use crate::schedule::Names;
 
 /// The function, which binds nothing that is called as the struct.
 pub(super) fn function(real: Real, robot: &Ident) -> TokenStream {
-    // The text is Rust: it is compiled below.
-    let function = TokenStream::from_str(text(real)).unwrap_or_default();
+    beside(text(real), robot)
+}
+
+/// A function of a file of its own, which binds nothing that is called as the struct.
+pub(super) fn beside(text: &str, robot: &Ident) -> TokenStream {
+    // The text is Rust: it is compiled in tests.
+    let function = TokenStream::from_str(text).unwrap_or_default();
     let mut names = Names::default();
     take(&function, &mut names);
     let other = names.alone(&robot.to_string());
@@ -83,8 +88,11 @@ mod tests {
     use quote::format_ident;
 
     use super::{Real, function};
+    use crate::print::sines::tests::{computed, turned};
 
     mod double {
+        use super::{Real, computed, turned};
+
         include!("sines/double.rs");
 
         #[test]
@@ -96,9 +104,24 @@ mod tests {
             });
             assert!(errors.fold(0.0, f64::max) <= f64::EPSILON);
         }
+
+        /// The statements that other languages print are the same routine, bit for bit.
+        #[test]
+        fn they_are_those_of_the_statements() {
+            for angle in (-4000..4000).map(|i| f64::from(i) * 0.37) {
+                let [sine, cosine, shifted] = computed(Real::F64, angle, |value| value);
+                let (sine, cosine) = turned(sine, cosine, shifted.to_bits());
+                let found = sin_cos(angle);
+                let same = [(found.0, sine), (found.1, cosine)];
+                let same = same.map(|(found, expected)| found.to_bits() == expected.to_bits());
+                assert_eq!(same, [true; 2], "{angle}: {found:?}, {sine}, {cosine}");
+            }
+        }
     }
 
     mod single {
+        use super::{Real, computed, turned};
+
         include!("sines/single.rs");
 
         #[test]
@@ -112,6 +135,25 @@ mod tests {
                     .max((f64::from(cosine) - c).abs())
             });
             assert!(errors.fold(0.0, f64::max) <= f64::from(f32::EPSILON) / 2.0);
+        }
+
+        /// The same in single precision: a sum or a product of two of its numbers is rounded right by way of `f64`.
+        #[test]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "rounding to the type is the purpose"
+        )]
+        fn they_are_those_of_the_statements() {
+            for angle in (-4000_i16..4000).map(|i| f32::from(i) * 0.75) {
+                let round = |value: f64| f64::from(value as f32);
+                let [sine, cosine, shifted] = computed(Real::F32, angle.into(), round);
+                let quadrant = (shifted as f32).to_bits();
+                let (sine, cosine) = turned(sine, cosine, quadrant.into());
+                let found = sin_cos(angle);
+                let same = [(found.0, sine as f32), (found.1, cosine as f32)];
+                let same = same.map(|(found, expected)| found.to_bits() == expected.to_bits());
+                assert_eq!(same, [true; 2], "{angle}: {found:?}, {sine}, {cosine}");
+            }
         }
     }
 

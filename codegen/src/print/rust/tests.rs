@@ -131,7 +131,11 @@ pub(crate) fn module(scalar: Real) -> Module {
         about: About {
             driven: false,
             robot: "double pendulum".to_owned(),
-            source: Some(("pendulum.urdf".to_owned(), 0x00c0_ffee)),
+            source: Source {
+                file: Some("pendulum.urdf".to_owned()),
+                hash: 0x00c0_ffee,
+                ..Source::default()
+            },
             base: "world".to_owned(),
             tip: "rod-2".to_owned(),
             facts: vec![
@@ -142,6 +146,7 @@ pub(crate) fn module(scalar: Real) -> Module {
             ..About::default()
         },
         functions: vec![generated(&[Function::Gravity], gravity(literal(0.5)))],
+        efforts: vec![f64::INFINITY; 2],
         data: ChainData {
             names: vec!["shoulder".to_owned(), "elbow".to_owned()],
             parents: vec![None, Some(0)],
@@ -244,7 +249,7 @@ impl Pendulum {
         [d_1, d_2]
     }
 "#;
-    assert!(text.starts_with(start), "{text}");
+    assert!(text.contains(start), "{text}");
     let end = r"
 #[automatically_derived]
 impl<T: ::homogen::Scalar> ::homogen::robot::Gravity<2, T> for Pendulum {

@@ -22,7 +22,7 @@ impl Setting {
     /// such value, and sets nothing.
     ///
     /// # Errors
-    /// What is wrong with the value.
+    /// The mistake in the value.
     pub fn take(&self, text: &str, request: &mut Request) -> Result<(), String> {
         match self.form {
             SettingForm::Switch(of) => *of(request) = true,
@@ -140,7 +140,7 @@ fn number(text: &str) -> Result<Number, String> {
 /// The function of that name.
 ///
 /// # Errors
-/// Where there is none: the names that there are.
+/// An unknown name: a hint that lists the known ones.
 pub fn function(text: &str) -> Result<Function, String> {
     Function::from_name(text).ok_or_else(|| {
         let hint = known(text, "functions", &Function::names());
@@ -151,7 +151,7 @@ pub fn function(text: &str) -> Result<Function, String> {
 /// `mass_matrix`, or `mass_matrix+bias`.
 ///
 /// # Errors
-/// Of a function that there is not, or that is there twice.
+/// An unknown function, or one that is given twice.
 pub fn together(text: &str) -> Result<Vec<Function>, String> {
     let mut functions = Vec::new();
     for name in text.split('+') {

@@ -30,8 +30,8 @@ pub enum Of {
     Product(Operand, Operand),
 }
 
-/// What columns have in common whose values are entries of one vector, as far as labels and factors
-/// tell. A wrong guess costs sharpness, not truth.
+/// The vector that columns belong to, as far as labels and factors show.
+/// A wrong guess costs sharpness, not truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Entries of one vector; of an inertia, of first moments and mass.
@@ -40,6 +40,8 @@ pub enum Kind {
     Row(Quantity, usize),
     /// Entries of a turned vector, or sine and cosine themselves.
     Turned(u32),
+    /// Entries of a vector that a rotation matrix multiplies, with √(δ² + …) of the errors of its entries.
+    Rotated(f64),
     /// Products with this.
     Times(Operand),
     /// By itself.

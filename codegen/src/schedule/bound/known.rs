@@ -3,6 +3,7 @@
 //! In: what a program runs under, and its first steps. Out: range and error of whatever a step may read.
 
 use super::kind::{Follows, Form, Kind, Of};
+use super::quaternion::{Entry, Polynomials, beyond};
 use super::reason::Reason;
 use super::turn::{Place, Turns};
 use super::value::Value;
@@ -19,6 +20,8 @@ pub struct Conditions<'c> {
     pub angles: f64,
     /// What each input can be.
     pub range: &'c dyn Fn(Input) -> Value,
+    /// The first entries x of quaternions x, y, z, w, of length 1 but for their rounding.
+    pub quaternions: &'c [Input],
 }
 
 /// The values of a program so far.
@@ -27,6 +30,8 @@ pub struct Known<'p> {
     pub conditions: &'p Conditions<'p>,
     /// Sines and cosines.
     pub turns: Turns,
+    /// Polynomials in the entries of quaternions.
+    pub polynomials: Polynomials,
     pub steps: Vec<Computed>,
 }
 
@@ -40,6 +45,8 @@ pub struct Computed {
     pub place: Option<Place>,
     pub follows: Follows,
     pub kind: Kind,
+    /// The entry of the rotation matrix of a quaternion that it is.
+    pub entry: Option<Entry>,
 }
 
 impl Known<'_> {
@@ -71,7 +78,12 @@ impl Known<'_> {
                 let open = self.program.open.get(&number.abs().to_bits());
                 literal(number, open.copied().unwrap_or(0.0), self.scalar())
             }
-            Operand::Input(input) => (self.conditions.range)(input).read(self.scalar()),
+            Operand::Input(input) => {
+                let range = (self.conditions.range)(input);
+                let beyond = beyond(input, self.conditions.quaternions, self.scalar());
+                let (lo, hi) = (beyond * range.lo, beyond * range.hi);
+                Value { lo, hi, ..range }.read(self.scalar())
+            }
             _ => Value::UNKNOWN,
         }
     }
@@ -103,6 +115,14 @@ impl Known<'_> {
             Operand::Cos(angle) => Some(Place { angle, sine: false }),
             Operand::Step(k) => self.steps[k as usize].place,
             Operand::Literal(_) | Operand::Input(_) => None,
+        }
+    }
+
+    /// The entry of a rotation matrix that an operand is.
+    pub fn entry(&self, operand: Operand) -> Option<Entry> {
+        match operand {
+            Operand::Step(k) => self.steps[k as usize].entry,
+            _ => None,
         }
     }
 

@@ -7,10 +7,12 @@
 use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 
-use super::combination::{Combination, ROWS};
+use super::combination::{Column, Combination, ROWS};
+use super::group::{self, Group};
 use super::kind::{Form, Kind, Of};
 use super::known::Known;
 use super::norm::{both, norm, root};
+use super::quaternion::{Entry, stretch};
 use super::value::Value;
 use crate::real::Real;
 use crate::schedule::Operand;
@@ -93,21 +95,6 @@ const DEPTH: usize = 64;
 /// How many lengths are remembered for each step; beyond, none is followed any further.
 const MOST: usize = 8;
 
-/// Columns that multiply the entries of one vector.
-#[derive(Clone)]
-struct Group {
-    kind: Kind,
-    members: Vec<Of>,
-    matrix: Vec<[f64; ROWS]>,
-}
-
-impl Group {
-    fn take(&mut self, member: Of, entries: [f64; ROWS]) {
-        self.members.push(member);
-        self.matrix.push(entries);
-    }
-}
-
 /// The lengths that were asked for, by the steps that are the entries.
 #[derive(Default)]
 pub struct Lengths(HashMap<[u32; ENTRIES], Length>);
@@ -154,6 +141,12 @@ impl Lengths {
             return length.beside(leaves);
         }
         let steps = &set[..count];
+        let entries = steps.iter().map(|&k| known.steps[k as usize].entry);
+        if let Some(entries) = entries.collect::<Option<Vec<Entry>>>()
+            && Entry::are_in_line(&entries)
+        {
+            length.size = length.size.min(stretch(known.scalar()));
+        }
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
         if !twice && self.0.len() < MOST * known.steps.len() {
             let turned = |step: &u32| matches!(known.steps[*step as usize].form, Form::Turned(_));
@@ -174,22 +167,31 @@ impl Lengths {
         let Some(combination) = Combination::of(known, steps) else {
             return Length::UNKNOWN;
         };
-        let mut groups: Vec<Group> = Vec::new();
-        for column in &combination.columns {
-            let kind = known.kind_of(column.of);
-            let found = groups.iter_mut().find(|group| group.kind == kind);
-            match found {
-                Some(group) => group.take(column.of, column.entries),
-                None => groups.push(Group {
-                    kind,
-                    members: vec![column.of],
-                    matrix: vec![column.entries],
-                }),
-            }
+        let mut length = self.of_columns(known, Vec::new(), &combination.columns, depth);
+        let mut others = combination.columns;
+        let rotated = group::rotated(known, &mut others);
+        if !rotated.is_empty() {
+            length = length.least(self.of_columns(known, rotated, &others, depth));
         }
+        Length {
+            size: length.size,
+            error: length.error + root(combination.lost),
+        }
+    }
+
+    /// The length of what some groups and other columns give.
+    fn of_columns(
+        &mut self,
+        known: &Known<'_>,
+        mut groups: Vec<Group>,
+        columns: &[Column],
+        depth: usize,
+    ) -> Length {
+        group::by_kind(known, columns, &mut groups);
         let mut length = self.of_groups(known, &groups, depth);
         // The third entry of a vector that is turned about an axis has another name than the others.
-        let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]);
+        let rotated = |group: &Group| matches!(group.kind, Kind::Rotated(_));
+        let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]) && !rotated(group);
         let turned =
             |group: &Group| matches!((group.kind, &group.members[..]), (Kind::Turned(_), [_, _]));
         if let Some(at) = groups.iter().position(turned) {
@@ -205,10 +207,7 @@ impl Lengths {
                 }
             }
         }
-        Length {
-            size: length.size,
-            error: length.error + root(combination.lost),
-        }
+        length
     }
 
     /// The sum of what groups of columns give, as a whole or row by row.
@@ -216,10 +215,22 @@ impl Lengths {
         let mut whole = Length::default();
         let mut rows = [Length::default(); ROWS];
         for Group {
-            members, matrix, ..
+            kind,
+            members,
+            matrix,
         } in groups
         {
-            let length = self.of_group(known, members, depth);
+            let mut length = self.of_group(known, members, depth);
+            if let &Kind::Rotated(error) = kind {
+                let by = Length {
+                    size: stretch(known.scalar()),
+                    error,
+                };
+                length = Length {
+                    size: by.size * length.size,
+                    error: by.across(length),
+                };
+            }
             whole = whole.plus(length.times(norm(matrix)));
             for (row, sum) in rows.iter_mut().enumerate() {
                 let entries = matrix.iter().map(|column| column[row]);

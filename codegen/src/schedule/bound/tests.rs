@@ -1,6 +1,7 @@
 //! Tiny programs whose bounds are worked by hand; and programs at random, whose values and errors are
 //! never beyond what is said of them.
 
+mod quaternion;
 mod random;
 
 use super::{Conditions, Reason, Value, results};
@@ -45,6 +46,7 @@ fn found(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -> (f6
         scalar,
         angles: 1e5,
         range,
+        quaternions: &[],
     };
     let found = results(program, &conditions)[0];
     (found.value.error, found.reason)
@@ -190,6 +192,7 @@ fn an_angle_of_many_turns_has_any_sine() {
         scalar: Real::F64,
         angles: 1e5,
         range: &range,
+        quaternions: &[],
     };
     let value = results(&program, &conditions)[0].value;
     assert!(value.lo <= -2.0 && value.hi >= 2.0, "{value:?}");
@@ -326,6 +329,7 @@ fn an_angle_that_is_off_by_turns_scales_as_well() {
             scalar,
             angles: f64::INFINITY,
             range: &range,
+            quaternions: &[],
         };
         results(&program, &conditions)[0].value.error
     };
@@ -350,6 +354,7 @@ fn what_106_bits_leave_open_of_a_literal_is_counted() {
             scalar,
             angles: f64::INFINITY,
             range: &|_| Value::UNKNOWN,
+            quaternions: &[],
         };
         results(&program, &conditions)[0].value.error
     };

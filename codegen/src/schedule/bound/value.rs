@@ -81,6 +81,18 @@ impl Value {
         }
     }
 
+    /// With a range that the exact value is known to keep.
+    pub(super) const fn kept(self, range: Option<[f64; 2]>) -> Self {
+        match range {
+            Some([lo, hi]) => Self {
+                lo: self.lo.max(lo),
+                hi: self.hi.min(hi),
+                ..self
+            },
+            None => self,
+        }
+    }
+
     /// a + b, not yet rounded.
     pub(super) fn plus(self, other: Self) -> Self {
         Self {

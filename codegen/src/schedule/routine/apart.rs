@@ -80,6 +80,7 @@ impl Naming<'_> {
             has_literals: true,
             is_fused: is_fused(&program.steps[..program.before_angles]),
             names: self.names,
+            meanings: self.meanings,
         }
     }
 

@@ -3,7 +3,7 @@
 //! In: a repeat of a program, and a routine whose names are being given. Out: statements of one round, and the table
 //! through which what differs comes and goes. It never says what is a repeat.
 
-use super::{Naming, Statement, Value};
+use super::{Meaning, Naming, Statement, Value};
 use crate::schedule::Operand;
 use crate::schedule::blocks::within;
 use crate::schedule::repeats::Repeat;
@@ -36,7 +36,7 @@ impl Rounds {
 impl Naming<'_> {
     /// The rounds of a repeat.
     pub(super) fn rounds(&mut self, repeat: &Repeat) -> Rounds {
-        let [table, round] = ["columns", "column"].map(|wish| self.names.fresh(wish));
+        let [table, round] = [Meaning::Table, Meaning::Round].map(|meaning| self.named(meaning));
         let row = |row: &Vec<Operand>| row.iter().map(|&operand| self.value(operand)).collect();
         let mut rows: Vec<Vec<Value>> = repeat.taken.iter().map(row).collect();
         // What is left without being taken has to stand somewhere.

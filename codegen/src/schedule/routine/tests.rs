@@ -1,6 +1,6 @@
 //! What a routine is called and made of.
 
-use super::{Angle, Names, Readable, Routine, Statement, Stored, Value};
+use super::{Angle, Meaning, Names, Readable, Routine, Statement, Stored, Turn, Value};
 use crate::expression::{Block, Component, Input, Numeral, Of};
 use crate::schedule::{Length, Operand, Operation, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
@@ -90,6 +90,22 @@ fn what_is_read_has_a_name_and_nothing_else() {
     assert_eq!(routine.statements, statements);
     assert_eq!(routine.results, [name("d_2_"), Value::Literal(0.0)]);
     assert!(routine.has_literals && routine.is_fused);
+    let turn = |name: &str, coordinates: &[u16]| Turn {
+        name: name.to_owned(),
+        coordinates: coordinates.to_vec(),
+    };
+    let pivot = Block::Pivot.of(Of::Body(Numeral(2)));
+    let meanings = [
+        ("q_1", Meaning::Argument(Variable::Q, 0)),
+        ("q_2_", Meaning::Argument(Variable::Q, 1)),
+        ("q_1_2", Meaning::Sum(vec![0, 1])),
+        ("s_1", Meaning::Sine(turn("q_1", &[0]))),
+        ("c_1_2", Meaning::Cosine(turn("q_1_2", &[0, 1]))),
+        ("t_1", Meaning::Part(1)),
+        ("d_2_", Meaning::Entry(pivot.entry(Component::Scalar))),
+    ];
+    let meanings = meanings.map(|(name, meaning)| (name.to_owned(), meaning));
+    assert_eq!(routine.meanings, meanings);
     // What a language binds besides has a name of its own.
     let mut names = routine.names;
     assert_eq!(

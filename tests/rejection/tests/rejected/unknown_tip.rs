@@ -3,7 +3,7 @@
 use homogen::Robot;
 
 #[derive(Robot)]
-#[robot(urdf = "rejected/arm.urdf", tip = "for")]
+#[robot(urdf = "rejected/arm.urdf", tip = "for", generate(all))]
 struct Arm;
 
 fn main() {

@@ -2,12 +2,16 @@
 //!
 //! In: a robot in matrices and the arguments. Out: a size for each velocity, in the precision of a measure.
 
+use std::mem;
+
+use homogen_codegen::space::Variable;
+
 use super::motion::{Freedom, Motion, Positions};
 use super::torques::actions;
 use crate::arguments::Arguments;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::Robot;
-use crate::oracle::state::State;
+use crate::oracle::state::exact;
 
 /// For each velocity, the sum of the sizes of what the bodies it moves ask of it: |u| times the couple of
 /// each body's Φ about the joint's origin, and |b| times its force.
@@ -16,7 +20,9 @@ use crate::oracle::state::State;
 /// its angles, which no sum of torques does.
 #[must_use]
 pub fn torque_sizes(robot: &Robot, arguments: &Arguments) -> Vec<f64> {
-    let State { q, qd, qdd, .. } = State::of(arguments, robot.quaternions());
+    let mut state = exact(arguments, robot.quaternions());
+    let [q, qd, qdd] =
+        [Variable::Q, Variable::Qd, Variable::Qdd].map(|variable| mem::take(&mut state[variable]));
     let positions = Positions::at(robot, &q);
     let motion = Motion::at(robot, &positions, &qd, &qdd);
     // A measure needs no more than `f64`: of Φ the couple and the force, of L the direction and the

@@ -1,6 +1,8 @@
 //! Accelerations, multipliers and driven torques against the equations that they solve, and every way against
 //! the plainest.
 
+use std::rc::Rc;
+
 use super::{
     ARMS, FOUR_BAR, PIN, arms_held_by, chain, closed_four_bar, described, kinds, numbers, plain,
     upright, values,
@@ -13,8 +15,7 @@ use crate::function::Function;
 use crate::layout::Layout;
 use crate::list::Id;
 use crate::model::Way;
-use crate::plan::{program_by, program_for};
-use crate::processor::Processor;
+use crate::plan::{Programs, plan, program_by};
 use crate::real::Real;
 use crate::request::Request;
 use crate::schedule::Program;
@@ -131,17 +132,11 @@ fn every_way_gives_the_same() {
         for function in Function::OF_LOOPS {
             let expected = values(&plain(&chain, function), [&q, &qd, &tau, &tau]);
             for way in ways {
-                let processor = Processor::Portable;
-                let program = program_for(
-                    processor,
-                    way,
-                    &chain,
-                    &[function],
-                    FrameId::FIRST,
-                    Real::F64,
-                );
-                let program = program.unwrap_or_else(|errors| panic!("{errors}"));
-                let found = values(&program, [&q, &qd, &tau, &tau]);
+                let request = Rc::make_mut(&mut chain.request);
+                (request.formulation, request.scalar) = (way, Real::F64);
+                let plan = plan(&Programs::of(&chain), vec![function], FrameId::FIRST);
+                let plan = plan.unwrap_or_else(|errors| panic!("{errors}"));
+                let found = values(&plan.program, [&q, &qd, &tau, &tau]);
                 for (found, expected) in found.iter().zip(&expected) {
                     let most = 1e-11 * expected.abs().max(1.0);
                     assert!(

@@ -26,9 +26,6 @@ pub trait Number:
     /// −1, 0 or 1; 0 of NaN.
     fn sgn(self) -> Self;
 
-    /// φ − sin φ of an angle φ and its sine, which holds its digits near zero.
-    fn less_sine(self, sine: Self) -> Self;
-
     /// Sine and cosine of an angle, by the platform.
     fn sin_cos(self) -> (Self, Self);
 
@@ -53,22 +50,6 @@ impl Number for Real {
     }
 
     #[inline(always)]
-    fn less_sine(self, sine: Self) -> Self {
-        // φ³/6 (1 − φ²/20 (1 − φ²/42 (1 − …))): enough of it for `f64` up to 2.
-        let square = self * self;
-        let bracket = (2..=SERIES).rev().fold(1.0, |bracket, k| {
-            let n = 2.0 * f64::from(k);
-            1.0 - square * self.like(1.0 / (n * (n + 1.0))) * bracket
-        });
-        let series = self * square * bracket / 6.0;
-        if self.abs() < 2.0 {
-            series
-        } else {
-            self - sine
-        }
-    }
-
-    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         self.sin_cos()
     }
@@ -79,9 +60,6 @@ impl Number for Real {
         (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
     }
 }
-
-/// How many terms φ − sin φ has.
-const SERIES: u8 = 12;
 
 /// Sine and cosine of an angle of any size.
 #[inline(always)]

@@ -77,11 +77,6 @@ impl<P: Vectors<L>, const L: usize> Number for Pack<P, L> {
     }
 
     #[inline(always)]
-    fn less_sine(self, sine: Self) -> Self {
-        self.one_by_one(|lane, angle| angle.less_sine(sine.lanes[lane]))
-    }
-
-    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let sine = self.one_by_one(|_, angle| angle.sin_cos().0);
         (sine, self.one_by_one(|_, angle| angle.sin_cos().1))

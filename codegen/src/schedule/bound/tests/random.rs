@@ -7,6 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use homogen_random::Random;
 
+use super::quaternion::{QUATERNIONS, entry, rotation, times};
 use super::{A, B, Conditions, Value, program, results, step};
 use crate::expression::{Arithmetic, Block, Component, Double, Input, Numeral, Of};
 use crate::real::Real;
@@ -19,6 +20,8 @@ struct Draft {
     operations: Vec<Operation>,
     /// What may be read.
     values: Vec<Operand>,
+    /// The rotation matrix of a quaternion.
+    rotation: [[Operand; 3]; 3],
 }
 
 impl Draft {
@@ -56,6 +59,24 @@ impl Draft {
         [first, second]
     }
 
+    /// A vector that the quaternion rotates, there or back; one time in three by entries that have been mixed up, one
+    /// of which may be no entry of it.
+    fn carried(&mut self, vector: [Operand; 3]) -> [Operand; 3] {
+        let mut matrix = self.rotation;
+        if self.random.below(2) == 0 {
+            matrix = [0, 1, 2].map(|column| self.rotation.map(|row| row[column]));
+        }
+        if self.random.below(3) == 0 {
+            let [i, j, k, l] = [(); 4].map(|()| self.random.below(3));
+            matrix[i][j] = match self.random.below(4) {
+                0 => self.any(),
+                1 => self.add(Operation::Sub(Operand::Literal(0.0), matrix[i][j])),
+                _ => matrix[k][l],
+            };
+        }
+        times(&mut self.operations, matrix, vector)
+    }
+
     fn grow(&mut self) {
         let number = Operand::Literal(1.5 * self.random.unit());
         let angle = self.random.unit() * 3.0;
@@ -63,7 +84,7 @@ impl Draft {
         let constant = [c, s].map(|entry| Operand::Literal(entry.to_f64()));
         let given = [Operand::Cos(0), Operand::Sin(0)];
         let [a, b, d] = [(); 3].map(|()| self.any());
-        let grown = match self.random.below(10) {
+        let grown = match self.random.below(13) {
             0 => self.turned(given, [a, b]).to_vec(),
             1 => self.turned(constant, [a, b]).to_vec(),
             2 => {
@@ -85,6 +106,22 @@ impl Draft {
                 let half = self.add(Operation::Mul(a, Operand::Literal(0.5)));
                 vec![self.add(Operation::Mul(half, b))]
             }
+            9 => self.carried([a, b, d]).to_vec(),
+            // A lever of numbers, and its sum with what is carried besides, turned by numbers.
+            10 => {
+                let lever = [(); 3].map(|()| Operand::Literal(self.random.unit()));
+                let [x, y, z] = self.carried(lever);
+                let [u, v, w] = self.carried([b, a, d]);
+                let [x, y, z] =
+                    [(x, u), (y, v), (z, w)].map(|(x, u)| self.add(Operation::Add(x, u)));
+                let [x, y] = self.turned(constant, [x, y]);
+                vec![x, y, z]
+            }
+            11 => {
+                let [i, k] = [(); 2].map(|()| self.random.below(3));
+                let entry = self.rotation[i][k];
+                vec![entry, self.add(Operation::Mul(entry, a))]
+            }
             _ => {
                 // Not at right angles, though it looks so.
                 let [x, _] = self.turned(given, [a, b]);
@@ -96,15 +133,19 @@ impl Draft {
 }
 
 fn drawn(seed: u64) -> Program {
+    let mut operations = Vec::new();
     let mut draft = Draft {
         random: Random::new(seed),
-        operations: Vec::new(),
+        rotation: rotation(&mut operations),
+        operations,
         values: vec![
             A,
             B,
             Operand::Sin(0),
             Operand::Cos(0),
             Operand::Literal(0.3),
+            entry(0),
+            entry(3),
         ],
     };
     for _ in 0..14 {
@@ -174,17 +215,39 @@ impl Arithmetic for Fused {
     }
 }
 
+/// A quaternion of a type, often about an axis or by a right angle, rounded and then as much longer as may be.
+fn of_length_1(random: &mut Random, near: impl Fn(f64) -> f64, scalar: Real) -> [f64; 4] {
+    let drawn = [(); 4].map(|()| match random.below(4) {
+        0 => 0.0,
+        1 => 1.0,
+        _ => random.unit(),
+    });
+    let length = drawn.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if length == 0.0 {
+        return [0.0, 0.0, 0.0, 1.0];
+    }
+    let longer = [
+        1.0,
+        1.0 + 2.0 * scalar.roundoff(),
+        1.0 + 6.0 * scalar.roundoff(),
+    ];
+    let longer = longer[random.below(3)];
+    drawn.map(|x| near(longer * (x / length)))
+}
+
 /// Runs a program in a type, and holds every step against its bound.
 fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl Fn(T) -> f64) {
     let size = [3.0, 1e-20, 1e-3, 40.0][usize::try_from(seed % 4).expect("small")];
     let range = |input| match input {
         Input::Variable(Variable::Q, 0) => Value::between(-3.0, 3.0),
+        Input::Variable(Variable::Q, 2..) => Value::between(-1.0, 1.0),
         _ => Value::between(-size, size),
     };
     let conditions = Conditions {
         scalar,
         angles: 1e3,
         range: &range,
+        quaternions: &QUATERNIONS,
     };
     let found = results(program, &conditions);
     let mut random = Random::new(seed);
@@ -202,8 +265,10 @@ fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl
                 near(x)
             }
         });
+        let quaternion = of_length_1(&mut random, near, scalar);
         let at = |input| match input {
             Input::Variable(Variable::Q, 0) => q,
+            Input::Variable(Variable::Q, k @ 2..) => quaternion[usize::from(k) - 2],
             _ => other,
         };
         let exact = run(program, |input| Double::from(at(input)));
@@ -245,6 +310,7 @@ fn a_bound_in_single_precision_tells_one_in_double() {
                 scalar,
                 angles: f64::INFINITY,
                 range: &range,
+                quaternions: &QUATERNIONS,
             };
             results(&program, &conditions)
         });

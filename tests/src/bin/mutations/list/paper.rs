@@ -31,8 +31,8 @@ pub const EQUATIONS: &[Mutation] = &[
     Mutation {
         name: "names: the frame of a branch by the number of its joint",
         file: "codegen/src/model/carry.rs",
-        from: "self.parent.map_or(0, BodyId::number)",
-        to: "self.body.number() - 1",
+        from: "(Frame::Link, Some(parent)) => parent.into(),\n            (Frame::Link, None) | (Frame::Base, _) => Numeral::BASE,",
+        to: "(Frame::Link, _) => Numeral(self.body.number() - 1),\n            (Frame::Base, _) => Numeral::BASE,",
         noticed_by: Test {
             package: "homogen-tests",
             target: &["--test", "names"],

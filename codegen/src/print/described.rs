@@ -1,0 +1,102 @@
+//! A robot's description of itself: names, limits and the neutral configuration, as lists that every language prints.
+//!
+//! In: a [`Module`]. Out: lists with their names and documentation. It formats no number.
+
+use super::steps;
+use crate::module::Module;
+use crate::space::{Entry, Space};
+
+/// A list of names.
+pub(super) struct NameList<'m> {
+    /// The name of the list, in small letters.
+    pub name: &'static str,
+    /// Its documentation.
+    pub about: &'static str,
+    /// The names, in the order of the entries.
+    pub names: Vec<&'m str>,
+}
+
+/// A list of numbers, one for each coordinate or velocity.
+pub(super) struct NumberList {
+    /// The name of the list, in small letters.
+    pub name: &'static str,
+    /// Its documentation.
+    pub about: &'static str,
+    /// The numbers; infinite where the description has none.
+    pub numbers: Vec<f64>,
+}
+
+/// Names of joints, coordinates, velocities and frames.
+pub(super) fn names(module: &Module) -> [NameList<'_>; 4] {
+    let (spaces, data) = (&module.spaces, &module.data);
+    let list = |name, about, names| NameList { name, about, names };
+    [
+        list(
+            "joints",
+            "Names of the joints that move, parents before children.",
+            data.names.iter().map(|name| &**name).collect(),
+        ),
+        list(
+            "coordinates",
+            "Names of the entries of q.",
+            spaces.names(Space::Coordinates).collect(),
+        ),
+        list(
+            "velocities",
+            "Names of the entries of q̇, q̈ and τ.",
+            spaces.names(Space::Velocities).collect(),
+        ),
+        list(
+            "frames",
+            "Names of the frames that have poses and Jacobians, the end effector first.",
+            data.frames.iter().map(|(name, _)| &**name).collect(),
+        ),
+    ]
+}
+
+/// Limits of q, q̇ and τ.
+pub(super) fn limits(module: &Module) -> [NumberList; 4] {
+    let ends = |entries: &[Entry], end: usize| -> Vec<f64> {
+        let unlimited = [f64::NEG_INFINITY, f64::INFINITY];
+        let ranges = entries.iter().map(|entry| entry.range.unwrap_or(unlimited));
+        ranges.map(|range| range[end]).collect()
+    };
+    let (coordinates, velocities) = (&module.spaces.coordinates, &module.spaces.velocities);
+    let list = |name, about, numbers| NumberList {
+        name,
+        about,
+        numbers,
+    };
+    [
+        list(
+            "lower",
+            "Lower limits of q [rad or m].",
+            ends(coordinates, 0),
+        ),
+        list(
+            "upper",
+            "Upper limits of q [rad or m].",
+            ends(coordinates, 1),
+        ),
+        list(
+            "max_velocity",
+            "Limits of |q̇| [rad/s or m/s].",
+            ends(velocities, 1),
+        ),
+        list(
+            "max_effort",
+            "Limits of |τ| [N m or N].",
+            module.efforts.clone(),
+        ),
+    ]
+}
+
+/// The configuration at which every joint is where it was placed.
+pub(super) fn neutral(module: &Module) -> NumberList {
+    NumberList {
+        name: "neutral",
+        about: "The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions (x, y, \
+                z, w).",
+        numbers: steps::neutral(module),
+    }
+}

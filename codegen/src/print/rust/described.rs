@@ -1,0 +1,139 @@
+//! A robot's description of itself as constants of its struct, and as the runtime's trait `Robot`.
+//!
+//! In: a [`Module`] and its struct. Out: a block of constants, and with the runtime an implementation of the trait. It
+//! never prints an operation.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::chain::chain_type;
+use super::comments::doc;
+use super::declaration::{self, implementation};
+use super::dialect::Dialect;
+use super::item::Item;
+use super::lengths::{array, known, literal};
+use super::literals::Numerals;
+use super::names::ident;
+use super::world::World;
+use crate::module::Module;
+use crate::print::described::{NumberList, limits, names, neutral};
+use crate::real::Real;
+use crate::space::Space;
+
+/// The constants, and the trait where there is the runtime.
+pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
+    let visibility = &item.visibility;
+    let (text, whole) = match &dialect.world {
+        World::Runtime(_) => (
+            quote! { ::core::primitive::str },
+            quote! { ::core::primitive::usize },
+        ),
+        World::Core(_) => (quote! { str }, quote! { usize }),
+        // The package's class has them.
+        World::Lanes(_) => return TokenStream::new(),
+    };
+    let counts = [
+        ("NQ", "Number of coordinates.", Space::Coordinates),
+        ("NV", "Number of degrees of freedom.", Space::Velocities),
+    ];
+    let counts = counts.map(|(name, about, space)| {
+        let (name, about) = (ident(name), doc(&[about]));
+        let count = literal(module.spaces.len(space));
+        quote! { #about #visibility const #name: #whole = #count; }
+    });
+    let names = names(module).map(|list| {
+        let (name, about) = (constant(list.name), doc(&[list.about]));
+        let count = literal(list.names.len());
+        let names = list.names.into_iter().map(string);
+        quote! { #about #visibility const #name: [&'static #text; #count] = [#(#names),*]; }
+    });
+    let number = dialect.field();
+    let numbers = numbers(module).map(|list| {
+        let infinite = list.numbers.iter().any(|limit| limit.is_infinite());
+        let missing = infinite.then_some("Infinite where the description has none.");
+        let lines: Vec<&str> = [list.about].into_iter().chain(missing).collect();
+        let (name, about) = (constant(list.name), doc(&lines));
+        let of = array(&number, &literal(list.numbers.len()));
+        let numbers = written(&list, dialect.real, &number);
+        quote! { #about #visibility const #name: #of = #numbers; }
+    });
+    let constants = quote! { #(#counts)* #(#names)* #(#numbers)* };
+    let block = declaration::block(item, &constants, dialect);
+    let of_trait = in_trait(module, item, dialect);
+    // A program need not read them all.
+    quote! { #[allow(dead_code)] #block #of_trait }
+}
+
+/// All lists of numbers.
+fn numbers(module: &Module) -> [NumberList; 5] {
+    let [lower, upper, velocity, effort] = limits(module);
+    [lower, upper, velocity, effort, neutral(module)]
+}
+
+/// The implementation of the trait, in `f64` whatever the robot's type of number.
+fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
+    let World::Runtime(runtime) = &dialect.world else {
+        return TokenStream::new();
+    };
+    let text = quote! { &'static ::core::primitive::str };
+    let number = quote! { ::core::primitive::f64 };
+    let [coordinates, velocities] =
+        [Space::Coordinates, Space::Velocities].map(|space| literal(module.spaces.len(space)));
+    let numbers = numbers(module).map(|list| {
+        let name = constant(list.name);
+        let of = array(&number, &literal(list.numbers.len()));
+        let value = match dialect.real {
+            Real::F32 => written(&list, Real::F64, &number),
+            Real::F64 | Real::Generic => quote! { Self::#name },
+        };
+        quote! { const #name: #of = #value; }
+    });
+    let chain = chain_type(
+        &known(&module.spaces),
+        &literal(module.data.names.len()),
+        &literal(module.data.frames.len()),
+        runtime,
+    );
+    let of = quote! { #runtime::Robot<#velocities, #coordinates> };
+    let head = implementation(item, &of, &[]);
+    // Only then numbers are written here once more.
+    let allowed = (dialect.real == Real::F32).then(|| declaration::allowed(dialect));
+    quote! {
+        #allowed #head {
+            type Chain = #chain;
+            const JOINTS: &'static [#text] = &Self::JOINTS;
+            const COORDINATES: [#text; #coordinates] = Self::COORDINATES;
+            const VELOCITIES: [#text; #velocities] = Self::VELOCITIES;
+            const FRAMES: &'static [#text] = &Self::FRAMES;
+            #(#numbers)*
+        }
+    }
+}
+
+/// A list of numbers of a type.
+fn written(list: &NumberList, real: Real, number: &TokenStream) -> TokenStream {
+    let numbers = list.numbers.iter().map(|&limit| {
+        if limit == f64::INFINITY {
+            quote! { #number::INFINITY }
+        } else if limit == f64::NEG_INFINITY {
+            quote! { #number::NEG_INFINITY }
+        } else {
+            match real {
+                Real::F32 => Numerals::Single.write(limit),
+                Real::F64 | Real::Generic => Numerals::Bare.write(limit),
+            }
+        }
+    });
+    quote! { [#(#numbers),*] }
+}
+
+/// The name of a constant.
+fn constant(name: &str) -> Ident {
+    ident(&name.to_uppercase())
+}
+
+/// A string that has its letters whatever becomes of a file, such as one in ASCII.
+fn string(text: &str) -> Literal {
+    let escaped = format!("\"{}\"", text.escape_default());
+    escaped.parse().unwrap_or_else(|_| Literal::string(text))
+}

@@ -1,0 +1,147 @@
+//! Columns of y = C x in groups, each of which multiplies one vector.
+//!
+//! In: columns. Out: those whose values are entries of one vector as far as labels and factors tell; and those that
+//! together are A R v or A Rᵗ v, with the rotation matrix R of a quaternion and a matrix A of numbers. It never looks at
+//! how long a vector is.
+
+use super::combination::{Column, ROWS};
+use super::kind::{Kind, Of};
+use super::known::Known;
+use super::norm::root;
+use crate::schedule::Operand;
+
+/// Columns that multiply the entries of one vector.
+#[derive(Clone)]
+pub struct Group {
+    pub kind: Kind,
+    pub members: Vec<Of>,
+    pub matrix: Vec<[f64; ROWS]>,
+}
+
+impl Group {
+    pub fn take(&mut self, member: Of, entries: [f64; ROWS]) {
+        self.members.push(member);
+        self.matrix.push(entries);
+    }
+}
+
+/// Adds columns to groups, by what they have in common.
+pub fn by_kind(known: &Known<'_>, columns: &[Column], groups: &mut Vec<Group>) {
+    for column in columns {
+        let kind = known.kind_of(column.of);
+        let found = groups.iter_mut().find(|group| group.kind == kind);
+        match found {
+            Some(group) => group.take(column.of, column.entries),
+            None => groups.push(Group {
+                kind,
+                members: vec![column.of],
+                matrix: vec![column.entries],
+            }),
+        }
+    }
+}
+
+/// A column by an entry of R, rᵢₖ vₖ.
+struct Part {
+    /// Its place among the columns.
+    at: usize,
+    /// Row and column of the entry.
+    place: [usize; 2],
+    /// The error of the entry.
+    error: f64,
+    /// vₖ: 1 where there is no other factor than numbers.
+    by: Operand,
+    entries: [f64; ROWS],
+}
+
+/// Takes the columns of rotated vectors out of all: for each vector v a group, whose matrix is A.
+pub fn rotated(known: &Known<'_>, columns: &mut Vec<Column>) -> Vec<Group> {
+    let mut found = Vec::new();
+    let mut first = 0;
+    while first < columns.len() {
+        let Some((group, taken)) = with_first(known, columns, first) else {
+            first += 1;
+            continue;
+        };
+        found.push(group);
+        let mut at = 0..;
+        columns.retain(|_| at.next().is_some_and(|at| !taken.contains(&at)));
+    }
+    found
+}
+
+/// A group that has this column and later ones, and their places: all with entries of the same R, or those whose other
+/// factors are entries of the same vector as far as labels tell.
+fn with_first(known: &Known<'_>, columns: &[Column], first: usize) -> Option<(Group, Vec<usize>)> {
+    let one = Operand::Literal(1.0);
+    let part = |at: usize, quaternion: Option<_>, kind: Option<Kind>| {
+        let Column { of, entries } = columns[at];
+        let factors = match of {
+            Of::Whole(a) => [(a, one); 2],
+            Of::Product(a, b) => [(a, b), (b, a)],
+        };
+        // The first factor that will do, so that a column is taken once where both are entries of matrices.
+        factors.into_iter().find_map(|(a, by)| {
+            let entry = known.entry(a)?;
+            let is_same = quaternion.is_none_or(|quaternion| quaternion == entry.quaternion);
+            let is_alike = kind.is_none_or(|kind| kind == known.kind_of(Of::Whole(by)));
+            (is_same && is_alike).then(|| {
+                let part = Part {
+                    at,
+                    place: entry.place,
+                    error: known.value(a).error,
+                    by,
+                    entries: entries.map(|x| entry.sign * x),
+                };
+                (entry.quaternion, part)
+            })
+        })
+    };
+    let (quaternion, Part { by, .. }) = part(first, None, None)?;
+    let kinds = [None, Some(known.kind_of(Of::Whole(by)))];
+    kinds.into_iter().find_map(|kind| {
+        let later = (first..columns.len()).filter_map(|at| part(at, Some(quaternion), kind));
+        let parts: Vec<Part> = later.map(|(_, part)| part).collect();
+        let group = (0..2).find_map(|axis| together(&parts, axis))?;
+        Some((group, parts.iter().map(|part| part.at).collect()))
+    })
+}
+
+/// The group of columns that are A R v, if `axis` is 1, or A Rᵗ v, if it is 0. They are, where the columns of each vₖ are
+/// λₖ A: then y = A R (λ v), and v is no shorter than λ v with λ ≤ 1.
+fn together(parts: &[Part], axis: usize) -> Option<Group> {
+    /// More than rounding makes of numbers that are equal.
+    const NEARLY: f64 = 1e-13;
+    // What multiplies each entry of v: λₖ A.
+    let mut blocks = [[[0.0; ROWS]; 3]; 3];
+    let mut given = [[false; 3]; 3];
+    let mut values = [None; 3];
+    for part in parts {
+        let [i, k] = [part.place[1 - axis], part.place[axis]];
+        if given[k][i] || values[k].is_some_and(|by| by != part.by) {
+            return None;
+        }
+        (given[k][i], values[k], blocks[k][i]) = (true, Some(part.by), part.entries);
+    }
+    let size = |block: &[[f64; ROWS]; 3]| root(block.iter().flatten().copied());
+    let matrix = (blocks.into_iter()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    let unit = size(&matrix);
+    let mut members = Vec::new();
+    for (block, value) in blocks.iter().zip(values) {
+        let pairs = || block.iter().flatten().zip(matrix.iter().flatten());
+        let factor = pairs().map(|(x, a)| (x / unit) * (a / unit)).sum::<f64>();
+        if !pairs().all(|(x, a)| (x - factor * a).abs() <= NEARLY * unit) {
+            return None;
+        }
+        // Of A as the largest there is no factor above 1.
+        members.extend(value.map(|by| match by {
+            Operand::Literal(_) => Of::Whole(Operand::Literal(factor)),
+            value => Of::Whole(value),
+        }));
+    }
+    (parts.len() > 1).then(|| Group {
+        kind: Kind::Rotated(root(parts.iter().map(|part| part.error))),
+        members,
+        matrix: matrix.to_vec(),
+    })
+}

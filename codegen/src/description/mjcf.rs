@@ -168,7 +168,7 @@ fn read_files<'a>(
         name,
         source: Source::default(),
         links: mjcf.tree.links,
-        joints: mjcf.tree.joints,
+        joints: mjcf.tree.joints.into(),
         loops,
         gravity,
         warnings,

@@ -11,7 +11,7 @@ use super::spatial::{inverse, written};
 use super::tree::WORLD;
 use super::values::Attributes;
 use crate::closure::Closure;
-use crate::description::{Loop, Mimic, Name, Number, Step, number};
+use crate::description::{JointId, Loop, Mimic, Name, Number, Step, number};
 use crate::error::Place;
 use crate::expression::Double;
 use crate::wording::quoted;
@@ -88,7 +88,7 @@ impl<'a> Mjcf<'a> {
             self.met.note(&SECOND, place, subject.to_owned());
             return;
         }
-        let reference = |mjcf: &Self, joint: usize| {
+        let reference = |mjcf: &Self, joint: JointId| {
             let name = &mjcf.tree.joints[joint].name.text;
             let said = mjcf.tree.references.get(name);
             said.map_or(Double::ZERO, Number::exact)
@@ -106,7 +106,7 @@ impl<'a> Mjcf<'a> {
     }
 
     /// Whether a joint is moved by another already, or is that.
-    fn leads_to(&self, joint: usize, other: usize) -> bool {
+    fn leads_to(&self, joint: JointId, other: JointId) -> bool {
         let mut at = Some(joint);
         for _ in 0..=self.tree.joints.len() {
             match at {
@@ -127,10 +127,10 @@ impl<'a> Mjcf<'a> {
         element: Element<'a>,
         attribute: &str,
         subject: &str,
-    ) -> Option<usize> {
+    ) -> Option<JointId> {
         let name = self.word(element.attribute(attribute)?);
         let found = self.tree.joint(&name.text);
-        let is_scalar = |joint: &usize| {
+        let is_scalar = |joint: &JointId| {
             let kind = self.tree.joints[*joint].kind;
             kind.moves() && !kind.has_several()
         };

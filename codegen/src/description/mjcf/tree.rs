@@ -9,7 +9,8 @@ use super::class::Class;
 use super::element::Element;
 use super::names::Names;
 use super::spatial::inverse;
-use crate::description::{Joint, Link, Number, Step};
+use crate::description::{Joint, JointId, Link, Number, Step};
+use crate::list::List;
 
 /// The link that is fixed.
 pub(super) const WORLD: &str = "world";
@@ -18,7 +19,7 @@ pub(super) const WORLD: &str = "world";
 #[derive(Default)]
 pub(super) struct Tree {
     pub(super) links: Vec<Link>,
-    pub(super) joints: Vec<Joint>,
+    pub(super) joints: List<JointId, Joint>,
     /// Of each link that is a body or a site: the link that it stands in, and where it is there as described.
     pub(super) stands: HashMap<String, (String, Vec<Step>)>,
     /// The links that sites are, by the names of these.
@@ -44,8 +45,8 @@ pub(super) struct Item<'a> {
 
 impl Tree {
     /// The joint of a name.
-    pub(super) fn joint(&self, name: &str) -> Option<usize> {
-        self.joints.iter().position(|joint| joint.name.text == name)
+    pub(super) fn joint(&self, name: &str) -> Option<JointId> {
+        self.joints.find(|joint| joint.name.text == name)
     }
 
     /// Where a link is as described, seen from another.

@@ -72,8 +72,7 @@ impl Generated {
 
 /// The warnings about what is generated.
 pub(super) fn warnings(about: &About) -> String {
-    let file = about.source.as_ref().map(|(file, _)| &**file);
-    options::warnings_in(file, &about.warnings)
+    options::warnings_of(&about.source, &about.warnings)
 }
 
 /// The status of an answer about these functions: 0, or [`FAULT`].

@@ -78,11 +78,11 @@ fn escaped(text: &str) -> String {
     shown
 }
 
-/// The line and the column of a place, null where it has none.
+/// The line and the column of a place, null where it has none in the description's own file.
 pub(super) fn line_and_column(place: Place) -> (Value, Value) {
     match place {
         Place::File { line, column } => (json!(line), json!(column)),
-        Place::Token(_) | Place::Unknown => (Value::Null, Value::Null),
+        Place::Included { .. } | Place::Token(_) | Place::Unknown => (Value::Null, Value::Null),
     }
 }
 

@@ -15,7 +15,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use super::options::{Asked, mistake};
 use super::{Answer, Said, functions};
 use homogen_codegen::builder::Builder;
-use homogen_codegen::description::Name;
+use homogen_codegen::description::{Name, mjcf};
 use homogen_codegen::error::Errors;
 use homogen_codegen::function::Function;
 use homogen_codegen::module::Module;
@@ -44,7 +44,7 @@ Example:
   homogen new firmware arm.urdf --homogen ../homogen -o arm-firmware
   cd arm-firmware && cargo run --release")]
 struct Firmware {
-    /// A URDF file or a Denavit–Hartenberg table
+    /// A URDF or MJCF file, or a Denavit–Hartenberg table
     file: PathBuf,
     #[command(flatten)]
     scope: Asked<SCOPE>,
@@ -119,11 +119,19 @@ impl Firmware {
             let message = format!("{} is there already: it is left as it is", folder.display());
             return Err(mistake(message));
         }
-        let description = self.description();
-        let words = self.words(&module, &calls, &folder)?;
-        let mut files = template::firmware(&words);
+        if let Some(other) = module.about.source.beside.first() {
+            let message = format!(
+                "{} is read with {}, and a firmware has one file of its robot",
+                self.file.display(),
+                other.display()
+            );
+            return Err(mistake(message));
+        }
         let read = |reason| mistake(format!("cannot read {}: {reason}", self.file.display()));
         let text = fs::read(&self.file).map_err(read)?;
+        let description = self.description(&text);
+        let words = self.words(&module, &calls, &folder, description)?;
+        let mut files = template::firmware(&words);
         files.push((".gitignore", "/target\n".to_owned()));
         template::write_fresh(&folder, &files, (description, &text))
             .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))?;
@@ -135,9 +143,15 @@ impl Firmware {
     }
 
     /// What the description is called in the crate.
-    fn description(&self) -> &'static str {
+    fn description(&self, text: &[u8]) -> &'static str {
         let is_table = self.file.extension().is_some_and(|ending| ending == "dh");
-        if is_table { "robot.dh" } else { "robot.urdf" }
+        if is_table {
+            "robot.dh"
+        } else if is_mjcf(text) {
+            "robot.xml"
+        } else {
+            "robot.urdf"
+        }
     }
 
     /// The builder of the robot, and the calls that make it in a build script.
@@ -167,17 +181,17 @@ impl Firmware {
         module: &Module,
         calls: &str,
         folder: &Path,
+        description: &'static str,
     ) -> Result<[(&'static str, String); 12], Errors> {
         let [processor, machine, chosen] = self.target.board();
         let spaces = &module.spaces;
         let alike = spaces.coordinates.len() == spaces.velocities.len()
             && (spaces.coordinates.iter().zip(&spaces.velocities)).all(|(q, qd)| q.name == qd.name);
         let start = start(&spaces.coordinates);
-        let description = self.description();
-        let format = if description == "robot.dh" {
-            "denavit_hartenberg"
-        } else {
-            "urdf"
+        let format = match description {
+            "robot.dh" => "denavit_hartenberg",
+            "robot.xml" => "mjcf",
+            _ => "urdf",
         };
         Ok([
             (
@@ -263,6 +277,11 @@ fn package(robot: &str) -> String {
     } else {
         format!("robot-{name}")
     }
+}
+
+/// Whether the bytes of a file are of MuJoCo's format.
+fn is_mjcf(text: &[u8]) -> bool {
+    std::str::from_utf8(text).is_ok_and(mjcf::is_meant)
 }
 
 #[cfg(test)]

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
 use homogen_codegen::chain::Chain;
-use homogen_codegen::description::urdf::LARGEST_FILE;
-use homogen_codegen::description::{self, Description, inline};
+use homogen_codegen::description::LARGEST_FILE;
+use homogen_codegen::description::{self, Description, Source, inline};
 use homogen_codegen::error::{Complaint, Errors, Place};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
@@ -109,7 +109,7 @@ impl<const GROUPS: u8> FromArgMatches for Asked<GROUPS> {
 /// Which robot, and which part of it.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Robot {
-    /// A URDF file or a Denavit–Hartenberg table; `-` reads standard input
+    /// A URDF or MJCF file, or a Denavit–Hartenberg table; `-` reads standard input
     pub(super) file: PathBuf,
     #[command(flatten)]
     pub(super) asked: Asked<{ SCOPE | ROBOT }>,
@@ -223,16 +223,12 @@ pub(super) fn mistake(message: impl Into<String>) -> Errors {
 
 /// Warnings about a robot as standard error has them.
 pub(super) fn warnings(chain: &Chain) -> String {
-    let file = chain.description.source.file.as_deref();
-    warnings_in(file, &chain.report.warnings)
+    warnings_of(&chain.description.source, &chain.report.warnings)
 }
 
-/// Warnings about a description in a file, as standard error has them.
-pub(super) fn warnings_in(file: Option<&str>, warnings: &[Complaint]) -> String {
-    let mut errors = Errors::new();
-    if let Some(file) = file {
-        errors.set_file(file, None);
-    }
+/// Warnings about a description, as standard error has them.
+pub(super) fn warnings_of(source: &Source, warnings: &[Complaint]) -> String {
+    let errors = source.errors();
     let mut text = String::new();
     for doubt in warnings {
         // Writing to a string cannot fail.

@@ -114,6 +114,12 @@ impl Builder {
         Self::new(Origin::File(path.into()))
     }
 
+    /// A robot in an MJCF file, the format of MuJoCo, which is read with the files that it includes; a relative path
+    /// begins at the package of the build script.
+    pub fn from_mjcf(path: impl Into<PathBuf>) -> Self {
+        Self::new(Origin::File(path.into()))
+    }
+
     /// A robot in a file with a Denavit–Hartenberg table.
     pub fn from_denavit_hartenberg(path: impl Into<PathBuf>) -> Self {
         Self::new(Origin::File(path.into()))

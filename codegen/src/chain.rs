@@ -400,7 +400,11 @@ fn of_drive(joint: &Joint) -> impl Iterator<Item = Entry> {
 /// # Errors
 /// All the mistakes that are found.
 pub fn build(description: &Description, request: &Request) -> Result<Chain, Errors> {
-    let (description, request) = root::freed(description, request);
+    let described = Request {
+        gravity: request.gravity.or(description.gravity),
+        ..request.clone()
+    };
+    let (description, request) = root::freed(description, &described);
     let (description, request) = (&description, &request);
     let beside = |errors: Errors| errors.beside(description.warnings.iter().cloned());
     let tree = check::check(description, request).map_err(beside)?;

@@ -68,7 +68,9 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         match expand(description, &item.request) {
             Ok(module) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
-                let watch = file.map(|path| watch(&path));
+                let beside = description.source.beside.iter();
+                let watched = file.iter().chain(beside).map(|path| watch(path));
+                let watch: TokenStream = watched.collect();
                 let warnings = warnings(&module.about, item);
                 let world = World::runtime(item.request.runtime.as_ref());
                 let robot = rust::print(&module, &target, &world);

@@ -24,16 +24,35 @@ pub enum Place {
         /// Column in characters, from 1.
         column: u32,
     },
+    /// A line and a column of a file that the description's file includes.
+    Included {
+        /// The file's number among those that are included, from 0.
+        file: u32,
+        /// Line, from 1.
+        line: u32,
+        /// Column in characters, from 1.
+        column: u32,
+    },
     /// A token of the user's Rust code.
     Token(Span),
 }
 
 impl Place {
-    /// Line and column in the description's file; none where it is not in one.
+    /// Line and column in the description's file; none where it is not in that one.
     #[must_use]
     pub const fn line_and_column(self) -> Option<(u32, u32)> {
         match self {
             Self::File { line, column } => Some((line, column)),
+            Self::Included { .. } | Self::Token(_) | Self::Unknown => None,
+        }
+    }
+
+    /// What places in files are sorted by: the number of the file, line and column; none where it is in no file.
+    #[must_use]
+    pub const fn order(self) -> Option<(u32, u32, u32)> {
+        match self {
+            Self::File { line, column } => Some((0, line, column)),
+            Self::Included { file, line, column } => Some((file + 1, line, column)),
             Self::Token(_) | Self::Unknown => None,
         }
     }
@@ -54,6 +73,8 @@ pub struct Complaint {
 #[derive(Clone, Default)]
 pub struct Errors {
     file: Option<String>,
+    /// The files that are included, by their numbers.
+    included: Vec<String>,
     anchor: Option<Span>,
     complaints: Vec<Complaint>,
     left_out: usize,
@@ -80,6 +101,11 @@ impl Errors {
     pub fn set_file(&mut self, file: impl Into<String>, anchor: Option<Span>) {
         self.file = Some(file.into());
         self.anchor = anchor;
+    }
+
+    /// Names the files that the numbers of [`Place::Included`] stand for.
+    pub fn set_included(&mut self, files: Vec<String>) {
+        self.included = files;
     }
 
     /// Records a mistake.
@@ -110,6 +136,9 @@ impl Errors {
     pub fn append(&mut self, other: Errors) {
         self.file = self.file.take().or(other.file);
         self.anchor = self.anchor.or(other.anchor);
+        if self.included.is_empty() {
+            self.included = other.included;
+        }
         self.left_out += other.left_out;
         for complaint in other.complaints {
             self.record(complaint);
@@ -120,9 +149,9 @@ impl Errors {
     /// Adds warnings, to be shown where there are mistakes as well; each once.
     pub fn warn(&mut self, warnings: impl IntoIterator<Item = Complaint>) {
         for warning in warnings {
-            let place = warning.place.line_and_column();
+            let place = warning.place.order();
             let is_same = |known: &Complaint| {
-                known.message == warning.message && known.place.line_and_column() == place
+                known.message == warning.message && known.place.order() == place
             };
             if self.warnings.len() < KEPT && !self.warnings.iter().any(is_same) {
                 self.warnings.push(warning);
@@ -180,6 +209,11 @@ impl Errors {
             (Place::File { line, column }, Some(file)) => {
                 format!("{}:{line}:{column}: {message}", visible(file))
             }
+            (Place::Included { file, line, column }, _) => {
+                let file = self.included.get(file as usize);
+                let file = file.map_or("an included file", String::as_str);
+                format!("{}:{line}:{column}: {message}", visible(file))
+            }
             (Place::File { line, column }, None) => format!("{line}:{column}: {message}"),
             (_, _) => message.into_owned(),
         }
@@ -193,7 +227,7 @@ impl Errors {
         let errors = self.complaints.iter().enumerate().map(|(k, complaint)| {
             let span = match complaint.place {
                 Place::Token(span) => span,
-                Place::File { .. } | Place::Unknown => anchor,
+                Place::File { .. } | Place::Included { .. } | Place::Unknown => anchor,
             };
             let mut message = self.with_hint(complaint, "hint: ");
             // Macros have no warnings of their own.

@@ -10,7 +10,8 @@ pub use data::{ChainData, DataMotion, LoopData, LoopsData};
 pub use review::{Origins, Review, Sum, Vector};
 
 use crate::accuracy::Accuracy;
-use crate::error::{Complaint, Errors};
+use crate::description::Source;
+use crate::error::Complaint;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::layout::Layout;
@@ -84,8 +85,8 @@ impl Module {
 pub struct About {
     /// The robot's name.
     pub robot: String,
-    /// The name of the file it was read from, without folders, and the hash of its bytes.
-    pub source: Option<(String, u64)>,
+    /// The files that it was read from.
+    pub source: Source,
     /// The link whose frame is frame 0.
     pub base: String,
     /// The link whose frame poses and Jacobians are of.
@@ -106,10 +107,7 @@ impl About {
     /// The warnings without their hints, each a line with its place.
     #[must_use]
     pub fn located_warnings(&self) -> Vec<String> {
-        let mut places = Errors::new();
-        if let Some((file, _)) = &self.source {
-            places.set_file(file.clone(), None);
-        }
+        let places = self.source.errors();
         let warnings = self.warnings.iter();
         warnings.map(|warning| places.locate(warning)).collect()
     }

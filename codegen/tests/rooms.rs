@@ -179,6 +179,7 @@ const ROOMS: [(&str, &[&str]); 35] = [
             "schedule",
             "function",
             "request",
+            "description",
             "layout",
             "accuracy",
         ],

@@ -21,7 +21,7 @@ const ROOMS: [&str; 6] = [
 const BASE_PARAMETERS: &str = "chain/base_parameters";
 
 /// File, part of a line, why it may stand there.
-const ALLOWED: [(&str, &str, &str); 23] = [
+const ALLOWED: [(&str, &str, &str); 30] = [
     ("chain/angle.rs", ".value", "decides what digits mean"),
     (
         "chain/merge/reader.rs",
@@ -46,6 +46,41 @@ const ALLOWED: [(&str, &str, &str); 23] = [
         "description/constant.rs",
         "== 0.0",
         "decides whether there is a quotient",
+    ),
+    (
+        "description/mjcf/geom.rs",
+        ".to_f64()",
+        "decides whether there is a mass or a size",
+    ),
+    (
+        "description/mjcf/inertial.rs",
+        ".to_f64() > 0.0",
+        "decides which is larger",
+    ),
+    (
+        "description/mjcf/inertial.rs",
+        "Double::to_f64",
+        "decides as MuJoCo does",
+    ),
+    (
+        "description/mjcf/orientation.rs",
+        ".sign().to_f64()",
+        "chooses a formula",
+    ),
+    (
+        "description/mjcf/spatial.rs",
+        ".sign().to_f64()",
+        "chooses a formula",
+    ),
+    (
+        "description/mjcf/spatial.rs",
+        "h.to_f64() < 0.0",
+        "chooses a root",
+    ),
+    (
+        "description/mjcf/spatial.rs",
+        "d[i][j].to_f64()",
+        "decides when to stop",
     ),
     ("layout/frames.rs", ">= NEARLY_PARALLEL", "chooses a frame"),
     ("layout/frames.rs", "< 0.0", "chooses one of two formulas"),

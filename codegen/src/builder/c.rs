@@ -39,7 +39,7 @@ impl Builder {
         self.telling(|| {
             let (header, name) = header_beside(file)?;
             let module = self.c_module()?;
-            self.warn(&module);
+            self.report(&module);
             let source = self.c(&module, &name);
             write(&header, &source.header)?;
             write(file, &source.text)

@@ -34,7 +34,7 @@ impl Builder {
     /// What the head of a file says was asked for: the command, with a hash by which two files tell whether it was
     /// the same.
     pub(super) fn asked(&self, module: &Module, language: Language<'_>) -> String {
-        let file = module.about.source.as_ref().map(|(file, _)| file.as_str());
+        let file = module.about.source.file.as_deref();
         let command = self.command(file, language);
         let hash = fingerprint(command.as_bytes());
         let command = code(&command);

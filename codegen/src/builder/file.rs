@@ -35,13 +35,16 @@ impl Builder {
     pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
         self.telling(|| {
             let module = self.file_module()?;
-            self.warn(&module);
+            self.report(&module);
             write(file.as_ref(), &self.source(&module).to_string())
         })
     }
 
-    /// Reports every warning to cargo, unless none are wanted.
-    pub(super) fn warn(&self, module: &Module) {
+    /// Reports to cargo the files to watch beside the first, and every warning unless none are wanted.
+    pub(super) fn report(&self, module: &Module) {
+        for path in &module.about.source.beside {
+            println!("cargo::rerun-if-changed={}", path.display());
+        }
         if self.request.quiet {
             return;
         }

@@ -40,7 +40,7 @@ impl Builder {
                 .ok_or_else(|| refused("OUT_DIR is not set: this is for build scripts"))?;
             let module = module_of(folder)?;
             let listing = self.python_module()?;
-            self.warn(&listing);
+            self.report(&listing);
             let package = self.python(&listing, &module);
             write_folder(&Path::new(&within).join(folder), &package)
         })

@@ -176,6 +176,23 @@ fn the_derive_writes_the_same() {
     assert_eq!(methods.trim_end(), format!("# [allow{built}").trim_end());
 }
 
+/// The format that a robot is described in changes nothing.
+#[test]
+fn a_robot_costs_the_same_as_urdf_and_as_mjcf() {
+    let prices = |builder: Builder| {
+        let source = text(&builder.tip("tip").generate(Function::ALL));
+        let prices = source.lines().filter(|line| line.contains(" mul, "));
+        let prices: Vec<String> = prices.map(str::to_owned).collect();
+        assert!(prices.len() >= Function::ALL.len(), "{prices:?}");
+        prices
+    };
+    let of_urdf = prices(Builder::from_urdf("../robots/two_link.urdf"));
+    assert_eq!(
+        prices(Builder::from_mjcf("../robots/two_link.xml")),
+        of_urdf
+    );
+}
+
 #[test]
 fn a_real_arm_needs_nothing_but_core_and_sines() {
     let source = Builder::from_urdf("../robots/panda_class.urdf")

@@ -35,7 +35,7 @@ pub fn follows(
         let Some(leader) = joints.get(&mimic.leader) else {
             // In a vendor's file it is a slip that other readers pass over, and in a grammar of our own a
             // mistake.
-            if !matches!(mimic.place, Place::File { .. }) {
+            if mimic.place.order().is_none() {
                 joints.find(&mimic.leader, errors);
             }
             continue;

@@ -3,17 +3,16 @@
 //! In: a path, or a text and a name. Out: a [`Description`] read by the reader of that language.
 //! It never looks into the environment: whoever calls says where a relative path begins.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use proc_macro2::Span;
 
-use super::{Description, denavit_hartenberg, urdf};
+use super::load::load;
+use super::{Description, denavit_hartenberg, mjcf, urdf};
 use crate::error::{Complaint, Errors, Place};
 
-/// Reads a file: a table for `.dh`, URDF for `.urdf` and `.xml`, and what its text looks like for
-/// every other ending.
+/// Reads a file: a table for `.dh`, XML for `.urdf` and `.xml`, and what its text looks like for every other ending;
+/// of XML, MJCF where the root element is that of MuJoCo, and else URDF.
 pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Option<Description> {
     let name = path
         .file_name()
@@ -34,7 +33,7 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
             return None;
         }
     };
-    read_bytes(&bytes, &name, anchor, errors)
+    bytes_in(&bytes, &name, path.parent(), anchor, errors)
 }
 
 /// Reads the bytes of a file of that name, or of standard input under any name; in Latin-1, with a
@@ -45,8 +44,19 @@ pub fn read_bytes(
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
+    bytes_in(bytes, file, None, anchor, errors)
+}
+
+/// The same of a file that stands in a folder, where others may stand that it names.
+fn bytes_in(
+    bytes: &[u8],
+    file: &str,
+    folder: Option<&Path>,
+    anchor: Option<Span>,
+    errors: &mut Errors,
+) -> Option<Description> {
     match std::str::from_utf8(bytes) {
-        Ok(text) if !is_utf_16(bytes) => read_text(text, file, anchor, errors),
+        Ok(text) if !is_utf_16(bytes) => text_in(text, file, folder, anchor, errors),
         unread => {
             let valid = unread.map_or_else(|error| error.valid_up_to(), |_| 0);
             let doubt = doubt_encoding(bytes, valid);
@@ -54,7 +64,7 @@ pub fn read_bytes(
             let marked = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
             let text: String = marked.iter().map(|&byte| char::from(byte)).collect();
             let mut found = Errors::new();
-            if let Some(mut description) = read_text(&text, file, anchor, &mut found) {
+            if let Some(mut description) = text_in(&text, file, folder, anchor, &mut found) {
                 errors.append(found);
                 description.warnings.insert(0, doubt);
                 return Some(description);
@@ -73,6 +83,17 @@ pub fn read_text(
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
+    text_in(text, file, None, anchor, errors)
+}
+
+/// The same of a file that stands in a folder.
+fn text_in(
+    text: &str,
+    file: &str,
+    folder: Option<&Path>,
+    anchor: Option<Span>,
+    errors: &mut Errors,
+) -> Option<Description> {
     let is_table = match file.rsplit_once('.') {
         Some((_, "dh")) => true,
         Some((_, "urdf" | "xml" | "xacro")) => false,
@@ -83,31 +104,11 @@ pub fn read_text(
     };
     if is_table {
         denavit_hartenberg::read(text, file, anchor, errors)
+    } else if mjcf::is_meant(text) {
+        mjcf::read(text, file, folder, anchor, errors)
     } else {
         urdf::read(text, file, anchor, errors)
     }
-}
-
-/// The bytes of a file of reasonable size, or why there are none, in words that are the same on
-/// every platform where they can be.
-fn load(path: &Path) -> Result<Vec<u8>, String> {
-    let reason = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-        std::io::ErrorKind::PermissionDenied => "no permission".to_owned(),
-        _ => error.to_string(),
-    };
-    let file = File::open(path).map_err(reason)?;
-    if file.metadata().is_ok_and(|about| about.is_dir()) {
-        return Err("it is a folder".to_owned());
-    }
-    // Read no further than that: a device may have no end.
-    let limit = urdf::LARGEST_FILE as u64 + 1;
-    let mut bytes = Vec::new();
-    file.take(limit).read_to_end(&mut bytes).map_err(reason)?;
-    if bytes.len() > urdf::LARGEST_FILE {
-        return Err(format!("it is larger than {} MB", urdf::LARGEST_FILE >> 20));
-    }
-    Ok(bytes)
 }
 
 /// What is said of bytes that are UTF-8 only up to there.

@@ -267,6 +267,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
         links: Vec::new(),
         joints: Vec::new(),
         loops: Vec::new(),
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     };

@@ -36,7 +36,9 @@ fn check_kind<'d>(kind: &str, names: impl Iterator<Item = &'d Name>, errors: &mu
                 let hint = format!("the other one is in line {line}");
                 errors.push_with_hint(name.place, message, hint);
             }
-            Place::Token(_) | Place::Unknown => errors.push(name.place, message),
+            Place::Included { .. } | Place::Token(_) | Place::Unknown => {
+                errors.push(name.place, message);
+            }
         }
     }
 }

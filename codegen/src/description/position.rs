@@ -12,6 +12,8 @@ const STRIDE: usize = 64;
 /// A text and the places of its bytes.
 pub(super) struct Positions<'t> {
     text: &'t str,
+    /// The number of an included file; none of the description's own.
+    file: Option<u32>,
     /// Line and column of every byte whose offset is a multiple of [`STRIDE`].
     marks: Vec<(u32, u32)>,
 }
@@ -27,7 +29,19 @@ impl<'t> Positions<'t> {
         if text.len().is_multiple_of(STRIDE) {
             marks.push(at);
         }
-        Self { text, marks }
+        Self {
+            text,
+            file: None,
+            marks,
+        }
+    }
+
+    /// The same of an included file.
+    pub(super) fn of_included(text: &'t str, file: u32) -> Self {
+        Self {
+            file: Some(file),
+            ..Self::new(text)
+        }
     }
 
     /// The text whose places these are.
@@ -41,7 +55,15 @@ impl<'t> Positions<'t> {
         let mark = offset / STRIDE;
         let passed = &self.text.as_bytes()[mark * STRIDE..offset];
         let (line, column) = after(self.marks[mark], passed);
-        Place::File { line, column }
+        self.at(line, column)
+    }
+
+    /// The place of a line and a column.
+    pub(super) const fn at(&self, line: u32, column: u32) -> Place {
+        match self.file {
+            None => Place::File { line, column },
+            Some(file) => Place::Included { file, line, column },
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! A robot as it was described: links, joints and where everything stands.
 
 use std::ops::Index;
+use std::path::PathBuf;
 
 use proc_macro2::Span;
 
@@ -26,6 +27,8 @@ pub struct Description {
     pub joints: Vec<Joint>,
     /// The joints that close loops, in the order of the text.
     pub loops: Vec<Loop>,
+    /// Acceleration of gravity in the frame of the root [m/s²], where the text gives one.
+    pub gravity: Option<[Number; 3]>,
     /// Doubts that do not stop the work.
     pub warnings: Vec<Complaint>,
     /// What is doubted unless it is asked for.
@@ -65,7 +68,12 @@ pub struct Source {
     pub file: Option<String>,
     /// The token that named the file, for the compiler's messages.
     pub anchor: Option<Span>,
-    /// FNV-1a hash (64 bits) of the file's text in UTF-8; 0 for tokens.
+    /// The names of the files that it includes, by their numbers in places.
+    pub included: Vec<String>,
+    /// The paths of other files that were read with it: those that it includes, and meshes. A change of one of them
+    /// changes the robot.
+    pub beside: Vec<PathBuf>,
+    /// FNV-1a hash (64 bits) of the file's text in UTF-8, and of the others'; 0 for tokens.
     pub hash: u64,
 }
 
@@ -76,6 +84,7 @@ impl Source {
         let mut errors = Errors::new();
         if let Some(file) = &self.file {
             errors.set_file(file.clone(), self.anchor);
+            errors.set_included(self.included.clone());
         }
         errors
     }

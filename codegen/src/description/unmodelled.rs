@@ -13,6 +13,7 @@ pub struct Unmodelled {
     friction: Vec<Met>,
     gears: Vec<Met>,
     rotors: Vec<Met>,
+    armatures: Vec<Met>,
     limits: Vec<Met>,
     soft_limits: Vec<Met>,
 }
@@ -55,6 +56,12 @@ impl Unmodelled {
     pub(super) fn rotor(&mut self, place: Place, transmission: &str, joint: Option<String>) {
         let met = Met::new(place, transmission, Vec::new(), joint);
         self.rotors.push(met);
+    }
+
+    /// The armature of a joint.
+    pub(super) fn armature(&mut self, place: Place, joint: &str) {
+        self.armatures
+            .push(Met::new(place, joint, Vec::new(), None));
     }
 
     /// That there is no joint of that name to get a rotor.
@@ -113,6 +120,12 @@ impl Unmodelled {
             |of| format!("not modelled: the rotor of {of}, which is of no joint alone"),
             "name one <joint> and its <actuator> in the transmission; what several move together is not modelled",
         );
+        let armatures: Vec<&Met> = self.armatures.iter().collect();
+        let armatures = doubt(
+            if modelled.armature { &[] } else { &armatures },
+            |of| format!("not modelled: the armature of {of}"),
+            "ask for it with the word rotors",
+        );
         let limits = doubt(
             &self.limits.iter().collect::<Vec<_>>(),
             |of| format!("not used: the limits of {of}, of type continuous"),
@@ -123,10 +136,18 @@ impl Unmodelled {
             |of| format!("not used: the soft limits of {of}, which are narrower than the limits"),
             "ranges are those of <limit>, and soft limits a controller's: narrow <limit>, if they are meant",
         );
-        [friction, gears, mounted, lost, limits, soft_limits]
-            .into_iter()
-            .flatten()
-            .collect()
+        [
+            friction,
+            gears,
+            mounted,
+            lost,
+            armatures,
+            limits,
+            soft_limits,
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
     }
 }
 

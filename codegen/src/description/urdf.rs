@@ -7,32 +7,36 @@
 //! guesses a number that is not there.
 
 mod closure;
-mod element;
 mod elements;
 mod joint;
 mod limit;
 mod link;
-mod plain;
-mod survey;
+mod placement;
 mod transmission;
-mod xml;
 
 use std::collections::HashSet;
 
 use proc_macro2::Span;
 use roxmltree::Node;
 
-use self::element::Reader;
 use super::fingerprint::fingerprint;
 use super::position::Positions;
+use super::xml::element::Reader;
+use super::xml::{self, plain, survey};
 use super::{Description, Name, Source, Unmodelled, names};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
 #[doc(hidden)]
 pub use self::elements::page;
-#[doc(hidden)]
-pub use self::xml::LARGEST_FILE;
+/// What to do about a file that has yet to be expanded.
+const XACRO: (&str, &str) = (
+    "this is a xacro file that has yet to be expanded to URDF",
+    "run: xacro robot.urdf.xacro > robot.urdf",
+);
+
+/// How a file begins.
+const BEGINS: &str = "a URDF file begins with <robot name=\"…\">";
 
 /// Reads the text of a file named `file`; `anchor` is the token that named it, for the compiler.
 ///
@@ -47,7 +51,7 @@ pub fn read(
     errors.set_file(file, anchor);
     let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
     let plain = plain::plain(positions.text());
-    let document = xml::parse(&plain, &positions, errors)?;
+    let document = xml::parse(&plain, &positions, BEGINS, errors)?;
     let mut reader = Reader {
         positions: &positions,
         errors: Errors::new(),
@@ -59,16 +63,14 @@ pub fn read(
     };
     let mut description = robot(&mut reader, document.root_element());
     if description.is_some() {
-        survey::survey(&mut reader, document.root_element());
+        survey::survey(&mut reader, document.root_element(), &elements::URDF);
     }
-    reader
-        .warnings
-        .sort_by_key(|warning| warning.place.line_and_column());
+    reader.warnings.sort_by_key(|warning| warning.place.order());
     let is_whole = || reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
     let call = reader.call.filter(|_| !is_whole());
     if let Some(place) = reader.xacro.or(call) {
         // Whatever else is wrong is likely to be so because of that.
-        errors.push_with_hint(place, xml::XACRO.0, xml::XACRO.1);
+        errors.push_with_hint(place, XACRO.0, XACRO.1);
         return None;
     }
     errors.append(reader.errors);
@@ -77,6 +79,8 @@ pub fn read(
         description.source = Source {
             file: Some(file.to_owned()),
             anchor,
+            included: Vec::new(),
+            beside: Vec::new(),
             hash: fingerprint(text.as_bytes()),
         };
         description.warnings = reader.warnings;
@@ -109,13 +113,9 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
             ],
             "mujoco" | "mujocoinclude" => [
                 "this is MJCF, the format of MuJoCo, and not URDF",
-                "give the URDF that it was made of; or convert it, as by mjcf-urdf-simple-converter, and look at what \
-                 `homogen check` says of the result",
+                "read it as MJCF: the reader of its text does, whatever the file's name ends with",
             ],
-            _ => [
-                "this is not a URDF",
-                "a URDF file begins with <robot name=\"…\">",
-            ],
+            _ => ["this is not a URDF", BEGINS],
         };
         reader.errors.push_with_hint(
             reader.place(root),
@@ -160,6 +160,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         links,
         joints,
         loops,
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     })

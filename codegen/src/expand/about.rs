@@ -20,11 +20,10 @@ use crate::wording::{code, list};
 /// What they say.
 pub(super) fn about(chain: &Chain) -> About {
     let (description, formulation) = (&chain.description, chain.request.formulation);
-    let source = &description.source;
     let report = &chain.report;
     About {
         robot: description.name.text.clone(),
-        source: source.file.as_ref().map(|file| (file.clone(), source.hash)),
+        source: description.source.clone(),
         base: report.base.clone(),
         tip: match chain.frames.first() {
             Some(tip) if chain.has_tip => tip.name.clone(),

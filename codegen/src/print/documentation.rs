@@ -380,7 +380,8 @@ fn left_open(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
 fn origin(module: &Module) -> String {
     let about = &module.about;
     let mut line = format!("Robot {}", code(&about.robot));
-    if let Some((file, hash)) = &about.source {
+    if let Some(file) = &about.source.file {
+        let hash = about.source.hash;
         // Writing to a string cannot fail.
         let _ = write!(line, " from {} (FNV-1a {hash:016x})", code(file));
     }

@@ -100,8 +100,9 @@ const SETTING: Setting = Setting {
 
 /// All of them, in the order in which help, the heads of files and messages list them.
 #[rustfmt::skip]
-pub const SETTINGS: [Setting; 31] = [
+pub const SETTINGS: [Setting; 32] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
+    Setting { key: "mjcf", form: SettingForm::File, example: r#"mjcf = "arm.xml""#, ..SETTING },
     Setting { key: "dh", form: SettingForm::File, example: r#"dh = "arm.dh""#, ..SETTING },
     Setting { key: "base", form: SettingForm::Name(|asked| &mut asked.base), example: r#"base = "link""#, group: SCOPE, value: "LINK",
         help: "The fixed link [default: the root]", ..SETTING },

@@ -61,10 +61,10 @@ impl Reader<'_> {
         for motor in self.request.further_motors(&joint.name.text, &joint.drive) {
             let turns = motor
                 .ratio
-                .map_or(Scalar::exact(1.0), |ratio| Scalar::literal(ratio.value));
+                .map_or(Scalar::exact(1.0), |ratio| Scalar::written(ratio.exact()));
             let inertia = motor
                 .rotor
-                .map_or(zero, |rotor| Scalar::literal(rotor.value));
+                .map_or(zero, |rotor| Scalar::written(rotor.exact()));
             rotor = rotor + turns * turns * inertia;
         }
         [Part::Armature, Part::Damping, Part::Friction].map(|part| {

@@ -105,7 +105,7 @@ impl Reader<'_> {
         let bits = written.map(f64::to_bits);
         let Some(&squares) = self.turned.get(&(item, bits)) else {
             let is_large = written.iter().any(|entry| entry.abs() >= 0.5);
-            let mut meant = written.map(Scalar::literal);
+            let mut meant = entries.map(|entry| Scalar::written(entry.exact()));
             if is_large {
                 for (meant, entry) in meant.iter_mut().zip(entries) {
                     *meant = self.component(item, entry)?;

@@ -118,11 +118,14 @@ pub fn read(
         source: Source {
             file: Some(file.to_owned()),
             anchor,
+            included: Vec::new(),
+            beside: Vec::new(),
             hash: fingerprint(text.as_bytes()),
         },
         links,
         joints,
         loops: Vec::new(),
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     };

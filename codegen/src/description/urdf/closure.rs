@@ -8,9 +8,9 @@
 
 use roxmltree::Node;
 
-use super::element::Reader;
 use super::joint::{along_x, direction};
 use crate::closure::{ALL, Definition};
+use crate::description::xml::element::Reader;
 use crate::description::{Loop, Step};
 use crate::wording::{known, quoted};
 

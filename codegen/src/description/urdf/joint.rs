@@ -7,9 +7,9 @@
 
 use roxmltree::Node;
 
-use super::element::Reader;
 use super::limit;
 use crate::description::kind;
+use crate::description::xml::element::Reader;
 use crate::description::{Joint, Mimic, Name, Number, axis, number};
 use crate::error::Place;
 use crate::joint::JointKind;

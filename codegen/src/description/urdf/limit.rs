@@ -5,7 +5,7 @@
 
 use roxmltree::Node;
 
-use super::element::Reader;
+use crate::description::xml::element::Reader;
 use crate::description::{Limits, number};
 use crate::joint::JointKind;
 

@@ -5,7 +5,7 @@
 
 use roxmltree::Node;
 
-use super::element::Reader;
+use crate::description::xml::element::Reader;
 use crate::description::{Inertial, Link, Name, Number};
 use crate::wording::quoted;
 

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 use roxmltree::Node;
 
-use super::element::Reader;
+use crate::description::xml::element::Reader;
 use crate::description::{Joint, Number, number};
 use crate::joint::drive::Motor;
 use crate::wording::quoted;

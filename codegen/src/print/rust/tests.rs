@@ -131,7 +131,11 @@ pub(crate) fn module(scalar: Real) -> Module {
         about: About {
             driven: false,
             robot: "double pendulum".to_owned(),
-            source: Some(("pendulum.urdf".to_owned(), 0x00c0_ffee)),
+            source: crate::description::Source {
+                file: Some("pendulum.urdf".to_owned()),
+                hash: 0x00c0_ffee,
+                ..crate::description::Source::default()
+            },
             base: "world".to_owned(),
             tip: "rod-2".to_owned(),
             facts: vec![

@@ -8,7 +8,7 @@ use super::simulators::{
 use super::{Content, Entry, Lost, Others, VALUE, When};
 
 /// The root element.
-pub(in super::super) const ROBOT: Content = Content {
+pub(super) const ROBOT: Content = Content {
     attributes: &[
         Entry::read("name", "the robot's name"),
         Entry::read("version", "`1.0` or `1.1`; a warning if it is another"),

@@ -4,6 +4,11 @@
 //! one complaint. It never replaces entities, and never lets through what makes the XML reader
 //! slow: elements with hundreds of attributes, hundreds of namespaces.
 
+pub(super) mod element;
+pub(super) mod elements;
+pub(super) mod plain;
+pub(super) mod survey;
+
 use roxmltree::{Document, Error, ParsingOptions};
 
 use crate::description::position::Positions;
@@ -23,16 +28,12 @@ const MOST_ATTRIBUTES: usize = 32;
 /// The most declarations of namespaces: elements that declare one copy all those around them.
 const MOST_NAMESPACES: usize = 64;
 
-/// What to do about a file that has yet to be expanded.
-pub(super) const XACRO: (&str, &str) = (
-    "this is a xacro file that has yet to be expanded to URDF",
-    "run: xacro robot.urdf.xacro > robot.urdf",
-);
-
-/// Parses a text whose places are those of the file, or pushes one complaint.
+/// Parses a text whose places are those of the file, or pushes one complaint, whose hint may be how files of the format
+/// begin.
 pub(super) fn parse<'t>(
     text: &'t str,
     positions: &Positions<'_>,
+    begins: &str,
     errors: &mut Errors,
 ) -> Option<Document<'t>> {
     if text.trim().is_empty() {
@@ -51,7 +52,7 @@ pub(super) fn parse<'t>(
     match Document::parse_with_options(text, options) {
         Ok(document) => Some(document),
         Err(error) => {
-            complain(&error, positions, errors);
+            complain(&error, positions, begins, errors);
             None
         }
     }
@@ -121,12 +122,9 @@ fn count_attributes(tag: &str) -> usize {
 }
 
 /// Says what the XML reader found.
-fn complain(error: &Error, positions: &Positions<'_>, errors: &mut Errors) {
+fn complain(error: &Error, positions: &Positions<'_>, begins: &str, errors: &mut Errors) {
     let found = error.pos();
-    let place = Place::File {
-        line: found.row,
-        column: found.col,
-    };
+    let place = positions.at(found.row, found.col);
     let end = positions.place(positions.text().trim_end().len());
     match error {
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => errors.push_with_hint(
@@ -158,11 +156,7 @@ fn complain(error: &Error, positions: &Positions<'_>, errors: &mut Errors) {
             format!("the file has more than {MOST_NODES} elements"),
         ),
         Error::NoRootNode => errors.push(place, "the file has no element"),
-        Error::UnknownToken(_) => errors.push_with_hint(
-            place,
-            "this is not XML",
-            "a URDF file begins with <robot name=\"…\">",
-        ),
+        Error::UnknownToken(_) => errors.push_with_hint(place, "this is not XML", begins),
         other => {
             let detail = other.to_string().replace(&format!(" at {found}"), "");
             errors.push(place, format!("this is not well-formed XML: {detail}"));

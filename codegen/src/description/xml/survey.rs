@@ -1,6 +1,6 @@
 //! What a file holds beside what is read, from the root element to the last attribute.
 //!
-//! In: the document, and the table of [`elements`](super::elements). Out: a warning for each kind of element,
+//! In: the document, and the table of its format ([`elements`](super::elements)). Out: a warning for each kind of element,
 //! attribute or text that is left out, unless it has no mechanics, at the first of its kind; and where xacro left
 //! something. Time and memory are in proportion to the document. It never reads what the readers of links and
 //! joints read.
@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use roxmltree::{Attribute, Node};
 
 use super::element::{MOST_WARNINGS, Reader};
-use super::elements::{self, Becomes, Content, Entry, Lost, Others, ROBOT, When};
+use super::elements::{Becomes, Content, Entry, Format, Lost, Others, When};
 use crate::error::Place;
 use crate::wording::{list, nearest, quoted};
 
@@ -21,13 +21,43 @@ const OF_XML: [&str; 3] = ["xmlns", "xml", "xsi"];
 const NAMED: usize = 3;
 
 /// Adds the warnings of everything in the root element.
-pub(super) fn survey<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) {
+pub(in crate::description) fn survey<'t>(
+    reader: &mut Reader<'_, 't>,
+    root: Node<'_, 't>,
+    format: &'static Format,
+) {
+    inside(reader, vec![(root, format.root)], format);
+}
+
+/// Adds those of everything in a root element that stands for another, in which all this may stand.
+pub(in crate::description) fn survey_included<'t>(
+    reader: &mut Reader<'_, 't>,
+    root: Node<'_, 't>,
+    content: &'static Content,
+    format: &'static Format,
+) {
+    let children = root.children().filter(Node::is_element);
+    let known = children.filter_map(|child| {
+        let entry = content.element(child.tag_name().name())?;
+        Some((child, entry.content?))
+    });
+    let mut known: Vec<_> = known.collect();
+    known.reverse();
+    inside(reader, known, format);
+}
+
+/// Adds the warnings of some elements, the last first.
+fn inside<'a, 't: 'a>(
+    reader: &mut Reader<'_, 't>,
+    mut open: Vec<(Node<'a, 't>, &'static Content)>,
+    format: &'static Format,
+) {
     let mut survey = Survey {
         reader,
+        format,
         found: Vec::new(),
         known: HashMap::new(),
     };
-    let mut open = vec![(root, &ROBOT)];
     while let Some((node, content)) = open.pop() {
         survey.attributes(node, content);
         if content.others == Others::WarnedLikeText {
@@ -72,6 +102,7 @@ enum Key<'k> {
 
 struct Survey<'s, 'r, 't> {
     reader: &'s mut Reader<'r, 't>,
+    format: &'static Format,
     found: Vec<Found>,
     /// Where the things of each kind are in the list.
     known: HashMap<Key<'t>, usize>,
@@ -104,6 +135,9 @@ impl<'t> Survey<'_, '_, 't> {
         content: &'static Content,
     ) -> Option<&'static Content> {
         let name = self.name(node);
+        if self.format.elsewhere.contains(&name) {
+            return None;
+        }
         let Some(entry) = content.element(name) else {
             if content.others == Others::PassedOver {
                 return Some(content);
@@ -155,10 +189,10 @@ impl<'t> Survey<'_, '_, 't> {
             ))
         } else if let Some(meant) = meant(name, content.elements) {
             Some(format!("did you mean <{meant}>?"))
-        } else if let Some(home) = elements::home(name) {
+        } else if let Some(home) = self.format.home(name) {
             Some(home)
         } else {
-            bodies(node)
+            bodies(node, self.format.counted)
         };
         let within = format!("in {}", self.subject(parent));
         let message = Message::Ignored(format!("<{name}>"), within);
@@ -285,12 +319,9 @@ impl<'t> Survey<'_, '_, 't> {
             let tag = self.name(at);
             let name = at.attribute("name").or(at.attribute("reference"));
             if let Some(name) = name {
-                let kind = match tag {
-                    "loop_joint" => "loop joint".to_owned(),
-                    "drake:joint" => "joint".to_owned(),
-                    "robot" | "link" | "joint" | "transmission" => tag.to_owned(),
-                    _ => format!("<{tag}>"),
-                };
+                let mut called = self.format.called.iter();
+                let word = called.find(|(known, _)| *known == tag);
+                let kind = word.map_or_else(|| format!("<{tag}>"), |(_, word)| (*word).to_owned());
                 text.extend([&kind, " ", &quoted(name)]);
                 return text;
             }
@@ -352,23 +383,21 @@ fn meant(name: &str, entries: &'static [Entry]) -> Option<&'static str> {
     })
 }
 
-/// That links, joints or inertias stand in an element that is ignored, as far as a glance tells.
-fn bodies(node: Node<'_, '_>) -> Option<String> {
+/// How many elements of some names stand in an element that is ignored, as far as a glance tells.
+fn bodies(node: Node<'_, '_>, counted: &'static [&'static str]) -> Option<String> {
     const GLANCE: usize = 1000;
     let names = node.descendants().skip(1).take(GLANCE);
-    let mut counts = [0_usize; 3];
+    let mut counts = vec![0_usize; counted.len()];
     for name in names
         .filter(Node::is_element)
         .map(|node| node.tag_name().name())
     {
-        let place = ["link", "joint", "inertial"]
-            .iter()
-            .position(|known| *known == name);
+        let place = counted.iter().position(|known| *known == name);
         if let Some(place) = place {
             counts[place] += 1;
         }
     }
-    let counts = counts.into_iter().zip(["link", "joint", "inertial"]);
+    let counts = counts.into_iter().zip(counted);
     let counts: Vec<_> = counts
         .filter(|(count, _)| *count > 0)
         .map(|(count, name)| format!("{count} <{name}>"))

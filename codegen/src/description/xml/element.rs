@@ -5,18 +5,19 @@
 //! a joint is.
 
 use std::borrow::Cow;
+use std::ops::RangeInclusive;
 
 use roxmltree::{Attribute, Node};
 
 use super::plain::unescaped;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
-use crate::description::{Axis, Name, Number, Step, Unmodelled, axis};
+use crate::description::{Name, Number, Unmodelled};
 use crate::error::{Complaint, Errors, Place};
 use crate::wording::quoted;
 
 /// The most warnings.
-pub(super) const MOST_WARNINGS: usize = 1000;
+pub(in crate::description) const MOST_WARNINGS: usize = 1000;
 
 /// The elements of xacro itself; of any other name is the call of a macro.
 const OF_XACRO: [&str; 10] = [
@@ -32,39 +33,41 @@ const OF_XACRO: [&str; 10] = [
     "unless",
 ];
 
-/// 2π, and what people round it to.
-const MORE_THAN_A_TURN: f64 = 6.3;
-
 /// Why a number alone should end with its last digit.
 const ENDS_IN_SPACE: &str =
     "urdfdom, with which ROS reads, takes it for no number and leaves out what it is part of";
 
 /// What reading has found so far.
-pub(super) struct Reader<'r, 't> {
-    pub(super) positions: &'r Positions<'t>,
-    pub(super) errors: Errors,
-    pub(super) warnings: Vec<Complaint>,
-    pub(super) unmodelled: Unmodelled,
+pub(in crate::description) struct Reader<'r, 't> {
+    pub(in crate::description) positions: &'r Positions<'t>,
+    pub(in crate::description) errors: Errors,
+    pub(in crate::description) warnings: Vec<Complaint>,
+    pub(in crate::description) unmodelled: Unmodelled,
     /// Whether the robot has no version, or 1.0, and nobody has said yet that it should have another.
-    pub(super) is_of_version_1_0: bool,
+    pub(in crate::description) is_of_version_1_0: bool,
     /// Where something stands that xacro should have replaced.
-    pub(super) xacro: Option<Place>,
+    pub(in crate::description) xacro: Option<Place>,
     /// Where a macro is called that xacro may have left because it did not know it.
-    pub(super) call: Option<Place>,
+    pub(in crate::description) call: Option<Place>,
 }
 
 impl<'t> Reader<'_, 't> {
     /// Where an element begins.
-    pub(super) fn place(&self, node: Node<'_, 't>) -> Place {
+    pub(in crate::description) fn place(&self, node: Node<'_, 't>) -> Place {
         self.positions.place(node.range().start)
     }
 
     /// Where the value of an attribute begins.
-    pub(super) fn value_place(&self, attribute: &Attribute<'_, 't>) -> Place {
+    pub(in crate::description) fn value_place(&self, attribute: &Attribute<'_, 't>) -> Place {
         self.positions.place(self.raw(attribute).0)
     }
 
-    pub(super) fn warn(&mut self, place: Place, message: String, hint: Option<String>) {
+    pub(in crate::description) fn warn(
+        &mut self,
+        place: Place,
+        message: String,
+        hint: Option<String>,
+    ) {
         if self.warnings.len() == MOST_WARNINGS {
             return;
         }
@@ -77,7 +80,12 @@ impl<'t> Reader<'_, 't> {
 
     /// An element that xacro should have replaced, unless it is the call of a macro that it did not know: those it
     /// leaves, and every other reader passes over them.
-    pub(super) fn left_by_xacro(&mut self, place: Place, name: &str, subject: &str) {
+    pub(in crate::description) fn left_by_xacro(
+        &mut self,
+        place: Place,
+        name: &str,
+        subject: &str,
+    ) {
         if OF_XACRO.contains(&name) {
             self.xacro.get_or_insert(place);
             return;
@@ -94,12 +102,12 @@ impl<'t> Reader<'_, 't> {
     }
 
     /// The elements within an element.
-    pub(super) fn children<'a>(node: Node<'a, 't>) -> Vec<Node<'a, 't>> {
+    pub(in crate::description) fn children<'a>(node: Node<'a, 't>) -> Vec<Node<'a, 't>> {
         node.children().filter(Node::is_element).collect()
     }
 
     /// The one element of that name; complains of a second one that says anything else.
-    pub(super) fn only<'a>(
+    pub(in crate::description) fn only<'a>(
         &mut self,
         children: &[Node<'a, 't>],
         name: &str,
@@ -127,7 +135,7 @@ impl<'t> Reader<'_, 't> {
     }
 
     /// The element of that name; complains where it is missing.
-    pub(super) fn required<'a>(
+    pub(in crate::description) fn required<'a>(
         &mut self,
         parent: Node<'a, 't>,
         children: &[Node<'a, 't>],
@@ -147,7 +155,7 @@ impl<'t> Reader<'_, 't> {
     }
 
     /// A name that must not be missing or empty.
-    pub(super) fn name(
+    pub(in crate::description) fn name(
         &mut self,
         node: Node<'_, 't>,
         attribute: &str,
@@ -180,7 +188,7 @@ impl<'t> Reader<'_, 't> {
     }
 
     /// One number that must not be missing.
-    pub(super) fn number(
+    pub(in crate::description) fn number(
         &mut self,
         node: Node<'_, 't>,
         attribute: &str,
@@ -195,11 +203,30 @@ impl<'t> Reader<'_, 't> {
     }
 
     /// As many numbers as are needed.
-    pub(super) fn numbers<const N: usize>(
+    pub(in crate::description) fn numbers<const N: usize>(
         &mut self,
         attribute: &Attribute<'_, 't>,
         subject: &str,
     ) -> Option<[Number; N]> {
+        let list = self.number_list(attribute, N..=N, subject)?;
+        let (start, text) = self.raw(attribute);
+        if N == 1 && text.ends_with(|end: char| end.is_ascii_whitespace()) {
+            self.warn(
+                self.positions.place(start),
+                format!("{subject} ends in white space, which is passed over"),
+                Some(ENDS_IN_SPACE.to_owned()),
+            );
+        }
+        list.try_into().ok()
+    }
+
+    /// Between so many numbers and so many.
+    pub(in crate::description) fn number_list(
+        &mut self,
+        attribute: &Attribute<'_, 't>,
+        counts: RangeInclusive<usize>,
+        subject: &str,
+    ) -> Option<Vec<Number>> {
         let (start, text) = self.raw(attribute);
         if is_xacro(&text) {
             self.xacro.get_or_insert(self.positions.place(start));
@@ -218,9 +245,15 @@ impl<'t> Reader<'_, 't> {
             return None;
         }
         let count = text.split_ascii_whitespace().count();
-        if count != N {
+        if !counts.contains(&count) {
             let numbers = if count == 1 { "number" } else { "numbers" };
-            let message = format!("{subject} has {count} {numbers} instead of {N}");
+            let (least, most) = counts.into_inner();
+            let wanted = if least == most {
+                most.to_string()
+            } else {
+                format!("{least} to {most}")
+            };
+            let message = format!("{subject} has {count} {numbers} instead of {wanted}");
             let place = self.positions.place(start);
             if text.contains([',', ';']) {
                 let hint = "write spaces between numbers, and decimal points in them";
@@ -230,30 +263,24 @@ impl<'t> Reader<'_, 't> {
             }
             return None;
         }
-        if N == 1 && text.ends_with(|end: char| end.is_ascii_whitespace()) {
-            self.warn(
-                self.positions.place(start),
-                format!("{subject} ends in white space, which is passed over"),
-                Some(ENDS_IN_SPACE.to_owned()),
-            );
-        }
-        let mut read = [Number::default(); N];
-        let mut fine = true;
-        for (number, (offset, word)) in read.iter_mut().zip(words(&text)) {
+        let mut read = Vec::with_capacity(count);
+        for (offset, word) in words(&text) {
             let place = self.positions.place(start + offset);
             match number::read(word, place) {
-                Ok(found) => *number = found,
-                Err(refusal) => {
-                    self.refuse(place, subject, &refusal);
-                    fine = false;
-                }
+                Ok(found) => read.push(found),
+                Err(refusal) => self.refuse(place, subject, &refusal),
             }
         }
-        fine.then_some(read)
+        (read.len() == count).then_some(read)
     }
 
     /// Complains of a number.
-    pub(super) fn refuse(&mut self, place: Place, subject: &str, refusal: &Refusal) {
+    pub(in crate::description) fn refuse(
+        &mut self,
+        place: Place,
+        subject: &str,
+        refusal: &Refusal,
+    ) {
         let message = format!("{subject} {}", refusal.what);
         match refusal.hint {
             Some(hint) => self.errors.push_with_hint(place, message, hint),
@@ -261,87 +288,8 @@ impl<'t> Reader<'_, 't> {
         }
     }
 
-    /// The placement in `<origin xyz="…" rpy="…"/>`; none means that frames coincide.
-    pub(super) fn origin(&mut self, origin: Option<Node<'_, 't>>, subject: &str) -> Vec<Step> {
-        origin.map_or_else(Vec::new, |node| self.placement(node, subject))
-    }
-
-    /// The placement that an element has in its own `xyz`, and `rpy` or `quat_xyzw`.
-    pub(super) fn placement(&mut self, node: Node<'_, 't>, subject: &str) -> Vec<Step> {
-        let mut steps = Vec::new();
-        if let Some(xyz) = node.attribute_node("xyz") {
-            let subject = format!("xyz of the origin of {subject}");
-            steps.extend(self.numbers(&xyz, &subject).map(Step::Translate));
-        }
-        let [rpy, quaternion] = ["rpy", "quat_xyzw"].map(|name| node.attribute_node(name));
-        match (rpy, quaternion) {
-            (Some(rpy), None) => {
-                let subject = format!("rpy of the origin of {subject}");
-                steps.extend(self.angles(&rpy, &subject).into_iter().flatten());
-            }
-            (None, Some(quaternion)) => {
-                let subject = format!("quat_xyzw of the origin of {subject}");
-                steps.extend(self.quaternion(&quaternion, &subject).map(Step::Turn));
-            }
-            (Some(_), Some(quaternion)) => self.errors.push_with_hint(
-                self.positions.place(quaternion.range().start),
-                format!("the origin of {subject} has both rpy and quat_xyzw"),
-                "leave one of them out",
-            ),
-            (None, None) => {}
-        }
-        steps
-    }
-
-    /// Roll, pitch and yaw turn about fixed axes, which is the reverse order about moving ones.
-    fn angles(&mut self, rpy: &Attribute<'_, 't>, subject: &str) -> Option<[Step; 3]> {
-        let [roll, pitch, yaw]: [Number; 3] = self.numbers(rpy, subject)?;
-        let mut angles = [roll, pitch, yaw].into_iter();
-        if let Some(angle) = angles.find(|angle| angle.value.abs() > MORE_THAN_A_TURN) {
-            let degrees = angle.value;
-            self.warn(
-                angle.place,
-                format!("{subject} has an angle of {degrees} rad, more than a turn"),
-                Some(format!(
-                    "angles are in radians: {degrees} degrees are {}",
-                    degrees.to_radians()
-                )),
-            );
-        }
-        Some([
-            Step::Rotate(Axis::Z, yaw),
-            Step::Rotate(Axis::Y, pitch),
-            Step::Rotate(Axis::X, roll),
-        ])
-    }
-
-    fn quaternion(&mut self, written: &Attribute<'_, 't>, subject: &str) -> Option<[Number; 4]> {
-        let entries = self.numbers(written, subject)?;
-        let place = self.value_place(written);
-        match axis::quaternion(&entries) {
-            Ok(doubt) => {
-                if let Some(doubt) = doubt {
-                    self.warn(place, format!("{subject} {}", doubt.what), Some(doubt.hint));
-                }
-            }
-            Err(refusal) => {
-                let message = format!("{subject} {}", refusal.what);
-                self.errors.push_with_hint(place, message, refusal.hint);
-                return None;
-            }
-        }
-        if std::mem::take(&mut self.is_of_version_1_0) {
-            self.warn(
-                self.positions.place(written.range().start),
-                format!("{subject} is of URDF 1.1, which the robot does not name as its version"),
-                Some("write <robot version=\"1.1\">: other readers may pass over it".to_owned()),
-            );
-        }
-        Some(entries)
-    }
-
     /// The value of an attribute in one line.
-    pub(super) fn value<'a>(&self, attribute: &Attribute<'a, 't>) -> Cow<'a, str>
+    pub(in crate::description) fn value<'a>(&self, attribute: &Attribute<'a, 't>) -> Cow<'a, str>
     where
         't: 'a,
     {

@@ -9,10 +9,10 @@ use std::borrow::Cow;
 
 /// What `:` in the name of an element or an attribute is read as, so that `<drake:joint>` is no joint
 /// and needs no declaration.
-pub(super) const FOR_COLON: char = '.';
+pub(in crate::description) const FOR_COLON: char = '.';
 
 /// The text as the XML reader gets it.
-pub(super) fn plain(text: &str) -> Cow<'_, str> {
+pub(in crate::description) fn plain(text: &str) -> Cow<'_, str> {
     let mut copy = Copy { text, bytes: None };
     let mut at = 0;
     while let Some(start) = text[at..].find('<').map(|offset| at + offset) {
@@ -130,7 +130,7 @@ impl<'t> Copy<'t> {
 }
 
 /// The value of an attribute with its references replaced, as far as they are any.
-pub(super) fn unescaped(value: &str) -> String {
+pub(in crate::description) fn unescaped(value: &str) -> String {
     let mut text = String::with_capacity(value.len());
     let mut rest = value;
     while let Some(at) = rest.find('&') {

@@ -1,0 +1,31 @@
+//! The bytes of a file.
+//!
+//! In: a path. Out: its bytes, or why there are none. It reads no further than any description goes.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::LARGEST_FILE;
+
+/// The bytes of a file of reasonable size, or why there are none, in words that are the same on
+/// every platform where they can be.
+pub(super) fn load(path: &Path) -> Result<Vec<u8>, String> {
+    let reason = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        std::io::ErrorKind::PermissionDenied => "no permission".to_owned(),
+        _ => error.to_string(),
+    };
+    let file = File::open(path).map_err(reason)?;
+    if file.metadata().is_ok_and(|about| about.is_dir()) {
+        return Err("it is a folder".to_owned());
+    }
+    // Read no further than that: a device may have no end.
+    let limit = LARGEST_FILE as u64 + 1;
+    let mut bytes = Vec::new();
+    file.take(limit).read_to_end(&mut bytes).map_err(reason)?;
+    if bytes.len() > LARGEST_FILE {
+        return Err(format!("it is larger than {} MB", LARGEST_FILE >> 20));
+    }
+    Ok(bytes)
+}

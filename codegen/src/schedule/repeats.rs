@@ -1,11 +1,11 @@
-//! Stretches of a long program that compute the same again and again, of other values.
+//! Loops in a long program: consecutive stretches with the same operations on different values.
 //!
-//! In: a [`Program`]. Out: its [`Repeat`]s, which a language can write as loops. It never changes or moves a step:
-//! what a program computes does not depend on what is found here.
+//! In: a [`Program`]. Out: its [`Repeat`]s, which languages print as loops. Steps are neither changed nor moved, so
+//! results do not depend on the loops.
 //!
-//! A core reads instructions as fast as it computes only as long as it holds them all, and boards have little room
-//! for them; the columns of a solution are the same instructions for each. What differs between rounds goes through
-//! a table, so that a loop pays only where rounds compute several times what they read and leave.
+//! Straight-line code is slow once it exceeds the instruction cache, and small processors have little program memory.
+//! The columns of a solution are the same instructions. Values that differ between iterations pass through a table, so
+//! a loop pays only if an iteration computes several times the values that it reads from the table or writes to it.
 
 #[cfg(test)]
 pub mod tests;
@@ -17,53 +17,53 @@ use std::ops::Range;
 use super::readers::read_until;
 use super::{Operand, Program};
 
-/// Shorter programs are read as they are.
+/// Minimum number of steps of a program with loops.
 const SHORTEST: usize = 900;
 
-/// Rounds are looked for where so many operations are of the same kinds.
+/// Number of consecutive operations that must be of the same kinds at a candidate for the next iteration.
 const ALIKE: usize = 16;
 
-/// How many stretches of such kinds are tried as the next round.
+/// Maximum number of candidates for the length of an iteration.
 const TRIED: usize = 4;
 
-/// The fewest rounds: of fewer a processor with vectors can do none at a time.
+/// Minimum number of iterations; fewer do not fill the vector registers of a processor.
 const ROUNDS: usize = 4;
 
-/// The fewest steps that need not be written any more.
+/// Minimum number of steps saved.
 const SAVED: usize = 300;
 
-/// The fewest steps of a round for each value that it reads from the table or leaves there.
+/// Minimum number of steps of an iteration for each value in the table.
 const EACH: usize = 3;
 
-/// Rounds of the same operations, one behind the other, none of which reads a result of another.
+/// Iterations of the same operations, one after the other; none reads a result of another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeat {
-    /// The steps of the first round.
+    /// Steps of the first iteration.
     pub first: Range<u32>,
-    /// How many rounds there are.
+    /// Number of iterations.
     pub rounds: u32,
-    /// What differs between rounds, with its operand in each of them.
+    /// Values that differ between iterations, with the operand of each iteration.
     pub taken: Vec<Vec<Operand>>,
-    /// Which of these a step of the first round reads as which of its operands.
+    /// Index into `taken` of the value that a step of the first iteration reads as one of its operands.
     pub reads: HashMap<(u32, usize), usize>,
-    /// The steps of the first round whose results are read behind all rounds, in this one or in others.
+    /// Steps of the first iteration whose results are read after the loop, in any of its iterations.
     pub left: Vec<u32>,
 }
 
 impl Repeat {
-    /// The steps of all rounds.
+    /// Steps of all iterations.
     #[must_use]
     pub fn steps(&self) -> Range<u32> {
         self.first.start..self.first.start + self.length() * self.rounds
     }
 
-    /// How many steps a round has.
+    /// Number of steps of an iteration.
     #[must_use]
     pub fn length(&self) -> u32 {
         self.first.end - self.first.start
     }
 
-    /// How many steps need not be written.
+    /// Number of steps saved.
     #[must_use]
     pub fn saved(&self) -> usize {
         self.steps().len() - self.first.len()
@@ -75,7 +75,7 @@ impl Repeat {
     }
 }
 
-/// The repeats behind the sines of a program, in their order.
+/// Repeats after the sines of a program, in order.
 #[must_use]
 pub fn repeats(program: &Program) -> Vec<Repeat> {
     let mut found: Vec<Repeat> = Vec::new();
@@ -99,7 +99,7 @@ pub fn repeats(program: &Program) -> Vec<Repeat> {
     found
 }
 
-/// For each step, as far as enough follow it, the next one from which on operations are of the same kinds.
+/// For each step, the next one at which the same kinds of operations begin.
 fn next_alike(program: &Program) -> Vec<Option<usize>> {
     let kinds: Vec<_> = (program.steps.iter())
         .map(|step| discriminant(&step.operation))
@@ -113,7 +113,7 @@ fn next_alike(program: &Program) -> Vec<Option<usize>> {
     next
 }
 
-/// As many rounds as there are like the first one.
+/// The repeat that begins with this first iteration, with as many iterations as are alike.
 fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<Repeat> {
     let length = first.len();
     let most = (program.steps.len() - first.start) / length;
@@ -158,8 +158,8 @@ fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<
     })
 }
 
-/// Whether the steps so far behind the first round are one: the same operations of its own results, and of what is
-/// older than all rounds.
+/// True if the steps at this distance are an iteration: the same operations on its own results and on values from
+/// before the loop.
 fn is_alike(program: &Program, first: &Range<usize>, behind: usize) -> bool {
     first.clone().all(|at| {
         let [one, other] = [at, at + behind].map(|at| program.steps[at].operation);

@@ -1,7 +1,7 @@
-//! The sections of a long routine, each a function of its own.
+//! Sections of a long routine, each a function of its own.
 //!
-//! In: the sections of a program, and a routine whose names are being given. Out: the routine, with what
-//! each section takes of the work array, computes, and leaves there. It never says where to cut.
+//! In: the sections of a program, and the naming of its routine. Out: the routine, with the values that each section
+//! reads from the work array, computes, and stores there.
 
 use std::collections::BTreeSet;
 
@@ -12,36 +12,36 @@ use crate::schedule::sections::{Section, Sections};
 use crate::schedule::{Operand, Step};
 use crate::space::Variable;
 
-/// What is computed in functions of their own, one after the other.
+/// Sections of a routine and their work array.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Work {
-    /// The name of the array through which they hand on what later ones read.
+    /// Name of the work array.
     pub name: String,
-    /// How long it is.
+    /// Length of the work array.
     pub len: usize,
-    /// What is put there before the first of them: place and value.
+    /// Index and value of the entries that are stored before the first section.
     pub given: Vec<(usize, Value)>,
-    /// The functions.
+    /// Sections in execution order.
     pub sections: Vec<Apart>,
 }
 
-/// A function of its own, of the work array alone.
+/// Section: a function of the work array alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Apart {
-    /// Its name.
+    /// Name of the function.
     pub name: String,
-    /// What it takes: place, and the name that it gets.
+    /// Indices of the entries that it reads, and the names that they get.
     pub taken: Vec<(usize, String)>,
-    /// What is computed, and put into the array.
+    /// Statements, with stores to the array.
     pub statements: Vec<Statement>,
-    /// Whether a number known at generation is among the values.
+    /// True if a value is a literal.
     pub has_literals: bool,
-    /// Whether an operation is a product and a sum at once.
+    /// True if an operation is fused.
     pub is_fused: bool,
 }
 
 impl Naming<'_> {
-    /// The routine in sections.
+    /// The routine with its sections.
     pub(super) fn in_sections(
         mut self,
         sections: &Sections,
@@ -76,7 +76,7 @@ impl Naming<'_> {
             }),
             results,
             stored: BTreeSet::new(),
-            // The array is filled with zeros.
+            // Filling the array with zeros needs a literal.
             has_literals: true,
             is_fused: is_fused(&program.steps[..program.before_angles]),
             names: self.names,
@@ -111,13 +111,13 @@ impl Naming<'_> {
         }
     }
 
-    /// Rounds, and what they leave in the work array.
+    /// A loop, and the stores of its results in the work array.
     fn rounds_apart(&mut self, repeat: &Repeat, left: &[(u32, usize)]) -> Vec<Statement> {
         let mut statements = vec![Statement::Rounds(self.rounds(repeat))];
         for &(step, place) in left {
             let name = self.unnamed();
             let step = &mut self.steps[step as usize];
-            // Other sections take it by a name.
+            // Other sections bind it to a name.
             let value = std::mem::replace(step, Value::Name(name));
             statements.push(Statement::Left(place, value));
         }

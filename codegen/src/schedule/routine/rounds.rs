@@ -1,32 +1,32 @@
-//! The rounds of a routine, each of which computes the same of other values.
+//! Loops of a routine.
 //!
-//! In: a repeat of a program, and a routine whose names are being given. Out: statements of one round, and the table
-//! through which what differs comes and goes. It never says what is a repeat.
+//! In: a repeat of a program, and the naming of its routine. Out: the statements of one iteration, and the table that
+//! values which differ between iterations are read from and written to.
 
 use super::{Meaning, Naming, Statement, Value};
 use crate::schedule::Operand;
 use crate::schedule::blocks::within;
 use crate::schedule::repeats::Repeat;
 
-/// The same statements for each column of a table.
+/// Loop over the columns of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rounds {
-    /// The name of the table.
+    /// Name of the table.
     pub table: String,
-    /// What stands there before the first round: rows with an entry for each round.
+    /// Initial rows of the table, with an entry for each iteration.
     pub rows: Vec<Vec<Value>>,
-    /// What counts the rounds, from 0.
+    /// Name of the loop's index, from 0.
     pub round: String,
-    /// What is taken from the table: the name of each row, from the first on.
+    /// Names of the values that an iteration reads from the table, row by row.
     pub taken: Vec<String>,
-    /// What is computed.
+    /// Statements of an iteration.
     pub statements: Vec<Statement>,
-    /// What is put into the table instead: the name of what each row then has, from the first on.
+    /// Names of the values that an iteration writes to the table, row by row.
     pub left: Vec<String>,
 }
 
 impl Rounds {
-    /// How many rounds there are: entries of each row.
+    /// Number of iterations.
     #[must_use]
     pub fn count(&self) -> usize {
         self.rows.first().map_or(0, Vec::len)
@@ -34,12 +34,12 @@ impl Rounds {
 }
 
 impl Naming<'_> {
-    /// The rounds of a repeat.
+    /// Loop of a repeat.
     pub(super) fn rounds(&mut self, repeat: &Repeat) -> Rounds {
         let [table, round] = [Meaning::Table, Meaning::Round].map(|meaning| self.named(meaning));
         let row = |row: &Vec<Operand>| row.iter().map(|&operand| self.value(operand)).collect();
         let mut rows: Vec<Vec<Value>> = repeat.taken.iter().map(row).collect();
-        // What is left without being taken has to stand somewhere.
+        // Rows that are written and not read.
         let missing = repeat.left.len().saturating_sub(rows.len());
         rows.extend(std::iter::repeat_n(rows[0].clone(), missing));
 
@@ -62,12 +62,12 @@ impl Naming<'_> {
         }
     }
 
-    /// Finds the results of all rounds in the table.
+    /// Records the places of the results of all iterations in the table.
     fn leave(&mut self, repeat: &Repeat, table: &str) {
         self.steps.truncate(repeat.first.start as usize);
         for round in 0..repeat.rounds as usize {
             for step in repeat.first.clone() {
-                // Nobody reads what is not left.
+                // A value that is not stored has no reader.
                 let row = repeat.left.iter().position(|&left| left == step);
                 let row = row.unwrap_or_default();
                 self.steps.push(Value::Entry(table.to_owned(), row, round));
@@ -86,7 +86,7 @@ mod tests {
     use crate::schedule::repeats::tests::{HEAD, LENGTH, program};
     use crate::schedule::{Length, Names, Operation, Program, run};
 
-    /// What a language makes of a routine.
+    /// Interpreter of a routine.
     #[derive(Default)]
     struct Written {
         bound: BTreeMap<String, f64>,
@@ -142,7 +142,7 @@ mod tests {
         }
     }
 
-    /// The results of a program in functions of a length, and how many loops it has.
+    /// Results of a program with functions of this length, and its number of loops.
     fn results(program: &Program, length: Length) -> (Vec<f64>, usize) {
         let names = Names::beside(&["columns"]);
         let routine = of_a_hinge((program, length), names, Stored::AtTheEnd);
@@ -156,7 +156,7 @@ mod tests {
                 written.work[*place] = written.read(value);
             }
             for section in &work.sections {
-                // A section knows nothing but what it takes.
+                // A section has only the names that it binds.
                 written.bound.clear();
                 for (place, name) in &section.taken {
                     written.bound.insert(name.clone(), written.work[*place]);
@@ -173,13 +173,13 @@ mod tests {
 
     #[test]
     fn rounds_compute_what_all_steps_do_one_after_the_other() {
-        // Rounds that are one scope, and rounds of several blocks.
+        // Iterations of one scope, and of several blocks.
         for program in [program(HEAD, LENGTH), program(HEAD, 1000)] {
             let expected = run::<f64>(&program, |_| 0.7);
             for length in [Length::UNBOUNDED, Length::at_most(1000)] {
                 assert_eq!(results(&program, length), (expected.clone(), 1));
             }
-            // Shorter than a round, a section cannot hold a loop.
+            // Sections shorter than an iteration hold no loop.
             assert_eq!(results(&program, Length::at_most(50)), (expected, 0));
         }
     }

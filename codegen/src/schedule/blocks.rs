@@ -352,7 +352,7 @@ mod tests {
 
     /// Stretches of steps that all read their first step, and one step of the stretch before the last.
     #[test]
-    fn cuts_are_where_one_value_is_left() {
+    fn cuts_are_where_blocks_return_one_value() {
         let stretch = 110;
         let program = program(1100, |k| match k % stretch {
             0 => [k - 1, k - 1],

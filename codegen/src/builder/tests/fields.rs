@@ -112,14 +112,14 @@ fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
     );
     for part in [
         " --field load=payload_on:tip --prepare` (FNV-1a ",
-        "    /// Results are the same, bit for bit;",
+        "    /// Results are the same, bit for bit.",
     ] {
         assert!(head.contains(part), "{head}");
     }
     for part in [
         "pub struct TwoLinkPrepared {\n    values: [f64; ",
         "impl TwoLinkPrepared {\n",
-        "    /// Done before, once for all functions: ",
+        "    /// Computed once by `prepare`, for all functions: ",
         ".values;\n",
         "= TwoLink::sin_cos(",
         ") -> TwoLinkTorqueDerivatives {",

@@ -149,7 +149,7 @@ pub(super) fn of_a_hinge(program: (&Program, Length), names: Names, stored: Stor
 
 /// The sine of q₁, and a chain of steps that are all results.
 #[test]
-fn what_is_only_a_result_leaves_no_block() {
+fn a_stored_result_is_not_returned_by_its_block() {
     let steps = 1000_u32;
     let q = Operand::Input(Input::Variable(Variable::Q, 0));
     let operation = |k: u32| match k {

@@ -151,7 +151,7 @@ fn no_section_is_longer_than_it_may_be_and_all_steps_are_in_one() {
 /// A value that nobody reads any more makes room: of a chain of values, each of which the next few read, no more
 /// wait than there are links in sight.
 #[test]
-fn the_array_is_no_longer_than_what_waits() {
+fn the_array_has_only_values_that_are_read_later() {
     let step = |k: u32| Step {
         label: None,
         operation: Operation::Add(

@@ -1,9 +1,9 @@
-//! Texts with gaps.
+//! Text templates.
 //!
-//! In: a text of our own, with words between `@` for what differs, and what stands for each. Out: the whole text. It is
-//! gone through once: what stands for a word is never looked through, whatever it looks like.
+//! In: a template with placeholders between `@`, and their values. Out: the text. Values are not searched for
+//! placeholders.
 
-/// The text with what stands for its words; a word that stands for nothing stays.
+/// The template with values for its placeholders; unknown placeholders stay.
 #[must_use]
 pub fn filled(text: &str, words: &[(&str, &str)]) -> String {
     let mut filled = String::with_capacity(text.len());

@@ -1,13 +1,13 @@
-//! The square root that a source brings along, so that it needs no library.
+//! Square root of a C file, so that it needs no library.
 //!
-//! In: the type of number, and how the source is written. Out: a function of the file alone. It takes the steps of the
-//! one in Rust for `core` alone, and has the bits of the processor's instruction, too.
+//! In: the scalar type and options. Out: a private function with the steps of that in Rust for `core` alone, whose
+//! results have the same bits as the processor's instruction.
 
 use super::Writing;
 use super::declarations::number;
 use crate::real::Real;
 
-/// The name of the function behind the prefix.
+/// Name of the function after the prefix.
 pub(super) const SQRT: &str = "sqrt";
 
 /// The function.

@@ -1,7 +1,6 @@
-//! The functions of their own that a long routine consists of.
+//! Sections of a long routine in C.
 //!
-//! In: the [`Work`](crate::schedule::Work) of a routine. Out: a function of the file alone for each section,
-//! and the calls. It never says where to cut.
+//! In: the [`Work`](crate::schedule::Work) of a routine. Out: a private function for each section, and the calls.
 
 use std::fmt::Write;
 use std::mem;
@@ -11,7 +10,7 @@ use super::declarations::number;
 use crate::print::walk::walk;
 use crate::schedule::Routine;
 
-/// The macro that keeps compilers from putting a function into the one that calls it.
+/// Macro that prevents inlining.
 pub(super) fn apart(name: &str) -> String {
     format!(
         "
@@ -28,7 +27,7 @@ pub(super) fn apart(name: &str) -> String {
 }
 
 impl Writer<'_> {
-    /// The definitions of the functions, which `own` gives names; the calls are written where the writer stands.
+    /// Definitions of the functions, which `own` names; the calls are appended to the text of the writer.
     pub(super) fn sections(
         &mut self,
         routine: &Routine,

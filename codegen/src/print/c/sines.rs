@@ -1,7 +1,7 @@
-//! The sines and cosines that a source brings along.
+//! Sine and cosine of a C file.
 //!
-//! In: the type of number, and how the source is written. Out: a function of the file alone, from the
-//! [`statements`] that all languages share, and the last step by bits.
+//! In: the scalar type and options. Out: a private function from the [`statements`] that all languages share, with the
+//! last step by bits.
 
 use super::Writing;
 use super::body::Writer;
@@ -10,7 +10,7 @@ use crate::print::sines::{ANGLE, COSINE, SHIFTED, SINE, range, statements};
 use crate::print::walk::walk;
 use crate::real::Real;
 
-/// The function and what it returns.
+/// The function and the struct that it returns.
 pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
     let mut writer = Writer::new(real, writing);
     walk(&mut writer, &statements(real));

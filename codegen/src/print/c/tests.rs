@@ -1,4 +1,4 @@
-//! Hand-made programs as text: a reader of these tests sees what a user of the command gets.
+//! Text of hand-made modules, as users of the command see it.
 
 use super::{Source, Writing, print};
 use crate::expression::Input;
@@ -26,7 +26,7 @@ fn written(module: &Module) -> Source {
     print(module, &PLAIN)
 }
 
-/// A gravity function that consists of these steps, and returns the last.
+/// A gravity function with these steps, whose result is the last.
 fn steps(real: Real, operations: &[Operation]) -> Module {
     let last = u32::try_from(operations.len() - 1).expect("few steps");
     let program = Program {
@@ -218,7 +218,7 @@ fn joints_of_one_name_have_constants_of_their_own() {
     }
 }
 
-/// A function in sections calls others, which no compiler puts into it.
+/// A function with sections calls them, and compilers do not inline them.
 #[test]
 fn long_functions_are_cut() {
     let (q, two) = (

@@ -1,7 +1,7 @@
-//! From the statements of a routine to instructions.
+//! Instructions of LLVM for the statements of a routine.
 //!
-//! In: statements. Out: instructions, an operation or two for each, on values that have the names of the routine;
-//! names of instructions between contain a dot, which no name of a routine does. It knows no function.
+//! In: statements. Out: one or two instructions for each, on values with the names of the routine. Names of
+//! intermediate values contain a dot, which names of a routine do not.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use crate::formulation::Sines;
 use crate::print::walk::Language;
 use crate::schedule::{Angle, Operation, Rounds, Value};
 
-/// A name within a function, between quotes where LLVM needs them.
+/// Name within a function, in quotes if LLVM needs them.
 pub(super) fn local(name: &str) -> String {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_.".contains(letter);
     if name.chars().all(is_plain) {
@@ -20,19 +20,19 @@ pub(super) fn local(name: &str) -> String {
     }
 }
 
-/// Instructions as they gather.
+/// Instructions under construction.
 pub(super) struct Writer {
     pub(super) lanes: Lanes,
     fused: bool,
     sines: Sines,
-    /// Space on the stack, which LLVM keeps in registers where it stands before everything else.
+    /// Stack allocations; LLVM promotes them to registers if they precede everything else.
     stack: String,
     text: String,
-    /// How many values without a name of their own there are.
+    /// Number of intermediate values.
     unnamed: usize,
-    /// The name of the work array, where there is one.
+    /// Name of the work array, if there is one.
     pub(super) work: Option<String>,
-    /// The name of the matrix in which results are stored as they are found.
+    /// Name of the matrix in which results are stored as soon as they are computed.
     pub(super) filled: Option<String>,
 }
 
@@ -50,7 +50,7 @@ impl Writer {
         }
     }
 
-    /// All that has been written.
+    /// Full text.
     pub(super) fn finish(self) -> String {
         self.stack + &self.text
     }
@@ -64,7 +64,7 @@ impl Writer {
         self.line(&format!("{} = {instruction}", local(name)));
     }
 
-    /// Binds a value between others; how it is read.
+    /// Binds an intermediate value and returns its name.
     pub(super) fn between(&mut self, instruction: &str) -> String {
         self.unnamed += 1;
         let name = format!("v.{}", self.unnamed);
@@ -72,13 +72,13 @@ impl Writer {
         local(&name)
     }
 
-    /// Space for an array of values.
+    /// Stack allocation of an array of values.
     pub(super) fn array(&mut self, name: &str, kind: &str) {
         let (name, size) = (local(name), self.lanes.size());
         let _ = writeln!(self.stack, "  {name} = alloca {kind}, align {size}");
     }
 
-    /// The address of an entry of an array of values.
+    /// Address of an entry of an array of values.
     pub(super) fn entry(&mut self, array: &str, index: &str) -> String {
         let value = self.lanes.value();
         self.between(&format!("getelementptr {value}, ptr {array}, i64 {index}"))
@@ -89,7 +89,7 @@ impl Writer {
         self.between(&format!("load {value}, ptr {address}, align {size}"))
     }
 
-    /// Binds a name to what stands at an address.
+    /// Binds a name to the value at an address.
     pub(super) fn load_as(&mut self, name: &str, address: &str) {
         let (value, size) = (self.lanes.value(), self.lanes.size());
         self.bind(name, &format!("load {value}, ptr {address}, align {size}"));
@@ -102,7 +102,7 @@ impl Writer {
         ));
     }
 
-    /// A value as an operand.
+    /// Value as an operand.
     pub(super) fn read(&mut self, value: &Value) -> String {
         match value {
             Value::Literal(value) => self.lanes.literal(*value),
@@ -118,21 +118,21 @@ impl Writer {
         }
     }
 
-    /// The address of a place of the work array.
+    /// Address of an entry of the work array.
     pub(super) fn waiting(&mut self, place: usize) -> String {
         let work = self.work.clone();
         let work = work.expect("what waits has an array to wait in");
         self.entry(&local(&work), &place.to_string())
     }
 
-    /// The address of an entry of a table: a row behind the other, each with an entry for each round.
+    /// Address of an entry of a table, which is stored by rows with an entry for each iteration.
     fn cell(&mut self, table: &str, row: usize, round: &str) -> String {
         let value = self.lanes.value();
         let table = local(&format!("{table}.{row}"));
         self.between(&format!("getelementptr {value}, ptr {table}, i64 {round}"))
     }
 
-    /// A product and a sum: fused, or one after the other.
+    /// Product and sum, fused or not.
     fn product_and_sum(&mut self, name: &str, [a, b, c]: [&str; 3], signs: Signs) {
         let value = self.lanes.value();
         if self.fused {
@@ -158,7 +158,7 @@ impl Writer {
         self.bind(name, &sum);
     }
 
-    /// −1, 0 or 1: 1 where a is above zero less 1 where it is below.
+    /// −1, 0 or 1: (a > 0) − (a < 0).
     fn sign(&mut self, name: &str, a: &str) {
         let (value, truth) = (self.lanes.value(), self.lanes.truth());
         let [zero, one] = [0.0, 1.0].map(|number| self.lanes.literal(number));
@@ -172,7 +172,7 @@ impl Writer {
     }
 }
 
-/// Which part of a product and a sum is taken away.
+/// Term of a product and sum that is subtracted.
 #[derive(Clone, Copy)]
 enum Signs {
     Plus,
@@ -242,7 +242,7 @@ impl Language for Writer {
         self.store_at(&address, &value);
     }
 
-    /// Rows are arrays of their own. The count of rounds is on the stack, where LLVM finds that it is a register's.
+    /// Rows are separate arrays. The loop index is on the stack, where LLVM promotes it to a register.
     fn begin_loop(&mut self, rounds: &Rounds) {
         let Rounds {
             table,
@@ -289,7 +289,7 @@ impl Language for Writer {
     }
 }
 
-/// The label of a loop.
+/// Label of a loop.
 fn label(round: &str) -> String {
     format!("{round}.loop")
 }

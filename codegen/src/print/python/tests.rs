@@ -1,4 +1,4 @@
-//! Hand-made programs as packages: a reader of these tests sees what a user of the command gets.
+//! Packages of hand-made modules, as users of the command see them.
 
 use quote::format_ident;
 
@@ -25,7 +25,7 @@ fn file<'p>(package: &'p Package, path: &str) -> &'p str {
     &found.unwrap_or_else(|| panic!("{path} is written")).1
 }
 
-/// A function whose results are all zero.
+/// A program whose results are all zero.
 fn zeros(functions: &[Function], count: usize) -> Program {
     let mut program = generated(functions, module(Real::F64).functions.remove(0).program).program;
     program.results = vec![literal(0.0); count];
@@ -196,7 +196,7 @@ fn nothing_of_a_description_is_code() {
     for (path, text) in &package.files {
         assert!(!text.contains('\u{202e}'), "{path}");
         if path.starts_with("python/") {
-            // Quotes that are not written by this project stand behind a backslash, and so does a backslash.
+            // All quotes of the description are escaped, and so are backslashes.
             let without = text.replace("\\\\", "").replace("\\\"", "");
             assert_eq!(without.matches("\"\"\"").count() % 2, 0, "{text}");
             assert!(!without.contains('\\'), "{text}");

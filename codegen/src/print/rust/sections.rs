@@ -1,7 +1,7 @@
-//! The functions of their own that a long routine consists of.
+//! Sections of a long routine in Rust.
 //!
-//! In: the [`Work`] of a routine. Out: a function for each section, which stands within the one that calls
-//! it, and the calls. Places of the work array are numbers below its length, so that no index can fail.
+//! In: the [`Work`] of a routine. Out: a function for each section, within its caller, and the calls. Indices of the
+//! work array are literals below its length, so that none can fail.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -12,7 +12,7 @@ use super::names::ident;
 use crate::schedule::{Apart, LONGEST_SCOPE, Value, Work};
 
 impl Writer<'_> {
-    /// The functions; `constant` and `mul_add` bind what numbers and fused products are written by.
+    /// The functions; `constant` and `mul_add` are statements that bind the functions for literals and fused products.
     pub(super) fn sections(
         &mut self,
         work: &Work,
@@ -43,7 +43,7 @@ impl Writer<'_> {
         sections.collect()
     }
 
-    /// The array, what is put into it at first, and the calls.
+    /// The array, its initial values, and the calls.
     pub(super) fn calls(&self, work: &Work) -> TokenStream {
         let (name, zero) = (ident(&work.name), self.read(&Value::Literal(0.0)));
         let len = literal(work.len);
@@ -56,7 +56,7 @@ impl Writer<'_> {
         quote! { let mut #name = [#zero; #len]; #(#given)* #(#calls)* }
     }
 
-    /// What a section takes; in a single binding where there is more than a scope may have.
+    /// Bindings of the values that a section reads; a single one if there are more than a scope may have.
     fn taken(&self, section: &Apart) -> TokenStream {
         let names = section.taken.iter().map(|(_, name)| ident(name));
         let places = section.taken.iter().map(|(place, _)| self.place(*place));

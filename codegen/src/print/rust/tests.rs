@@ -1,4 +1,4 @@
-//! Hand-made programs as text: a reader of these tests sees what a user of the crate gets.
+//! Text of hand-made modules, as users of the crate see it.
 
 use proc_macro2::TokenStream;
 use quote::format_ident;
@@ -25,7 +25,7 @@ const Q: [Operand; 2] = [
     Operand::Input(Input::Variable(Variable::Q, 1)),
 ];
 
-/// A step, called as the pivot of that number if there is one.
+/// A step, labelled as the pivot with this number if there is one.
 pub(crate) fn step(pivot: Option<usize>, operation: Operation) -> Step {
     let label = pivot.map(|k| {
         Block::Pivot
@@ -46,7 +46,7 @@ fn name(text: &str) -> Name {
     }
 }
 
-/// Two links in a vertical plane, the mass of the second one (or of its payload) in `mass`.
+/// Two links in a vertical plane; the mass of the second one, or of its payload, is `mass`.
 fn gravity(mass: Operand) -> Program {
     Program {
         angles: vec![Q[0], Operand::Step(0)],
@@ -96,7 +96,7 @@ fn constant(results: &[f64]) -> Program {
     }
 }
 
-/// The spaces of joints of those names, all of which turn.
+/// Spaces of revolute joints with these names.
 pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
     let entry = |name| Entry {
         name,
@@ -183,7 +183,7 @@ fn made() -> Item {
     Item::made(format_ident!("Pendulum"))
 }
 
-/// What is printed for a crate that has the runtime.
+/// Output for a crate with the runtime.
 fn with_runtime(module: &Module) -> String {
     pretty(&print(module, &pendulum(), &World::default()))
 }
@@ -204,7 +204,7 @@ pub(crate) fn with_payload(mut module: Module) -> Module {
     module
 }
 
-/// The text of the method or function `name`, without its doc comment and attributes.
+/// Text of the method or function `name`, without its doc comment and attributes.
 fn function<'a>(text: &'a str, name: &str) -> &'a str {
     let start = text
         .find(&format!("fn {name}"))

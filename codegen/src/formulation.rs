@@ -281,7 +281,7 @@ fn values(word: &str) -> String {
 mod tests {
     use super::{Angles, Formulation, Forward, Frame, Parameters, Products, Reader, Sines};
 
-    /// What some words say, or why not.
+    /// Formulation of some words, or the message of its rejection.
     fn read(words: &[(&str, Option<&str>)]) -> Result<Formulation, String> {
         let mut reader = Reader::default();
         for (word, value) in words {

@@ -1,4 +1,4 @@
-//! That parting programs changes nothing but who computes what.
+//! Separated programs compute the same as whole ones.
 
 use super::{Parts, part};
 use crate::expression::{Block, Component, Input, Numeral, Of};
@@ -48,7 +48,7 @@ fn first() -> Program {
     )
 }
 
-/// q + m² + m, c(m²): what was late in the other is early here.
+/// q + m² + m, c(m²): steps that follow the angles in the other program precede them here.
 fn second() -> Program {
     program(
         &[

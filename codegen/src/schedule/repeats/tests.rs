@@ -1,4 +1,4 @@
-//! What is found again where it is known to be, and what is not taken for it.
+//! Detection of loops in a program with known ones, and of none in similar programs.
 
 use homogen_random::Random;
 
@@ -7,15 +7,15 @@ use crate::expression::Input;
 use crate::schedule::{Operand, Operation, Program, Step};
 use crate::space::Variable;
 
-/// How many steps there are before the first round.
+/// Number of steps before the first iteration.
 pub const HEAD: u32 = 900;
 const ROUNDS: u32 = 9;
-/// How many steps a round has.
+/// Number of steps of an iteration.
 pub const LENGTH: u32 = 60;
-/// How many results of a round are read behind it, and how many values it reads that others do not.
+/// Number of results of an iteration that are read after it, and of values that differ between iterations.
 const CROSSING: u32 = 4;
 
-/// Steps that compute anything, rounds of equal operations, and steps that read their results.
+/// Arbitrary steps, iterations of equal operations, and steps that read their results.
 pub fn program(head: u32, length: u32) -> Program {
     let mut random = Random::new(3);
     let mut below = move |end: u32| {
@@ -26,7 +26,7 @@ pub fn program(head: u32, length: u32) -> Program {
     let operation = |kind, a, b| match kind {
         0 => Operation::Add(a, b),
         1 => Operation::Sub(a, b),
-        // What is multiplied again and again overflows.
+        // Repeated products overflow.
         2 => Operation::Mul(a, Operand::Literal(0.5)),
         _ => Operation::MulSub(Operand::Literal(0.25), a, b),
     };

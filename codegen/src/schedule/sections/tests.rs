@@ -1,4 +1,4 @@
-//! What sections compute against the whole, and what they may hold.
+//! Results of sections compared with those of the whole program, and their lengths.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::expression::Input;
 use crate::schedule::{Operand, Operation, Program, Step, run};
 use crate::space::Variable;
 
-/// Steps of which most read what has just been computed, and some anything: an input, a sine, an old step.
+/// Steps that read mostly recent values, and sometimes any: an input, a sine, an old step.
 fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
     let input = |random: &mut Random| {
         let entry = u16::try_from(random.below(40)).expect("few inputs");
@@ -39,7 +39,7 @@ fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
         let [a, b, c] = [operand(), operand(), operand()];
         let operation = match k % 4 {
             0 => Operation::Sub(a, b),
-            // What is squared again and again overflows.
+            // Repeated squares overflow.
             1 => Operation::Mul(a, Operand::Literal(0.5)),
             2 => Operation::Add(a, b),
             _ => Operation::NegMulAdd(Operand::Literal(0.25), b, c),
@@ -57,10 +57,10 @@ fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
     program
 }
 
-/// What sections compute: each knows nothing but its own values and what it takes.
+/// Results of sections; each reads its own values and those that it loads.
 fn in_sections(program: &Program, length: Length, q: &dyn Fn(Input) -> f64) -> Vec<f64> {
     let cut = sections(program, length).expect("it is long");
-    // What stands before the sections is what the whole program has there.
+    // Values before the sections are those of the whole program.
     let whole = |operand| {
         let results = vec![operand];
         run(
@@ -148,8 +148,8 @@ fn no_section_is_longer_than_it_may_be_and_all_steps_are_in_one() {
     assert_eq!(sections(&program, Length::UNBOUNDED), None);
 }
 
-/// A value that nobody reads any more makes room: of a chain of values, each of which the next few read, no more
-/// wait than there are links in sight.
+/// An entry of the array is reused after its last reader: for a chain of values, each of which the next few read, the
+/// length of the array is bounded by that number.
 #[test]
 fn the_array_has_only_values_that_are_read_later() {
     let step = |k: u32| Step {

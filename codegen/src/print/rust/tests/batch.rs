@@ -1,4 +1,4 @@
-//! Functions that take slices of states besides, as text.
+//! Text of functions of slices.
 
 use super::{function, made, module, name, pretty, stub, with_runtime};
 use crate::module::Module;

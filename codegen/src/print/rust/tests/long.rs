@@ -1,4 +1,4 @@
-//! A function with more operations, joints and fields than one scope may have, as text.
+//! Text of a function with more operations, joints and fields than one scope may have.
 
 use quote::{ToTokens, format_ident};
 use syn::{Block, Expr, ImplItem, Item as SynItem, Stmt};
@@ -18,7 +18,7 @@ const JOINTS: u16 = 160;
 const FIELDS: u16 = 40;
 const STEPS: u32 = 1000;
 
-/// Sums of every sine times every number of every field.
+/// Sums of the products of every sine and every number of every field.
 fn program() -> Program {
     let angles = (0..JOINTS).map(|joint| Operand::Input(Input::Variable(Variable::Q, joint)));
     let steps = (0..STEPS).zip((0..FIELDS).cycle()).map(|(k, field)| {
@@ -60,7 +60,7 @@ fn long(scalar: Real) -> Module {
     module
 }
 
-/// How many statements of a block and of those around it come one after the other at most.
+/// Maximum number of consecutive statements of a block and those around it.
 fn deepest(block: &Block) -> usize {
     let inside = block.stmts.iter().enumerate().map(|(before, statement)| {
         let Stmt::Local(local) = statement else {
@@ -74,7 +74,7 @@ fn deepest(block: &Block) -> usize {
     inside.max().unwrap_or(0).max(block.stmts.len())
 }
 
-/// The blocks of all methods called `gravity`.
+/// Blocks of all methods called `gravity`.
 fn gravities(text: &str) -> Vec<Block> {
     let file = syn::parse_file(text).expect("Rust");
     let items = file.items.into_iter().filter_map(|item| match item {
@@ -104,7 +104,8 @@ fn nothing_is_below_more_than_two_scopes() {
     }
 }
 
-/// Cut, it calls functions within itself that are no longer than was asked for, and everything is still there.
+/// With sections, the function calls functions within itself that have at most the allowed length, and all steps are
+/// there.
 #[test]
 fn sections_stand_within_the_function_that_calls_them() {
     const MOST: usize = 120;
@@ -128,7 +129,7 @@ fn sections_stand_within_the_function_that_calls_them() {
         let sections: Vec<_> = sections.collect();
         assert!((9..20).contains(&sections.len()), "{}", sections.len());
         for section in &sections {
-            // Besides its steps what binds numbers and products, and what it takes and leaves.
+            // Apart from its steps, bindings of functions for literals and products, loads and stores.
             let text = section.block.to_token_stream().to_string();
             let steps = text
                 .matches("mul_add (")
@@ -145,7 +146,7 @@ fn sections_stand_within_the_function_that_calls_them() {
     }
 }
 
-/// What is no longer than it may be stays as it was, byte for byte.
+/// A function within the allowed length stays the same, byte for byte.
 #[test]
 fn nothing_is_cut_where_it_need_not_be() {
     let whole = Module {

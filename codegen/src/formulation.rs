@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn every_part_is_said_and_told_again() {
+    fn every_choice_is_read_and_written() {
         let all = Formulation {
             frame: Frame::Base,
             parameters: Parameters::Raw,
@@ -328,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_formulation_is_told() {
+    fn invalid_formulations_are_rejected() {
         for (words, refusal) in [
             (
                 vec![("row", None)],

@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_can_be_had_and_pays_is_fused() {
+    fn products_fuse_if_the_instruction_exists_and_pays() {
         let fuse = Processor::ALL.into_iter();
         let fuse: Vec<_> = fuse
             .filter(|processor| processor.fuses(Real::F32))

@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_are_taken_where_they_are_described() {
+    fn described_limits_are_used() {
         let limit = r#"<limit lower="-1" upper="2" velocity="3" effort="4"/>"#;
         let chain = arm(limit, limit);
         let range = Range::of(&chain);
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn where_no_limit_is_described_the_range_is_told() {
+    fn default_ranges_are_documented() {
         let nothing = r#"<limit effort="4" velocity="0"/>"#;
         let chain = arm(
             r#"<limit lower="-1" upper="2" effort="4" velocity="0"/>"#,

@@ -24,7 +24,8 @@ pub use once::{Parts, part};
 pub use order::{schedule, schedule_unfused};
 pub use price::Price;
 pub use routine::{
-    Angle, Apart, Entries, Meaning, Readable, Rounds, Routine, Statement, Stored, Turn, Value, Work,
+    Angle, Entries, Loop, Meaning, Readable, Routine, SectionBody, Statement, Stored, Turn, Value,
+    Work,
 };
 pub use run::run;
 pub use sections::{Length, Sections, sections};

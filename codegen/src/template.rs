@@ -29,7 +29,7 @@ mod tests {
     use super::filled;
 
     #[test]
-    fn what_stands_for_a_word_is_not_looked_through() {
+    fn values_are_not_searched_for_placeholders() {
         let words = [("@A@", "@B@"), ("@B@", "b")];
         assert_eq!(filled("a@A@ @B@ @ @C@", &words), "a@B@ b @ @C@");
     }

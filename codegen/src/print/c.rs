@@ -88,7 +88,7 @@ impl Writing<'_> {
     }
 
     /// Macro that prevents inlining.
-    fn apart(&self) -> String {
+    fn no_inline(&self) -> String {
         names::constant(self.prefix, "apart")
     }
 

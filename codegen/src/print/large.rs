@@ -43,7 +43,7 @@ mod tests {
     }
 
     #[test]
-    fn matrices_with_more_numbers_than_a_scope_has_are_filled_but_where_they_are_solved_for() {
+    fn large_matrices_are_filled_early_unless_they_are_solutions() {
         let fixed = Request::default();
         let [two_link, ur5, quadruped] =
             ["two_link", "ur5_class", "quadruped"].map(|robot| spaces(robot, &fixed));

@@ -2,7 +2,7 @@
 //!
 //! In: the statements of a [`Routine`](crate::schedule::Routine). Out: calls of a [`Language`], in their order.
 
-use crate::schedule::{Angle, Operation, Rounds, Statement, Value};
+use crate::schedule::{Angle, Loop, Operation, Statement, Value};
 
 /// Printer of statements, which collects its text.
 pub(super) trait Language {
@@ -19,10 +19,10 @@ pub(super) trait Language {
     fn store(&mut self, result: usize, value: &Value);
 
     /// Initialises a table and begins the loop over its columns.
-    fn begin_loop(&mut self, rounds: &Rounds);
+    fn begin_loop(&mut self, each: &Loop);
 
     /// Ends the loop.
-    fn end_loop(&mut self, rounds: &Rounds);
+    fn end_loop(&mut self, each: &Loop);
 
     /// Begins a scope. The default is for languages in which a function is one scope.
     fn begin_scope(&mut self) {}
@@ -39,18 +39,18 @@ pub(super) fn walk(language: &mut impl Language, statements: &[Statement]) {
             Statement::SinesAndCosines(angles) => language.sines_and_cosines(angles),
             Statement::Block {
                 statements,
-                handed_on,
+                outputs,
             } => {
                 language.begin_scope();
                 walk(language, statements);
-                language.end_scope(handed_on);
+                language.end_scope(outputs);
             }
-            Statement::Left(place, value) => language.put(*place, value),
-            Statement::Found(result, value) => language.store(*result, value),
-            Statement::Rounds(rounds) => {
-                language.begin_loop(rounds);
-                walk(language, &rounds.statements);
-                language.end_loop(rounds);
+            Statement::StoreWork(place, value) => language.put(*place, value),
+            Statement::StoreResult(result, value) => language.store(*result, value),
+            Statement::Loop(each) => {
+                language.begin_loop(each);
+                walk(language, &each.statements);
+                language.end_loop(each);
             }
         }
     }

@@ -41,7 +41,7 @@ pub struct Block {
     /// Contents.
     pub parts: Vec<Part>,
     /// Steps inside that are read after the block, in order.
-    pub handed_on: Vec<u32>,
+    pub outputs: Vec<u32>,
 }
 
 /// Steps of a program without sections.
@@ -118,10 +118,10 @@ fn in_blocks(mut parts: Vec<Part>, read_until: &[u32]) -> Vec<Part> {
 
 impl Part {
     /// Steps inside that are read after it.
-    fn handed_on(&self) -> &[u32] {
+    fn outputs(&self) -> &[u32] {
         match self {
             Self::Step(step) => std::slice::from_ref(step),
-            Self::Block(block) => &block.handed_on,
+            Self::Block(block) => &block.outputs,
         }
     }
 
@@ -141,11 +141,11 @@ fn grouped(parts: Vec<Part>, read_until: &[u32]) -> Vec<Part> {
     let blocks = cuts.into_iter().map(|cut| {
         let parts: Vec<_> = rest.by_ref().take(cut.len()).collect();
         let end = parts.last().map_or(0, Part::end);
-        let inside = parts.iter().flat_map(Part::handed_on).copied();
-        let handed_on = inside
+        let inside = parts.iter().flat_map(Part::outputs).copied();
+        let outputs = inside
             .filter(|&step| read_until[step as usize] >= end)
             .collect();
-        Part::Block(Block { parts, handed_on })
+        Part::Block(Block { parts, outputs })
     });
     blocks.collect()
 }
@@ -157,14 +157,14 @@ fn cuts(parts: &[Part], read_until: &[u32]) -> Vec<Range<usize>> {
     best[0] = Some((0, 0));
     for end in SHORTEST..=parts.len() {
         let behind = parts[end - 1].end();
-        let mut handed_on = 0;
+        let mut outputs = 0;
         let mut found = None;
         for start in (end.saturating_sub(LONGEST_SCOPE)..end).rev() {
-            for &step in parts[start].handed_on() {
-                handed_on += u32::from(read_until[step as usize] >= behind);
+            for &step in parts[start].outputs() {
+                outputs += u32::from(read_until[step as usize] >= behind);
             }
             if let (true, Some((before, _))) = (end - start >= SHORTEST, best[start]) {
-                let all = before + handed_on;
+                let all = before + outputs;
                 if found.is_none_or(|(least, _)| all < least) {
                     found = Some((all, start));
                 }
@@ -256,15 +256,15 @@ mod tests {
                         self.step(*step);
                         vec![*step]
                     }
-                    Part::Block(Block { parts, handed_on }) => {
+                    Part::Block(Block { parts, outputs }) => {
                         assert!((SHORTEST..=LONGEST_SCOPE).contains(&parts.len()));
                         let (inside, depth) = self.scope(parts);
                         deepest = deepest.max(before + depth);
                         for step in &inside {
                             self.visible[*step as usize] = false;
                         }
-                        assert!(handed_on.iter().all(|step| inside.contains(step)));
-                        handed_on.clone()
+                        assert!(outputs.iter().all(|step| inside.contains(step)));
+                        outputs.clone()
                     }
                 };
                 for step in &new {
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_that_is_read_can_be_seen() {
+    fn values_are_in_scope_where_they_are_read() {
         for (program, levels) in long().iter().zip([2, 3]) {
             let mut walk = Walk {
                 program,
@@ -311,10 +311,10 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_handed_on_that_nobody_reads() {
+    fn blocks_return_only_values_that_are_read() {
         fn check(parts: &[Part], program: &Program) {
             for part in parts {
-                if let Part::Block(Block { parts, handed_on }) = part {
+                if let Part::Block(Block { parts, outputs }) = part {
                     let end = part.end() as usize;
                     let behind = program.steps[end..].iter();
                     let behind = behind.flat_map(|step| step.operation.operands());
@@ -323,7 +323,7 @@ mod tests {
                         behind.extend(&program.angles);
                     }
                     let read = |step: &u32| behind.contains(&Operand::Step(*step));
-                    assert!(handed_on.iter().all(read));
+                    assert!(outputs.iter().all(read));
                     check(parts, program);
                 }
             }
@@ -360,8 +360,8 @@ mod tests {
             since => [k - since, k - 1],
         });
         let after = nested(&program, &[], &program.results).after.concat();
-        let handed_on: Vec<_> = after.iter().map(|part| part.handed_on().to_vec()).collect();
+        let outputs: Vec<_> = after.iter().map(|part| part.outputs().to_vec()).collect();
         let last_of_each = (1..=10).map(|k| vec![k * stretch - 1]);
-        assert_eq!(handed_on, last_of_each.collect::<Vec<_>>());
+        assert_eq!(outputs, last_of_each.collect::<Vec<_>>());
     }
 }

@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sum_of_products_takes_one_with_it() {
+    fn a_sum_of_products_fuses_with_one() {
         let operations = operations(|x, y| x + y);
         assert_eq!(operations.len(), 2, "{operations:?}");
         assert!(operations[1].is_fused(), "{operations:?}");

@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn no_two_are_equal() {
+    fn names_are_unique() {
         assert_eq!(
             fresh(Names::default(), &["m_0_3", "m_0_3", "m_0_3_", "M-0-3"]),
             ["m_0_3", "m_0_3_", "m_0_3__", "m_0_3___"]
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn none_is_a_word_that_is_kept_or_no_name_at_all() {
+    fn names_are_valid_and_not_reserved() {
         let wishes = [
             "fn",
             "gen",

@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_is_used_counts() {
+    fn only_used_values_count() {
         let sine = program(vec![], vec![Operand::Sin(0), Operand::Literal(0.0)]);
         let price = Price::of(&sine).beside_dense(64, 48);
         assert_eq!((price.sin, price.cos, price.literals), (1, 0, 0));
@@ -302,7 +302,7 @@ mod tests {
     };
 
     #[test]
-    fn cycles_are_those_of_the_units_that_are_busy() {
+    fn cycles_count_busy_units() {
         for (processor, scalar, cycles) in [
             (Processor::CortexM4, Real::F32, 30 + 21 + 2 * 14),
             (Processor::CortexM7, Real::F32, 30 + 21 + 2 * 16),

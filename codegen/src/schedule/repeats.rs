@@ -27,7 +27,7 @@ const ALIKE: usize = 16;
 const TRIED: usize = 4;
 
 /// Minimum number of iterations; fewer do not fill the vector registers of a processor.
-const ROUNDS: usize = 4;
+const ITERATIONS: usize = 4;
 
 /// Minimum number of steps saved.
 const SAVED: usize = 300;
@@ -41,20 +41,20 @@ pub struct Repeat {
     /// Steps of the first iteration.
     pub first: Range<u32>,
     /// Number of iterations.
-    pub rounds: u32,
+    pub iterations: u32,
     /// Values that differ between iterations, with the operand of each iteration.
-    pub taken: Vec<Vec<Operand>>,
-    /// Index into `taken` of the value that a step of the first iteration reads as one of its operands.
+    pub loads: Vec<Vec<Operand>>,
+    /// Index into `loads` of the value that a step of the first iteration reads as one of its operands.
     pub reads: HashMap<(u32, usize), usize>,
     /// Steps of the first iteration whose results are read after the loop, in any of its iterations.
-    pub left: Vec<u32>,
+    pub stores: Vec<u32>,
 }
 
 impl Repeat {
     /// Steps of all iterations.
     #[must_use]
     pub fn steps(&self) -> Range<u32> {
-        self.first.start..self.first.start + self.length() * self.rounds
+        self.first.start..self.first.start + self.length() * self.iterations
     }
 
     /// Number of steps of an iteration.
@@ -70,8 +70,8 @@ impl Repeat {
     }
 
     fn pays(&self) -> bool {
-        let crossing = self.taken.len() + self.left.len();
-        self.saved() >= SAVED && self.first.len() >= EACH * crossing && !self.taken.is_empty()
+        let crossing = self.loads.len() + self.stores.len();
+        self.saved() >= SAVED && self.first.len() >= EACH * crossing && !self.loads.is_empty()
     }
 }
 
@@ -117,19 +117,19 @@ fn next_alike(program: &Program) -> Vec<Option<usize>> {
 fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<Repeat> {
     let length = first.len();
     let most = (program.steps.len() - first.start) / length;
-    let rounds = 1
+    let iterations = 1
         + (1..most)
-            .take_while(|round| is_alike(program, &first, round * length))
+            .take_while(|iteration| is_alike(program, &first, iteration * length))
             .count();
-    if rounds < ROUNDS {
+    if iterations < ITERATIONS {
         return None;
     }
     let number = |k: usize| u32::try_from(k).expect("fewer than 2³² steps");
-    let of_round = |at: usize| (0..rounds).map(move |round| at + round * length);
-    let mut taken: Vec<Vec<Operand>> = Vec::new();
+    let of_iteration = |at: usize| (0..iterations).map(move |iteration| at + iteration * length);
+    let mut loads: Vec<Vec<Operand>> = Vec::new();
     let mut reads = HashMap::new();
     for at in first.clone() {
-        let operands: Vec<_> = of_round(at)
+        let operands: Vec<_> = of_iteration(at)
             .map(|at| program.steps[at].operation.operands())
             .collect();
         for (slot, &operand) in operands[0].iter().enumerate() {
@@ -138,22 +138,22 @@ fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<
             if is_own || column.iter().all(|other| *other == operand) {
                 continue;
             }
-            let known = taken.iter().position(|known| *known == column);
+            let known = loads.iter().position(|known| *known == column);
             let row = known.unwrap_or_else(|| {
-                taken.push(column);
-                taken.len() - 1
+                loads.push(column);
+                loads.len() - 1
             });
             reads.insert((number(at), slot), row);
         }
     }
-    let end = number(first.start + rounds * length);
-    let is_left = |at: &usize| of_round(*at).any(|at| read_until[at] >= end);
-    let left = first.clone().filter(is_left).map(number);
+    let end = number(first.start + iterations * length);
+    let is_read_later = |at: &usize| of_iteration(*at).any(|at| read_until[at] >= end);
+    let stores = first.clone().filter(is_read_later).map(number);
     Some(Repeat {
-        rounds: number(rounds),
-        taken,
+        iterations: number(iterations),
+        loads,
         reads,
-        left: left.collect(),
+        stores: stores.collect(),
         first: number(first.start)..number(first.end),
     })
 }

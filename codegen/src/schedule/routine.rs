@@ -11,9 +11,9 @@ mod tests;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-pub use self::apart::{Apart, Work};
+pub use self::apart::{SectionBody, Work};
 pub use self::meaning::{Meaning, Turn};
-pub use self::rounds::Rounds;
+pub use self::rounds::Loop;
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
 use super::repeats::repeats;
@@ -73,14 +73,14 @@ pub enum Statement {
         /// Statements of the scope.
         statements: Vec<Statement>,
         /// Names that are read after the scope.
-        handed_on: Vec<String>,
+        outputs: Vec<String>,
     },
     /// Stores a value in the work array at an index.
-    Left(usize, Value),
+    StoreWork(usize, Value),
     /// Stores a value as the result with an index.
-    Found(usize, Value),
+    StoreResult(usize, Value),
     /// Loop.
-    Rounds(Rounds),
+    Loop(Loop),
 }
 
 /// Time at which results are stored.
@@ -89,7 +89,7 @@ pub enum Stored {
     /// All of them, after the last statement.
     AtTheEnd,
     /// Each after the statement that computes it, if possible.
-    AsFound,
+    Early,
 }
 
 /// Angle, and the names of its sine and cosine; `None` if it is not read.
@@ -111,7 +111,7 @@ pub enum Value {
     /// Value bound to a name.
     Name(String),
     /// Entry of the work array.
-    Waiting(usize),
+    Work(usize),
     /// Entry of a loop's table: name of the table, row, and iteration.
     Entry(String, usize, usize),
 }
@@ -142,9 +142,9 @@ impl Routine {
             steps: Vec::with_capacity(program.steps.len()),
             sums: Vec::with_capacity(program.steps.len()),
             unnamed: 0,
-            left: BTreeMap::new(),
+            stores: BTreeMap::new(),
             found: BTreeMap::new(),
-            taken: HashMap::new(),
+            loads: HashMap::new(),
         };
         let arguments = readable.arguments.iter().map(|&argument| {
             let count = readable.spaces.len(argument.space());
@@ -160,7 +160,7 @@ impl Routine {
         let repeats = repeats(program);
         let is_literal = |read| matches!(read, Operand::Literal(_));
         let has_literals = program.operands().any(is_literal);
-        let early = stored == Stored::AsFound && repeats.is_empty() && has_literals;
+        let early = stored == Stored::Early && repeats.is_empty() && has_literals;
         let kept = if early { &[][..] } else { &program.results };
         let mut stored = BTreeSet::new();
         let mut turned = Vec::new();
@@ -175,13 +175,13 @@ impl Routine {
         let parts = nested(program, &repeats, kept);
         let mut statements = naming.statements(&parts.before);
         statements.extend(naming.sines_and_cosines());
-        let found = |(result, operand)| Statement::Found(result, naming.value(operand));
+        let found = |(result, operand)| Statement::StoreResult(result, naming.value(operand));
         statements.extend(turned.into_iter().map(found));
         let mut repeats = repeats.iter();
         for parts in &parts.after {
             statements.extend(naming.statements(parts));
-            let rounds = repeats.next().map(|repeat| naming.rounds(repeat));
-            statements.extend(rounds.map(Statement::Rounds));
+            let each = repeats.next().map(|repeat| naming.loop_of(repeat));
+            statements.extend(each.map(Statement::Loop));
         }
         let results = program.results.iter();
         Self {
@@ -226,11 +226,11 @@ struct Naming<'p> {
     sums: Vec<Option<Vec<u16>>>,
     unnamed: usize,
     /// Steps that are stored in the work array, with their indices.
-    left: BTreeMap<u32, usize>,
+    stores: BTreeMap<u32, usize>,
     /// Steps that are stored as results, with the indices of the results.
     found: BTreeMap<u32, Vec<usize>>,
     /// Names of the table entries that the steps of the current loop read, by step and operand; empty outside of loops.
-    taken: HashMap<(u32, usize), String>,
+    loads: HashMap<(u32, usize), String>,
 }
 
 impl Naming<'_> {
@@ -290,21 +290,21 @@ impl Naming<'_> {
             match part {
                 Part::Step(step) => {
                     statements.push(self.operation(&self.program.steps[*step as usize]));
-                    if let Some(&place) = self.left.get(step) {
+                    if let Some(&place) = self.stores.get(step) {
                         let value = self.steps[*step as usize].clone();
-                        statements.push(Statement::Left(place, value));
+                        statements.push(Statement::StoreWork(place, value));
                     }
                     for &result in self.found.get(step).into_iter().flatten() {
                         let value = self.steps[*step as usize].clone();
-                        statements.push(Statement::Found(result, value));
+                        statements.push(Statement::StoreResult(result, value));
                     }
                 }
-                Part::Block(Block { parts, handed_on }) => {
+                Part::Block(Block { parts, outputs }) => {
                     let inside = self.statements(parts);
-                    let handed_on = handed_on.iter().map(|&step| self.name(step));
+                    let outputs = outputs.iter().map(|&step| self.name(step));
                     statements.push(Statement::Block {
                         statements: inside,
-                        handed_on: handed_on.collect(),
+                        outputs: outputs.collect(),
                     });
                 }
             }
@@ -316,7 +316,7 @@ impl Naming<'_> {
     fn name(&self, step: u32) -> String {
         match &self.steps[step as usize] {
             Value::Name(name) => name.clone(),
-            _ => unreachable!("a step outside of rounds is bound to a name"),
+            _ => unreachable!("a step outside of loops is bound to a name"),
         }
     }
 
@@ -324,12 +324,12 @@ impl Naming<'_> {
     fn operation(&mut self, step: &Step) -> Statement {
         let mut operand = 0;
         let operation = step.operation.map(|of| {
-            let taken = self.taken.get(&(self.next(), operand));
+            let loaded = self.loads.get(&(self.next(), operand));
             operand += 1;
-            taken.map_or_else(|| self.value(of), |name| Value::Name(name.clone()))
+            loaded.map_or_else(|| self.value(of), |name| Value::Name(name.clone()))
         });
         // In a loop, a value stands for the entries of several matrices.
-        let by_itself = self.taken.is_empty();
+        let by_itself = self.loads.is_empty();
         let label = step.label.filter(|_| by_itself);
         let sum = self.sum(step.operation).filter(|_| by_itself);
         let name = match (label, &sum) {
@@ -376,7 +376,7 @@ impl Naming<'_> {
     fn turn(&self, angle: Operand, value: &Value) -> Turn {
         let name = match value {
             Value::Name(name) => name.clone(),
-            Value::Literal(_) | Value::Waiting(_) | Value::Entry(..) => "a".to_owned(),
+            Value::Literal(_) | Value::Work(_) | Value::Entry(..) => "a".to_owned(),
         };
         Turn {
             name,

@@ -61,7 +61,7 @@ impl Default for Length {
 
 /// Value that a section reads and does not compute, or that the function's results read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Waiting {
+pub enum Shared {
     /// An argument or a field.
     Input(Input),
     /// The sine of the angle with this index.
@@ -72,7 +72,7 @@ pub enum Waiting {
     Step(u32),
 }
 
-impl Waiting {
+impl Shared {
     const fn of(operand: Operand) -> Option<Self> {
         match operand {
             Operand::Literal(_) => None,
@@ -99,7 +99,7 @@ impl Waiting {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sections {
     /// Values that are stored in the work array before the first section, with their indices.
-    pub given: Vec<(Waiting, usize)>,
+    pub initial: Vec<(Shared, usize)>,
     /// Sections of all steps after the sines.
     pub sections: Vec<Section>,
     /// For each result its index in the work array, if a section computes it.
@@ -114,9 +114,9 @@ pub struct Section {
     /// Range of steps.
     pub steps: Range<u32>,
     /// Values that they read from the work array.
-    pub taken: Vec<(Waiting, usize)>,
+    pub loads: Vec<(Shared, usize)>,
     /// Steps whose results are stored in the work array.
-    pub left: Vec<(u32, usize)>,
+    pub stores: Vec<(u32, usize)>,
     /// Repeat, if the section is one.
     pub repeat: Option<Repeat>,
 }
@@ -139,59 +139,59 @@ pub fn sections(program: &Program, length: Length) -> Option<Sections> {
     for (number, range) in ranges.iter().enumerate() {
         home[range.start as usize..range.end as usize].fill(Some(number));
     }
-    let home = |value: &Waiting| match *value {
-        Waiting::Step(step) => home[step as usize],
+    let home = |value: &Shared| match *value {
+        Shared::Step(step) => home[step as usize],
         _ => None,
     };
     // Last section that reads each value.
-    let mut until: BTreeMap<Waiting, usize> = BTreeMap::new();
-    let mut taken: Vec<BTreeSet<Waiting>> = vec![BTreeSet::new(); ranges.len()];
+    let mut until: BTreeMap<Shared, usize> = BTreeMap::new();
+    let mut loads: Vec<BTreeSet<Shared>> = vec![BTreeSet::new(); ranges.len()];
     for (number, range) in ranges.iter().enumerate() {
         let steps = &program.steps[range.start as usize..range.end as usize];
         let read = steps.iter().flat_map(|step| step.operation.operands());
-        for value in read.filter_map(Waiting::of) {
+        for value in read.filter_map(Shared::of) {
             if home(&value) != Some(number) {
-                taken[number].insert(value);
+                loads[number].insert(value);
                 until.insert(value, number);
             }
         }
     }
-    let result = |&operand: &Operand| Waiting::of(operand).filter(|value| home(value).is_some());
+    let result = |&operand: &Operand| Shared::of(operand).filter(|value| home(value).is_some());
     for value in program.results.iter().filter_map(result) {
         until.insert(value, usize::MAX);
     }
 
     let mut places = Places::default();
-    let given = until.keys().filter(|value| home(value).is_none());
-    let given = given.map(|&value| (value, places.take(value))).collect();
-    let sections = ranges.into_iter().zip(taken).zip(repeats).enumerate();
-    let sections = sections.map(|(number, ((steps, taken), repeat))| {
-        let left = steps
+    let initial = until.keys().filter(|value| home(value).is_none());
+    let initial = initial.map(|&value| (value, places.take(value))).collect();
+    let sections = ranges.into_iter().zip(loads).zip(repeats).enumerate();
+    let sections = sections.map(|(number, ((steps, loads), repeat))| {
+        let stores = steps
             .clone()
-            .filter(|&step| until.contains_key(&Waiting::Step(step)));
-        let left = left
-            .map(|step| (step, places.take(Waiting::Step(step))))
+            .filter(|&step| until.contains_key(&Shared::Step(step)));
+        let stores = stores
+            .map(|step| (step, places.take(Shared::Step(step))))
             .collect();
-        let taken: Vec<_> = (taken.into_iter())
+        let loads: Vec<_> = (loads.into_iter())
             .map(|value| (value, places.of[&value]))
             .collect();
         // A section may read and write the array in any order, so its own values need other entries.
-        for (value, place) in &taken {
+        for (value, place) in &loads {
             if until[value] == number {
                 places.free.insert(*place);
             }
         }
         Section {
             steps,
-            taken,
-            left,
+            loads,
+            stores,
             repeat,
         }
     });
     let sections = sections.collect();
     let results = program.results.iter().map(result);
     Some(Sections {
-        given,
+        initial,
         sections,
         results: results.map(|value| Some(places.of[&value?])).collect(),
         work: places.len,
@@ -201,13 +201,13 @@ pub fn sections(program: &Program, length: Length) -> Option<Sections> {
 /// Allocation of the work array.
 #[derive(Default)]
 struct Places {
-    of: BTreeMap<Waiting, usize>,
+    of: BTreeMap<Shared, usize>,
     free: BTreeSet<usize>,
     len: usize,
 }
 
 impl Places {
-    fn take(&mut self, value: Waiting) -> usize {
+    fn take(&mut self, value: Shared) -> usize {
         let place = self.free.pop_first().unwrap_or_else(|| {
             self.len += 1;
             self.len - 1

@@ -20,7 +20,7 @@ use crate::print::review::filled;
 use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
-use crate::schedule::{Angle, Names, Operation, Program, Readable, Rounds, Routine, Stored, Value};
+use crate::schedule::{Angle, Loop, Names, Operation, Program, Readable, Routine, Stored, Value};
 use crate::space::{Quantity, Variable};
 
 /// Function body, and the sections that it calls.
@@ -40,8 +40,8 @@ pub(super) fn body(
 ) -> Body {
     let arguments = generated.arguments(&module.spaces);
     let results = results(&generated.functions);
-    let taken = results.iter().map(|(name, _)| name.as_str());
-    let names = names(taken, writing);
+    let reserved = results.iter().map(|(name, _)| name.as_str());
+    let names = names(reserved, writing);
     let large = columns(&generated.functions, &module.spaces).is_some();
     let filled = results.first().filter(|_| large);
     let filled = filled.map(|(name, quantity)| (name.clone(), lengths(quantity, &module.spaces)));
@@ -182,7 +182,7 @@ impl<'w> Writer<'w> {
         };
         let length = module.length;
         let stored = match filled {
-            Some(_) => Stored::AsFound,
+            Some(_) => Stored::Early,
             None => Stored::AtTheEnd,
         };
         let routine = Routine::of((program, length), &readable, names, stored);
@@ -247,8 +247,8 @@ impl<'w> Writer<'w> {
         match value {
             Value::Literal(value) => literal(*value, self.real),
             Value::Name(name) => name.clone(),
-            Value::Waiting(place) => self.place(*place),
-            Value::Entry(table, row, round) => format!("{table}[{row}][{round}]"),
+            Value::Work(place) => self.place(*place),
+            Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
         }
     }
 
@@ -351,36 +351,36 @@ impl Language for Writer<'_> {
 
     fn store(&mut self, result: usize, value: &Value) {
         let filled = self.filled.as_ref();
-        let (name, lengths) = filled.expect("what is stored as it is found has a matrix");
+        let (name, lengths) = filled.expect("early results have a matrix");
         let (place, value) = (place(name, result, lengths), self.read(value));
         self.line(&format!("{place} = {value};"));
     }
 
-    fn begin_loop(&mut self, rounds: &Rounds) {
-        let Rounds { table, round, .. } = rounds;
+    fn begin_loop(&mut self, each: &Loop) {
+        let Loop { table, column, .. } = each;
         let number = number(self.real);
-        let rows = rounds.rows.iter().map(|row| {
+        let rows = each.rows.iter().map(|row| {
             let row: Vec<String> = row.iter().map(|value| self.read(value)).collect();
             format!("{{{}}}", row.join(", "))
         });
         let rows: Vec<String> = rows.collect();
-        let [height, count] = [rows.len(), rounds.count()];
+        let [height, count] = [rows.len(), each.count()];
         let start = format!("    {number} {table}[{height}][{count}] = {{");
         let filled = filled((&start, "        "), &rows, "};");
         let _ = writeln!(self.text, "{filled}");
         self.line(&format!(
-            "for (int {round} = 0; {round} < {count}; {round}++) {{"
+            "for (int {column} = 0; {column} < {count}; {column}++) {{"
         ));
         self.outside.push(mem::take(&mut self.text));
-        for (row, name) in rounds.taken.iter().enumerate() {
-            self.constant(name, &format!("{table}[{row}][{round}]"));
+        for (row, name) in each.loads.iter().enumerate() {
+            self.constant(name, &format!("{table}[{row}][{column}]"));
         }
     }
 
-    fn end_loop(&mut self, rounds: &Rounds) {
-        let Rounds { table, round, .. } = rounds;
-        for (row, name) in rounds.left.iter().enumerate() {
-            self.line(&format!("{table}[{row}][{round}] = {name};"));
+    fn end_loop(&mut self, each: &Loop) {
+        let Loop { table, column, .. } = each;
+        for (row, name) in each.stores.iter().enumerate() {
+            self.line(&format!("{table}[{row}][{column}] = {name};"));
         }
         let outside = self.outside.pop().expect("a loop that began");
         let inside = mem::replace(&mut self.text, outside);

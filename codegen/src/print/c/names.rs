@@ -215,7 +215,7 @@ mod tests {
 
     /// If two robots are linked together, neither has a name of the other.
     #[test]
-    fn a_name_that_another_robot_could_have_stands_apart() {
+    fn ambiguous_names_get_a_second_underscore() {
         assert_eq!(own("mobile_", "base_regressor"), "mobile_base_regressor");
         assert_eq!(own("mobile_base_", "regressor"), "mobile_base__regressor");
         assert_eq!(own("mobile_base_", "gravity"), "mobile_base_gravity");
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn members_are_no_macros() {
+    fn members_avoid_macros() {
         let wishes = [
             "payload", "G", "I", "EOF", "M_PI", "unix", "near", "_Payload", "__FILE__", "int",
             "int_",

@@ -21,9 +21,9 @@ pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
     };
     let least = if is_single { "FLT_MIN" } else { "DBL_MIN" };
     let letter = if is_single { "f" } else { "" };
-    let (up, rounds) = if is_single { (24, 3) } else { (54, 4) };
+    let (up, iterations) = if is_single { (24, 3) } else { (54, 4) };
     let (down, top) = (up / 2, width - 1);
-    let nearer = format!("    near = 0.5{letter} * (near + n.number / near);\n").repeat(rounds);
+    let nearer = format!("    near = 0.5{letter} * (near + n.number / near);\n").repeat(iterations);
     format!(
         "/* The square root, correctly rounded; NaN of negative numbers.
  *

@@ -11,7 +11,7 @@ use crate::print::walk::walk;
 use crate::schedule::Routine;
 
 /// Macro that prevents inlining.
-pub(super) fn apart(name: &str) -> String {
+pub(super) fn no_inline_macro(name: &str) -> String {
     format!(
         "
 /* Compiled by itself: that is what the function is there for. */
@@ -36,9 +36,9 @@ impl Writer<'_> {
         let Some(work) = &routine.work else {
             return String::new();
         };
-        let (number, apart) = (number(self.real), self.writing.apart());
+        let (number, no_inline) = (number(self.real), self.writing.no_inline());
         self.line(&format!("{number} {}[{}];", work.name, work.len));
-        for (place, value) in &work.given {
+        for (place, value) in &work.initial {
             let value = self.read(value);
             self.put_at(*place, &value);
         }
@@ -51,7 +51,7 @@ impl Writer<'_> {
         let caller = mem::take(&mut self.text);
         let mut definitions = String::new();
         for (section, name) in work.sections.iter().zip(names) {
-            for (place, name) in &section.taken {
+            for (place, name) in &section.loads {
                 let value = self.place(*place);
                 self.constant(name, &value);
             }
@@ -60,7 +60,7 @@ impl Writer<'_> {
             // Writing to a string cannot fail.
             let _ = writeln!(
                 definitions,
-                "\nHOMOGEN_FN static {apart} void {name}({number} {}[{}])\n{{\n{body}}}",
+                "\nHOMOGEN_FN static {no_inline} void {name}({number} {}[{}])\n{{\n{body}}}",
                 work.name, work.len
             );
         }

@@ -54,7 +54,7 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
     }
     let functions = functions(module, writing, &symbols);
     if functions.has_sections {
-        text.push_str(&sections::apart(&writing.apart()));
+        text.push_str(&sections::no_inline_macro(&writing.no_inline()));
     }
     text + &functions.text + &review::appendix(module, writing)
 }

@@ -152,7 +152,7 @@ fn products_fuse_where_the_processor_has_the_instruction() {
 }
 
 #[test]
-fn a_sign_before_a_sign_is_no_decrement() {
+fn a_sign_before_a_sign_is_not_a_decrement() {
     let a = literal(-0.4);
     let operations = [
         Operation::Neg(a),
@@ -181,7 +181,7 @@ fn a_sign_before_a_sign_is_no_decrement() {
 }
 
 #[test]
-fn the_library_is_called_where_its_sines_were_asked_for_and_never_for_roots() {
+fn the_library_is_called_for_requested_sines_and_never_for_roots() {
     let own = written(&module(Real::F32)).text;
     assert!(own.contains("pendulum_sin_cos(q_1)") && !own.contains("<math.h>"));
     let platform = Module {
@@ -202,7 +202,7 @@ fn the_library_is_called_where_its_sines_were_asked_for_and_never_for_roots() {
 }
 
 #[test]
-fn joints_of_one_name_have_constants_of_their_own() {
+fn joints_with_similar_names_have_different_constants() {
     let module = Module {
         spaces: turning(["a-b", "a b", "*/", "機器人"].map(str::to_owned)),
         ..module(Real::F64)
@@ -220,7 +220,7 @@ fn joints_of_one_name_have_constants_of_their_own() {
 
 /// A function with sections calls them, and compilers do not inline them.
 #[test]
-fn long_functions_are_cut() {
+fn long_functions_have_sections() {
     let (q, two) = (
         Operand::Input(Input::Variable(Variable::Q, 0)),
         literal(2.0),
@@ -266,7 +266,7 @@ HOMOGEN_FN static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
 }
 
 #[test]
-fn entries_of_large_matrices_are_stored_as_they_are_found() {
+fn entries_of_large_matrices_are_stored_early() {
     let (q, two) = (
         Operand::Input(Input::Variable(Variable::Q, 0)),
         literal(2.0),

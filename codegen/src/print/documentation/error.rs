@@ -284,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn joints_are_grouped_by_how_exact_they_are() {
+    fn joints_are_grouped_by_their_bounds() {
         let torques = promise(vec![
             bound("wrist-1", "N m", 1e-15, 0.0),
             bound("hip`", "N m", 5e-14, 0.0),
@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_list_is_made_shorter() {
+    fn long_lists_are_shortened() {
         let many = (0..40_i32).map(|k| bound(&format!("j{k}"), "N m", 0.5_f64.powi(k), 0.0));
         let found = lines(&Accuracy::Within(promise(many.collect())));
         assert!(found.len() <= 5, "{found:#?}");
@@ -313,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sentence_says_what_it_bounds() {
+    fn sentences_name_the_bounded_quantity() {
         let torques = promise(vec![bound("a", "N m", 2.1e-12, 0.0)]);
         assert_eq!(
             lines(&Accuracy::Backward(Perturbed::Torques, torques)),

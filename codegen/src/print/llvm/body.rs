@@ -8,7 +8,7 @@ use std::fmt::Write;
 use super::lanes::Lanes;
 use crate::formulation::Sines;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Operation, Rounds, Value};
+use crate::schedule::{Angle, Loop, Operation, Value};
 
 /// Name within a function, in quotes if LLVM needs them.
 pub(super) fn local(name: &str) -> String {
@@ -107,29 +107,29 @@ impl Writer {
         match value {
             Value::Literal(value) => self.lanes.literal(*value),
             Value::Name(name) => local(name),
-            Value::Waiting(place) => {
-                let address = self.waiting(*place);
+            Value::Work(place) => {
+                let address = self.work_entry(*place);
                 self.load(&address)
             }
-            Value::Entry(table, row, round) => {
-                let address = self.cell(table, *row, &round.to_string());
+            Value::Entry(table, row, column) => {
+                let address = self.cell(table, *row, &column.to_string());
                 self.load(&address)
             }
         }
     }
 
     /// Address of an entry of the work array.
-    pub(super) fn waiting(&mut self, place: usize) -> String {
+    pub(super) fn work_entry(&mut self, place: usize) -> String {
         let work = self.work.clone();
         let work = work.expect("what waits has an array to wait in");
         self.entry(&local(&work), &place.to_string())
     }
 
     /// Address of an entry of a table, which is stored by rows with an entry for each iteration.
-    fn cell(&mut self, table: &str, row: usize, round: &str) -> String {
+    fn cell(&mut self, table: &str, row: usize, column: &str) -> String {
         let value = self.lanes.value();
         let table = local(&format!("{table}.{row}"));
-        self.between(&format!("getelementptr {value}, ptr {table}, i64 {round}"))
+        self.between(&format!("getelementptr {value}, ptr {table}, i64 {column}"))
     }
 
     /// Product and sum, fused or not.
@@ -230,28 +230,28 @@ impl Language for Writer {
 
     fn put(&mut self, place: usize, value: &Value) {
         let value = self.read(value);
-        let address = self.waiting(place);
+        let address = self.work_entry(place);
         self.store_at(&address, &value);
     }
 
     fn store(&mut self, result: usize, value: &Value) {
         let value = self.read(value);
         let filled = self.filled.clone();
-        let filled = filled.expect("what is stored as it is found has a matrix");
+        let filled = filled.expect("early results have a matrix");
         let address = self.entry(&local(&filled), &result.to_string());
         self.store_at(&address, &value);
     }
 
     /// Rows are separate arrays. The loop index is on the stack, where LLVM promotes it to a register.
-    fn begin_loop(&mut self, rounds: &Rounds) {
-        let Rounds {
+    fn begin_loop(&mut self, each: &Loop) {
+        let Loop {
             table,
             rows,
-            round,
-            taken,
+            column,
+            loads,
             ..
-        } = rounds;
-        let kind = format!("[{} x {}]", rounds.count(), self.lanes.value());
+        } = each;
+        let kind = format!("[{} x {}]", each.count(), self.lanes.value());
         for (row, values) in rows.iter().enumerate() {
             self.array(&format!("{table}.{row}"), &kind);
             for (column, value) in values.iter().enumerate() {
@@ -260,36 +260,36 @@ impl Language for Writer {
                 self.store_at(&address, &value);
             }
         }
-        let counter = format!("{round}.at");
+        let counter = format!("{column}.at");
         let _ = writeln!(self.stack, "  {} = alloca i64, align 8", local(&counter));
-        let (counter, label) = (local(&counter), label(round));
+        let (counter, label) = (local(&counter), label(column));
         self.line(&format!("store i64 0, ptr {counter}, align 8"));
         self.line(&format!("br label %{label}"));
         let _ = writeln!(self.text, "{label}:");
-        self.bind(round, &format!("load i64, ptr {counter}, align 8"));
-        for (row, name) in taken.iter().enumerate() {
-            let address = self.cell(table, row, &local(round));
+        self.bind(column, &format!("load i64, ptr {counter}, align 8"));
+        for (row, name) in loads.iter().enumerate() {
+            let address = self.cell(table, row, &local(column));
             self.load_as(name, &address);
         }
     }
 
-    fn end_loop(&mut self, rounds: &Rounds) {
-        let (table, round) = (&rounds.table, &rounds.round);
-        for (row, name) in rounds.left.iter().enumerate() {
-            let address = self.cell(table, row, &local(round));
+    fn end_loop(&mut self, each: &Loop) {
+        let (table, column) = (&each.table, &each.column);
+        for (row, name) in each.stores.iter().enumerate() {
+            let address = self.cell(table, row, &local(column));
             self.store_at(&address, &local(name));
         }
-        let counter = local(&format!("{round}.at"));
-        let next = self.between(&format!("add i64 {}, 1", local(round)));
+        let counter = local(&format!("{column}.at"));
+        let next = self.between(&format!("add i64 {}, 1", local(column)));
         self.line(&format!("store i64 {next}, ptr {counter}, align 8"));
-        let more = self.between(&format!("icmp ult i64 {next}, {}", rounds.count()));
-        let label = label(round);
+        let more = self.between(&format!("icmp ult i64 {next}, {}", each.count()));
+        let label = label(column);
         self.line(&format!("br i1 {more}, label %{label}, label %{label}.end"));
         let _ = writeln!(self.text, "{label}.end:");
     }
 }
 
 /// Label of a loop.
-fn label(round: &str) -> String {
-    format!("{round}.loop")
+fn label(column: &str) -> String {
+    format!("{column}.loop")
 }

@@ -126,7 +126,7 @@ impl<'l> Function<'l> {
         };
         let large = columns(&generated.functions, &self.module.spaces).is_some();
         let when = if large {
-            Stored::AsFound
+            Stored::Early
         } else {
             Stored::AtTheEnd
         };
@@ -227,13 +227,13 @@ fn call(writer: &mut Writer, function: &Function<'_>, work: &Work) {
     let kind = format!("[{} x {}]", work.len, writer.lanes.value());
     writer.array(&work.name, &kind);
     writer.work = Some(work.name.clone());
-    for (place, value) in &work.given {
+    for (place, value) in &work.initial {
         let value = writer.read(value);
-        let address = writer.waiting(*place);
+        let address = writer.work_entry(*place);
         writer.store_at(&address, &value);
     }
-    for apart in &work.sections {
-        let name = section(function, &apart.name, writer.lanes);
+    for each in &work.sections {
+        let name = section(function, &each.name, writer.lanes);
         writer.line(&format!("call void {name}(ptr {})", local(&work.name)));
     }
 }
@@ -241,19 +241,19 @@ fn call(writer: &mut Writer, function: &Function<'_>, work: &Work) {
 /// Sections, each a function of the work array alone.
 fn define_sections(function: &Function<'_>, work: &Work, lanes: Lanes) -> String {
     let mut text = String::new();
-    for apart in &work.sections {
+    for each in &work.sections {
         let mut writer = Writer::new(lanes, function.fused, function.module.sines);
         writer.work = Some(work.name.clone());
-        for (place, name) in &apart.taken {
-            let address = writer.waiting(*place);
+        for (place, name) in &each.loads {
+            let address = writer.work_entry(*place);
             writer.load_as(name, &address);
         }
-        walk(&mut writer, &apart.statements);
+        walk(&mut writer, &each.statements);
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
             "define internal void {}(ptr {}) noinline nounwind {{\n{}  ret void\n}}\n",
-            section(function, &apart.name, lanes),
+            section(function, &each.name, lanes),
             local(&work.name),
             writer.finish()
         );

@@ -81,7 +81,7 @@ fn a_class_with_a_function() {
 }
 
 #[test]
-fn a_stub_tells_shapes_and_units() {
+fn a_stub_documents_shapes_and_units() {
     let package = written(&module(Real::F32));
     let stub = file(&package, "python/arm_py/__init__.pyi");
     let method = "    def gravity(self, q: _ArrayLike, *, out: _NDArray[_np.float32] | None = None) -> _NDArray[_np.float32]:
@@ -126,7 +126,7 @@ fn fields_are_arguments_of_the_class() {
 }
 
 #[test]
-fn a_field_that_is_called_as_a_method_gives_way() {
+fn a_field_with_the_name_of_a_method_is_renamed() {
     let mut module = with_payload(module(Real::F64));
     module.parameters[0].field = format_ident!("gravity");
     let stub = written(&module);
@@ -138,7 +138,7 @@ fn a_field_that_is_called_as_a_method_gives_way() {
 }
 
 #[test]
-fn several_results_are_a_tuple_of_its_own_name() {
+fn several_results_are_a_named_tuple() {
     let functions = [Function::InverseDynamicsDerivatives, Function::MassMatrix];
     let alone = [Function::InverseDynamicsDerivatives];
     let mut module = module(Real::F64);
@@ -167,7 +167,7 @@ fn several_results_are_a_tuple_of_its_own_name() {
 }
 
 #[test]
-fn a_pose_is_whole() {
+fn a_pose_has_four_rows() {
     let functions = [Function::ForwardKinematics];
     let mut module = module(Real::F64);
     module.functions = vec![generated(&functions, zeros(&functions, 12))];

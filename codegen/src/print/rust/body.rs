@@ -22,7 +22,7 @@ use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable, Rounds,
+    Angle, Entries, LONGEST_SCOPE, Length, Loop, Meaning, Names, Operation, Program, Readable,
     Routine, Statement, Stored, Value,
 };
 use crate::space::{Spaces, Variable};
@@ -84,7 +84,7 @@ pub(super) fn body(
         fields: &fields.entries(),
     };
     let stored = match returns {
-        Returns::Matrix(_) => Stored::AsFound,
+        Returns::Matrix(_) => Stored::Early,
         Returns::Number | Returns::Arrays => Stored::AtTheEnd,
     };
     let mut routine = Routine::of((program, length), &readable, names, stored);
@@ -213,12 +213,12 @@ impl Results {
 /// True if results are stored within a statement.
 fn stores(statement: &Statement) -> bool {
     match statement {
-        Statement::Found(..) => true,
+        Statement::StoreResult(..) => true,
         Statement::Block { statements, .. } => statements.iter().any(stores),
         Statement::Operation(..)
         | Statement::SinesAndCosines(_)
-        | Statement::Left(..)
-        | Statement::Rounds(_) => false,
+        | Statement::StoreWork(..)
+        | Statement::Loop(_) => false,
     }
 }
 
@@ -265,11 +265,11 @@ impl Writer<'_> {
         match value {
             Value::Literal(value) => self.numerals.write(*value),
             Value::Name(name) => ident(name).into_token_stream(),
-            Value::Waiting(place) => self.place(*place),
-            Value::Entry(table, row, round) => {
+            Value::Work(place) => self.place(*place),
+            Value::Entry(table, row, column) => {
                 let table = ident(table);
-                let [row, round] = [*row, *round].map(Literal::usize_unsuffixed);
-                quote! { #table[#row][#round] }
+                let [row, column] = [*row, *column].map(Literal::usize_unsuffixed);
+                quote! { #table[#row][#column] }
             }
         }
     }
@@ -352,32 +352,32 @@ impl Language for Writer<'_> {
 
     fn store(&mut self, result: usize, value: &Value) {
         let filling = self.filling.as_ref();
-        let filling = filling.expect("what is stored as it is found has a matrix");
+        let filling = filling.expect("early results have a matrix");
         self.text.extend(filling.store(result, &self.read(value)));
     }
 
-    fn begin_loop(&mut self, rounds: &Rounds) {
-        let (table, round) = (ident(&rounds.table), ident(&rounds.round));
-        let rows = rounds.rows.iter().map(|row| {
+    fn begin_loop(&mut self, each: &Loop) {
+        let (table, column) = (ident(&each.table), ident(&each.column));
+        let rows = each.rows.iter().map(|row| {
             let row = row.iter().map(|value| self.read(value));
             quote! { [#(#row),*] }
         });
         let rows: Vec<_> = rows.collect();
         self.text.extend(quote! { let mut #table = [#(#rows),*]; });
         self.begin_scope();
-        let names = rounds.taken.iter().map(|name| ident(name));
-        let places = rows_at(&table, &round);
+        let names = each.loads.iter().map(|name| ident(name));
+        let places = rows_at(&table, &column);
         let takes = names
             .zip(places)
             .map(|(name, place)| quote! { let #name = #place; });
         self.text.extend(takes);
     }
 
-    fn end_loop(&mut self, rounds: &Rounds) {
-        let (table, round) = (ident(&rounds.table), ident(&rounds.round));
-        let count = Literal::usize_unsuffixed(rounds.count());
-        let names = rounds.left.iter().map(|name| ident(name));
-        let places = rows_at(&table, &round);
+    fn end_loop(&mut self, each: &Loop) {
+        let (table, column) = (ident(&each.table), ident(&each.column));
+        let count = Literal::usize_unsuffixed(each.count());
+        let names = each.stores.iter().map(|name| ident(name));
+        let places = rows_at(&table, &column);
         let leaves = names
             .zip(places)
             .map(|(name, place)| quote! { #place = #name; });
@@ -386,7 +386,7 @@ impl Language for Writer<'_> {
         // A processor with vectors reads along a row; clippy prefers a loop over the rows.
         self.text.extend(quote! {
             #[allow(clippy::needless_range_loop)]
-            for #round in 0..#count { #inside }
+            for #column in 0..#count { #inside }
         });
     }
 
@@ -394,16 +394,16 @@ impl Language for Writer<'_> {
         self.outside.push(mem::take(&mut self.text));
     }
 
-    fn end_scope(&mut self, handed_on: &[String]) {
+    fn end_scope(&mut self, outputs: &[String]) {
         let inside = self.inside();
-        self.text.extend(block(&inside, handed_on.iter()));
+        self.text.extend(block(&inside, outputs.iter()));
     }
 }
 
 /// Entries of an iteration in each row of a table.
-fn rows_at<'t>(table: &'t Ident, round: &'t Ident) -> impl Iterator<Item = TokenStream> + 't {
+fn rows_at<'t>(table: &'t Ident, column: &'t Ident) -> impl Iterator<Item = TokenStream> + 't {
     let rows = (0..).map(Literal::usize_unsuffixed);
-    rows.map(move |row| quote! { #table[#row][#round] })
+    rows.map(move |row| quote! { #table[#row][#column] })
 }
 
 /// `let [phi_2_in_2_cz, _, payload_m] = self.values;`, if any of them is read.

@@ -53,7 +53,7 @@ mod tests {
     use super::Filling;
 
     #[test]
-    fn what_is_found_is_stored_in_its_place_and_the_rest_is_there_from_the_start() {
+    fn early_results_are_stored_and_the_rest_is_initial() {
         let filling = Filling {
             matrix: format_ident!("y_"),
             columns: 3,

@@ -75,7 +75,7 @@ mod tests {
     use syn::parse_quote;
 
     #[test]
-    fn the_struct_and_its_generic_parameters_are_left_alone() {
+    fn names_of_the_struct_and_its_parameters_are_reserved() {
         let item = Item {
             generics: parse_quote! { <'t_1, T, const q_1: usize> },
             ..Item::made(format_ident!("k"))

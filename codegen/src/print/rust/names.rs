@@ -82,7 +82,7 @@ mod tests {
     use super::{type_name, unscoped};
 
     #[test]
-    fn letters_that_look_like_others_or_like_nothing_are_no_part_of_a_name() {
+    fn ambiguous_and_invisible_letters_are_replaced() {
         let wishes = [
             "a\u{430}",
             "fi\u{fb01}",

@@ -42,7 +42,7 @@ mod tests {
     }
 
     #[test]
-    fn they_have_the_bits_of_the_processor() {
+    fn roots_have_the_bits_of_the_processor() {
         // Zeros, subnormal numbers, powers of two with their neighbours, infinity.
         let sparse = (0..2047_u64).flat_map(|exponent| {
             let power = exponent << 52;

@@ -94,7 +94,7 @@ mod tests {
         include!("sines/double.rs");
 
         #[test]
-        fn they_are_those_of_the_platform() {
+        fn sines_agree_with_the_platform() {
             let angles = (-4000..4000).map(|i| f64::from(i) * 0.37);
             let errors = angles.map(|angle| {
                 let (sine, cosine) = sin_cos(angle);
@@ -105,7 +105,7 @@ mod tests {
 
         /// The statements for other languages give the same bits.
         #[test]
-        fn they_are_those_of_the_statements() {
+        fn sines_agree_with_the_statements() {
             for angle in (-4000..4000).map(|i| f64::from(i) * 0.37) {
                 let [sine, cosine, shifted] = computed(Real::F64, angle, |value| value);
                 let (sine, cosine) = turned(sine, cosine, shifted.to_bits());
@@ -141,7 +141,7 @@ mod tests {
             clippy::cast_possible_truncation,
             reason = "rounding to the type is the purpose"
         )]
-        fn they_are_those_of_the_statements() {
+        fn sines_agree_with_the_statements() {
             for angle in (-4000_i16..4000).map(|i| f32::from(i) * 0.75) {
                 let round = |value: f64| f64::from(value as f32);
                 let [sine, cosine, shifted] = computed(Real::F32, angle.into(), round);
@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn each_is_one_function() {
+    fn the_text_is_one_function() {
         for (real, start) in [
             (Real::F32, "fn sin_cos (angle : f32)"),
             (Real::F64, "fn sin_cos (angle : f64)"),
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_bound_that_is_called_as_the_struct() {
+    fn no_binding_has_the_name_of_the_struct() {
         for real in [Real::F32, Real::F64] {
             let plain = function(real, &format_ident!("Arm")).to_string();
             for name in ["angle", "near", "r", "z", "quadrant"] {

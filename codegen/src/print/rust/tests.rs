@@ -332,7 +332,7 @@ fn several_functions_are_a_tuple_and_have_no_trait() {
 }
 
 #[test]
-fn further_frames_have_methods_of_their_own() {
+fn further_frames_have_methods() {
     let mut module = module(Real::F64);
     module.functions = ["hand-eye", "hand eye"]
         .map(|frame| GeneratedFunction {
@@ -350,7 +350,7 @@ fn further_frames_have_methods_of_their_own() {
 }
 
 #[test]
-fn a_stub_has_the_signatures_of_what_was_asked_for() {
+fn a_stub_has_the_requested_signatures() {
     let item = pendulum();
     let request = Request {
         functions: vec![

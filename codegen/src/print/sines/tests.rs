@@ -43,7 +43,7 @@ pub(in crate::print) fn turned(sine: f64, cosine: f64, quadrant: u64) -> (f64, f
 }
 
 #[test]
-fn they_are_those_of_the_platform() {
+fn sines_agree_with_the_platform() {
     for angle in (-4000..4000).map(|i| f64::from(i) * 0.37) {
         let [sine, cosine, shifted] = computed(Real::F64, angle, |value| value);
         let (sine, cosine) = turned(sine, cosine, shifted.to_bits());

@@ -57,7 +57,7 @@ mod tests {
     use super::{norm, root};
 
     #[test]
-    fn lengths_know_no_sign_and_no_size() {
+    fn lengths_of_any_sign_and_size() {
         for size in [1.0, 1e-200, 1e200] {
             let length = root([0.0, -3.0 * size, 4.0 * size]);
             assert!((length / size - 5.0).abs() < 1e-14, "{length:e}");
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn rotations_have_norm_1_and_levers_their_length() {
+    fn rotations_have_norm_1_and_offsets_their_length() {
         let rotation = [[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, -1.0]];
         assert!((norm(&rotation) - 1.0).abs() < 1e-15);
         assert!((norm(&rotation[..2]) - 1.0).abs() < 1e-15);

@@ -85,7 +85,7 @@ fn errors_grow_by_what_they_are_multiplied_with() {
 }
 
 #[test]
-fn a_fused_product_is_taken_as_two_roundings() {
+fn a_fused_product_counts_as_two_roundings() {
     let apart = [Operation::Mul(A, B), Operation::Add(step(0), A)];
     let fused = [Operation::MulAdd(A, B, A)];
     close(bound(&[], &apart), 6.0 + 9.0);
@@ -103,13 +103,13 @@ fn a_square_is_not_negative() {
 }
 
 #[test]
-fn what_may_be_zero_divides_without_bound() {
+fn division_by_possible_zero_has_no_bound() {
     assert_eq!(bound(&[], &[Operation::Div(B, A)]), f64::INFINITY);
     assert_eq!(bound(&[], &[Operation::Sqrt(A)]), f64::INFINITY);
 }
 
 #[test]
-fn numbers_are_rounded_when_they_are_printed_and_when_they_are_read() {
+fn literals_are_rounded_when_printed_and_when_read() {
     let product = |number| [Operation::Mul(Operand::Literal(number), B)];
     // 0.75 b: an error of 0.75 u, times 2, and the rounding of 1.5.
     close(bound(&[], &product(0.75)), 3.0);
@@ -145,7 +145,7 @@ fn single(range: [f64; 2], angles: &[Operand], operations: &[Operation]) -> (f64
 }
 
 #[test]
-fn what_may_overflow_has_no_bound() {
+fn possible_overflow_has_no_bound() {
     let square = [Operation::Mul(A, B)];
     assert_eq!(
         single([0.0, 1e20], &[], &square),
@@ -198,7 +198,7 @@ fn an_angle_of_many_turns_has_any_sine() {
 }
 
 #[test]
-fn what_is_not_known_of_an_input_is_no_reason() {
+fn an_unknown_input_gives_no_reason() {
     let program = program(&[], &[Operation::Mul(A, B)]);
     let (bound, reason) = found(&program, Real::F64, &|_| Value::UNKNOWN);
     assert_eq!((bound, reason), (f64::INFINITY, None));
@@ -230,7 +230,7 @@ fn spun(turns: u32) -> Vec<Operation> {
 }
 
 #[test]
-fn a_turn_does_not_lengthen_a_vector() {
+fn a_planar_rotation_does_not_lengthen_a_vector() {
     let length = 13.0_f64.sqrt();
     for turns in [1, 2, 10, 40] {
         let found = bound(&[A], &spun(turns));
@@ -271,7 +271,7 @@ fn a_constant_rotation_does_not_lengthen_a_vector() {
 }
 
 #[test]
-fn an_angle_that_is_shifted_turns_as_well() {
+fn a_shifted_angle_is_a_rotation() {
     let (s, c) = (Operand::Sin(0), Operand::Cos(0));
     let [p, r] = [0.8, 0.6].map(Operand::Literal);
     // Cosine and sine of q + φ, and a vector that they rotate repeatedly.
@@ -297,7 +297,7 @@ fn an_angle_that_is_shifted_turns_as_well() {
 }
 
 #[test]
-fn what_looks_like_a_turn_and_is_none_may_lengthen() {
+fn an_apparent_rotation_may_lengthen_a_vector() {
     let mut operations = spun(20);
     // c y + s x: not orthogonal to c x + s y.
     for operation in &mut operations {

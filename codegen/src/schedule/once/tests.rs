@@ -98,7 +98,7 @@ fn results_keep_their_bits() {
 }
 
 #[test]
-fn what_programs_share_is_computed_once_and_nothing_of_it_is_left() {
+fn shared_work_is_computed_once() {
     let Parts { once, names, each } = parts();
     // 2 t, m², m² s(2 t), m² + m.
     assert_eq!(once.steps.len(), 4);
@@ -116,7 +116,7 @@ fn what_programs_share_is_computed_once_and_nothing_of_it_is_left() {
 }
 
 #[test]
-fn without_fields_nothing_is_moved() {
+fn nothing_moves_without_fields() {
     let bare = program(
         &[Operation::Mul(Operand::Sin(0), Q)],
         0,

@@ -20,18 +20,18 @@ pub struct Work {
     /// Length of the work array.
     pub len: usize,
     /// Index and value of the entries that are stored before the first section.
-    pub given: Vec<(usize, Value)>,
+    pub initial: Vec<(usize, Value)>,
     /// Sections in execution order.
-    pub sections: Vec<Apart>,
+    pub sections: Vec<SectionBody>,
 }
 
 /// Section: a function of the work array alone.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Apart {
+pub struct SectionBody {
     /// Name of the function.
     pub name: String,
     /// Indices of the entries that it reads, and the names that they get.
-    pub taken: Vec<(usize, String)>,
+    pub loads: Vec<(usize, String)>,
     /// Statements, with stores to the array.
     pub statements: Vec<Statement>,
     /// True if a value is a literal.
@@ -52,15 +52,15 @@ impl Naming<'_> {
         let name = self.names.fresh("work");
         let mut statements = self.statements(&before(program));
         statements.extend(self.sines_and_cosines());
-        let given = sections.given.iter();
-        let given = given.map(|&(value, place)| (place, self.value(value.operand())));
-        let given = given.collect();
+        let initial = sections.initial.iter();
+        let initial = initial.map(|&(value, place)| (place, self.value(value.operand())));
+        let initial = initial.collect();
         let each = sections.sections.iter().zip(1..);
-        let each = each.map(|(section, number)| self.apart(section, number));
+        let each = each.map(|(section, number)| self.section_body(section, number));
         let each = each.collect();
         let results = program.results.iter().zip(&sections.results);
         let results = results.map(|(&result, place)| match place {
-            Some(place) => Value::Waiting(*place),
+            Some(place) => Value::Work(*place),
             None => self.value(result),
         });
         let results: Vec<Value> = results.collect();
@@ -71,7 +71,7 @@ impl Naming<'_> {
             work: Some(Work {
                 name,
                 len: sections.work,
-                given,
+                initial,
                 sections: each,
             }),
             results,
@@ -84,27 +84,27 @@ impl Naming<'_> {
         }
     }
 
-    fn apart(&mut self, section: &Section, number: usize) -> Apart {
+    fn section_body(&mut self, section: &Section, number: usize) -> SectionBody {
         let name = self.names.fresh(&format!("section_{number}"));
-        let taken = section.taken.iter().map(|&(value, place)| {
+        let loads = section.loads.iter().map(|&(value, place)| {
             let Value::Name(name) = self.value(value.operand()) else {
                 unreachable!("what waits has a name");
             };
             (place, name)
         });
-        let taken = taken.collect();
+        let loads = loads.collect();
         let steps = section.steps.clone();
         let statements = if let Some(repeat) = &section.repeat {
-            self.rounds_apart(repeat, &section.left)
+            self.loop_section(repeat, &section.stores)
         } else {
-            self.left = section.left.iter().copied().collect();
+            self.stores = section.stores.iter().copied().collect();
             self.statements(&within(self.program, steps.clone(), &[]))
         };
         let steps = &self.program.steps[steps.start as usize..steps.end as usize];
         let mut read = steps.iter().flat_map(|step| step.operation.operands());
-        Apart {
+        SectionBody {
             name,
-            taken,
+            loads,
             statements,
             has_literals: read.any(|operand| matches!(operand, Operand::Literal(_))),
             is_fused: is_fused(steps),
@@ -112,14 +112,14 @@ impl Naming<'_> {
     }
 
     /// A loop, and the stores of its results in the work array.
-    fn rounds_apart(&mut self, repeat: &Repeat, left: &[(u32, usize)]) -> Vec<Statement> {
-        let mut statements = vec![Statement::Rounds(self.rounds(repeat))];
-        for &(step, place) in left {
+    fn loop_section(&mut self, repeat: &Repeat, stores: &[(u32, usize)]) -> Vec<Statement> {
+        let mut statements = vec![Statement::Loop(self.loop_of(repeat))];
+        for &(step, place) in stores {
             let name = self.unnamed();
             let step = &mut self.steps[step as usize];
             // Other sections bind it to a name.
             let value = std::mem::replace(step, Value::Name(name));
-            statements.push(Statement::Left(place, value));
+            statements.push(Statement::StoreWork(place, value));
         }
         statements
     }

@@ -10,22 +10,22 @@ use crate::schedule::repeats::Repeat;
 
 /// Loop over the columns of a table.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rounds {
+pub struct Loop {
     /// Name of the table.
     pub table: String,
     /// Initial rows of the table, with an entry for each iteration.
     pub rows: Vec<Vec<Value>>,
     /// Name of the loop's index, from 0.
-    pub round: String,
+    pub column: String,
     /// Names of the values that an iteration reads from the table, row by row.
-    pub taken: Vec<String>,
+    pub loads: Vec<String>,
     /// Statements of an iteration.
     pub statements: Vec<Statement>,
     /// Names of the values that an iteration writes to the table, row by row.
-    pub left: Vec<String>,
+    pub stores: Vec<String>,
 }
 
-impl Rounds {
+impl Loop {
     /// Number of iterations.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -35,42 +35,42 @@ impl Rounds {
 
 impl Naming<'_> {
     /// Loop of a repeat.
-    pub(super) fn rounds(&mut self, repeat: &Repeat) -> Rounds {
-        let [table, round] = [Meaning::Table, Meaning::Round].map(|meaning| self.named(meaning));
+    pub(super) fn loop_of(&mut self, repeat: &Repeat) -> Loop {
+        let [table, column] = [Meaning::Table, Meaning::Round].map(|meaning| self.named(meaning));
         let row = |row: &Vec<Operand>| row.iter().map(|&operand| self.value(operand)).collect();
-        let mut rows: Vec<Vec<Value>> = repeat.taken.iter().map(row).collect();
+        let mut rows: Vec<Vec<Value>> = repeat.loads.iter().map(row).collect();
         // Rows that are written and not read.
-        let missing = repeat.left.len().saturating_sub(rows.len());
+        let missing = repeat.stores.len().saturating_sub(rows.len());
         rows.extend(std::iter::repeat_n(rows[0].clone(), missing));
 
-        let taken: Vec<String> = repeat.taken.iter().map(|_| self.unnamed()).collect();
+        let loads: Vec<String> = repeat.loads.iter().map(|_| self.unnamed()).collect();
         let reads = repeat.reads.iter();
-        let reads = reads.map(|(&place, &row)| (place, taken[row].clone()));
-        self.taken = reads.collect();
-        let parts = within(self.program, repeat.first.clone(), &repeat.left);
+        let reads = reads.map(|(&place, &row)| (place, loads[row].clone()));
+        self.loads = reads.collect();
+        let parts = within(self.program, repeat.first.clone(), &repeat.stores);
         let statements = self.statements(&parts);
-        self.taken.clear();
-        let left = repeat.left.iter().map(|&step| self.name(step)).collect();
+        self.loads.clear();
+        let stores = repeat.stores.iter().map(|&step| self.name(step)).collect();
         self.leave(repeat, &table);
-        Rounds {
+        Loop {
             table,
             rows,
-            round,
-            taken,
+            column,
+            loads,
             statements,
-            left,
+            stores,
         }
     }
 
     /// Records the places of the results of all iterations in the table.
     fn leave(&mut self, repeat: &Repeat, table: &str) {
         self.steps.truncate(repeat.first.start as usize);
-        for round in 0..repeat.rounds as usize {
+        for column in 0..repeat.iterations as usize {
             for step in repeat.first.clone() {
                 // A value that is not stored has no reader.
-                let row = repeat.left.iter().position(|&left| left == step);
+                let row = repeat.stores.iter().position(|&stores| stores == step);
                 let row = row.unwrap_or_default();
-                self.steps.push(Value::Entry(table.to_owned(), row, round));
+                self.steps.push(Value::Entry(table.to_owned(), row, column));
             }
         }
         self.sums.resize(self.steps.len(), None);
@@ -99,8 +99,8 @@ mod tests {
             match value {
                 Value::Literal(value) => *value,
                 Value::Name(name) => self.bound[name],
-                Value::Waiting(place) => self.work[*place],
-                Value::Entry(table, row, round) => self.tables[table][*row][*round],
+                Value::Work(place) => self.work[*place],
+                Value::Entry(table, row, column) => self.tables[table][*row][*column],
             }
         }
 
@@ -119,22 +119,22 @@ mod tests {
                         self.bound.insert(name.clone(), value);
                     }
                     Statement::Block { statements, .. } => self.run(statements),
-                    Statement::Rounds(rounds) => {
+                    Statement::Loop(each) => {
                         let row = |row: &Vec<Value>| row.iter().map(|of| self.read(of)).collect();
-                        let mut table: Vec<Vec<f64>> = rounds.rows.iter().map(row).collect();
-                        for round in 0..table[0].len() {
-                            for (name, row) in rounds.taken.iter().zip(&table) {
-                                self.bound.insert(name.clone(), row[round]);
+                        let mut table: Vec<Vec<f64>> = each.rows.iter().map(row).collect();
+                        for column in 0..table[0].len() {
+                            for (name, row) in each.loads.iter().zip(&table) {
+                                self.bound.insert(name.clone(), row[column]);
                             }
-                            self.run(&rounds.statements);
-                            for (name, row) in rounds.left.iter().zip(&mut table) {
-                                row[round] = self.bound[name];
+                            self.run(&each.statements);
+                            for (name, row) in each.stores.iter().zip(&mut table) {
+                                row[column] = self.bound[name];
                             }
                         }
-                        self.tables.insert(rounds.table.clone(), table);
+                        self.tables.insert(each.table.clone(), table);
                     }
-                    Statement::Left(place, value) => self.work[*place] = self.read(value),
-                    Statement::SinesAndCosines(_) | Statement::Found(..) => {
+                    Statement::StoreWork(place, value) => self.work[*place] = self.read(value),
+                    Statement::SinesAndCosines(_) | Statement::StoreResult(..) => {
                         unreachable!("{statement:?}")
                     }
                 }
@@ -152,13 +152,13 @@ mod tests {
         let mut statements = routine.statements.clone();
         if let Some(work) = &routine.work {
             written.work = vec![f64::NAN; work.len];
-            for (place, value) in &work.given {
+            for (place, value) in &work.initial {
                 written.work[*place] = written.read(value);
             }
             for section in &work.sections {
                 // A section has only the names that it binds.
                 written.bound.clear();
-                for (place, name) in &section.taken {
+                for (place, name) in &section.loads {
                     written.bound.insert(name.clone(), written.work[*place]);
                 }
                 written.run(&section.statements);
@@ -167,12 +167,12 @@ mod tests {
         }
         let found = routine.results.iter().map(|result| written.read(result));
         let found = found.collect();
-        let in_rounds = |statement: &&Statement| matches!(statement, Statement::Rounds(_));
-        (found, statements.iter().filter(in_rounds).count())
+        let is_loop = |statement: &&Statement| matches!(statement, Statement::Loop(_));
+        (found, statements.iter().filter(is_loop).count())
     }
 
     #[test]
-    fn rounds_compute_what_all_steps_do_one_after_the_other() {
+    fn loops_compute_the_same_as_all_steps() {
         // Iterations of one scope, and of several blocks.
         for program in [program(HEAD, LENGTH), program(HEAD, 1000)] {
             let expected = run::<f64>(&program, |_| 0.7);

@@ -61,7 +61,7 @@ fn routine(names: Names, stored: Stored) -> Routine {
 }
 
 #[test]
-fn what_is_read_has_a_name_and_nothing_else() {
+fn only_values_that_are_read_have_names() {
     let routine = routine(Names::beside(&["q_2", "d_2"]), Stored::AtTheEnd);
     let some = |name: &str| Some(name.to_owned());
     let arguments = [
@@ -115,16 +115,16 @@ fn what_is_read_has_a_name_and_nothing_else() {
 }
 
 #[test]
-fn results_are_stored_behind_what_computes_them_where_that_is_asked_for() {
+fn results_are_stored_early_on_request() {
     let names = || Names::beside(&[]);
     let at_the_end = routine(names(), Stored::AtTheEnd);
     assert!(at_the_end.stored.is_empty());
-    let mut as_found = routine(names(), Stored::AsFound);
+    let mut as_found = routine(names(), Stored::Early);
     assert_eq!(as_found.results, at_the_end.results);
     // A literal is in the array from the start.
     assert_eq!(as_found.stored, [0].into());
     let last = as_found.statements.pop();
-    assert_eq!(last, Some(Statement::Found(0, name("d_2"))));
+    assert_eq!(last, Some(Statement::StoreResult(0, name("d_2"))));
     assert_eq!(as_found.statements, at_the_end.statements);
 }
 
@@ -170,18 +170,18 @@ fn a_stored_result_is_not_returned_by_its_block() {
             .collect(),
         ..Program::default()
     };
-    let handed_on = |stored| {
+    let outputs = |stored| {
         let names = Names::beside(&[]);
         let routine = of_a_hinge((&program, Length::UNBOUNDED), names, stored);
-        let handed_on = |statement: &Statement| match statement {
-            Statement::Block { handed_on, .. } => handed_on.len(),
+        let outputs = |statement: &Statement| match statement {
+            Statement::Block { outputs, .. } => outputs.len(),
             _ => 0,
         };
-        let blocks: usize = routine.statements.iter().map(handed_on).sum();
+        let blocks: usize = routine.statements.iter().map(outputs).sum();
         (blocks, routine.stored.len())
     };
-    assert_eq!(handed_on(Stored::AtTheEnd), (1000, 0));
-    let (blocks, stored) = handed_on(Stored::AsFound);
+    assert_eq!(outputs(Stored::AtTheEnd), (1000, 0));
+    let (blocks, stored) = outputs(Stored::Early);
     // The next block reads only the last step of each block.
     assert!((1..20).contains(&blocks), "{blocks}");
     assert_eq!(stored, 1001);

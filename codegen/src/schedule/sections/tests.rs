@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use homogen_random::Random;
 
-use super::{Length, Section, Waiting, sections};
+use super::{Length, Section, Shared, sections};
 use crate::expression::Input;
 use crate::schedule::{Operand, Operation, Program, Step, run};
 use crate::space::Variable;
@@ -72,29 +72,31 @@ fn in_sections(program: &Program, length: Length, q: &dyn Fn(Input) -> f64) -> V
         )[0]
     };
     let mut work = vec![f64::NAN; cut.work];
-    for &(value, place) in &cut.given {
+    for &(value, place) in &cut.initial {
         work[place] = whole(value.operand());
     }
     for Section {
-        steps, taken, left, ..
+        steps,
+        loads,
+        stores,
+        ..
     } in &cut.sections
     {
-        let mut known: BTreeMap<Waiting, f64> = taken
+        let mut known: BTreeMap<Shared, f64> = loads
             .iter()
             .map(|&(value, place)| (value, work[place]))
             .collect();
         for step in steps.clone() {
-            let operation =
-                program.steps[step as usize]
-                    .operation
-                    .map(|operand| match Waiting::of(operand) {
-                        Some(value) => known[&value],
-                        None => whole(operand),
-                    });
-            known.insert(Waiting::Step(step), computed(operation));
+            let operation = program.steps[step as usize]
+                .operation
+                .map(|operand| match Shared::of(operand) {
+                    Some(value) => known[&value],
+                    None => whole(operand),
+                });
+            known.insert(Shared::Step(step), computed(operation));
         }
-        for &(step, place) in left {
-            work[place] = known[&Waiting::Step(step)];
+        for &(step, place) in stores {
+            work[place] = known[&Shared::Step(step)];
         }
     }
     let results = program.results.iter().zip(&cut.results);
@@ -114,7 +116,7 @@ fn computed(operation: Operation<f64>) -> f64 {
 }
 
 #[test]
-fn sections_compute_what_the_whole_does() {
+fn sections_compute_the_same_as_the_whole() {
     let mut random = Random::new(1);
     for (steps, before, most) in [(600, 5, 40), (500, 30, 77), (300, 1, 1), (301, 2, 300)] {
         let program = tangled(steps, before, &mut random);
@@ -132,7 +134,7 @@ fn sections_compute_what_the_whole_does() {
 }
 
 #[test]
-fn no_section_is_longer_than_it_may_be_and_all_steps_are_in_one() {
+fn every_step_is_in_a_section_of_allowed_length() {
     let program = tangled(2000, 10, &mut Random::new(2));
     for most in [1, 2, 99, 1999] {
         let cut = sections(&program, Length::at_most(most)).expect("it is long");

@@ -89,7 +89,7 @@ fn gravities(text: &str) -> Vec<Block> {
 }
 
 #[test]
-fn nothing_is_below_more_than_two_scopes() {
+fn scopes_are_nested_at_most_twice() {
     let core = World::Core(Library::default());
     for text in [
         with_runtime(&long(Real::Generic)),
@@ -107,7 +107,7 @@ fn nothing_is_below_more_than_two_scopes() {
 /// With sections, the function calls functions within itself that have at most the allowed length, and all steps are
 /// there.
 #[test]
-fn sections_stand_within_the_function_that_calls_them() {
+fn sections_are_inside_the_function_that_calls_them() {
     const MOST: usize = 120;
     let cut = |scalar| Module {
         length: Length::at_most(MOST),
@@ -148,7 +148,7 @@ fn sections_stand_within_the_function_that_calls_them() {
 
 /// A function within the allowed length stays the same, byte for byte.
 #[test]
-fn nothing_is_cut_where_it_need_not_be() {
+fn short_functions_have_no_sections() {
     let whole = Module {
         length: Length::at_most(STEPS as usize),
         ..long(Real::Generic)

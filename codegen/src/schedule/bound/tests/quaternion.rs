@@ -115,7 +115,7 @@ fn opposite(operations: &mut Vec<Operation>, a: Operand) -> Operand {
 }
 
 #[test]
-fn a_quaternion_does_not_lengthen_a_vector() {
+fn a_rotation_by_a_quaternion_does_not_lengthen_a_vector() {
     let length = 22.0_f64.sqrt();
     for times in [1, 2, 10, 40] {
         let there = after(times, |_, rotation| rotation);
@@ -135,7 +135,7 @@ fn a_quaternion_does_not_lengthen_a_vector() {
 }
 
 #[test]
-fn what_is_made_of_a_rotation_and_is_none_may_lengthen() {
+fn a_matrix_with_entries_of_a_rotation_may_lengthen_a_vector() {
     // About z by π/4 the first two rows of R are (√½, −√½) and (√½, √½), and these rows together have norm √2.
     let mixed = after(20, |_, [a, b, c]| [a, [a[1], b[1], b[2]], c]);
     let repeated = after(20, |_, [a, _, c]| [a, a, c]);
@@ -161,7 +161,7 @@ fn an_entry_that_is_rotated_twice_counts_twice() {
 }
 
 #[test]
-fn a_quaternion_of_which_nothing_is_said_may_lengthen() {
+fn an_undeclared_quaternion_may_lengthen_a_vector() {
     let mut operations = Vec::new();
     let rotation = rotation(&mut operations);
     times(&mut operations, rotation, [A, B, A]);
@@ -177,7 +177,7 @@ fn a_quaternion_of_which_nothing_is_said_may_lengthen() {
 }
 
 #[test]
-fn polynomials_of_numbers_whose_squares_add_up_to_1_have_their_ranges() {
+fn polynomials_in_unit_quaternions_have_their_ranges() {
     let keeps = |operations: &dyn Fn(&mut Vec<Operation>), [lo, hi]: [f64; 2]| {
         let mut all = Vec::new();
         operations(&mut all);

@@ -289,7 +289,7 @@ fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl
 }
 
 #[test]
-fn no_value_is_beyond_what_is_said_of_it() {
+fn every_value_is_within_its_bound() {
     for seed in 0..300 {
         let program = drawn(seed);
         check::<f64>(&program, Real::F64, seed, |x| x);
@@ -299,7 +299,7 @@ fn no_value_is_beyond_what_is_said_of_it() {
 }
 
 #[test]
-fn a_bound_in_single_precision_tells_one_in_double() {
+fn bounds_in_single_precision_scale_to_double() {
     let ratio = Real::F64.roundoff() / Real::F32.roundoff();
     for seed in 0..300 {
         let program = drawn(seed);

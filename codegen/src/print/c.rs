@@ -95,13 +95,13 @@ impl Writing<'_> {
     /// Requirements for compilation.
     fn needs(&self) -> String {
         let bits = if self.fused {
-            "where products fuse with sums as HOMOGEN_FMA does"
+            "if products fuse with sums as by HOMOGEN_FMA"
         } else {
-            "where no product fuses with a sum"
+            "if no product fuses with a sum"
         };
         format!(
-            "Needs: C99, without -ffast-math. The bits are those of the same functions in Rust {bits}; \
-             for that GCC needs -ffp-contract=off, Clang for CUDA as well, and nvcc --fmad=false."
+            "Needs: C99, without -ffast-math. Results have the same bits as in Rust {bits}; this requires \
+             -ffp-contract=off for GCC and for Clang with CUDA, and --fmad=false for nvcc."
         )
     }
 }

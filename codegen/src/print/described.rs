@@ -91,7 +91,7 @@ pub(super) fn limits(module: &Module) -> [NumberList; 4] {
     ]
 }
 
-/// The configuration at which every joint is at its placement.
+/// The configuration at which every joint is where it was placed.
 pub(super) fn neutral(module: &Module) -> NumberList {
     NumberList {
         name: "neutral",

@@ -97,7 +97,7 @@ impl Own {
     }
 }
 
-/// The configuration at which every joint is at its placement.
+/// The configuration at which every joint is where it was placed.
 pub(super) fn neutral(module: &Module) -> Vec<f64> {
     joints(module).flat_map(|own| own.neutral()).collect()
 }
@@ -142,7 +142,7 @@ impl Step {
     pub const fn about(self) -> [&'static str; 2] {
         match self {
             Self::Neutral => [
-                "The neutral configuration, at which every joint is at its placement.",
+                "The neutral configuration, at which every joint is where it was placed.",
                 "Zeros, and 0, 0, 0, 1 of quaternions (x, y, z, w).",
             ],
             Self::Integrate => [

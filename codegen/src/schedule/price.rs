@@ -161,7 +161,7 @@ impl fmt::Display for Price {
             let name = processor.name();
             write!(
                 out,
-                "; on {name} {cycles} cycles of arithmetic, sines and cosines apart"
+                "; on {name} {cycles} cycles of arithmetic without sines and cosines"
             )?;
         }
         Ok(())

@@ -36,7 +36,9 @@ pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
         constant(prefix, "lower")
     )];
     if limits.iter().any(infinite) {
-        about.push("The largest number that there is stands where none is described.".to_owned());
+        about.push(
+            "Without a limit in the description, it is the largest finite number.".to_owned(),
+        );
     }
     text.push_str(&comment(&about));
     for NumberList {

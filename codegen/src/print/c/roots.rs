@@ -27,8 +27,8 @@ pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
     format!(
         "/* The square root, correctly rounded; NaN of negative numbers.
  *
- * Without a branch. An iteration gives an estimate within one unit in the last place; the remainder, exact in
- * integers, decides the rounding. Zeros, infinity and what gives NaN are chosen by bits.
+ * No branches. An iteration gives an estimate within one unit in the last place; the remainder, exact in
+ * integers, decides the rounding. Zeros, infinity and NaN are selected by bits.
  */
 static HOMOGEN_FN {number} {name}({number} x)
 {{

@@ -25,7 +25,7 @@ pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
     let (growth, end) = (range.growth, range.end);
     let places = width - 2;
     format!(
-        "/* The sine and the cosine of an angle. */
+        "/* Sine and cosine of an angle. */
 typedef struct {{
     {number} sine;
     {number} cosine;
@@ -33,15 +33,15 @@ typedef struct {{
 
 /* Sine and cosine of an angle up to {limit} rad ({turns} turns), within {error} units in the last place.
  *
- * Without a branch, so that every angle takes the same time. Beyond {limit} rad the error grows as
- * {growth} |angle|, from {end} rad on the results mean nothing and may be infinite or NaN; NaN and
- * infinite angles give NaN. Reduction by Cody and Waite to |r| <= pi/4, there minimax polynomials.
- * The sum `{SHIFTED}` has no room for a fraction: it is rounded to an integer, which its low bits hold.
+ * No branches, so that every angle takes the same time. Beyond {limit} rad the error grows as
+ * {growth} |angle|, from {end} rad on results are meaningless and may be infinite or NaN; NaN and
+ * infinite angles give NaN. Cody-Waite reduction to |r| <= pi/4, then minimax polynomials.
+ * The sum `{SHIFTED}` has no bits for a fraction: its low bits hold the rounded integer.
  */
 static HOMOGEN_FN {turn} {sin_cos}({number} {ANGLE})
 {{
 {statements}
-    /* In odd quadrants the two are exchanged: bits are chosen. */
+    /* In odd quadrants sine and cosine are exchanged, by bits. */
     union {{
         {number} number;
         uint{width}_t bits;

@@ -60,7 +60,7 @@ fn a_header_and_a_source() {
     let declarations = "#ifndef HOMOGEN_PENDULUM_H
 #define HOMOGEN_PENDULUM_H
 
-/* Before every function: nothing, or what is defined as this, such as __device__. */
+/* Printed before every function; define it as __device__, for example. */
 #ifndef HOMOGEN_FN
 #define HOMOGEN_FN
 #endif
@@ -69,14 +69,14 @@ fn a_header_and_a_source() {
 extern \"C\" {
 #endif
 
-/* The entries of q. */
+/* Entries of q. */
 enum {
     PENDULUM_Q_SHOULDER, /* `shoulder` in rad */
     PENDULUM_Q_ELBOW, /* `elbow` in rad */
     PENDULUM_NQ
 };
 
-/* The entries of q̇, q̈, τ. */
+/* Entries of q̇, q̈, τ. */
 enum {
     PENDULUM_V_SHOULDER, /* `shoulder` in rad/s, rad/s², N m */
     PENDULUM_V_ELBOW, /* `elbow` in rad/s, rad/s², N m */
@@ -90,7 +90,7 @@ typedef struct {
 /* Joint torques and forces τ that hold the robot at rest against gravity; N m, N.
  *
  * q in rad or m.
- * Precise for angles up to 3200 rad; ";
+ * Accurate for angles up to 3200 rad; ";
     assert!(header.contains(declarations), "{header}");
     let end = " */
 HOMOGEN_FN void pendulum_gravity(const pendulum_robot *robot, const float q[2], float gravity[2]);
@@ -194,7 +194,7 @@ fn the_library_is_called_for_requested_sines_and_never_for_roots() {
         !text.contains("sin_cos") && !text.contains("stdint"),
         "{text}"
     );
-    assert!(header.contains("that `sinf` is precise for"), "{header}");
+    assert!(header.contains("for which `sinf` is accurate"), "{header}");
     for (real, call) in [(Real::F32, "_sqrt(2.0f)"), (Real::F64, "_sqrt(2.0)")] {
         let root = written(&steps(real, &[Operation::Sqrt(literal(2.0))])).text;
         assert!(!root.contains("<math.h>") && root.contains(call));

@@ -292,7 +292,7 @@ pub(super) const LIMITS: [(&str, &str, Space); 2] = [
 pub(super) fn vectors(class: &Class<'_>) -> Vec<(&'static str, &'static str, Vec<f64>)> {
     let neutral = (
         "neutral",
-        "The configuration at which every joint is at its placement: zeros, and quaternions 0, 0, 0, 1.",
+        "The configuration at which every joint is where it was placed: zeros, and quaternions 0, 0, 0, 1.",
         neutral(class.listing).numbers,
     );
     let base = class.listing.base_parameters().map(|values| {

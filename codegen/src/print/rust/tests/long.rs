@@ -139,10 +139,7 @@ fn sections_are_inside_the_function_that_calls_them() {
             assert_eq!(section.sig.inputs.len(), 1);
         }
         assert!(text.contains(&format!("let t_{STEPS} = ")), "{text}");
-        assert!(
-            text.contains("statements, called one after the other"),
-            "{text}"
-        );
+        assert!(text.contains("statements, called in order"), "{text}");
     }
 }
 

@@ -282,6 +282,7 @@ const ROOMS: [(&str, &[&str]); 35] = [
             "space",
             "function",
             "description",
+            "module",
             "print",
             "expand",
         ],

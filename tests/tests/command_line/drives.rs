@@ -60,7 +60,7 @@ fn mistakes_and_doubts_are_told() {
     assert_eq!(
         refused("check - --friction=mount=1 --armature nobody=1", ARM),
         "error: joint \"mount\" is fixed and has no friction\n\
-         error: there is no joint \"nobody\"\n"
+         error: there is no joint \"nobody\"\n  hint: joints: \"shoulder\", \"elbow\", \"slide\" and \"mount\"\n"
     );
     let doubtful = homogen("check - --friction --rotors", ARM);
     assert_eq!(doubtful.code, 0);

@@ -258,6 +258,7 @@ impl<T: ::homogen::Scalar> ::homogen::robot::Gravity<2, T> for Pendulum {
         Self::gravity(self, q)
     }
 }
+
 #[automatically_derived]
 impl ::homogen::robot::Batched for Pendulum {}
 ";

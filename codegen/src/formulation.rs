@@ -156,10 +156,12 @@ impl Formulation {
     /// Choices that differ from the default, in words.
     #[must_use]
     pub fn words(&self) -> Vec<String> {
-        let chosen = WORDS
-            .iter()
-            .filter(|(.., choice)| choice.is_made_in(self) && !choice.is_made_in(&Self::default()));
-        chosen.map(|(word, value, _)| said(word, *value)).collect()
+        let chosen = WORDS.iter().filter(|(.., choice)| {
+            choice.is_chosen_in(self) && !choice.is_chosen_in(&Self::default())
+        });
+        chosen
+            .map(|(word, value, _)| written(word, *value))
+            .collect()
     }
 
     /// Checks that all choices can be combined.
@@ -182,7 +184,7 @@ impl Formulation {
 }
 
 impl Choice {
-    fn make_in(self, formulation: &mut Formulation) {
+    fn apply(self, formulation: &mut Formulation) {
         match self {
             Self::Frame(frame) => formulation.frame = frame,
             Self::Parameters(parameters) => formulation.parameters = parameters,
@@ -193,13 +195,13 @@ impl Choice {
         }
     }
 
-    fn is_made_in(self, formulation: &Formulation) -> bool {
+    fn is_chosen_in(self, formulation: &Formulation) -> bool {
         let mut made = *formulation;
-        self.make_in(&mut made);
+        self.apply(&mut made);
         made == *formulation
     }
 
-    fn is_of_the_part_of(self, other: Self) -> bool {
+    fn is_for_same_part_as(self, other: Self) -> bool {
         std::mem::discriminant(&self) == std::mem::discriminant(&other)
     }
 }
@@ -239,20 +241,20 @@ impl Reader {
                 hint: values(word),
             });
         };
-        let said = said(word, value);
+        let text = written(word, value);
         let mut made = self.made.iter();
-        if let Some((before, _)) = made.find(|(_, other)| other.is_of_the_part_of(*choice)) {
+        if let Some((before, _)) = made.find(|(_, other)| other.is_for_same_part_as(*choice)) {
             return Err(Refusal {
-                message: if *before == said {
-                    format!("{} is said twice", quoted(&said))
+                message: if *before == text {
+                    format!("{} is said twice", quoted(&text))
                 } else {
-                    format!("{} contradicts {}", quoted(&said), quoted(before))
+                    format!("{} contradicts {}", quoted(&text), quoted(before))
                 },
                 hint: "leave one of them out".to_owned(),
             });
         }
-        choice.make_in(&mut self.formulation);
-        self.made.push((said, *choice));
+        choice.apply(&mut self.formulation);
+        self.made.push((text, *choice));
         self.formulation.check()
     }
 
@@ -263,14 +265,14 @@ impl Reader {
     }
 }
 
-fn said(word: &str, value: Option<&str>) -> String {
+fn written(word: &str, value: Option<&str>) -> String {
     value.map_or_else(|| word.to_owned(), |value| format!("{word} = {value}"))
 }
 
 /// `write refined = 0, refined = 1 or …`.
 fn values(word: &str) -> String {
     let rows = WORDS.iter().filter(|(known, ..)| *known == word);
-    let all: Vec<String> = rows.map(|(word, value, _)| said(word, *value)).collect();
+    let all: Vec<String> = rows.map(|(word, value, _)| written(word, *value)).collect();
     format!(
         "write {}",
         list(all.iter().map(String::as_str)).replace(" and ", " or ")
@@ -302,7 +304,7 @@ mod tests {
             products: Products::Unfused,
             sines: Sines::Platform,
         };
-        let said = [
+        let words = [
             ("frame_0", None),
             ("raw", None),
             ("refined", Some("2")),
@@ -310,7 +312,7 @@ mod tests {
             ("unfused", None),
             ("platform_sines", None),
         ];
-        assert_eq!(read(&said), Ok(all));
+        assert_eq!(read(&words), Ok(all));
         assert_eq!(
             all.words(),
             [

@@ -96,21 +96,21 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> b
     for &argument in arguments {
         let letter = argument.letter();
         let entries = spaces.entries(argument.space()).iter();
-        let (has, lacks): (Vec<&Entry>, Vec<&Entry>) =
+        let (limited, unlimited): (Vec<&Entry>, Vec<&Entry>) =
             entries.partition(|entry| described(argument, entry).is_some());
-        if !has.is_empty() {
+        if !limited.is_empty() {
             within_limits.push(letter);
         }
         // Quaternions have no limits to print.
         let kinds = [Kind::Turn, Kind::Slide].into_iter();
-        let kinds = kinds.filter(|&kind| lacks.iter().any(|entry| entry.kind == kind));
+        let kinds = kinds.filter(|&kind| unlimited.iter().any(|entry| entry.kind == kind));
         let kinds = kinds.filter_map(|kind| {
             let size = number(argument.usual(kind)?);
             Some(format!("{size} {}", argument.unit(kind)))
         });
         let kinds: Vec<String> = kinds.collect();
         if !kinds.is_empty() {
-            let or = if has.is_empty() { "" } else { "else " };
+            let or = if limited.is_empty() { "" } else { "else " };
             sizes.push(format!("{or}|{letter}| ≤ {}", kinds.join(", ")));
         }
     }
@@ -147,7 +147,7 @@ mod tests {
     const ALL: [Variable; 3] = [Variable::Q, Variable::Qd, Variable::Qdd];
 
     /// A revolute joint with a prismatic one behind it.
-    fn arm(turning: &str, sliding: &str) -> Chain {
+    fn arm(revolute: &str, prismatic: &str) -> Chain {
         let joint = |name: &str, kind: &str, parent: &str, child: &str, limit: &str| {
             format!(
                 r#"<joint name="{name}" type="{kind}"><parent link="{parent}"/>
@@ -156,8 +156,8 @@ mod tests {
         };
         let text = [
             r#"<robot name="arm"><link name="base"/><link name="a"/><link name="b"/>"#.to_owned(),
-            joint("turns", "revolute", "base", "a", turning),
-            joint("slides", "prismatic", "a", "b", sliding),
+            joint("turns", "revolute", "base", "a", revolute),
+            joint("slides", "prismatic", "a", "b", prismatic),
             "</robot>".to_owned(),
         ];
         let mut errors = Errors::new();

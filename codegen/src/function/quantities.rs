@@ -173,7 +173,7 @@ const fn of_parameters(over: &'static [Space]) -> Outcome {
         over,
         entity: Entity::Number,
         units: |of| {
-            let [turning, sliding] = match of[1] {
+            let [rotation, translation] = match of[1] {
                 Kind::Moment(0) => ["m²/s²", "m/s²"],
                 Kind::Moment(1) => ["m/s²", "1/s²"],
                 Kind::Drive { order: 2, .. } => ["1/s²", "m/s²"],
@@ -181,7 +181,7 @@ const fn of_parameters(over: &'static [Space]) -> Outcome {
                 Kind::Drive { .. } => ["1", "1"],
                 _ => ["1/s²", "1/(m s²)"],
             };
-            vec![by_one(of, turning, sliding)]
+            vec![by_one(of, rotation, translation)]
         },
     })
 }

@@ -5,7 +5,7 @@ use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::module::Module;
-use crate::print::rust::tests::{generated, literal, module, step, turning, with_payload};
+use crate::print::rust::tests::{generated, literal, module, revolute, step, with_payload};
 use crate::real::Real;
 use crate::schedule::{Length, Operand, Operation, Program};
 use crate::space::Variable;
@@ -204,7 +204,7 @@ fn the_library_is_called_for_requested_sines_and_never_for_roots() {
 #[test]
 fn joints_with_similar_names_have_different_constants() {
     let module = Module {
-        spaces: turning(["a-b", "a b", "*/", "機器人"].map(str::to_owned)),
+        spaces: revolute(["a-b", "a b", "*/", "機器人"].map(str::to_owned)),
         ..module(Real::F64)
     };
     let header = written(&module).header;
@@ -287,7 +287,7 @@ fn entries_of_large_matrices_are_stored_early() {
     };
     let joints = (1..=13).map(|joint| format!("joint {joint}"));
     let large = Module {
-        spaces: turning(joints),
+        spaces: revolute(joints),
         functions: vec![generated(&[Function::MassMatrix], program)],
         ..module(Real::F64)
     };

@@ -36,7 +36,7 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
     let mut range = promise.range.clone();
     if let Some(reason) = promise.lacks {
         let between = if range.is_empty() { "" } else { "; " };
-        range = format!("{range}{between}{}: {reason}", lacking(promise));
+        range = format!("{range}{between}{}: {reason}", unbounded_type(promise));
     }
     match &*groups {
         [group] => {
@@ -56,8 +56,8 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
             };
             let mut lines = vec![format!("Error{range}: {what}at most")];
             lines.extend(groups.iter().map(|group| {
-                let of = of(&group.joints, promise);
-                format!("- {}: {of}", sizes(&group.worst))
+                let names = names(&group.joints, promise);
+                format!("- {}: {names}", sizes(&group.worst))
             }));
             lines
         }
@@ -65,7 +65,7 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
 }
 
 /// Type that has no bound.
-fn lacking(promise: &Promise) -> &'static str {
+fn unbounded_type(promise: &Promise) -> &'static str {
     let infinite = |bound: &Bound| bound.double.is_some_and(f64::is_infinite);
     if promise.bounds.iter().any(infinite) {
         "no bound in f64"
@@ -164,7 +164,7 @@ fn numbers(bounds: &[Bound]) -> impl Iterator<Item = f64> + Clone {
 }
 
 /// Names of joints; three or more consecutive ones are given by the first and the last.
-fn of(places: &[Option<usize>], promise: &Promise) -> String {
+fn names(places: &[Option<usize>], promise: &Promise) -> String {
     let names = joints(promise);
     let name = |k: usize| names[k].map_or_else(String::new, code);
     let mut words: Vec<String> = Vec::new();

@@ -6,7 +6,7 @@ use super::{Package, Writing, print};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::rust::Item;
-use crate::print::rust::tests::{generated, literal, module, turning, with_payload};
+use crate::print::rust::tests::{generated, literal, module, revolute, with_payload};
 use crate::real::Real;
 use crate::schedule::Program;
 
@@ -190,7 +190,7 @@ fn nothing_of_a_description_is_code() {
     module.about.robot = "None".to_owned();
     module.about.tip = "\"\"\"\nimport os #\u{202e}\\".to_owned();
     module.about.facts = vec!["\"\"\" + evil() + r\"\"\"\\".to_owned()];
-    module.spaces = turning(["\"\"\"; import os #", "'''\\\n\u{202e}{}"].map(str::to_owned));
+    module.spaces = revolute(["\"\"\"; import os #", "'''\\\n\u{202e}{}"].map(str::to_owned));
     let package = written(&module);
     assert_eq!(package.class, "None_");
     for (path, text) in &package.files {

@@ -101,17 +101,17 @@ pub(super) fn chain_type(
 fn value(data: &ChainData, numbers: &[TokenStream], runtime: &TokenStream) -> TokenStream {
     let (joints, rest) = numbers.split_at((data.names.len() * JOINT).min(numbers.len()));
     let (frames, rest) = rest.split_at((data.frames.len() * PLACEMENT).min(rest.len()));
-    let (gravity, drives) = rest.split_at(rest.len().min(3));
+    let (gravity, actuators) = rest.split_at(rest.len().min(3));
     let names = data.names.iter().zip(&data.parents).zip(&data.motions);
     let joints = joints.chunks(JOINT).zip(names);
     let joints = (0_u16..).zip(joints);
     let joints = joints.map(|(k, (numbers, ((name, parent), motion)))| {
         let joint = joint((name, index(*parent)), *motion, numbers, runtime);
-        let own = data.driven.iter().zip(drives.chunks(3));
+        let own = data.driven.iter().zip(actuators.chunks(3));
         let own = own.filter(|((joint, _), _)| *joint == k);
-        let with = own.map(|((_, velocity), drive)| {
+        let with = own.map(|((_, velocity), actuator)| {
             let velocity = literal((*velocity).into());
-            quote! { .with_drive(#velocity, #runtime::Drive::new(#(#drive),*)) }
+            quote! { .with_drive(#velocity, #runtime::Drive::new(#(#actuator),*)) }
         });
         quote! { #joint #(#with)* }
     });

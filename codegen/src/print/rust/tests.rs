@@ -97,7 +97,7 @@ fn constant(results: &[f64]) -> Program {
 }
 
 /// Spaces of revolute joints with these names.
-pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
+pub(crate) fn revolute(names: impl IntoIterator<Item = String>) -> Spaces {
     let entry = |name| Entry {
         name,
         kind: Kind::Turn,
@@ -127,7 +127,7 @@ pub(crate) fn module(scalar: Real) -> Module {
     ]
     .concat();
     Module {
-        spaces: turning(["shoulder", "elbow"].map(str::to_owned)),
+        spaces: revolute(["shoulder", "elbow"].map(str::to_owned)),
         about: About {
             driven: false,
             robot: "double pendulum".to_owned(),
@@ -374,7 +374,7 @@ fn a_stub_has_the_requested_signatures() {
     ] {
         assert!(unknown.contains(signature), "{unknown}");
     }
-    let two = turning(["one", "other"].map(str::to_owned));
+    let two = revolute(["one", "other"].map(str::to_owned));
     let known = text(Some(&two));
     assert!(
         known.contains("const fn chain() -> ::homogen::Chain<2, 2>"),

@@ -4,7 +4,7 @@ use quote::{ToTokens, format_ident};
 use syn::{Block, Expr, ImplItem, Item as SynItem, Stmt};
 
 use super::super::{Library, World, print};
-use super::{generated, made, module, name, pretty, turning, with_runtime};
+use super::{generated, made, module, name, pretty, revolute, with_runtime};
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
@@ -47,7 +47,7 @@ fn program() -> Program {
 
 fn long(scalar: Real) -> Module {
     let mut module = module(scalar);
-    module.spaces = turning((0..JOINTS).map(|joint| format!("joint {joint}")));
+    module.spaces = revolute((0..JOINTS).map(|joint| format!("joint {joint}")));
     module.parameters = (0..FIELDS)
         .map(|field| Parameter {
             field: format_ident!("center_{field}"),

@@ -20,7 +20,7 @@ use crate::real::Real;
 use crate::schedule::{LONGEST_SCOPE, Names};
 use crate::space::Variable;
 
-/// Maximum number of sines and cosines in one statement.
+/// Maximum number of sines and cosines in one statement; more are split for readability.
 const ON_ONE_LINE: usize = 4;
 
 /// Dialect of one output.

@@ -1,6 +1,7 @@
-//! What is promised of the results of a plan: of all that are evaluated, and of each that solves something.
+//! Error bounds of the results of a plan: of all results that are evaluated, and of each function that solves an
+//! equation.
 //!
-//! In: a [`Plan`], which knows the programs that a bound needs. Out: an [`Accuracy`] of each. It chooses nothing.
+//! In: a [`Plan`], which knows the programs that a bound needs. Out: an [`Accuracy`] of each.
 
 use std::cell::OnceCell;
 
@@ -13,15 +14,15 @@ use crate::function::{Function, Given, Truth};
 use crate::plan::{Plan, keeps_half};
 use crate::real::Real;
 
-/// Why solutions have no bound in `f32`.
+/// Reason why solutions have no bound in `f32`.
 const UNDONE: &str = "less than half of the digits may be left";
 
-/// What is promised of the results of a plan.
+/// Bounds the results of a plan.
 #[must_use]
 pub fn of_plan(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
     let evaluated = of(plan.chain, &plan.functions, &plan.program, means);
     let promised = evaluated.into_iter().chain(solved(plan, means));
-    // What would be refused in f32, where it loses as many units, promises nothing there.
+    // Programs that the check would refuse in f32, for the same loss in units of u, have no bound there.
     if means.scalar != Real::Generic || keeps_half(plan.off.worst, Real::F32) {
         return promised.collect();
     }
@@ -34,11 +35,11 @@ pub fn of_plan(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
     promised.collect()
 }
 
-/// What is promised of each function that solves something; what several solve is said once.
+/// Bounds each function that solves an equation; a bound that several share is listed once.
 fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
     let has_residual = has_residual(plan.way.forward);
     let promises = Promises::of(plan, means);
-    let mut said = Vec::new();
+    let mut listed = Vec::new();
     let mut promised = Vec::new();
     for function in &plan.functions {
         let Truth::Solution(given) = function.truth() else {
@@ -48,8 +49,8 @@ fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
             }
             continue;
         };
-        // Derivatives are of accelerations that are found, and M⁻¹ is one of them. Of what is made with an inverse no
-        // more can be said than of that.
+        // Derivatives are taken at the accelerations found, with a computed M⁻¹; each has its own bound. The bounds
+        // of the inverse are all that is known of a product with it.
         let givens: &[Given] = match given {
             Given::TorqueDerivatives if !has_residual => {
                 &[Given::Torques, Given::TorqueDerivatives, Given::MassMatrix]
@@ -57,8 +58,8 @@ fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
             _ => &[given],
         };
         for &given in givens {
-            if !said.contains(&given) {
-                said.push(given);
+            if !listed.contains(&given) {
+                listed.push(given);
                 promised.push(promises.solution(given));
             }
         }
@@ -70,7 +71,7 @@ const fn has_residual(forward: Forward) -> bool {
     matches!(forward, Forward::MassMatrix { refinements: 1.. })
 }
 
-/// What bounds of solutions are made of.
+/// Data that bounds of solutions need.
 struct Promises<'p> {
     plan: &'p Plan<'p>,
     means: Means,

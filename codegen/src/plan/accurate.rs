@@ -1,8 +1,8 @@
-//! Where something is solved for, the lightest program that loses little enough.
+//! The cheapest accurate program of functions that solve an equation.
 //!
-//! In: a [`Search`]; what the mass matrix loses at worst. Out: of the rounds of forms that [`forward`] names, the
-//! lightest program that is accurate enough by its [`Measure`]; where none is, the lightest of those that lose
-//! little more than the best; or the mistake that none leaves half of the digits.
+//! In: a [`Search`]; the worst loss of the mass matrix. Out: of the groups of forms that [`forward`] names, the
+//! cheapest program that is accurate enough by its [`Measure`]; if there is none, the cheapest of those that lose
+//! little more than the best; or an error if none leaves half of the digits.
 
 use super::forward::{self, Form};
 use super::measured::{ENOUGH, Measure, Off};
@@ -10,13 +10,13 @@ use super::search::{Found, Search};
 use super::solvable::Worst;
 use crate::error::Errors;
 
-/// How many times the error that is enough is far from it.
+/// Ratio to the sufficient error beyond which a form is given up after one layout.
 const FAR: f64 = 16.0;
 
-/// The lightest program that is accurate enough, or as accurate as can be had.
+/// The cheapest program that is accurate enough, or nearly as accurate as the best.
 ///
 /// # Errors
-/// Where no form leaves half of the digits.
+/// If no form leaves half of the digits.
 pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Errors> {
     let mut trial = Trial::of(search, worst);
     for forms in forward::rounds(search.chain, search.functions, search.formulation) {
@@ -41,21 +41,21 @@ pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Error
     }
 }
 
-/// What has been found so far.
+/// State of the search.
 struct Trial<'s> {
     search: &'s Search<'s>,
     measure: Measure<'s>,
-    /// The lightest that is accurate enough, with its weight.
+    /// The cheapest program that is accurate enough, with its cost.
     best: Option<(usize, Found)>,
-    /// Programs that are not, in the order in which they were looked at.
+    /// Programs that are not, in the order in which they were measured.
     tried: Vec<Tried>,
-    /// The same forms in heavier layouts, with their weights; not measured yet.
+    /// The same forms in more expensive layouts, with their costs; not measured yet.
     heavier: Vec<(usize, Found)>,
 }
 
 /// A program that is not accurate enough.
 struct Tried {
-    /// Its weight, where all layouts have been looked at.
+    /// Its cost, if all layouts have been compared.
     weight: Option<usize>,
     found: Found,
 }
@@ -76,9 +76,9 @@ impl<'s> Trial<'s> {
         found
     }
 
-    /// Measures a form in its lightest layout, where it can still be the lightest.
+    /// Measures a form in its cheapest layout, if it can still be the cheapest.
     fn look_at(&mut self, form: Form) {
-        // Of a form that is far from accurate in one layout, no other need be looked at.
+        // A form that is far from accurate in one layout is not tried in others.
         if let Some(before) = self.tried.first() {
             let (layout, way) = (before.found.layout, before.found.way);
             let (_, glimpse) = self.search.within(form, &[layout], &[way]);
@@ -103,8 +103,8 @@ impl<'s> Trial<'s> {
         }
     }
 
-    /// The lightest that is accurate enough. Where frames stand away from their bodies, that may be what costs the
-    /// digits of a form, so that it is looked at in others before a dearer one is taken.
+    /// The cheapest that is accurate enough. Frames far from their bodies may cause the loss of a form, so other
+    /// layouts are tried before a more expensive form is taken.
     fn accurate(&mut self) -> Option<Found> {
         let mut heavier = std::mem::take(&mut self.heavier);
         if let Some((least, _)) = &self.best {
@@ -116,8 +116,8 @@ impl<'s> Trial<'s> {
         lighter.or_else(|| Some(self.best.take()?.1))
     }
 
-    /// The lightest of those that lose little more than the best, where none is accurate enough. What is lost near
-    /// singular postures is lost by all, and a few times more of it is less than an inverse that does not invert.
+    /// The cheapest of those that lose little more than the best, if none is accurate enough. All forms lose digits
+    /// near singular configurations. A loss a few times larger matters less than an inverse that does not invert.
     fn nearly_as_good(mut self, least: f64) -> Found {
         let mut good = std::mem::take(&mut self.tried);
         let solves = |off: Off| off.worst <= FAR * least && off.unsolved <= ENOUGH;

@@ -1,14 +1,14 @@
-//! The constants of the derivation, against articulated inertias of points at random.
+//! Tests of the constants of the derivation, with articulated inertias of random points of mass.
 //!
-//! In: seeds. Out: that no block, no action of a joint or of a unit force, no computed inertia and no rounding of a
-//! joint is beyond what is counted, and that what the derivation says is reached is.
+//! In: seeds. Out: no block, no force of a joint or of a unit force, no computed inertia and no rounding of a joint
+//! exceeds its bound, and the bounds that the derivation calls sharp are attained.
 
 mod points;
 
 use self::points::{Chain, Inertia, Random, Twist, cross, dot, left, norm, plus, times, twist};
 use super::inertias::{FROBENIUS, SPOILT, TRUST};
 
-/// More than rounding takes here.
+/// More than rounding adds here.
 const NEARLY: f64 = 1.0 + 1e-7;
 
 #[test]
@@ -122,7 +122,7 @@ fn computed_inertias_have_the_sizes_of_exact_ones_but_for_trust() {
     assert!((0.1 * SPOILT..=TRUST - 1.0).contains(&sizes), "{sizes}");
 }
 
-/// What unit forces are on their way inwards, with errors as large as are allowed, and the inverse that comes of them.
+/// Unit forces on their way inwards, with the largest errors allowed, and the inverse computed with them.
 #[test]
 fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
     let mut random = Random::new(4);
@@ -153,7 +153,7 @@ fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
                     }
                     let x = twist(random.vector(), random.vector());
                     sizes = sizes.max(dot(&x, &action).abs() / (body.g(x) * unit));
-                    // What is lost on the way to the body that carries this one, about the origin of that.
+                    // The error on the way to the parent body, about the origin of that body.
                     if let Some(parent) = k.checked_sub(1).map(|k| &chain.bodies[k]) {
                         let lost = parent.sizes.map(|size| share * unit * size);
                         let force = random.direction().map(|entry| lost[1] * entry);
@@ -192,7 +192,7 @@ fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
     assert!((0.2..=NEARLY).contains(&entries), "{entries}");
 }
 
-/// A number as `f32` has it.
+/// A number rounded to `f32`.
 fn single(x: f64) -> f64 {
     #[expect(
         clippy::cast_possible_truncation,
@@ -210,7 +210,7 @@ fn summed(a: &[f64], b: &[f64]) -> f64 {
         .unwrap_or(0.0)
 }
 
-/// What is counted at a joint, in units of the size that stands beside it and of u.
+/// The roundings at a joint, in units of the bounding size and of u.
 #[test]
 fn no_joint_loses_more_than_is_counted() {
     let roundoff = f64::from(f32::EPSILON) / 2.0;
@@ -227,12 +227,12 @@ fn no_joint_loses_more_than_is_counted() {
         let sizes: Twist = std::array::from_fn(|k| if k < 3 { turning } else { sliding });
         let clears = if turn % 2 == 0 { 2 } else { 5 };
         let (u, d) = (inertia[clears], inertia[clears][clears]);
-        // What rounding to `f32` may have made of a thin body is not what is looked at.
+        // A thin body whose D may be a rounding error of `f32` is left out.
         if d < 1e-3 * sizes[clears] * sizes[clears] {
             continue;
         }
         let g = |x: &Twist| turning * norm(&x[..3]) + sliding * norm(&x[3..]);
-        // Either part may be all that there is, so that no size hides behind another.
+        // Scales of both parts differ widely, so that neither hides the error of the other.
         let scale = |random: &mut Random| 10.0_f64.powf(3.0 * random.unit());
         let scales = [scale(&mut random), scale(&mut random)];
         let any = |random: &mut Random| -> Twist {
@@ -271,7 +271,7 @@ fn no_joint_loses_more_than_is_counted() {
             pushed = pushed.max(moved / (size * lacking.abs() / d.sqrt()));
         }
     }
-    // The rounding of what is lacking, which is 1 of 12 and of 4, has gone before.
+    // The rounding of the right side, which is 1 of 12 and of 4, has gone before.
     for (reached, least, most) in [
         (residual, 1.5, 11.0),
         (entries, 1.5, 4.0),

@@ -1,7 +1,7 @@
-//! Chains of points of mass at random, as twists and inertias of six numbers about one origin.
+//! Chains of random points of mass, as twists and inertias of six numbers about one origin.
 //!
-//! In: seeds. Out: their articulated inertias, by Schur complements, their sizes γ and s, and how much
-//! they can move. Nothing is shared with the engine.
+//! In: seeds. Out: their articulated inertias, by Schur complements, their sizes γ and s, and bounds of their
+//! motion. It shares nothing with the engine.
 
 pub(super) type Twist = [f64; 6];
 pub(super) type Inertia = [Twist; 6];
@@ -57,12 +57,12 @@ pub(super) fn times(inertia: &Inertia, x: &Twist) -> Twist {
     inertia.map(|row| dot(&row, x))
 }
 
-/// With what is added for each row and column.
+/// The inertia with something added to each entry.
 pub(super) fn plus(inertia: &Inertia, entry: impl Fn(usize, usize) -> f64) -> Inertia {
     std::array::from_fn(|i| std::array::from_fn(|j| inertia[i][j] + entry(i, j)))
 }
 
-/// What a joint passes on.
+/// The articulated inertia that is passed on inwards: I − I S Sᵀ I / D.
 pub(super) fn left(inertia: &Inertia, screw: &Twist) -> Inertia {
     let u = times(inertia, screw);
     let d = dot(&u, screw);
@@ -76,9 +76,9 @@ pub(super) struct Chain {
 
 pub(super) struct Body {
     pub(super) screw: Twist,
-    /// Where its axis goes through.
+    /// A point on its axis.
     pub(super) origin: [f64; 3],
-    /// γ and s of it and of all outboard of it.
+    /// γ and s of it with all bodies outboard of it.
     pub(super) sizes: [f64; 2],
     pub(super) inertia: Inertia,
 }
@@ -133,8 +133,7 @@ impl Chain {
         Self { bodies }
     }
 
-    /// What each body opposes while all joints outboard of it yield, where its own inertia is another by
-    /// so much.
+    /// The articulated inertia of each body, with an error added to its own inertia.
     pub(super) fn articulated(&self, off: impl Fn(usize) -> Inertia) -> Vec<Inertia> {
         let mut all = vec![[[0.0; 6]; 6]; self.bodies.len()];
         let mut passed = [[0.0; 6]; 6];
@@ -181,7 +180,7 @@ impl Chain {
     }
 
     /// For each body a bound of ω² and of the velocity² of its origin at the kinetic energy ½: the traces
-    /// of J M⁻¹ Jᵗ, where joints share what they turn and slide in proportion to M⁻¹.
+    /// of J M⁻¹ Jᵗ, where joints share rotation and translation in proportion to M⁻¹.
     pub(super) fn mobility(&self) -> Vec<[f64; 2]> {
         let inverse = self.inverse();
         let bodies = self.bodies.iter().enumerate();
@@ -211,7 +210,7 @@ impl Body {
         self.sizes[0] * norm(&omega) + self.sizes[1] * norm(&v)
     }
 
-    /// An inertia about the body's origin.
+    /// An inertia, moved to the body's origin.
     pub(super) fn about(&self, inertia: &Inertia) -> Inertia {
         let unit: [Twist; 6] = std::array::from_fn(|k| {
             let mut axis = [0.0; 3];

@@ -10,8 +10,8 @@ fn column(entries: [f64; 3]) -> impl Iterator<Item = Entry> {
     entries.into_iter().map(|entry| (Double::from(entry), 1.0))
 }
 
-/// A slide is askew by 1e-10 of a radian: of two of its moments of inertia, the joint that turns it sees one whole and the other
-/// one by the square of that, ten digits of it. What is made of the latter has no more of them.
+/// A slide is askew by 1e-10 of a radian: of two of its moments of inertia, the joint that turns it sees one whole
+/// and the other one by the square of that, ten digits of it. What is made of the latter has no more of them.
 #[test]
 fn what_stands_for_a_column_is_the_one_of_which_most_is_left() {
     let [faint, plain, further] = [0, 1, 2].map(ParameterId::new);

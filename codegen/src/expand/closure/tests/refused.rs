@@ -1,4 +1,4 @@
-//! What is generated of robots with loops and of others; loops and drives that cannot be.
+//! The functions of robots with loops and of others; loops and actuators that are refused.
 
 use super::{FOUR_BAR, PIN, chain, described};
 use crate::expand::{expand, understand};
@@ -8,7 +8,7 @@ use crate::print::rust::{Item, Source, World, methods};
 use crate::request::Request;
 
 #[test]
-fn all_that_a_robot_with_loops_can_have_is_listed() {
+fn every_function_of_a_robot_with_loops_is_listed() {
     let text = FOUR_BAR.to_owned() + PIN;
     let (description, request) = described(&text);
     let request = Request {
@@ -28,7 +28,7 @@ fn all_that_a_robot_with_loops_can_have_is_listed() {
 }
 
 #[test]
-fn what_leaves_loops_open_says_so() {
+fn functions_that_leave_loops_open_document_it() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let (item, world) = (Item::named_after("four bar"), World::default());
@@ -49,7 +49,7 @@ fn what_leaves_loops_open_says_so() {
 }
 
 #[test]
-fn loops_that_cannot_be_are_refused() {
+fn impossible_loops_are_refused() {
     let refused = |text: &str| chain(&(FOUR_BAR.to_owned() + text)).expect_err("a mistake");
     let told =
         refused("loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0.01) }");
@@ -80,7 +80,7 @@ fn loops_that_cannot_be_are_refused() {
 }
 
 #[test]
-fn functions_of_loops_are_refused_where_there_is_none() {
+fn functions_of_loops_are_refused_without_loops() {
     let (description, request) = described(FOUR_BAR);
     for function in Function::OF_LOOPS {
         let request = Request {
@@ -108,7 +108,7 @@ fn functions_of_loops_are_refused_where_there_is_none() {
 }
 
 #[test]
-fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_doubt() {
+fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_warning() {
     let text = FOUR_BAR.to_owned() + "loop pin: spherical { from: coupler, to: rocker }";
     let (description, request) = described(&text);
     let request = Request {
@@ -121,7 +121,7 @@ fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_doubt() {
         .report
         .warnings
         .iter()
-        .map(|doubt| &*doubt.message)
+        .map(|warning| &*warning.message)
         .collect();
     assert!(
         told.contains(&"loop \"pin\" is left open: link \"rocker\" is not modelled"),
@@ -130,7 +130,7 @@ fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_doubt() {
 }
 
 #[test]
-fn loops_and_drives_that_nothing_asks_for_are_doubted() {
+fn loops_and_actuators_that_no_function_reads_give_a_warning() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let told = |functions: &[Function]| -> Vec<String> {
         let request = Request {
@@ -139,8 +139,8 @@ fn loops_and_drives_that_nothing_asks_for_are_doubted() {
             ..request.clone()
         };
         let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-        let doubts = chain.report.warnings.into_iter();
-        doubts.map(|doubt| doubt.message).collect()
+        let warnings = chain.report.warnings.into_iter();
+        warnings.map(|warning| warning.message).collect()
     };
     let open = "loop \"pin\" is left open: no function of loops is asked for";
     let driven = "which joints are driven is told, and no function asks for it";
@@ -151,7 +151,7 @@ fn loops_and_drives_that_nothing_asks_for_are_doubted() {
 }
 
 #[test]
-fn drives_are_joints_that_move_by_themselves() {
+fn actuators_must_be_joints_that_move_independently() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let with = |names: &[&str]| Request {
         actuated: names.iter().map(|&name| name.into()).collect(),

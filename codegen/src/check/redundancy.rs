@@ -1,8 +1,8 @@
-//! Residuals that depend on others where the loops are closed.
+//! Residuals that depend on others in closed configurations.
 //!
 //! In: a description and its chain. Out: the residuals that the others imply in closed configurations, as in every
-//! over-constrained mechanism that moves; and warnings where rounding of the description decides it, or where the
-//! loops leave no motion.
+//! over-constrained linkage that moves; and warnings if rounding of the description decides it, or if the loops leave
+//! no motion.
 
 use super::{robot, states};
 use crate::chain::Chain;
@@ -11,30 +11,30 @@ use crate::error::Complaint;
 use crate::space::Space;
 use crate::wording::{list, quoted};
 
-/// Residuals are compared in so many closed configurations in which something moves,
+/// Number of closed configurations with motion in which residuals are compared.
 const STATES: usize = 2;
 
-/// which are looked for in so many: a linkage may also close where nothing can move.
+/// Largest number of configurations that are tried for it: a linkage may also close where nothing can move.
 const LOOKS: usize = 5;
 
 /// The residual [m, 1] of a configuration that did not close.
 const OPEN: f64 = 1e-2;
 
-/// How many times ε, the part of the whole below which a pivot counts as nothing, is clear of it.
+/// Ratio of a pivot to ε, the threshold of zero pivots, above which it is clearly not zero.
 const CLEAR: f64 = 100.0;
 
-/// How many times ε is left of a residual that depends on others to all digits of `f64`.
+/// Ratio to ε of a residual that depends on others to all digits of `f64`.
 const EXACT: f64 = 1e-12;
 
-/// By which part of the largest acceleration others may differ with ε.
+/// Share of the largest acceleration by which accelerations may vary with ε.
 const CERTAIN: f64 = 1e-3;
 
-/// Which residuals depend on others.
+/// The residuals that depend on others.
 #[derive(Default)]
 pub struct Redundancy {
     /// Their names.
     pub dependent: Vec<String>,
-    /// What is uncertain about them.
+    /// Warnings about uncertain dependences.
     pub warnings: Vec<Complaint>,
 }
 
@@ -90,16 +90,16 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     }
 }
 
-/// What is seen of residuals in one configuration.
+/// The residuals in one configuration.
 struct Look {
     is_closed: bool,
-    /// Of each residual beside ε, as far as it does not depend on those before it.
+    /// For each residual its independent part, after those before it, divided by ε.
     pivots: Vec<f64>,
-    /// How many velocities change a residual.
+    /// Number of velocities that change a residual.
     held: usize,
-    /// Whether those are more than the residuals that do not depend on others.
+    /// True if those are more than the independent residuals.
     moves: bool,
-    /// Whether accelerations are the same if ε is another one.
+    /// True if accelerations are the same for another ε.
     is_certain: bool,
 }
 
@@ -147,7 +147,7 @@ fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Complaint {
     }
 }
 
-/// A warning that loops hold every joint of so many that change their residuals.
+/// The warning that loops hold every joint among those that change their residuals.
 fn no_motion(chain: &Chain, held: usize) -> Complaint {
     let names: Vec<String> = chain
         .loops

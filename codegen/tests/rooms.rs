@@ -1,13 +1,13 @@
-//! The rooms of this crate: each names those that stand before it in the list and that it needs, and no other.
+//! Test of the dependences between the folders of this crate: each uses only those before it in a list.
 //!
-//! In: the sources without their tests. Out: nothing where `crate::` in code is followed by a room that may be named. It
-//! does not see what is called by way of a method.
+//! In: the sources without their tests. Out: a failure if `crate::` in code is followed by a folder that may not be
+//! named. Uses by way of a method are not seen.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Each room with those it may name besides itself: first the nouns, then the stages in the order of `expand`, then the
-/// doors.
+/// Each folder with those it may name besides itself: first the shared types, then the stages in the order of `expand`,
+/// then the front ends.
 const ROOMS: [(&str, &[&str]); 35] = [
     ("wording", &[]),
     ("list", &[]),
@@ -288,15 +288,14 @@ const ROOMS: [(&str, &[&str]); 35] = [
     ),
 ];
 
-/// Rows of functions are nouns to all stages before the model, and hold how the model computes them: these arrows go up, and
-/// no others.
+/// The only exceptions: definitions of functions are used by all stages, and contain how the model computes them.
 const UP: [(&str, &str); 3] = [
     ("function", "chain"),
     ("function", "layout"),
     ("function", "model"),
 ];
 
-/// The files at or below a path, with the room that each is in.
+/// The files at or below a path, each with its folder.
 fn files(path: &Path, room: &str) -> Vec<(String, PathBuf)> {
     let entries = fs::read_dir(path).expect("the folder is there");
     let paths = entries.map(|entry| entry.expect("readable").path());
@@ -315,13 +314,13 @@ fn files(path: &Path, room: &str) -> Vec<(String, PathBuf)> {
         .collect()
 }
 
-/// Whether a file is one of tests.
+/// True for a file of tests.
 fn is_of_tests(path: &Path) -> bool {
     let mut parts = path.iter().filter_map(|part| part.to_str());
     parts.any(|part| ["tests", "tests.rs", "long_chains.rs"].contains(&part))
 }
 
-/// The rooms that the code of a file names, without its module of tests.
+/// The folders that the code of a file names, without its module of tests.
 fn named(text: &str) -> Vec<&str> {
     let code = text
         .split("#[cfg(test)]\nmod tests {")
@@ -332,7 +331,7 @@ fn named(text: &str) -> Vec<&str> {
         let paths = line
             .match_indices("crate::")
             .map(|(at, _)| (&line[..at], &line[at + 7..]));
-        // What a macro, or code that is printed, calls its own crate is none of this one.
+        // A path in a macro, or in printed code, belongs to another crate.
         paths
             .filter(|(before, _)| !before.ends_with('$'))
             .map(|(_, path)| path)
@@ -346,7 +345,7 @@ fn named(text: &str) -> Vec<&str> {
 }
 
 #[test]
-fn a_room_names_those_before_it_alone() {
+fn a_folder_names_only_those_before_it() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let files = files(&source, "");
     let of_rooms = files

@@ -1,14 +1,14 @@
-//! Which rooms of this crate know the tokens of Rust: those that read them, ask for them or print them.
+//! Test of which folders of this crate use the tokens of Rust: those that read, request or print them.
 //!
-//! In: the sources without their tests. Out: nothing where only those name `proc_macro2`, `quote` or
-//! `syn`, and `print` beside its rooms for Rust and for Python, whose extensions are Rust, does not.
+//! In: the sources without their tests. Out: a failure if another folder names `proc_macro2`, `quote` or `syn`, or if
+//! `print` does beside its folders for Rust and for Python, whose extensions are Rust.
 
 #[path = "sources/code.rs"]
 mod sources;
 
 use sources::code;
 
-/// Files and folders that may.
+/// Files and folders that may use them.
 const ROOMS: [&str; 7] = [
     "builder",
     "description",
@@ -20,7 +20,7 @@ const ROOMS: [&str; 7] = [
 ];
 
 #[test]
-fn what_lies_between_description_and_print_knows_no_tokens() {
+fn stages_between_description_and_print_use_no_tokens() {
     let mut rooms = ROOMS.to_vec();
     for (within, lines) in code() {
         let mut tokens = ["proc_macro2", "quote", "syn"].iter();
@@ -36,7 +36,7 @@ fn what_lies_between_description_and_print_knows_no_tokens() {
     assert!(rooms.is_empty(), "{rooms:?} know no tokens any more");
 }
 
-/// Whether a line of code uses a crate.
+/// True if a line of code uses a crate.
 fn names(line: &str, name: &str) -> bool {
     line.contains(&format!("{name}::")) || line.contains(&format!("{name}!"))
 }

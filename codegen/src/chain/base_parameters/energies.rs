@@ -40,8 +40,8 @@ struct Of {
 /// Sizes of the terms of a body's motion, in any axes.
 #[derive(Clone, Copy)]
 struct Size {
-    turn: f64,
-    slide: f64,
+    angular: f64,
+    linear: f64,
     gravity: f64,
     height: f64,
 }
@@ -73,9 +73,9 @@ impl Energies {
         }
         // The same seed for all robots: the result must not change with a comment in a file.
         let mut random = Random(0);
-        let mut drawn = |kind: Kind, turn: f64| {
+        let mut drawn = |kind: Kind, angle: f64| {
             let slides = matches!(kind, Kind::Slide);
-            let largest = if slides { 3.0 * length } else { turn };
+            let largest = if slides { 3.0 * length } else { angle };
             Double::from(largest * (2.0 * random.unit() - 1.0))
         };
         let mut energies = Self {
@@ -113,9 +113,9 @@ impl Energies {
         let kinetic = (0..kinetic).map(move |state| {
             let Of { kinetic, size, .. } = at(state);
             let size = match moment {
-                0 => size.slide * size.slide,
-                1..4 => size.slide * size.turn,
-                _ => size.turn * size.turn,
+                0 => size.linear * size.linear,
+                1..4 => size.linear * size.angular,
+                _ => size.angular * size.angular,
             };
             (kinetic[moment], size)
         });
@@ -224,8 +224,8 @@ impl Moving {
             velocity: Matrix::zero(),
             gravity: [x, y, z, Double::ZERO],
             size: Size {
-                turn: 0.0,
-                slide: 0.0,
+                angular: 0.0,
+                linear: 0.0,
                 gravity: norm(&numbers.gravity),
                 height: 0.0,
             },
@@ -236,8 +236,8 @@ impl Moving {
     fn seen_from(&self, pose: &Matrix<Double>) -> Self {
         let offset = norm(&pose.column());
         let Size {
-            turn,
-            slide,
+            angular,
+            linear,
             gravity,
             height,
         } = self.size;
@@ -248,8 +248,8 @@ impl Moving {
                 term(0) + term(1) + term(2) + term(3)
             }),
             size: Size {
-                turn,
-                slide: slide + turn * offset,
+                angular,
+                linear: linear + angular * offset,
                 gravity,
                 height: height + gravity * offset,
             },
@@ -259,8 +259,8 @@ impl Moving {
     /// Adds L times a velocity.
     fn add(&mut self, [u, b]: [[Double; 3]; 2], rate: Double) {
         let size = rate.to_f64().abs();
-        self.size.turn += norm(&u) * size;
-        self.size.slide += norm(&b) * size;
+        self.size.angular += norm(&u) * size;
+        self.size.linear += norm(&b) * size;
         self.velocity = self.velocity.plus(&Matrix::screw(u, b).scaled(&rate));
     }
 
